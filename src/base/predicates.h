@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "base/vec.h"
+
+/// Exact predicates: a floating-point filter with a proven error bound first, expansion arithmetic second.
+///
+/// All of them take the coordinates as exact numbers and return the sign of the true value. They are exact as long as
+/// no intermediate product over- or underflows: coordinates of magnitude 1e-15 to 1e15 (or 0) are safe.
+namespace mq {
+
+/// How often the filter decided, and how often exact arithmetic had to. One counter a thread of work.
+struct PredicateCount {
+    std::uint64_t filtered = 0;
+    std::uint64_t exact = 0;
+};
+
+/// Counters of the calling thread.
+PredicateCount& predicate_count();
+
+/// Sign of (a - o) . (b - o): negative when the angle at o is obtuse.
+int sign_dot(const Vec3& o, const Vec3& a, const Vec3& b);
+
+/// Φ_obtuse (Aftosmis 1999, eq. 5): the index 0..2 of the vertex with an obtuse angle, -1 when there is none.
+int obtuse_vertex(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Φ_encroached (section 3.1): p lies strictly inside the diametral sphere of the constraining edge from o to d.
+bool encroached(const Vec3& o, const Vec3& d, const Vec3& p);
+
+/// Sign of (angle a-o-b) - (angle c-q-d), both in [0, pi]: compares sign(cos), then cos^2 by cross-multiplication.
+/// An arm of zero length counts as an angle of zero.
+int compare_angles(const Vec3& a, const Vec3& o, const Vec3& b, const Vec3& c, const Vec3& q, const Vec3& d);
+
+/// Φ_XN (section 3.4): the edge p-q shared by the triangles (p, q, r) and (q, p, s) is locally maxmin, that is, the
+/// smallest angle of the two triangles is at least that of the swapped pair (r, s, q), (s, r, p). Exact.
+bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);
+
+/// Index 0..2 of the vertex with the smallest angle of a triangle (ties: the lowest index). Exact.
+int smallest_angle_vertex(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// Sign of the area of (a, b, c) in the plane: positive when counter-clockwise. Exact.
+int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
+
+/// Positive when d lies inside the circle through a, b, c, which run counter-clockwise. Exact.
+int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
+
+}  // namespace mq

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <atomic>
+#include <string>
+
+#include "base/error.h"
+
+namespace mq {
+
+/// The handle of one running operation, shared by the thread that works and the one that watches.
+///
+/// The worker names its stage and advances the fraction; the watcher polls both and may cancel. Nothing is called
+/// back. Stages are string literals, so that a reader on another thread never sees a string being changed.
+class Progress {
+  public:
+    /// Worker: starts stage `name` (a string literal), which covers the fractions [from, to] of the whole.
+    void stage(const char* name, double from, double to) {
+        name_.store(name, std::memory_order_release);
+        from_.store(from, std::memory_order_relaxed);
+        to_.store(to, std::memory_order_relaxed);
+        fraction_.store(from, std::memory_order_relaxed);
+    }
+    /// Worker: `done` in [0, 1] of the current stage. The fraction never runs backwards.
+    void advance(double done) {
+        const double from = from_.load(std::memory_order_relaxed);
+        const double value = from + done * (to_.load(std::memory_order_relaxed) - from);
+        if (value > fraction_.load(std::memory_order_relaxed)) {
+            fraction_.store(value, std::memory_order_relaxed);
+        }
+    }
+    /// Worker: throws Cancelled once the watcher has asked for it. Cheap: call it in every round.
+    void check() const {
+        if (cancelled()) {
+            throw Cancelled("cancelled on request");
+        }
+    }
+
+    void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+    bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+    double fraction() const { return fraction_.load(std::memory_order_relaxed); }
+    const char* name() const { return name_.load(std::memory_order_acquire); }
+
+  private:
+    std::atomic<const char*> name_{"start"};
+    std::atomic<double> from_{0.0};
+    std::atomic<double> to_{1.0};
+    std::atomic<double> fraction_{0.0};
+    std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace mq

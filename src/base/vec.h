@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace mq {
+
+/// A point or direction in space, mm. DontAlign: plain members of plain structs, no special allocators.
+using Vec3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
+/// A point in a face's parameter domain (u, v).
+using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+
+/// Axis-parallel box; empty until the first point.
+struct Box {
+    Vec3 low = Vec3::Constant(1e300);
+    Vec3 high = Vec3::Constant(-1e300);
+
+    void add(const Vec3& p) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    bool empty() const { return low.x() > high.x(); }
+    /// The largest dimension L of the part (Aftosmis 1999, section 4.2).
+    double largest_side() const { return empty() ? 0.0 : (high - low).maxCoeff(); }
+    Vec3 center() const { return 0.5 * (low + high); }
+};
+
+}  // namespace mq

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <memory>
+#include <vector>
+
+#include "geometry/model.h"
+
+namespace mq::geometry {
+
+/// The geometry engine: one thread that owns the modeler and answers batches of queries in the order they came.
+///
+/// Several models can be served at once and several threads may ask. The queue is bounded: `submit` waits while it is
+/// full. After `shut_down` every query is answered with Status::Stopped.
+class Engine {
+  public:
+    enum class Mode {
+        Threaded,  ///< the modeler lives on a thread of the engine's own
+        Direct,    ///< every query is answered in the caller's thread (to compare; one caller only)
+    };
+    explicit Engine(Mode mode = Mode::Threaded, std::size_t queue_capacity = 64);
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+    using Batch = std::vector<Query>;
+    using Answers = std::vector<Answer>;
+
+    /// Hands a batch over and returns at once; the answers come in the batch's order.
+    std::future<Answers> submit(const std::shared_ptr<Model>& model, Batch batch);
+    Answers ask(const std::shared_ptr<Model>& model, Batch batch);
+    Answer ask(const std::shared_ptr<Model>& model, const Query& query);
+
+    /// Runs `work` on the engine's thread and waits for it: building a model, for one. What `work` throws is thrown
+    /// here, in the caller's thread.
+    void run(const std::function<void()>& work);
+
+    /// Drops all batches that wait; they and the rest of the running one are answered with Status::Stopped.
+    void cancel();
+    /// As cancel, and the thread ends. Idempotent.
+    void shut_down();
+
+    /// Queries answered so far.
+    std::uint64_t queries() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace mq::geometry

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <memory>
+
+#include "geometry/model.h"
+
+class TopoDS_Shape;
+
+namespace mq::geometry {
+
+/// The live OpenCASCADE shape as a model. The shape is only read: neither its topology, nor its geometry, nor its
+/// display triangulation changes. Call it on the engine's thread (Engine::run).
+/// @throws InvalidInput for a null shape or one without faces, naming what was given.
+/// @throws GeometryError for a face without a surface, naming the face.
+std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape);
+
+/// The version of OpenCASCADE that this was built with, "7.6.3".
+const char* occt_version();
+
+}  // namespace mq::geometry

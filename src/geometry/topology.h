@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+/// The CAD-neutral entities (Aftosmis 1999, figure 1): volumes, faces, loops, edges, nodes.
+///
+/// All indices count from 0 and map one to one to FreeCAD's sub-elements: face 6 is "Face7".
+namespace mq::geometry {
+
+/// What a vertex or a message refers to: dimension 0 node, 1 edge, 2 face.
+struct Entity {
+    int dimension = -1;
+    int index = -1;
+
+    bool operator==(const Entity& other) const { return dimension == other.dimension && index == other.index; }
+};
+
+/// FreeCAD's name of an entity: "Vertex3", "Edge12", "Face7".
+std::string name_of(Entity entity);
+
+struct Node {
+    Vec3 point = Vec3::Zero();
+    double tolerance = 0.0;
+};
+
+/// One appearance of an edge on a face, with its own curve in the face's parameter domain.
+/// A seam appears twice on one face; an edge inside a face (a slit) may too.
+struct EdgeUse {
+    int edge = -1;
+    int face = -1;
+    bool forward = true;    ///< walking the loop with the interior on the left in (u, v), t grows
+    bool internal = false;  ///< lies inside the face and does not bound it
+};
+
+struct Edge {
+    std::array<int, 2> nodes{-1, -1};  ///< at t0 and t1; equal when closed; -1 when the curve has no end there
+    double t0 = 0.0;
+    double t1 = 0.0;
+    bool degenerate = false;  ///< no curve in space: the pole of a sphere, the apex of a cone
+    double tolerance = 0.0;
+    std::vector<int> uses;  ///< indices into Topology::uses
+};
+
+/// An oriented run of edge uses. Not all of them form a closed chain on faulty faces.
+struct Loop {
+    std::vector<int> uses;
+};
+
+struct Face {
+    std::vector<Loop> loops;
+    bool reversed = false;  ///< the outward normal is -(Su x Sv)
+    double tolerance = 0.0;
+    std::array<double, 2> low{0.0, 0.0};   ///< bounds of (u, v) on the trimmed face
+    std::array<double, 2> high{0.0, 0.0};
+    std::array<double, 2> period{0.0, 0.0};  ///< 0 where the surface is not periodic (or closed) in u, v
+    const char* surface = "other";           ///< "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
+};
+
+/// A solid, a free shell, or the free faces of a compound taken together.
+struct Volume {
+    enum class Kind { Solid, Shell, Faces };
+    struct Side {
+        int face = -1;
+        bool flipped = false;  ///< the volume sees the face from its other side (a face shared by two solids)
+    };
+    Kind kind = Kind::Solid;
+    std::vector<Side> sides;
+};
+
+struct Topology {
+    std::vector<Node> nodes;
+    std::vector<Edge> edges;
+    std::vector<Face> faces;
+    std::vector<EdgeUse> uses;
+    std::vector<Volume> volumes;
+    Box box;                             ///< of the whole part, mm; never smaller than the part
+    std::vector<std::string> faults;     ///< what is wrong with the part by the kernel's own checks, naming entities
+};
+
+}  // namespace mq::geometry

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace mq::mesh {
+
+/// What was measured on the final mesh, and what happened on the way. Angles in degrees, lengths in mm.
+struct MeshReport {
+    std::size_t triangles = 0;
+    std::size_t vertices = 0;
+    bool closed = false;    ///< no border edge
+    bool oriented = false;  ///< every inner edge is run once each way
+    bool manifold = false;  ///< no edge with three or more triangles, no pinched vertex, no degenerate triangle
+    std::size_t border_edges = 0;
+    std::size_t nonmanifold_edges = 0;
+    std::size_t misoriented_edges = 0;
+    std::size_t pinched_vertices = 0;
+    std::size_t degenerate_triangles = 0;  ///< two equal corners, or corners on one line
+    std::size_t duplicate_triangles = 0;
+    std::size_t components = 0;
+    long euler = 0;  ///< V - E + F
+    double min_angle = 0.0;
+    double max_angle = 0.0;
+    double mean_min_angle = 0.0;  ///< mean over the triangles of their smallest angle
+    double max_aspect = 0.0;      ///< longest edge / shortest edge of one triangle
+    std::array<std::size_t, 60> angle_histogram{};  ///< smallest angle of each triangle, one bin a degree
+    double area = 0.0;
+    double volume = 0.0;  ///< signed; of closed meshes only
+    Box box;
+
+    double min_angle_asked = 0.0;
+    double min_angle_unexempted = 0.0;  ///< smallest angle over triangles that are not in `exempt`
+    double max_chord_height = -1.0;     ///< largest measured distance to the CAD; -1 when there is no CAD
+    double chord_height_asked = 0.0;    ///< 0: none
+    std::vector<std::pair<std::int32_t, std::string>> exempt;  ///< triangle, why and by which entities
+    std::vector<std::string> notes;     ///< what the reader must know: faults of the part, budget reached, ...
+    bool complete = true;               ///< false when a budget ended the work early
+
+    std::vector<std::pair<std::string, double>> seconds;  ///< stage, wall-clock seconds
+    double cpu_seconds = 0.0;
+    std::uint64_t queries = 0;
+    std::uint64_t predicates = 0;
+    std::uint64_t exact_predicates = 0;  ///< how many of them needed exact arithmetic
+};
+
+/// Measures everything that a mesh tells by itself (all fields up to `box`). Time O(n log n).
+/// @throws InvalidInput for a triangle that names a vertex out of range or a coordinate that is not a number.
+MeshReport measure(const TriangleMesh& mesh);
+
+/// A text of a dozen lines for people.
+std::string to_text(const MeshReport& report);
+
+}  // namespace mq::mesh
