@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace mq::mesh {
+
+/// All edges of a triangle soup, each with the corners of the triangles that have it.
+///
+/// A corner is 3 * triangle + i and stands for the directed edge from the triangle's vertex i to its vertex i + 1.
+/// Triangles that name a vertex twice have no sides and are left out. Time O(n) for vertices of bounded degree.
+class EdgeTable {
+  public:
+    /// Every vertex index must be in range.
+    EdgeTable(const std::vector<Triangle>& triangles, std::size_t vertex_count);
+
+    /// Calls visit(low, high, first, last) once for each undirected edge low < high, in ascending order; [first, last)
+    /// are its corners in ascending order.
+    template <typename Visit>
+    void for_each(Visit&& visit) const {
+        for (std::size_t low = 0; low + 1 < begin_.size(); ++low) {
+            std::size_t i = begin_[low];
+            while (i < begin_[low + 1]) {
+                std::size_t j = i + 1;
+                while (j < begin_[low + 1] && high_[j] == high_[i]) {
+                    ++j;
+                }
+                visit(static_cast<std::int32_t>(low), high_[i], corners_.data() + i, corners_.data() + j);
+                i = j;
+            }
+        }
+    }
+
+    /// True when the triangle names the same vertex twice.
+    static bool collapsed(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+  private:
+    std::vector<std::size_t> begin_;      ///< of each lower vertex in the two arrays below
+    std::vector<std::int32_t> high_;      ///< the other vertex
+    std::vector<std::uint32_t> corners_;
+};
+
+/// Throws InvalidInput unless every index is in range, every coordinate a number, and the optional arrays are either
+/// empty or of full length.
+void require_valid(const TriangleMesh& mesh);
+
+}  // namespace mq::mesh

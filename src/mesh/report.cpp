@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/report.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "base/predicates.h"
+#include "mesh/edge_table.h"
+
+namespace mq::mesh {
+
+namespace {
+
+constexpr double kDegrees = 57.295779513082320876798;
+
+/// Disjoint sets with path halving; the root is always the smallest member, so that results do not depend on order.
+class DisjointSets {
+  public:
+    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+    std::uint32_t find(std::uint32_t i) {
+        while (parent_[i] != i) {
+            parent_[i] = parent_[parent_[i]];
+            i = parent_[i];
+        }
+        return i;
+    }
+    void unite(std::uint32_t a, std::uint32_t b) {
+        a = find(a);
+        b = find(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+  private:
+    std::vector<std::uint32_t> parent_;
+};
+
+struct Shape {
+    double min_angle = 0.0;
+    double max_angle = 0.0;
+    double aspect = 0.0;
+    bool degenerate = false;
+};
+
+bool exactly_collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto flat = [&](int x, int y) {
+        return orient2d(Vec2(a[x], a[y]), Vec2(b[x], b[y]), Vec2(c[x], c[y])) == 0;
+    };
+    return flat(0, 1) && flat(1, 2) && flat(2, 0);
+}
+
+/// The cross product is taken between the two shortest sides, where it loses least in a sliver.
+Shape shape_of(const std::array<Vec3, 3>& p, double& twice_area) {
+    const std::array<Vec3, 3> side{p[2] - p[1], p[0] - p[2], p[1] - p[0]};
+    const std::array<double, 3> length{side[0].norm(), side[1].norm(), side[2].norm()};
+    const int longest = static_cast<int>(std::max_element(length.begin(), length.end()) - length.begin());
+    const double shortest = std::min({length[0], length[1], length[2]});
+    twice_area = side[(longest + 1) % 3].cross(side[(longest + 2) % 3]).norm();
+
+    Shape shape;
+    shape.aspect = shortest > 0.0 ? length[longest] / shortest : HUGE_VAL;
+    const double scale = length[(longest + 1) % 3] * length[(longest + 2) % 3];
+    shape.degenerate = shortest == 0.0 || (twice_area <= 1e-10 * scale && exactly_collinear(p[0], p[1], p[2]));
+    if (shape.degenerate) {
+        twice_area = 0.0;
+        shape.max_angle = 180.0;
+        return shape;
+    }
+    std::array<double, 3> angle;
+    for (int i = 0; i < 3; ++i) {
+        angle[i] = kDegrees * std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3]));
+    }
+    const auto [low, high] = std::minmax_element(angle.begin(), angle.end());
+    shape.min_angle = *low;
+    shape.max_angle = *high;
+    return shape;
+}
+
+void measure_shapes(const TriangleMesh& mesh, MeshReport& report) {
+    report.min_angle = mesh.triangles.empty() ? 0.0 : 180.0;
+    double sum = 0.0;
+    double area = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        double twice_area = 0.0;
+        const Shape shape = shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, twice_area);
+        report.degenerate_triangles += shape.degenerate;
+        report.min_angle = std::min(report.min_angle, shape.min_angle);
+        report.max_angle = std::max(report.max_angle, shape.max_angle);
+        report.max_aspect = std::max(report.max_aspect, shape.aspect);
+        const std::size_t bin = std::min(static_cast<std::size_t>(shape.min_angle), report.angle_histogram.size() - 1);
+        ++report.angle_histogram[bin];
+        sum += shape.min_angle;
+        area += 0.5 * twice_area;
+    }
+    report.mean_min_angle = mesh.triangles.empty() ? 0.0 : sum / static_cast<double>(mesh.triangles.size());
+    report.area = area;
+    report.min_angle_unexempted = report.min_angle;
+}
+
+/// Triangles of one edge that also share their third vertex. Counted at the edge of their two lowest vertices only,
+/// so that each pair is met once.
+std::size_t duplicates_at(const TriangleMesh& mesh, std::int32_t high, const std::uint32_t* first,
+                          const std::uint32_t* last, std::vector<std::int32_t>& opposite) {
+    opposite.clear();
+    for (const std::uint32_t* corner = first; corner != last; ++corner) {
+        const std::int32_t v = mesh.triangles[*corner / 3][(*corner % 3 + 2) % 3];
+        if (v > high) {
+            opposite.push_back(v);
+        }
+    }
+    std::sort(opposite.begin(), opposite.end());
+    const auto end = std::unique(opposite.begin(), opposite.end());
+    return static_cast<std::size_t>(opposite.end() - end);
+}
+
+/// Corners of one vertex that belong to triangles joined across an edge form one fan.
+void unite_fans(const TriangleMesh& mesh, std::int32_t low, const std::uint32_t* first, const std::uint32_t* last,
+                DisjointSets& fans) {
+    const auto at = [&](std::uint32_t corner, bool at_low) {
+        const bool starts_low = mesh.triangles[corner / 3][corner % 3] == low;
+        return starts_low == at_low ? corner : corner / 3 * 3 + (corner % 3 + 1) % 3;
+    };
+    for (const std::uint32_t* corner = first + 1; corner < last; ++corner) {
+        fans.unite(at(*first, true), at(*corner, true));
+        fans.unite(at(*first, false), at(*corner, false));
+    }
+}
+
+void measure_fans(const TriangleMesh& mesh, std::size_t edges, DisjointSets& fans, DisjointSets& bodies,
+                  MeshReport& report) {
+    std::vector<std::uint8_t> fans_at(mesh.vertices.size(), 0);
+    long faces = 0;
+    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+        if (EdgeTable::collapsed(mesh.triangles[k])) {
+            continue;
+        }
+        ++faces;
+        report.components += bodies.find(static_cast<std::uint32_t>(k)) == k;
+        for (std::size_t corner = 3 * k; corner < 3 * k + 3; ++corner) {
+            if (fans.find(static_cast<std::uint32_t>(corner)) == corner) {
+                std::uint8_t& n = fans_at[mesh.triangles[k][corner - 3 * k]];
+                n = static_cast<std::uint8_t>(std::min(n + 1, 2));
+            }
+        }
+    }
+    report.pinched_vertices = static_cast<std::size_t>(std::count(fans_at.begin(), fans_at.end(), 2));
+    const long used = static_cast<long>(fans_at.size()) - std::count(fans_at.begin(), fans_at.end(), 0);
+    report.euler = used - static_cast<long>(edges) + faces;
+}
+
+void measure_topology(const TriangleMesh& mesh, MeshReport& report) {
+    const EdgeTable table(mesh.triangles, mesh.vertices.size());
+    DisjointSets fans(3 * mesh.triangles.size());
+    DisjointSets bodies(mesh.triangles.size());
+    std::vector<std::int32_t> opposite;
+    std::size_t edges = 0;
+    table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
+        ++edges;
+        const auto count = last - first;
+        if (count == 1) {
+            ++report.border_edges;
+            return;
+        }
+        const auto forward = std::count_if(
+            first, last, [&](std::uint32_t c) { return mesh.triangles[c / 3][c % 3] == low; });
+        report.nonmanifold_edges += count > 2;
+        report.misoriented_edges += count != 2 || forward != 1;
+        report.duplicate_triangles += duplicates_at(mesh, high, first, last, opposite);
+        for (const std::uint32_t* corner = first + 1; corner < last; ++corner) {
+            bodies.unite(*first / 3, *corner / 3);
+        }
+        unite_fans(mesh, low, first, last, fans);
+    });
+    measure_fans(mesh, edges, fans, bodies, report);
+}
+
+/// By the divergence theorem, about a corner of the box to keep the terms small.
+double signed_volume(const TriangleMesh& mesh, const Vec3& reference) {
+    double six = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3 a = mesh.vertices[t[0]] - reference;
+        const Vec3 b = mesh.vertices[t[1]] - reference;
+        const Vec3 c = mesh.vertices[t[2]] - reference;
+        six += a.dot(b.cross(c));
+    }
+    return six / 6.0;
+}
+
+template <typename... Values>
+std::string line(const char* format, Values... values) {
+    std::array<char, 512> buffer;
+    const int length = std::snprintf(buffer.data(), buffer.size(), format, values...);
+    return std::string(buffer.data(), std::min<std::size_t>(length, buffer.size() - 1)) + "\n";
+}
+
+std::string faults_text(const MeshReport& r) {
+    std::string text;
+    const auto fault = [&](std::size_t count, const char* what) {
+        if (count > 0) {
+            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+        }
+    };
+    fault(r.border_edges, "border edges");
+    fault(r.nonmanifold_edges, "non-manifold edges");
+    fault(r.misoriented_edges, "inconsistently oriented edges");
+    fault(r.pinched_vertices, "pinched vertices");
+    fault(r.degenerate_triangles, "degenerate triangles");
+    fault(r.duplicate_triangles, "duplicate triangles");
+    return text.empty() ? "none" : text;
+}
+
+std::string exemptions_text(const MeshReport& r) {
+    constexpr std::size_t kShown = 10;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(r.exempt.size(), kShown); ++i) {
+        text += "  triangle " + std::to_string(r.exempt[i].first) + ": " + r.exempt[i].second + "\n";
+    }
+    if (r.exempt.size() > kShown) {
+        text += "  and " + std::to_string(r.exempt.size() - kShown) + " more\n";
+    }
+    return text;
+}
+
+std::string work_text(const MeshReport& r) {
+    std::string text;
+    double total = 0.0;
+    for (const auto& [stage, seconds] : r.seconds) {
+        total += seconds;
+        text += line("  %s %.3f s", stage.c_str(), seconds);
+    }
+    if (total > 0.0 || r.queries > 0) {
+        text = line("time         %.3f s (%.3f s of processor), %llu geometry queries", total, r.cpu_seconds,
+                    static_cast<unsigned long long>(r.queries)) + text;
+    }
+    return text;
+}
+
+}  // namespace
+
+MeshReport measure(const TriangleMesh& mesh) {
+    require_valid(mesh);
+    MeshReport report;
+    report.triangles = mesh.triangles.size();
+    report.vertices = mesh.vertices.size();
+    Box local;
+    for (const Vec3& p : mesh.vertices) {
+        local.add(p);
+    }
+    if (!local.empty()) {
+        report.box.low = local.low + mesh.origin;
+        report.box.high = local.high + mesh.origin;
+    }
+    measure_shapes(mesh, report);
+    measure_topology(mesh, report);
+    report.closed = !mesh.triangles.empty() && report.border_edges == 0;
+    report.oriented = report.misoriented_edges == 0;
+    report.manifold =
+        report.nonmanifold_edges == 0 && report.pinched_vertices == 0 && report.degenerate_triangles == 0;
+    report.volume = report.closed ? signed_volume(mesh, local.center()) : 0.0;
+    return report;
+}
+
+std::string to_text(const MeshReport& r) {
+    const auto yes = [](bool value) { return value ? "yes" : "no"; };
+    std::string text = line("triangles    %zu, vertices %zu, components %zu, Euler number %ld", r.triangles, r.vertices,
+                            r.components, r.euler);
+    text += line("closed       %s, oriented %s, manifold %s", yes(r.closed), yes(r.oriented), yes(r.manifold));
+    text += "faults       " + faults_text(r) + "\n";
+    text += line("angles       %.3f to %.3f degrees, mean of the smallest %.3f", r.min_angle, r.max_angle,
+                 r.mean_min_angle);
+    if (r.min_angle_asked > 0.0) {
+        text += line("             asked for %.3f; %zu triangles exempted, %.3f without them", r.min_angle_asked,
+                     r.exempt.size(), r.min_angle_unexempted);
+    }
+    text += exemptions_text(r);
+    text += line("aspect       %.3f at most (longest to shortest edge)", r.max_aspect);
+    if (r.max_chord_height >= 0.0) {
+        text += line("chord height %.6g mm at most, asked for ", r.max_chord_height);
+        text.pop_back();
+        text += r.chord_height_asked > 0.0 ? line("%.6g mm", r.chord_height_asked) : "no bound\n";
+    }
+    text += line("area         %.8g mm^2", r.area);
+    if (r.closed) {
+        text += line("volume       %.8g mm^3", r.volume);
+    }
+    if (!r.box.empty()) {
+        const Vec3 size = r.box.high - r.box.low;
+        text += line("size         %.6g x %.6g x %.6g mm", size.x(), size.y(), size.z());
+    }
+    text += work_text(r);
+    if (!r.complete) {
+        text += "incomplete   a limit ended the work early\n";
+    }
+    for (const std::string& note : r.notes) {
+        text += "note         " + note + "\n";
+    }
+    return text;
+}
+
+}  // namespace mq::mesh
