@@ -13,9 +13,9 @@ from FreeCAD import Vector
 
 SPAN, ROOT_CHORD, TIP_CHORD, SWEEP = 1500.0, 400.0, 160.0, 24.0
 THICKNESS, CAMBER, CAMBER_AT = 0.13, 0.02, 0.4
-STATIONS = (0.0, 0.08, 0.17, 0.34, 0.52, 0.61, 0.80, 1.0)
+STATIONS = (0.0, 0.09, 0.19, 0.38, 0.61, 0.80, 1.0)
 CUT_OUT = (0.2, 0.57)  # fractions of the span
-RELIEF = 0.15  # mm
+RELIEF = 0.06  # mm
 
 
 def wing_main():
@@ -73,8 +73,10 @@ def _main_curves():
 def _cut_out_curves():
     """The cove: rises from the lower side at 0.70 to the upper side at 0.84 of the chord."""
     low, high = (0.70, _lower(0.70) - 0.02), (0.86, _upper(0.86) + 0.02)
-    cove = [low, (0.705, -0.005), (0.73, 0.018), (0.78, 0.028), (0.82, 0.034), high]
-    return [cove, [high, (1.1, 0.1)], [(1.1, 0.1), (1.1, -0.1)], [(1.1, -0.1), low]]
+    front = [low, (0.703, -0.006), (0.713, 0.008)]
+    roof = [front[-1], (0.726, 0.018), (0.745, 0.0245), (0.77, 0.029)]
+    lip = [roof[-1], (0.80, 0.033), (0.83, 0.040), high]
+    return [front, roof, lip, [high, (1.1, 0.1)], [(1.1, 0.1), (1.1, -0.1)], [(1.1, -0.1), low]]
 
 
 def _flap_curves():
@@ -84,7 +86,7 @@ def _flap_curves():
     def point(x, side):
         camber = 0.008 * (1.0 - x) - 0.012 * (1.0 - x) ** 2
         _, half = _naca(x)
-        return (start + length * x, camber + side * 0.13 * half / THICKNESS * 1.1)
+        return (start + length * x, camber + side * 0.3 * half)
 
     upper = [point(x, 1.0) for x in _spaced(1.0, 0.3, 8)]
     nose = [point(x, 1.0) for x in _spaced(0.3, 0.0, 8)]
@@ -114,8 +116,6 @@ def _section(fraction, curves):
 
 
 def _relief():
-    """A narrow upright slot in the outboard front corner of the cut-out."""
+    """A narrow blind slot in the outboard front corner of the cut-out."""
     corner = _place(CUT_OUT[1], 0.70, 0.0)
-    return Part.makeBox(
-        20.0, RELIEF, 60.0, Vector(corner.x + 5.0, corner.y - 0.5 * RELIEF, corner.z - 30.0)
-    )
+    return Part.makeBox(17.0, RELIEF, 32.0, Vector(corner.x - 5.0, corner.y, corner.z - 30.0))
