@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/predicates.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/expansion.h"
+
+// How the error bounds below are found.
+//
+// u = 2^-53 is the unit roundoff: barring over- and underflow, every operation returns its exact result times (1 + d),
+// |d| <= u. That includes the difference of two coordinates, as the coordinates themselves are exact. A computed
+// polynomial is then the sum of its exact monomials, each times k such factors, where k counts the operations that the
+// monomial went through. It is wrong by at most ((1 + u)^k - 1) S < (k + 1/2) u S, with S the sum of the absolute
+// values of the exact monomials. The computed S is at least S (1 - u)^k' with a small k'; taking (k + 1) u times the
+// computed S covers that too, and the rounding of the bound, since u is far below 1 / (2 (k + 1) (k' + 2)).
+//
+// The error is strictly below the bound unless both are zero, so that |value| >= bound settles the sign.
+namespace mq {
+namespace {
+
+constexpr double kUnit = 0.5 * std::numeric_limits<double>::epsilon();
+
+constexpr double rounding_bound(int operations) {
+    return (operations + 1) * kUnit;
+}
+
+int sign_of(double value) {
+    return (value > 0.0) - (value < 0.0);
+}
+
+/// Whether the filter decides; counts the answer.
+bool settled(bool by_filter) {
+    PredicateCount& count = predicate_count();
+    ++(by_filter ? count.filtered : count.exact);
+    return by_filter;
+}
+
+using ExactVec = std::array<Expansion, 3>;
+
+ExactVec exact_difference(const Vec3& a, const Vec3& b) {
+    return {Expansion::difference(a.x(), b.x()), Expansion::difference(a.y(), b.y()),
+            Expansion::difference(a.z(), b.z())};
+}
+
+Expansion exact_dot(const ExactVec& a, const ExactVec& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Expansion exact_squared_distance(const Vec3& a, const Vec3& b) {
+    const ExactVec d = exact_difference(a, b);
+    return exact_dot(d, d).compressed();
+}
+
+double dot(const Vec3& a, const Vec3& b) {
+    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+double dot_magnitude(const Vec3& a, const Vec3& b) {
+    return std::abs(a.x() * b.x()) + std::abs(a.y() * b.y()) + std::abs(a.z() * b.z());
+}
+
+/// Operations of a monomial of a dot product of two differences: two differences, a product, two sums.
+constexpr int kDotOperations = 5;
+
+// ---- angles -------------------------------------------------------------------------------------------------------
+
+/// The cosine of an angle as dot / sqrt(arms): `arms` is the product of the squared lengths of the arms, never zero.
+template <typename Number>
+struct Cosine {
+    Number dot;
+    Number arms;
+};
+
+Cosine<double> cosine(const Vec3& a, const Vec3& o, const Vec3& b) {
+    const Vec3 to_a = a - o;
+    const Vec3 to_b = b - o;
+    const double arms = dot(to_a, to_a) * dot(to_b, to_b);
+    return arms == 0.0 ? Cosine<double>{1.0, 1.0} : Cosine<double>{dot(to_a, to_b), arms};
+}
+
+Cosine<Expansion> exact_cosine(const Vec3& a, const Vec3& o, const Vec3& b) {
+    const ExactVec to_a = exact_difference(a, o);
+    const ExactVec to_b = exact_difference(b, o);
+    const Expansion arms = exact_dot(to_a, to_a) * exact_dot(to_b, to_b);
+    if (arms.sign() == 0) {
+        return {Expansion(1.0), Expansion(1.0)};
+    }
+    return {exact_dot(to_a, to_b).compressed(), arms};
+}
+
+/// Sign of cos^2(first) - cos^2(second).
+int compare_squares(const Cosine<Expansion>& first, const Cosine<Expansion>& second) {
+    if (same_terms(first.arms, second.arms) && same_terms(first.dot, second.dot)) {
+        return 0;
+    }
+    return (first.dot * first.dot * second.arms - second.dot * second.dot * first.arms).sign();
+}
+
+/// Of compare_angles: with D, A the dot and the arms of an angle, T = D2|D2| A1 - D1|D1| A2 has the sign of
+/// cos2 - cos1. D is wrong by ((1 + u)^5 - 1) sqrt(A) at most (Cauchy-Schwarz on the absolute values), hence D|D| by
+/// ((1 + u)^10 - 1) A: ten operations, and one for the product. A takes 5 + 5 + 1, their product and the difference
+/// one each: 24 in all. S is 2 A1 A2 at most.
+constexpr double kAngleBound = 2.0 * rounding_bound(2 * kDotOperations + 1 + (2 * kDotOperations + 1) + 2);
+
+// ---- smallest angles of triangles ---------------------------------------------------------------------------------
+
+/// Of sin^2 of the smallest angle of a triangle. With a, b the edge vectors of the cross product C and A = |a|^2 |b|^2:
+///
+/// A component of C takes 4 operations (two differences, product, difference). The vector of the sums of its absolute
+/// monomials, |a_y b_z| + |a_z b_y| and so on, is sqrt(2 A) long at most, because by Cauchy-Schwarz its squared length
+/// is at most sum_i (|a|^2 - a_i^2) (|b|^2 - b_i^2) = A + sum_i a_i^2 b_i^2 <= 2 A. So C is wrong by e = 4 sqrt(2 A) u,
+/// and |C|^2 by 2 |C| e + e^2 <= 8 sqrt(2) A u and terms in u^2. Squaring and adding up |C|^2 takes 3 operations, and
+/// |C|^2 <= A: 8 sqrt(2) + 3 < 14.4 units of A, and A <= B. B, the product of the squares of the two longer edges,
+/// takes 5 + 5 + 1 operations: the largest of the three rounded products is the rounded largest, as rounding is
+/// monotone. With the quotient that makes 12, relative to sin^2 <= 3/4 for the smallest angle: 9 units more.
+/// Together below 23.5 units; 24 covers the terms in u^2.
+constexpr double kSineError = 24.0 * kUnit;
+/// The error of the difference of two of those, and one unit for the rounding of the difference.
+constexpr double kSineBound = 2.0 * kSineError + kUnit;
+
+enum Side { kPQ, kPR, kPS, kQR, kQS, kRS, kSideCount };
+
+/// A triangle by its sides, among those between p, q, r and s, and the computed sin^2 of its smallest angle.
+struct Corner {
+    std::array<Side, 3> sides;
+    double sine;
+};
+
+double smallest_sine(const Vec3& a, const Vec3& b, double a2, double b2, double c2) {
+    const double x = a.y() * b.z() - a.z() * b.y();
+    const double y = a.z() * b.x() - a.x() * b.z();
+    const double z = a.x() * b.y() - a.y() * b.x();
+    const double longest = std::max(a2 * b2, std::max(b2 * c2, c2 * a2));
+    return longest > 0.0 ? (x * x + y * y + z * z) / longest : 0.0;
+}
+
+/// 4 sin^2 of the smallest angle as a fraction.
+struct ExactSine {
+    Expansion numerator;
+    Expansion denominator;
+};
+
+using ExactSides = std::array<Expansion, kSideCount>;
+
+/// The smallest angle is opposite the shortest side c: 4 sin^2 = (4 a^2 b^2 - (a^2 + b^2 - c^2)^2) / (a^2 b^2). The
+/// numerator, 16 times the squared area, is the same for every order of the sides.
+ExactSine exact_smallest_sine(const Corner& corner, const ExactSides& squares) {
+    const Expansion* a = &squares[corner.sides[0]];
+    const Expansion* b = &squares[corner.sides[1]];
+    const Expansion* c = &squares[corner.sides[2]];
+    if ((*a - *c).sign() < 0) {
+        std::swap(a, c);
+    }
+    if ((*b - *c).sign() < 0) {
+        std::swap(b, c);
+    }
+    const Expansion denominator = *a * *b;
+    if (denominator.sign() == 0) {
+        return {Expansion(), Expansion(1.0)};
+    }
+    const Expansion twice_dot = (*a + *b - *c).compressed();
+    return {(denominator.scaled(4.0) - twice_dot * twice_dot).compressed(), denominator};
+}
+
+int compare_sines(const ExactSine& first, const ExactSine& second) {
+    if (same_terms(first.numerator, second.numerator) && same_terms(first.denominator, second.denominator)) {
+        return 0;
+    }
+    return (first.numerator * second.denominator - second.numerator * first.denominator).sign();
+}
+
+/// The smaller of two sines; the computed values spare the exact one of a triangle that is out of question.
+ExactSine exact_smaller(const Corner& first, const Corner& second, const ExactSides& squares) {
+    if (second.sine - first.sine >= kSineBound) {
+        return exact_smallest_sine(first, squares);
+    }
+    if (first.sine - second.sine >= kSineBound) {
+        return exact_smallest_sine(second, squares);
+    }
+    const ExactSine first_exact = exact_smallest_sine(first, squares);
+    const ExactSine second_exact = exact_smallest_sine(second, squares);
+    return compare_sines(first_exact, second_exact) <= 0 ? first_exact : second_exact;
+}
+
+}  // namespace
+
+PredicateCount& predicate_count() {
+    static thread_local PredicateCount count;
+    return count;
+}
+
+int sign_dot(const Vec3& o, const Vec3& a, const Vec3& b) {
+    const Vec3 to_a = a - o;
+    const Vec3 to_b = b - o;
+    const double value = dot(to_a, to_b);
+    if (settled(std::abs(value) >= rounding_bound(kDotOperations) * dot_magnitude(to_a, to_b))) {
+        return sign_of(value);
+    }
+    return exact_dot(exact_difference(a, o), exact_difference(b, o)).sign();
+}
+
+int obtuse_vertex(const Vec3& a, const Vec3& b, const Vec3& c) {
+    if (sign_dot(a, b, c) < 0) {
+        return 0;
+    }
+    if (sign_dot(b, c, a) < 0) {
+        return 1;
+    }
+    return sign_dot(c, a, b) < 0 ? 2 : -1;
+}
+
+bool encroached(const Vec3& o, const Vec3& d, const Vec3& p) {
+    return sign_dot(p, o, d) < 0;
+}
+
+int compare_angles(const Vec3& a, const Vec3& o, const Vec3& b, const Vec3& c, const Vec3& q, const Vec3& d) {
+    const Cosine<double> first = cosine(a, o, b);
+    const Cosine<double> second = cosine(c, q, d);
+    const double value = second.dot * std::abs(second.dot) * first.arms - first.dot * std::abs(first.dot) * second.arms;
+    if (settled(std::abs(value) >= kAngleBound * (first.arms * second.arms))) {
+        return sign_of(value);
+    }
+    const Cosine<Expansion> first_exact = exact_cosine(a, o, b);
+    const Cosine<Expansion> second_exact = exact_cosine(c, q, d);
+    const int first_sign = first_exact.dot.sign();
+    const int second_sign = second_exact.dot.sign();
+    if (first_sign != second_sign) {
+        return first_sign < second_sign ? 1 : -1;
+    }
+    return first_sign == 0 ? 0 : first_sign * compare_squares(second_exact, first_exact);
+}
+
+// The smallest angle of a triangle is at most 60 degrees, where its sine grows with the angle, and sin^2 is 4 area^2
+// over the squares of the two longer edges. That takes one cross product a triangle instead of three angles, and the
+// minimum of two such values is no more wrong than either. A triangle with two coinciding corners has angles of zero.
+bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+    const Vec3 pq = q - p;
+    const Vec3 pr = r - p;
+    const Vec3 ps = s - p;
+    const Vec3 qr = r - q;
+    const Vec3 qs = s - q;
+    const Vec3 rs = s - r;
+    const double pq2 = dot(pq, pq);
+    const double pr2 = dot(pr, pr);
+    const double ps2 = dot(ps, ps);
+    const double qr2 = dot(qr, qr);
+    const double qs2 = dot(qs, qs);
+    const double rs2 = dot(rs, rs);
+    const Corner pqr{{kPQ, kPR, kQR}, smallest_sine(pq, pr, pq2, pr2, qr2)};
+    const Corner qps{{kPQ, kPS, kQS}, smallest_sine(pq, ps, pq2, ps2, qs2)};
+    const Corner rsq{{kRS, kQR, kQS}, smallest_sine(rs, qr, rs2, qr2, qs2)};
+    const Corner srp{{kRS, kPR, kPS}, smallest_sine(rs, pr, rs2, pr2, ps2)};
+    const double gain = std::min(pqr.sine, qps.sine) - std::min(rsq.sine, srp.sine);
+    if (settled(std::abs(gain) >= kSineBound)) {
+        return gain > 0.0;
+    }
+    const ExactSides squares{exact_squared_distance(p, q), exact_squared_distance(p, r), exact_squared_distance(p, s),
+                             exact_squared_distance(q, r), exact_squared_distance(q, s), exact_squared_distance(r, s)};
+    return compare_sines(exact_smaller(pqr, qps, squares), exact_smaller(rsq, srp, squares)) >= 0;
+}
+
+int smallest_angle_vertex(const Vec3& a, const Vec3& b, const Vec3& c) {
+    if (compare_angles(c, a, b, a, b, c) <= 0) {
+        return compare_angles(c, a, b, b, c, a) <= 0 ? 0 : 2;
+    }
+    return compare_angles(a, b, c, b, c, a) <= 0 ? 1 : 2;
+}
+
+// Four operations a monomial: two differences, a product, a difference.
+int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
+    const double left = (a.x() - c.x()) * (b.y() - c.y());
+    const double right = (a.y() - c.y()) * (b.x() - c.x());
+    const double value = left - right;
+    if (settled(std::abs(value) >= rounding_bound(4) * (std::abs(left) + std::abs(right)))) {
+        return sign_of(value);
+    }
+    return (Expansion::difference(a.x(), c.x()) * Expansion::difference(b.y(), c.y()) -
+            Expansion::difference(a.y(), c.y()) * Expansion::difference(b.x(), c.x()))
+        .sign();
+}
+
+namespace {
+
+int exact_in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+    std::array<Expansion, 3> x;
+    std::array<Expansion, 3> y;
+    std::array<Expansion, 3> lift;
+    const std::array<const Vec2*, 3> corners{&a, &b, &c};
+    for (int i = 0; i < 3; ++i) {
+        x[i] = Expansion::difference(corners[i]->x(), d.x());
+        y[i] = Expansion::difference(corners[i]->y(), d.y());
+        lift[i] = x[i] * x[i] + y[i] * y[i];
+    }
+    Expansion sum;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const int k = (i + 2) % 3;
+        sum = sum + lift[i] * (x[j] * y[k] - x[k] * y[j]);
+    }
+    return sum.sign();
+}
+
+}  // namespace
+
+// The determinant of the rows (x, y, x^2 + y^2) relative to d. A monomial takes four operations in the lift (two
+// differences, a product, a sum), four in the minor, one for their product, and two sums: 11.
+int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+    const Vec2 da = a - d;
+    const Vec2 db = b - d;
+    const Vec2 dc = c - d;
+    const double bc = db.x() * dc.y();
+    const double cb = dc.x() * db.y();
+    const double ca = dc.x() * da.y();
+    const double ac = da.x() * dc.y();
+    const double ab = da.x() * db.y();
+    const double ba = db.x() * da.y();
+    const double a_lift = da.x() * da.x() + da.y() * da.y();
+    const double b_lift = db.x() * db.x() + db.y() * db.y();
+    const double c_lift = dc.x() * dc.x() + dc.y() * dc.y();
+    const double value = a_lift * (bc - cb) + b_lift * (ca - ac) + c_lift * (ab - ba);
+    const double magnitude = a_lift * (std::abs(bc) + std::abs(cb)) + b_lift * (std::abs(ca) + std::abs(ac)) +
+                             c_lift * (std::abs(ab) + std::abs(ba));
+    if (settled(std::abs(value) >= rounding_bound(11) * magnitude)) {
+        return sign_of(value);
+    }
+    return exact_in_circle(a, b, c, d);
+}
+
+}  // namespace mq
