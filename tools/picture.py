@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The before/after picture: two shaded meshes a part, and under each the histogram of its smallest angles."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import render
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+TITLES = ("FreeCAD's standard tessellation", "MeshQuality")
+
+
+@dataclass
+class Row:
+    """One part: a mesh is (vertices, triangles, CAD face of each triangle)."""
+
+    name: str
+    before: tuple
+    after: tuple
+
+
+def save(rows, path, min_angle):
+    """Writes the picture of the rows as PNG."""
+    figure = Figure(figsize=(12.0, 6.4 * len(rows)), dpi=110)
+    FigureCanvasAgg(figure)
+    grid = figure.add_gridspec(
+        2 * len(rows), 2, height_ratios=[4.2, 1.0] * len(rows), hspace=0.28, wspace=0.10,
+        left=0.05, right=0.985, top=0.965, bottom=0.045,
+    )
+    for i, row in enumerate(rows):
+        for j, mesh in enumerate((row.before, row.after)):
+            _mesh_axes(figure.add_subplot(grid[2 * i, j]), f"{row.name}: {TITLES[j]}", mesh)
+            _histogram_axes(figure.add_subplot(grid[2 * i + 1, j]), mesh, min_angle)
+    figure.savefig(str(path), facecolor="white")
+
+
+def _mesh_axes(axes, title, mesh):
+    vertices, triangles, faces = mesh
+    axes.imshow(np.clip(render.render(vertices, triangles, faces), 0.0, 1.0))
+    axes.set_axis_off()
+    worst = render.smallest_angles(vertices, triangles).min()
+    axes.set_title(f"{title}\n{len(triangles):,} triangles, smallest angle {worst:.2f}°", fontsize=11)
+
+
+def _histogram_axes(axes, mesh, min_angle):
+    vertices, triangles, _ = mesh
+    angles = render.smallest_angles(vertices, triangles)
+    counts, edges = np.histogram(angles, bins=np.arange(0.0, 61.0, 1.0))
+    shares = 100.0 * counts / max(len(angles), 1)
+    axes.bar(
+        edges[:-1], shares, width=1.0, align="edge", edgecolor="white", linewidth=0.4,
+        color=np.clip(render.colours(edges[:-1] + 0.5), 0.0, 1.0),
+    )
+    axes.axvline(min_angle, color="0.25", linewidth=1.0, linestyle="--")
+    axes.set_xlim(0.0, 60.0)
+    axes.set_xlabel("smallest angle of a triangle (degrees)", fontsize=9)
+    axes.set_ylabel("% of triangles", fontsize=9)
+    axes.tick_params(labelsize=8)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
