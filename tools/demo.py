@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The demo of the README, run inside FreeCAD by tools/demo: two parts, their quality meshes, a picture."""
+"""The demo of the README, run inside FreeCAD by tools/demo: two parts, their meshes, a picture."""
 
 import os
 import sys
 import traceback
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent if "__file__" in globals() else Path.cwd()
+ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
 import FreeCAD  # noqa: E402
@@ -47,7 +47,7 @@ def make_sources(document):
 
 
 def standard_tessellation(shape):
-    """What FreeCAD's Mesh workbench makes of the shape with the same chord height: vertices, triangles, faces."""
+    """What FreeCAD makes of the shape with the same chord height: vertices, triangles, faces."""
     box = shape.BoundBox
     deflection = OPTIONS["chord_height_relative"] * max(box.XLength, box.YLength, box.ZLength)
     mesh = MeshPart.meshFromShape(
@@ -62,14 +62,14 @@ def standard_tessellation(shape):
 
 
 def mesh_part(source):
-    """Meshes one document object, stores feature and PLY file, and returns the row of the picture."""
+    """Meshes one document object, stores feature and PLY file; returns its row of the picture."""
     mesh = mq.triangulate(source, **OPTIONS)
     feature = mq.add_quality_mesh(source, **OPTIONS)
     if feature.Mesh.CountFacets != len(mesh.triangles):
         raise RuntimeError(f"{source.Label}: the document's mesh differs from the scripted one")
     mesh.write(str(OUT / f"{source.Label.lower()}.ply"))
     print(f"\n{source.Label}: {len(source.Shape.Faces)} CAD faces\n{mesh.report}")
-    after = (np.asarray(mesh.vertices), np.asarray(mesh.triangles), np.asarray(mesh.triangle_face))
+    after = tuple(np.asarray(a) for a in (mesh.vertices, mesh.triangles, mesh.triangle_face))
     return picture.Row(source.Label, standard_tessellation(source.Shape), after)
 
 
@@ -78,10 +78,12 @@ def main():
     document = FreeCAD.newDocument("MeshQualityDemo")
     rows = [mesh_part(source) for source in make_sources(document)]
     document.recompute()
-    document.saveAs(str(OUT / "demo.FCStd"))
-    picture.save(rows, OUT / "demo.png", OPTIONS["min_angle"])
+    stored, drawn = OUT / "demo.FCStd", OUT / "demo.png"
+    stored.unlink(missing_ok=True)  # or FreeCAD keeps the old one as a backup
+    document.saveAs(str(stored))
+    picture.save(rows, drawn, OPTIONS["min_angle"])
     print("\nwritten:")
-    for path in sorted(OUT.iterdir()):
+    for path in [stored, *sorted(OUT.glob("*.ply")), drawn]:
         print(f"  {path.relative_to(OUT.parent)}  {path.stat().st_size / 1024:.0f} KiB")
 
 

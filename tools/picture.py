@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The before/after picture: two shaded meshes a part, and under each the histogram of its smallest angles."""
+"""The before/after picture: two shaded meshes a part, and under each its histogram of angles."""
 
 from dataclasses import dataclass
 
@@ -22,16 +22,17 @@ class Row:
 
 def save(rows, path, min_angle):
     """Writes the picture of the rows as PNG."""
-    figure = Figure(figsize=(12.0, 6.4 * len(rows)), dpi=110)
+    figure = Figure(figsize=(12.0, 6.5 * len(rows)), dpi=110)
     FigureCanvasAgg(figure)
-    grid = figure.add_gridspec(
-        2 * len(rows), 2, height_ratios=[4.2, 1.0] * len(rows), hspace=0.28, wspace=0.10,
-        left=0.05, right=0.985, top=0.965, bottom=0.045,
+    bands = figure.add_gridspec(
+        len(rows), 1, left=0.05, right=0.985, top=1.0 - 0.045 / len(rows) - 0.01,
+        bottom=0.08 / len(rows), hspace=0.20,
     )
     for i, row in enumerate(rows):
+        grid = bands[i].subgridspec(2, 2, height_ratios=[4.4, 1.0], hspace=0.02, wspace=0.10)
         for j, mesh in enumerate((row.before, row.after)):
-            _mesh_axes(figure.add_subplot(grid[2 * i, j]), f"{row.name}: {TITLES[j]}", mesh)
-            _histogram_axes(figure.add_subplot(grid[2 * i + 1, j]), mesh, min_angle)
+            _mesh_axes(figure.add_subplot(grid[0, j]), f"{row.name}: {TITLES[j]}", mesh)
+            _histogram_axes(figure.add_subplot(grid[1, j]), mesh, min_angle)
     figure.savefig(str(path), facecolor="white")
 
 
@@ -40,7 +41,8 @@ def _mesh_axes(axes, title, mesh):
     axes.imshow(np.clip(render.render(vertices, triangles, faces), 0.0, 1.0))
     axes.set_axis_off()
     worst = render.smallest_angles(vertices, triangles).min()
-    axes.set_title(f"{title}\n{len(triangles):,} triangles, smallest angle {worst:.2f}°", fontsize=11)
+    figures = f"{len(triangles):,} triangles, smallest angle {worst:.2f}°"
+    axes.set_title(f"{title}\n{figures}", fontsize=11)
 
 
 def _histogram_axes(axes, mesh, min_angle):

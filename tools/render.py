@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Draws triangle meshes as shaded wireframes with nothing but NumPy: no display, no OpenGL, the same picture everywhere.
+"""Draws triangle meshes as shaded wireframes with nothing but NumPy: no display, no OpenGL.
 
-Every triangle is coloured by its smallest angle. A pixel inside a triangle knows its distance to the three edges from
-its barycentric coordinates, which gives smooth lines of any width; edges between two CAD faces are drawn heavier.
+Every triangle is coloured by its smallest angle. A pixel inside a triangle knows its distance to
+the three edges from its barycentric coordinates, which gives smooth lines of any width; edges
+between two CAD faces are drawn heavier.
 """
 
 import numpy as np
@@ -40,7 +41,7 @@ def colours(angles):
 
 
 def camera(azimuth=-55.0, elevation=28.0):
-    """A rotation whose rows are right, up and towards the eye, of a look at the origin with z up."""
+    """A rotation whose rows are right, up and towards the eye; z is up."""
     a, e = np.radians([azimuth, elevation])
     eye = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
     right = np.array([-np.sin(a), np.cos(a), 0.0])
@@ -50,7 +51,8 @@ def camera(azimuth=-55.0, elevation=28.0):
 def render(vertices, triangles, faces, size=(900, 700), view=None, smooth=3):
     """The picture as an array (height, width, 3) of values in [0, 1].
 
-    faces: the CAD face of each triangle; size: width and height in pixels; smooth: samples a pixel along each axis.
+    faces: the CAD face of each triangle; size: width and height in pixels; smooth: samples a pixel
+    along each axis.
     """
     triangles = np.asarray(triangles)
     width, height = size[0] * smooth, size[1] * smooth
@@ -82,8 +84,8 @@ def _shade(points, triangles):
 
 
 def _between_faces(triangles, faces):
-    """For each triangle and each of its three edges (opposite corner i): whether another CAD face lies behind it."""
-    edges = np.sort(np.stack([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, [0, 1]]], 1))
+    """Whether the edge opposite to each corner of each triangle borders on another CAD face."""
+    edges = np.sort(np.stack([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, :2]], 1))
     flat = edges.reshape(-1, 2)
     _, index = np.unique(flat, axis=0, return_inverse=True)
     index = index.reshape(-1)

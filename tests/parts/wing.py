@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The main element and the flap of a swept, tapered wing, after section 4 of Aftosmis 1999.
 
-Lofts of B-spline aerofoil sections with a sharp trailing edge, flat tips and, in the main element, a cut-out for the
-flap. As in the paper's parts the shortest edge is about 1e-4 of the longest: a narrow relief slot in the outboard
-corner of the cut-out plays the part of a relic of the modelling history.
+Lofts of B-spline aerofoil sections with a sharp trailing edge, flat tips and, in the main element,
+a cut-out for the flap. As in the paper's parts the shortest edge is about 1e-4 of the longest: a
+narrow relief slot in the outboard corner of the cut-out plays the part of a relic of the modelling
+history.
 """
 
 import math

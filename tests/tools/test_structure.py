@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The house rules hold on this tree, and the checker finds each kind of fault on a small one."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import structure
+
+ROOT = Path(__file__).resolve().parents[2]
+LICENCE = f"// {structure.SPDX}\n"
+CMAKE = f"""# {structure.SPDX}
+mq_module(base)
+mq_module(geometry mq_base)
+mq_module(mesh mq_base)
+mq_module(triangulate mq_mesh mq_geometry)
+target_link_libraries(mq_occt PUBLIC mq_geometry TKernel)
+"""
+GOOD = {
+    "CMakeLists.txt": CMAKE,
+    "src/base/error.h": LICENCE,
+    "src/geometry/model.h": LICENCE + '#include "base/error.h"\n',
+    "src/geometry/occt/shape.cpp": LICENCE + '#include "geometry/model.h"\n#include <TopoDS.hxx>\n',
+    "src/mesh/mesh.h": LICENCE + '#include "base/error.h"\n',
+    "src/triangulate/refine.cpp": LICENCE + '#include "mesh/mesh.h"\n#include "base/error.h"\n',
+}
+
+
+class HouseRules(unittest.TestCase):
+    """One test a rule on the tree itself."""
+
+    def assert_kept(self, check):
+        faults = check(ROOT)
+        self.assertFalse(faults, "\n" + "\n".join(faults))
+
+    def test_arrows_point_down(self):
+        self.assert_kept(structure.check_arrows)
+
+    def test_includes_follow_the_arrows(self):
+        self.assert_kept(structure.check_includes)
+
+    def test_python_imports(self):
+        self.assert_kept(structure.check_python_imports)
+
+    def test_texts(self):
+        self.assert_kept(structure.check_texts)
+
+    def test_functions_fit_on_a_screen(self):
+        self.assert_kept(structure.check_functions)
+
+
+class Checker(unittest.TestCase):
+    """The checker itself, on temporary trees."""
+
+    def faults(self, check, **changes):
+        """Faults of the good tree with files replaced; `__` in a name stands for a slash."""
+        files = dict(GOOD)
+        for name, text in changes.items():
+            files[name.replace("__", "/").replace("_dot_", ".")] = text
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                path = Path(folder, name)
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+            return check(Path(folder))
+
+    def test_good_tree_passes(self):
+        for check in structure.CHECKS:
+            self.assertEqual(self.faults(check), [], check.__name__)
+
+    def test_upward_include(self):
+        found = self.faults(
+            structure.check_includes,
+            src__mesh__io_dot_h=LICENCE + '#include "triangulate/refine.cpp"\n',
+        )
+        self.assertEqual(len(found), 1)
+        self.assertIn("src/mesh/io.h:2: mesh may not include triangulate/refine.cpp", found[0])
+
+    def test_sideways_include(self):
+        text = LICENCE + '#include "geometry/model.h"\n'
+        self.assertEqual(len(self.faults(structure.check_includes, src__mesh__io_dot_h=text)), 1)
+
+    def test_upward_arrow_in_cmake(self):
+        wrong = CMAKE.replace("mq_module(mesh mq_base)", "mq_module(mesh mq_triangulate)")
+        found = self.faults(structure.check_arrows, CMakeLists_dot_txt=wrong)
+        self.assertIn("CMakeLists.txt: mq_mesh may not use mq_triangulate", found)
+
+    def test_foreign_headers(self):
+        for header in ("BRep_Tool.hxx", "gp_Pnt.hxx", "pybind11/pybind11.h", "Inventor/SbVec3f.h"):
+            text = LICENCE + f"#include <{header}>\n"
+            found = self.faults(structure.check_includes, src__triangulate__size_dot_h=text)
+            self.assertEqual(len(found), 1, header)
+
+    def test_freecad_outside_its_place(self):
+        text = f"# {structure.SPDX}\nimport FreeCAD\n"
+        self.assertEqual(len(self.faults(structure.check_python_imports, bin__x_dot_py=text)), 1)
+        self.assertEqual(self.faults(structure.check_python_imports, Mod__x_dot_py=text), [])
+
+    def test_texts(self):
+        cases = {
+            "licence": "int x;\n",
+            "length": LICENCE + "int x;\n" * structure.MAX_FILE,
+            "unfinished": LICENCE + "// TO" + "DO later\n",
+            "catch": LICENCE + "void f() { try { } catch (...) { } }\n",
+            "print": LICENCE + "void f() { std::cout << 1; }\n",
+        }
+        for name, text in cases.items():
+            found = self.faults(structure.check_texts, src__base__x_dot_cpp=text)
+            self.assertEqual(len(found), 1, name)
+        handed_on = LICENCE + "void f() { try { } catch (...) { throw; } }\n"
+        self.assertEqual(self.faults(structure.check_texts, src__base__x_dot_cpp=handed_on), [])
+        quoted = LICENCE + '// std::cout\nconst char* s = "std::cout";\n'
+        self.assertEqual(self.faults(structure.check_texts, src__base__x_dot_cpp=quoted), [])
+
+    def test_long_functions(self):
+        body = "    x += 1;\n" * structure.MAX_FUNCTION
+        long_cpp = LICENCE + "namespace mq {\nint f(int x) {\n" + body + "}\n}\n"
+        long_py = f"# {structure.SPDX}\ndef f(x):\n" + body.replace(";", "")
+        check = structure.check_functions
+        self.assertEqual(len(self.faults(check, src__base__x_dot_cpp=long_cpp)), 1)
+        self.assertEqual(len(self.faults(check, Mod__x_dot_py=long_py)), 1)
+
+
+class CppFunctions(unittest.TestCase):
+    """The brace counter tells functions from classes, tables and initialisers."""
+
+    CASES = {
+        "namespace a {\nstruct B {\n int c{1};\n};\n}\n": [],
+        "class A {\n public:\n  A() : a_(1) {\n  }\n int a_;\n};\n": [("A", 2)],
+        "A::A(int b) : a_{b}, c_{1} {\n if (b) {\n }\n}\n": [("A::A", 4)],
+        "const int kT[] = {\n1,\n2};\nint f() {\n}\n": [("f", 2)],
+        "std::vector<P> v = {f(1), {2}};\n": [],
+        "int g(int x)\n{\n auto l = [&] {\n };\n if (x) { }\n}\n": [("g", 6)],
+        "template <class T>\nint h(T t) {\n}\n": [("h", 3)],
+        "char c = '{'; int d = 1'000; // {\nint f() {}\n": [("f", 1)],
+        "struct P f(int a) {\n}\n": [("f", 2)],
+    }
+
+    def test_kinds(self):
+        for text, expected in self.CASES.items():
+            found = [(name, length) for name, _, length in structure.cpp_functions(text)]
+            self.assertEqual(found, expected, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
