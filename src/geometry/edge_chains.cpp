@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/edge_chains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace mq::geometry {
+
+namespace {
+
+constexpr double kMaxTurn = 0.7854;  // 45 degrees between the tangents of one piece
+constexpr int kMaxDepth = 14;
+// Vertices closer than this many grid steps would fall together or make triangles without a direction.
+constexpr double kMinSteps = 16.0;
+
+struct Interval {
+    int edge;
+    double from;
+    double to;
+    int depth;
+};
+
+double turn(const Vec3& a, const Vec3& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// Does the curve turn too much between the five equidistant samples of one interval?
+bool turns_too_much(const Answer* samples) {
+    double worst = 0.0;
+    for (int i = 0; i < 5; ++i) {
+        for (int j = i + 1; j < 5; ++j) {
+            if (samples[i].normal.squaredNorm() > 0.0 && samples[j].normal.squaredNorm() > 0.0) {
+                worst = std::max(worst, turn(samples[i].normal, samples[j].normal));
+            }
+        }
+    }
+    return worst > kMaxTurn;
+}
+
+int find_root(std::vector<int>& parent, int i) {
+    while (parent[i] != i) {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
+    }
+    return i;
+}
+
+}  // namespace
+
+EdgeChains::EdgeChains(Session& session, const SingleGrid& grid) : grid_(grid) {
+    const Topology& topology = session.topology();
+    chains_.resize(topology.edges.size());
+    points_.resize(topology.edges.size());
+    sample(session);
+    collapse_short_edges(topology);
+    place_nodes(topology);
+    points_.clear();
+}
+
+void EdgeChains::sample(Session& session) {
+    const Topology& topology = session.topology();
+    std::vector<Interval> open;
+    std::vector<std::map<double, Vec3>> found(topology.edges.size());
+    for (int e = 0; e < static_cast<int>(topology.edges.size()); ++e) {
+        const Edge& edge = topology.edges[e];
+        if (edge.degenerate) {
+            continue;
+        }
+        const int pieces = edge.nodes[0] == edge.nodes[1] ? 4 : 1;
+        for (int i = 0; i < pieces; ++i) {
+            const double step = (edge.t1 - edge.t0) / pieces;
+            open.push_back({e, edge.t0 + i * step, i + 1 == pieces ? edge.t1 : edge.t0 + (i + 1) * step, 0});
+        }
+    }
+    while (!open.empty()) {
+        Engine::Batch batch;
+        for (const Interval& piece : open) {
+            for (int i = 0; i < 5; ++i) {
+                const double t = i == 4 ? piece.to : piece.from + 0.25 * i * (piece.to - piece.from);
+                batch.push_back(Query::edge_point(piece.edge, t));
+            }
+        }
+        const Engine::Answers answers = session.ask(std::move(batch));
+        std::vector<Interval> next;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            const Interval& piece = open[i];
+            const Answer* samples = &answers[5 * i];
+            const double chord = (samples[4].point - samples[0].point).norm() + (samples[2].point - samples[0].point).norm();
+            found[piece.edge][piece.from] = samples[0].point;
+            found[piece.edge][piece.to] = samples[4].point;
+            if (piece.depth < kMaxDepth && chord > kMinSteps * grid_.resolution() && turns_too_much(samples)) {
+                const double middle = 0.5 * (piece.from + piece.to);
+                next.push_back({piece.edge, piece.from, middle, piece.depth + 1});
+                next.push_back({piece.edge, middle, piece.to, piece.depth + 1});
+            }
+        }
+        open = std::move(next);
+    }
+    for (std::size_t e = 0; e < found.size(); ++e) {
+        for (const auto& [t, point] : found[e]) {
+            chains_[e].t.push_back(t);
+            points_[e].push_back(point);
+        }
+    }
+}
+
+void EdgeChains::collapse_short_edges(const Topology& topology) {
+    for (std::size_t e = 0; e < chains_.size(); ++e) {
+        const Edge& edge = topology.edges[e];
+        double length = 0.0;
+        for (std::size_t i = 1; i < points_[e].size(); ++i) {
+            length += (points_[e][i] - points_[e][i - 1]).norm();
+        }
+        double limit = kMinSteps * grid_.resolution();
+        if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1]) {
+            // Nodes whose tolerance balls hold each other are one point to the modeler.
+            limit = std::max(limit, std::min(topology.nodes[edge.nodes[0]].tolerance, topology.nodes[edge.nodes[1]].tolerance));
+        }
+        if (edge.degenerate || length < limit) {
+            chains_[e].collapsed = true;
+            chains_[e].t = {edge.t0, edge.t1};
+        }
+    }
+}
+
+void EdgeChains::place_nodes(const Topology& topology) {
+    std::vector<int> parent(topology.nodes.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    for (std::size_t e = 0; e < chains_.size(); ++e) {
+        const auto& nodes = topology.edges[e].nodes;
+        if (chains_[e].collapsed && nodes[0] >= 0 && nodes[1] >= 0) {
+            const int a = find_root(parent, nodes[0]);
+            const int b = find_root(parent, nodes[1]);
+            parent[std::max(a, b)] = std::min(a, b);
+        }
+    }
+    node_vertex_.assign(topology.nodes.size(), -1);
+    for (int n = 0; n < static_cast<int>(topology.nodes.size()); ++n) {
+        const int root = find_root(parent, n);
+        if (root == n) {
+            node_vertex_[n] = static_cast<int>(vertices_.size());
+            vertices_.push_back({grid_.snap(topology.nodes[n].point), {0, n}});
+        } else {
+            node_vertex_[n] = node_vertex_[root];
+        }
+    }
+    for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
+        EdgeChain& chain = chains_[e];
+        const auto& nodes = topology.edges[e].nodes;
+        for (std::size_t i = 0; i < chain.t.size(); ++i) {
+            const int end = i == 0 ? nodes[0] : i + 1 == chain.t.size() ? nodes[1] : -1;
+            if (end >= 0) {
+                chain.vertices.push_back(node_vertex_[end]);
+            } else {
+                chain.vertices.push_back(static_cast<int>(vertices_.size()));
+                vertices_.push_back({grid_.snap(points_[e][i]), {1, e}});
+            }
+        }
+    }
+}
+
+std::set<int> EdgeChains::halve(Session& session, const std::set<Mark>& marks) {
+    const std::vector<Mark> order(marks.rbegin(), marks.rend());  // from the back: indices before stay right
+    Engine::Batch batch;
+    for (const auto& [e, i] : order) {
+        batch.push_back(Query::edge_middle(e, chains_[e].t[i], chains_[e].t[i + 1]));
+    }
+    const Engine::Answers answers = session.ask(std::move(batch));
+    std::set<int> changed;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const auto [e, i] = order[k];
+        EdgeChain& chain = chains_[e];
+        const Vec3 point = grid_.snap(answers[k].point);
+        const double reach = kMinSteps * grid_.resolution();
+        if (!answers[k].found() || chain.collapsed || answers[k].t <= chain.t[i] || answers[k].t >= chain.t[i + 1] ||
+            (point - vertices_[chain.vertices[i]].point).norm() < reach ||
+            (point - vertices_[chain.vertices[i + 1]].point).norm() < reach) {
+            continue;
+        }
+        chain.t.insert(chain.t.begin() + i + 1, answers[k].t);
+        chain.vertices.insert(chain.vertices.begin() + i + 1, static_cast<int>(vertices_.size()));
+        vertices_.push_back({point, {1, e}});
+        changed.insert(e);
+    }
+    return changed;
+}
+
+}  // namespace mq::geometry

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/single_grid.h"
+#include "geometry/session.h"
+
+namespace mq::geometry {
+
+/// A vertex of the initial triangulation, in the local frame of the grid.
+struct ChainVertex {
+    Vec3 point = Vec3::Zero();
+    Entity entity;
+};
+
+/// The polygon that stands for a CAD edge in every face that uses it.
+struct EdgeChain {
+    bool collapsed = false;     ///< a degenerate edge, or one too short for the grid: all of it is one vertex
+    std::vector<double> t;      ///< ascending; at least two
+    std::vector<int> vertices;  ///< one a parameter; of a collapsed edge: the same vertex twice
+};
+
+/// All edges of a part, each discretised once, so that faces meet vertex by vertex.
+class EdgeChains {
+  public:
+    /// Samples every edge so that its direction turns by 45 degrees at most from vertex to vertex.
+    EdgeChains(Session& session, const SingleGrid& grid);
+
+    const std::vector<ChainVertex>& vertices() const { return vertices_; }
+    const EdgeChain& chain(int edge) const { return chains_[edge]; }
+    /// The vertex of a CAD node; nodes joined by collapsed edges share one.
+    int vertex_of_node(int node) const { return node_vertex_[node]; }
+
+    using Mark = std::pair<int, int>;  ///< edge, index of the piece from t[i] to t[i + 1]
+    /// Halves the marked pieces by arc length. Pieces that the grid cannot halve stay; @return the edges that changed.
+    std::set<int> halve(Session& session, const std::set<Mark>& marks);
+
+  private:
+    void place_nodes(const Topology& topology);
+    void sample(Session& session);
+    void collapse_short_edges(const Topology& topology);
+
+    const SingleGrid& grid_;
+    std::vector<ChainVertex> vertices_;
+    std::vector<EdgeChain> chains_;
+    std::vector<int> node_vertex_;
+    std::vector<std::vector<Vec3>> points_;  // per edge, while sampling
+};
+
+}  // namespace mq::geometry

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/engine.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "base/error.h"
+
+namespace mq::geometry {
+
+namespace {
+
+Engine::Answers stopped(std::size_t count) {
+    Answer answer;
+    answer.status = Status::Stopped;
+    return Engine::Answers(count, answer);
+}
+
+/// What waits for the thread: a batch, or the work of a call of `run` when `work` is set.
+struct Job {
+    std::shared_ptr<Model> model;
+    Engine::Batch batch;
+    std::promise<Engine::Answers> answers;
+    const std::function<void()>* work = nullptr;
+    std::promise<void> done;
+    std::uint64_t generation = 0;
+};
+
+}  // namespace
+
+class Engine::Impl {
+  public:
+    Impl(Mode mode, std::size_t capacity) : mode_(mode), capacity_(capacity > 0 ? capacity : 1) {}
+    ~Impl();
+    std::future<Answers> submit(const std::shared_ptr<Model>& model, Batch batch);
+    void run(const std::function<void()>& work);
+    void cancel();
+    void shut_down();
+    std::uint64_t queries() const { return queries_.load(std::memory_order_relaxed); }
+
+  private:
+    bool push(Job& job);
+    void serve();
+    void finish(Job& job);
+    Answers answer(const std::shared_ptr<Model>& model, const Batch& batch, std::uint64_t generation);
+    void drop_waiting(bool with_work);
+    bool on_own_thread() const { return std::this_thread::get_id() == worker_id_.load(); }
+
+    const Mode mode_;
+    const std::size_t capacity_;
+    std::mutex mutex_;
+    std::condition_variable not_empty_;
+    std::condition_variable not_full_;
+    std::deque<Job> queue_;
+    bool stopping_ = false;
+    std::mutex join_mutex_;
+    std::thread worker_;
+    std::atomic<std::thread::id> worker_id_{};
+    /// Counts the cancellations: a batch is answered only while the count is the one it was submitted under.
+    std::atomic<std::uint64_t> generation_{0};
+    std::atomic<std::uint64_t> queries_{0};
+};
+
+Engine::Impl::~Impl() {
+    shut_down();
+}
+
+/// Waits for room in the queue. @returns false, with the job untouched, when the engine is or gets shut down.
+bool Engine::Impl::push(Job& job) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    not_full_.wait(lock, [this] { return stopping_ || queue_.size() < capacity_; });
+    if (stopping_) {
+        return false;
+    }
+    if (!worker_.joinable()) {
+        worker_ = std::thread([this] { serve(); });
+    }
+    queue_.push_back(std::move(job));
+    lock.unlock();
+    not_empty_.notify_one();
+    return true;
+}
+
+void Engine::Impl::serve() {
+    worker_id_.store(std::this_thread::get_id());
+    for (;;) {
+        std::unique_lock<std::mutex> lock(mutex_);
+        not_empty_.wait(lock, [this] { return stopping_ || !queue_.empty(); });
+        if (queue_.empty()) {
+            // The system may give this thread's id to another one after its end.
+            worker_id_.store(std::thread::id());
+            return;
+        }
+        Job job = std::move(queue_.front());
+        queue_.pop_front();
+        lock.unlock();
+        not_full_.notify_one();
+        finish(job);
+    }
+}
+
+void Engine::Impl::finish(Job& job) {
+    if (job.work != nullptr) {
+        try {
+            (*job.work)();
+            job.done.set_value();
+        } catch (...) {  // handed on, whatever it is: it is thrown again in the caller's thread
+            job.done.set_exception(std::current_exception());
+        }
+        return;
+    }
+    Answers answers = answer(job.model, job.batch, job.generation);
+    // The caller who has the answers may be the last owner of the model then.
+    job.model.reset();
+    job.answers.set_value(std::move(answers));
+}
+
+Engine::Answers Engine::Impl::answer(const std::shared_ptr<Model>& model, const Batch& batch,
+                                     std::uint64_t generation) {
+    Answers answers(batch.size());
+    std::size_t count = 0;
+    for (; count < batch.size() && generation_.load(std::memory_order_relaxed) == generation; ++count) {
+        if (model) {
+            answers[count] = model->answer(batch[count]);
+        } else {
+            answers[count].status = Status::BadQuery;
+        }
+    }
+    for (std::size_t i = count; i < batch.size(); ++i) {
+        answers[i].status = Status::Stopped;
+    }
+    queries_.fetch_add(count, std::memory_order_relaxed);
+    return answers;
+}
+
+std::future<Engine::Answers> Engine::Impl::submit(const std::shared_ptr<Model>& model, Batch batch) {
+    Job job;
+    job.generation = generation_.load();
+    job.model = model;
+    job.batch = std::move(batch);
+    std::future<Answers> future = job.answers.get_future();
+    if (mode_ == Mode::Direct) {
+        std::unique_lock<std::mutex> lock(mutex_);
+        const bool refused = stopping_;
+        lock.unlock();
+        job.answers.set_value(refused ? stopped(job.batch.size()) : answer(model, job.batch, job.generation));
+    } else if (on_own_thread()) {
+        // Waiting for the queue here would be waiting for oneself.
+        finish(job);
+    } else if (!push(job)) {
+        job.answers.set_value(stopped(job.batch.size()));
+    }
+    return future;
+}
+
+void Engine::Impl::run(const std::function<void()>& work) {
+    if (mode_ == Mode::Direct || on_own_thread()) {
+        work();
+        return;
+    }
+    Job job;
+    job.work = &work;
+    std::future<void> done = job.done.get_future();
+    if (!push(job)) {
+        throw Cancelled("the geometry engine has been shut down");
+    }
+    done.get();
+}
+
+void Engine::Impl::drop_waiting(bool with_work) {
+    std::deque<Job> dropped;
+    {
+        std::lock_guard<std::mutex> lock(mutex_);
+        std::deque<Job> kept;
+        for (Job& job : queue_) {
+            (job.work != nullptr && !with_work ? kept : dropped).push_back(std::move(job));
+        }
+        queue_.swap(kept);
+    }
+    not_full_.notify_all();
+    for (Job& job : dropped) {
+        if (job.work != nullptr) {
+            job.done.set_exception(std::make_exception_ptr(Cancelled("the geometry engine has been shut down")));
+        } else {
+            job.model.reset();
+            job.answers.set_value(stopped(job.batch.size()));
+        }
+    }
+}
+
+void Engine::Impl::cancel() {
+    generation_.fetch_add(1);
+    drop_waiting(false);
+}
+
+void Engine::Impl::shut_down() {
+    {
+        std::lock_guard<std::mutex> lock(mutex_);
+        stopping_ = true;
+    }
+    generation_.fetch_add(1);
+    drop_waiting(true);
+    not_empty_.notify_all();
+    if (!on_own_thread()) {
+        std::lock_guard<std::mutex> lock(join_mutex_);
+        if (worker_.joinable()) {
+            worker_.join();
+        }
+    }
+}
+
+Engine::Engine(Mode mode, std::size_t queue_capacity) : impl_(std::make_unique<Impl>(mode, queue_capacity)) {}
+
+Engine::~Engine() = default;
+
+std::future<Engine::Answers> Engine::submit(const std::shared_ptr<Model>& model, Batch batch) {
+    return impl_->submit(model, std::move(batch));
+}
+
+Engine::Answers Engine::ask(const std::shared_ptr<Model>& model, Batch batch) {
+    return submit(model, std::move(batch)).get();
+}
+
+Answer Engine::ask(const std::shared_ptr<Model>& model, const Query& query) {
+    return submit(model, Batch{query}).get().front();
+}
+
+void Engine::run(const std::function<void()>& work) {
+    impl_->run(work);
+}
+
+void Engine::cancel() {
+    impl_->cancel();
+}
+
+void Engine::shut_down() {
+    impl_->shut_down();
+}
+
+std::uint64_t Engine::queries() const {
+    return impl_->queries();
+}
+
+}  // namespace mq::geometry

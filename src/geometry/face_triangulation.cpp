@@ -1,0 +1,497 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/face_triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/predicates.h"
+#include "geometry/face_border.h"
+
+namespace mq::geometry {
+
+namespace {
+
+using Site = FaceTriangulation::Site;
+using Link = FaceTriangulation::Link;
+using Corners = std::array<int, 3>;
+
+// A triangle is coarse when normals at its corners, at its centroid and its own differ by more: 50 degrees leave room
+// below the 60 degrees that the refinement relies on (Aftosmis 1999, section 3.2: surface within reach of its mesh).
+const double kCosMaxTurn = std::cos(50.0 * M_PI / 180.0);
+constexpr int kMaxRounds = 40;
+constexpr int kMaxSites = 40000;
+constexpr double kMinSteps = 16.0;  // as for edges: shorter sides have no direction on the grid
+
+class FaceMesher {
+  public:
+    FaceMesher(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face)
+        : session_(session), chains_(chains), grid_(grid), face_(face) {}
+
+    FaceTriangulation run();
+
+  private:
+    bool insert_border();
+    bool add_constraint(int piece);
+    void mark_piece(int piece);
+    void mark_around(int site_vertex);
+    void find_inside();
+    void check_halving();
+    bool refine_round();
+    int coarse_side(int t, const Vec3& normal_at_centroid) const;
+    void ask_to_split(int t, std::set<std::array<int, 2>>& sides);
+    bool insert_midpoints(const std::set<std::array<int, 2>>& sides);
+    void assemble();
+    Link link_of(int h, const std::vector<int>& number) const;
+    bool drop_collapsed(std::vector<Corners>& triangles, std::vector<std::array<Link, 3>>& links);
+    void join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b);
+    void turn_outward();
+
+    const Site& site_at(int corner_vertex) const { return result_.sites[site_of_[corner_vertex]]; }
+    const Site& corner_site(int h) const { return site_at(tri_->corner(h)); }
+    bool same_vertex(const Site& a, const Site& b) const { return a.vertex >= 0 && a.vertex == b.vertex; }
+    double reach() const { return kMinSteps * grid_.resolution(); }
+
+    Session& session_;
+    const EdgeChains& chains_;
+    const SingleGrid& grid_;
+    int face_;
+    FaceBorder border_;
+    std::unique_ptr<PlanarTriangulation> tri_;
+    std::vector<int> planar_of_;             // site -> vertex of the planar triangulation
+    std::vector<int> site_of_;               // and back
+    std::vector<std::vector<int>> overlaps_; // further pieces on the edge of a piece: the other side of a slit
+    std::vector<char> inside_;
+    std::set<Corners> fine_;                 // triangles that passed the test once
+    FaceTriangulation result_;
+};
+
+FaceTriangulation FaceMesher::run() {
+    border_ = face_border(session_, chains_, grid_, face_, result_.failure);
+    if (!result_.failure.empty() || !insert_border()) {
+        return result_;
+    }
+    find_inside();
+    if (!result_.failure.empty()) {
+        return result_;
+    }
+    check_halving();
+    for (int round = 0; round < kMaxRounds && result_.marks.empty(); ++round) {
+        if (!refine_round()) {
+            break;
+        }
+        find_inside();
+    }
+    if (result_.marks.empty()) {
+        assemble();
+    }
+    return result_;
+}
+
+void FaceMesher::mark_piece(int piece) {
+    const FaceBorder::Piece& p = border_.pieces[piece];
+    if (p.collapsed()) {
+        return;
+    }
+    const double length = (result_.sites[p.to].point - result_.sites[p.from].point).norm();
+    if (length > 2.0 * reach()) {
+        result_.marks.insert({session_.topology().uses[p.use].edge, p.index});
+    }
+}
+
+void FaceMesher::mark_around(int planar_vertex) {
+    for (int k = 0; k < static_cast<int>(border_.pieces.size()); ++k) {
+        const FaceBorder::Piece& p = border_.pieces[k];
+        if (planar_of_[p.from] == planar_vertex || planar_of_[p.to] == planar_vertex) {
+            mark_piece(k);
+        }
+    }
+}
+
+bool FaceMesher::insert_border() {
+    Vec2 low = Vec2::Constant(1e300);
+    Vec2 high = Vec2::Constant(-1e300);
+    for (const Site& s : border_.sites) {
+        low = low.cwiseMin(border_.scaled(s.uv));
+        high = high.cwiseMax(border_.scaled(s.uv));
+    }
+    if (!low.allFinite() || !high.allFinite()) {
+        result_.failure = "its border has coordinates that are not numbers";
+        return false;
+    }
+    tri_ = std::make_unique<PlanarTriangulation>(low, high);
+    result_.sites = border_.sites;
+    site_of_.assign(PlanarTriangulation::kFrame, -1);
+    for (int s = 0; s < static_cast<int>(result_.sites.size()); ++s) {
+        const int v = tri_->insert(border_.scaled(result_.sites[s].uv));
+        if (v == static_cast<int>(site_of_.size())) {
+            site_of_.push_back(s);
+        } else if (result_.sites[site_of_[v]].vertex != result_.sites[s].vertex) {
+            result_.failure = "two points of its border fall together in (u, v)";
+            return false;
+        }
+        planar_of_.push_back(v);
+    }
+    overlaps_.resize(border_.pieces.size());
+    bool free = true;
+    for (int k = 0; k < static_cast<int>(border_.pieces.size()); ++k) {
+        const FaceBorder::Piece& p = border_.pieces[k];
+        if (!p.collapsed() && result_.sites[p.from].vertex == result_.sites[p.to].vertex) {
+            mark_piece(k);
+            free = false;
+        }
+        free = add_constraint(k) && free;
+    }
+    if (!free && result_.marks.empty() && result_.failure.empty()) {
+        result_.failure = "its border crosses itself in (u, v)";
+    }
+    return free;
+}
+
+bool FaceMesher::add_constraint(int piece) {
+    const FaceBorder::Piece& p = border_.pieces[piece];
+    const int a = planar_of_[p.from];
+    const int b = planar_of_[p.to];
+    if (a == b) {
+        return true;
+    }
+    if (const auto obstacle = tri_->insert_constraint(a, b, piece)) {
+        mark_piece(piece);
+        if (obstacle->constraint >= 0) {
+            mark_piece(obstacle->constraint);
+        }
+        if (obstacle->vertex >= 0) {
+            mark_around(obstacle->vertex);
+        }
+        return false;
+    }
+    const int label = tri_->label(tri_->find_edge(a, b));
+    if (label != piece) {
+        overlaps_[label].push_back(piece);
+    }
+    return true;
+}
+
+// From the frame inwards: every odd number of borders crossed changes sides. This does not trust the direction of the
+// loops, which faulty faces have wrong.
+void FaceMesher::find_inside() {
+    const int n = tri_->triangle_count();
+    inside_.assign(n, -1);
+    std::vector<int> stack;
+    for (int h = 0; h < 3 * n; ++h) {
+        if (tri_->twin(h) < 0) {
+            inside_[h / 3] = 0;
+            stack.push_back(h / 3);
+        }
+    }
+    bool any = false;
+    while (!stack.empty()) {
+        const int t = stack.back();
+        stack.pop_back();
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const int g = tri_->twin(h);
+            if (g < 0) {
+                continue;
+            }
+            int crossed = 0;
+            if (const int label = tri_->label(h); label >= 0) {
+                crossed += border_.pieces[label].internal ? 0 : 1;
+                for (const int other : overlaps_[label]) {
+                    crossed += border_.pieces[other].internal ? 0 : 1;
+                }
+            }
+            const char side = static_cast<char>((inside_[t] + crossed) % 2);
+            if (inside_[g / 3] < 0) {
+                inside_[g / 3] = side;
+                any = any || side == 1;
+                stack.push_back(g / 3);
+            } else if (inside_[g / 3] != side) {
+                result_.failure = "its border is not closed in (u, v)";
+                return;
+            }
+        }
+    }
+    if (!any) {
+        result_.failure = "its border encloses nothing";
+    }
+}
+
+// A piece whose middle on the curve lies beyond the apex of its triangle would fold that triangle when it is split.
+void FaceMesher::check_halving() {
+    const Topology& topology = session_.topology();
+    Engine::Batch batch;
+    std::vector<int> pieces;
+    for (int k = 0; k < static_cast<int>(border_.pieces.size()); ++k) {
+        const FaceBorder::Piece& p = border_.pieces[k];
+        if (!p.collapsed()) {
+            const EdgeChain& chain = chains_.chain(topology.uses[p.use].edge);
+            batch.push_back(Query::use_on_face(p.use, 0.5 * (chain.t[p.index] + chain.t[p.index + 1])));
+            pieces.push_back(k);
+        }
+    }
+    const Engine::Answers answers = session_.ask(std::move(batch));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const FaceBorder::Piece& p = border_.pieces[pieces[i]];
+        const int a = planar_of_[p.from];
+        const int b = planar_of_[p.to];
+        const int h = a == b ? -1 : tri_->find_edge(a, b);
+        if (h < 0 || !answers[i].found()) {
+            continue;
+        }
+        const Vec2 middle = border_.scaled(Vec2(answers[i].u, answers[i].v));
+        for (const int side : {h, tri_->twin(h)}) {
+            if (side < 0 || inside_[side / 3] != 1) {
+                continue;
+            }
+            const Vec2& from = tri_->point(tri_->corner(side));
+            const Vec2& to = tri_->point(tri_->corner(PlanarTriangulation::next(side)));
+            const Vec2& apex = tri_->point(tri_->corner(PlanarTriangulation::prev(side)));
+            if (orient2d(apex, from, middle) <= 0 || orient2d(to, apex, middle) <= 0) {
+                mark_piece(pieces[i]);
+            }
+        }
+    }
+}
+
+// The side to split of a triangle that is too coarse: 0..2; -1 when it is fine.
+int FaceMesher::coarse_side(int t, const Vec3& normal_at_centroid) const {
+    const Site* s[3] = {&corner_site(3 * t), &corner_site(3 * t + 1), &corner_site(3 * t + 2)};
+    Vec3 sides[3];
+    int longest = 0;
+    for (int i = 0; i < 3; ++i) {
+        const int h = 3 * t + i;
+        sides[i] = s[(i + 1) % 3]->point - s[i]->point;
+        if (same_vertex(*s[i], *s[(i + 1) % 3])) {
+            const int label = tri_->label(h);
+            if (label >= 0 && border_.pieces[label].collapsed()) {
+                return -1;  // a triangle at a pole: it will be dropped
+            }
+            return (i + 1) % 3;  // one vertex met twice around the face: cut the way round
+        }
+        if (sides[i].squaredNorm() > sides[longest].squaredNorm()) {
+            longest = i;
+        }
+    }
+    if (border_.plane || sides[longest].norm() < 2.0 * reach()) {
+        return -1;
+    }
+    Vec3 own = sides[0].cross(sides[1]);
+    if (session_.topology().faces[face_].reversed) {
+        own = -own;
+    }
+    own.normalize();
+    double worst = own.dot(normal_at_centroid);
+    for (const Site* corner : s) {
+        if (corner->normal.squaredNorm() > 0.0) {
+            worst = std::min({worst, own.dot(corner->normal), normal_at_centroid.dot(corner->normal)});
+        }
+    }
+    return worst < kCosMaxTurn ? longest : -1;
+}
+
+// A long border side is the cause of the trouble itself; otherwise the triangle's longest side is cut.
+void FaceMesher::ask_to_split(int t, std::set<std::array<int, 2>>& sides) {
+    double length[3];
+    for (int i = 0; i < 3; ++i) {
+        const int h = 3 * t + i;
+        length[i] = (corner_site(PlanarTriangulation::next(h)).point - corner_site(h).point).norm();
+    }
+    const double longest = std::max({length[0], length[1], length[2]});
+    bool marked = false;
+    for (int i = 0; i < 3; ++i) {
+        const int label = tri_->label(3 * t + i);
+        if (label >= 0 && length[i] >= 0.5 * longest && length[i] > 2.0 * reach() && !border_.pieces[label].collapsed()) {
+            mark_piece(label);
+            marked = true;
+        }
+    }
+    for (int i = 0; i < 3 && !marked; ++i) {
+        const int h = 3 * t + i;
+        if (length[i] == longest && tri_->label(h) < 0) {
+            const int a = tri_->corner(h);
+            const int b = tri_->corner(PlanarTriangulation::next(h));
+            sides.insert({std::min(a, b), std::max(a, b)});
+            return;
+        }
+    }
+}
+
+bool FaceMesher::refine_round() {
+    std::vector<int> untested;
+    Engine::Batch batch;
+    for (int t = 0; t < tri_->triangle_count(); ++t) {
+        const Corners corners{tri_->corner(3 * t), tri_->corner(3 * t + 1), tri_->corner(3 * t + 2)};
+        if (inside_[t] == 1 && fine_.count(corners) == 0) {
+            const Vec2 centroid = (tri_->point(corners[0]) + tri_->point(corners[1]) + tri_->point(corners[2])) / 3.0;
+            const Vec2 uv = border_.unscaled(centroid);
+            untested.push_back(t);
+            batch.push_back(Query::face_point(face_, uv.x(), uv.y()));
+        }
+    }
+    Engine::Answers answers(untested.size());
+    if (!border_.plane) {
+        answers = session_.ask(std::move(batch));
+    }
+    std::set<std::array<int, 2>> sides;
+    result_.unresolved = 0;
+    for (std::size_t i = 0; i < untested.size(); ++i) {
+        const int t = untested[i];
+        if (coarse_side(t, answers[i].normal) < 0) {
+            fine_.insert({tri_->corner(3 * t), tri_->corner(3 * t + 1), tri_->corner(3 * t + 2)});
+        } else {
+            ++result_.unresolved;
+            ask_to_split(t, sides);
+        }
+    }
+    return insert_midpoints(sides);
+}
+
+bool FaceMesher::insert_midpoints(const std::set<std::array<int, 2>>& sides) {
+    if (sides.empty() || tri_->vertex_count() > kMaxSites) {
+        return false;
+    }
+    Engine::Batch batch;
+    std::vector<Vec2> places;
+    for (const auto& [a, b] : sides) {
+        places.push_back(0.5 * (tri_->point(a) + tri_->point(b)));
+        const Vec2 uv = border_.unscaled(places.back());
+        batch.push_back(Query::face_point(face_, uv.x(), uv.y()));
+    }
+    const Engine::Answers answers = session_.ask(std::move(batch));
+    bool added = false;
+    std::size_t i = 0;
+    for (const auto& [a, b] : sides) {
+        const Answer& answer = answers[i];
+        Site site;
+        site.uv = border_.unscaled(places[i++]);
+        site.normal = answer.normal;
+        site.point = grid_.snap(answer.point);
+        if (!answer.found() || (site.point - site_at(a).point).norm() < reach() ||
+            (site.point - site_at(b).point).norm() < reach()) {
+            continue;
+        }
+        const int v = tri_->insert(places[i - 1]);
+        if (v == static_cast<int>(site_of_.size())) {
+            site_of_.push_back(static_cast<int>(result_.sites.size()));
+            result_.sites.push_back(site);
+            added = true;
+        }
+    }
+    return added;
+}
+
+Link FaceMesher::link_of(int h, const std::vector<int>& number) const {
+    const int label = tri_->label(h);
+    if (label < 0) {
+        const int g = tri_->twin(h);
+        return {3 * number[g / 3] + g % 3, -1};
+    }
+    std::vector<int> pieces{label};
+    pieces.insert(pieces.end(), overlaps_[label].begin(), overlaps_[label].end());
+    for (const int k : pieces) {
+        if (planar_of_[border_.pieces[k].from] == tri_->corner(h)) {
+            return {-1, k};
+        }
+    }
+    return {-1, label};
+}
+
+void FaceMesher::assemble() {
+    std::vector<int> number(tri_->triangle_count(), -1);
+    std::vector<int> kept;
+    for (int t = 0; t < tri_->triangle_count(); ++t) {
+        if (inside_[t] == 1) {
+            number[t] = static_cast<int>(kept.size());
+            kept.push_back(t);
+        }
+    }
+    std::vector<Corners> triangles;
+    std::vector<std::array<Link, 3>> links;
+    for (const int t : kept) {
+        triangles.push_back({site_of_[tri_->corner(3 * t)], site_of_[tri_->corner(3 * t + 1)], site_of_[tri_->corner(3 * t + 2)]});
+        links.push_back({link_of(3 * t, number), link_of(3 * t + 1, number), link_of(3 * t + 2, number)});
+    }
+    for (const FaceBorder::Piece& p : border_.pieces) {
+        result_.borders.push_back({p.use, p.index});
+    }
+    if (drop_collapsed(triangles, links)) {
+        turn_outward();
+    }
+}
+
+void FaceMesher::join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b) {
+    if (a.half_edge >= 0) {
+        links[a.half_edge / 3][a.half_edge % 3] = b;
+    }
+    if (b.half_edge >= 0) {
+        links[b.half_edge / 3][b.half_edge % 3] = a;
+    }
+}
+
+// Triangles with a side that is one vertex in space (at a pole) vanish; their two other sides become one.
+bool FaceMesher::drop_collapsed(std::vector<Corners>& triangles, std::vector<std::array<Link, 3>>& links) {
+    std::vector<char> dropped(triangles.size(), 0);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        int side = -1;
+        for (int i = 0; i < 3; ++i) {
+            if (same_vertex(result_.sites[triangles[t][i]], result_.sites[triangles[t][(i + 1) % 3]])) {
+                side = i;
+            }
+        }
+        if (side < 0) {
+            continue;
+        }
+        const Link a = links[t][(side + 1) % 3];
+        const Link b = links[t][(side + 2) % 3];
+        dropped[t] = 1;
+        if (a.half_edge < 0 && b.half_edge < 0) {
+            for (const Link& link : {a, b}) {
+                mark_piece(link.border);
+            }
+            if (result_.marks.empty()) {
+                result_.failure = "it closes on itself at a collapsed edge";
+            }
+            return false;
+        }
+        join(links, a, b);
+    }
+    std::vector<int> number(triangles.size(), -1);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (!dropped[t]) {
+            number[t] = static_cast<int>(result_.triangles.size());
+            result_.triangles.push_back(triangles[t]);
+            result_.links.push_back(links[t]);
+        }
+    }
+    for (auto& sides : result_.links) {
+        for (Link& link : sides) {
+            if (link.half_edge >= 0) {
+                link.half_edge = 3 * number[link.half_edge / 3] + link.half_edge % 3;
+            }
+        }
+    }
+    return true;
+}
+
+void FaceMesher::turn_outward() {
+    if (!session_.topology().faces[face_].reversed) {
+        return;
+    }
+    for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
+        std::swap(result_.triangles[t][1], result_.triangles[t][2]);
+        std::swap(result_.links[t][0], result_.links[t][2]);
+        for (Link& link : result_.links[t]) {
+            if (link.half_edge >= 0) {
+                link.half_edge = 3 * (link.half_edge / 3) + 2 - link.half_edge % 3;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+FaceTriangulation triangulate_face(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face) {
+    return FaceMesher(session, chains, grid, face).run();
+}
+
+}  // namespace mq::geometry

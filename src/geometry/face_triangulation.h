@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "geometry/edge_chains.h"
+#include "geometry/planar_triangulation.h"
+
+namespace mq::geometry {
+
+/// A coarse triangulation of one face: constrained Delaunay in the metric-scaled parameter domain, refined until no
+/// triangle turns away from the surface.
+struct FaceTriangulation {
+    struct Site {
+        int vertex = -1;  ///< of the chains; -1: a vertex inside the face, at `point`
+        Vec2 uv = Vec2::Zero();
+        Vec3 normal = Vec3::Zero();
+        Vec3 point = Vec3::Zero();
+    };
+    /// A piece of a CAD edge: piece `index` of the chain of the use's edge.
+    struct Border {
+        int use = -1;
+        int index = -1;
+    };
+    /// Where a side of a triangle leads: to a half-edge 3 t + i of the same face, or to a border.
+    struct Link {
+        int half_edge = -1;
+        int border = -1;
+    };
+    std::vector<Site> sites;
+    std::vector<std::array<int, 3>> triangles;  ///< sites, counter-clockwise seen from outside
+    std::vector<std::array<Link, 3>> links;     ///< of the side from corner i to corner i + 1
+    std::vector<Border> borders;
+    std::string failure;                  ///< why there is no triangulation; empty when there is one
+    std::set<EdgeChains::Mark> marks;     ///< pieces of CAD edges that must be halved before the face can be done
+    int unresolved = 0;                   ///< triangles that still turn away from the surface
+};
+
+/// Triangulates a face over the present chains. When `marks` is not empty in the result, halve them and call again.
+FaceTriangulation triangulate_face(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face);
+
+}  // namespace mq::geometry

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/initial_triangulation.h"
+
+#include <numeric>
+
+namespace mq::geometry {
+
+namespace {
+
+// Every round halves the pieces that stand in some face's way. A gap of 1e-6 of an edge takes twenty rounds.
+constexpr int kMaxRounds = 24;
+
+std::vector<int> faces_of(const Topology& topology, const std::set<int>& edges) {
+    std::set<int> faces;
+    for (const int e : edges) {
+        for (const int u : topology.edges[e].uses) {
+            faces.insert(topology.uses[u].face);
+        }
+    }
+    return {faces.begin(), faces.end()};
+}
+
+}  // namespace
+
+InitialTriangulation triangulate_initially(Session& session, const SingleGrid& grid, Progress& progress) {
+    const Topology& topology = session.topology();
+    InitialTriangulation result{EdgeChains(session, grid), {}, {}};
+    result.faces.resize(topology.faces.size());
+    std::vector<int> open(topology.faces.size());
+    std::iota(open.begin(), open.end(), 0);
+    for (int round = 0; round < kMaxRounds && !open.empty(); ++round) {
+        std::set<EdgeChains::Mark> marks;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            progress.check();
+            FaceTriangulation& face = result.faces[open[i]];
+            face = triangulate_face(session, result.chains, grid, open[i]);
+            marks.insert(face.marks.begin(), face.marks.end());
+            progress.advance((round + static_cast<double>(i) / open.size()) / (round + 2.0));
+        }
+        open = faces_of(topology, result.chains.halve(session, marks));
+    }
+    for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
+        FaceTriangulation& face = result.faces[f];
+        if (!face.failure.empty()) {
+            result.failures.emplace_back(f, face.failure);
+        } else if (!face.marks.empty()) {
+            result.failures.emplace_back(f, "its border cannot be resolved: pieces cross or fold however short they are");
+        }
+    }
+    return result;
+}
+
+}  // namespace mq::geometry

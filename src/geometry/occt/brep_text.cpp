@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/brep_text.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_Version.hxx>
+#include <TopoDS_Shape.hxx>
+#include <climits>
+#include <functional>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace mq::geometry {
+
+std::shared_ptr<const TopoDS_Shape> read_brep_text(const std::string& text) {
+    auto shape = std::make_shared<TopoDS_Shape>();
+    std::istringstream stream(text);
+    try {
+        BRepTools::Read(*shape, stream, BRep_Builder());
+    } catch (const Standard_Failure& failure) {
+        throw InvalidInput(std::string("the BREP text cannot be read: ") + failure.GetMessageString());
+    }
+    if (shape->IsNull()) {
+        throw InvalidInput("the BREP text holds no shape");
+    }
+    return shape;
+}
+
+ShapeIdentity identity_of(const TopoDS_Shape& shape) {
+    ShapeIdentity identity;
+    identity.tshape = reinterpret_cast<std::size_t>(shape.TShape().get());
+#if OCC_VERSION_HEX >= 0x070800
+    identity.hash = static_cast<int>(std::hash<TopoDS_Shape>()(shape) & INT_MAX);
+#else
+    identity.hash = shape.HashCode(INT_MAX);
+#endif
+    return identity;
+}
+
+}  // namespace mq::geometry

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+class TopoDS_Shape;
+
+namespace mq::geometry {
+
+/// Reads a shape from OpenCASCADE's BREP text, where a live one cannot be shared. Sub-shapes keep their numbers.
+/// @throws InvalidInput when the text holds no shape.
+std::shared_ptr<const TopoDS_Shape> read_brep_text(const std::string& text);
+
+/// Tells whether two shapes share their data: the same `tshape` means the very same topology in memory.
+struct ShapeIdentity {
+    std::size_t tshape = 0;  ///< address of the TShape
+    int hash = 0;            ///< of TShape and location, as Part.Shape.hashCode()
+};
+ShapeIdentity identity_of(const TopoDS_Shape& shape);
+
+}  // namespace mq::geometry

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include <Adaptor3d_Curve.hxx>
+#include <TopoDS_Edge.hxx>
+#include <gp_Trsf.hxx>
+
+#include "geometry/query.h"
+#include "geometry/topology.h"
+
+namespace mq::geometry {
+
+/// Answers for one edge. The curve is evaluated in its own coordinates; points cross the edge's location.
+class EdgeEvaluator {
+  public:
+    EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data);
+
+    Answer point(double t) const;
+    Answer middle(double from, double to) const;
+    Answer at_distance(double from, double to, double distance) const;
+    Answer nearest(const Vec3& point, double guess, double low, double high) const;
+    Answer length(double from, double to) const;
+
+  private:
+    enum class Kind { Line, Circle, Other };
+
+    bool in_range(double t) const;
+    Vec3 at(double t) const;
+    double speed(double t) const;
+    Answer at_parameter(double t) const;
+    double arc(double from, double to) const;
+    double arc_within(double from, double to, double whole, int depth) const;
+    double gauss(double from, double to) const;
+    double crossing(const Vec3& start, double low, double high, double distance) const;
+    bool newton(const Vec3& point, double low, double high, double& t) const;
+    double nearest_sampled(const Vec3& point, double low, double high) const;
+    double nearest_on_circle(const Vec3& point, double guess, double low, double high) const;
+
+    Handle(Adaptor3d_Curve) curve_;
+    gp_Trsf location_;
+    bool located_ = false;
+    Kind kind_ = Kind::Other;
+    double t0_;
+    double t1_;
+    double slack_;              ///< how far t may lie out of the range by rounding
+    double size_ = 0.0;         ///< of the curve, to judge lengths by
+    std::vector<double> knots_;  ///< where the curve is less than smooth, and the ends
+};
+
+}  // namespace mq::geometry

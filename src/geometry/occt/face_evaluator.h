@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Trsf.hxx>
+
+#include "geometry/elementary_surface.h"
+#include "geometry/query.h"
+#include "geometry/topology.h"
+
+namespace mq::geometry {
+
+/// Answers for one face. The surface is evaluated in its own coordinates, in which its parameters are what the curves
+/// of the edges mean; points and derivatives cross the face's location.
+class FaceEvaluator {
+  public:
+    /// `shape` is turned to FORWARD; `data` is the same face in the topology.
+    FaceEvaluator(const TopoDS_Face& shape, const Face& data);
+
+    Answer point(double u, double v) const;
+    Answer derivatives(double u, double v) const;
+    Answer curvatures(double u, double v) const;
+    Answer nearest(const Vec3& point, double u, double v);
+    Answer nearest_global(const Vec3& point);
+    Answer contains(double u, double v);
+    /// As `point`, for a (u, v) that a curve of the shape gave: one out of the surface's bounds is moved into them.
+    Answer point_of_curve(double u, double v) const;
+
+  private:
+    /// What a search for the nearest point has come to.
+    struct Foot {
+        Vec2 uv = Vec2::Zero();
+        double square = 0.0;
+        bool found = false;
+    };
+    struct Step {
+        Vec2 move = Vec2::Zero();
+        bool minimum = false;  ///< the distance is convex here: a vanishing step means a minimum
+    };
+
+    void set_bounds(const Face& data);
+    void set_references();
+    void set_elementary();
+    bool legal(double u, double v) const;
+    Vec2 brought_in(double u, double v) const;
+    SurfacePoint first(double u, double v) const;
+    SurfacePoint second(double u, double v) const;
+    SurfacePoint placed(SurfacePoint s) const;
+    Vec3 local(const Vec3& point) const;
+    std::optional<Vec3> regular_normal(const SurfacePoint& s) const;
+    std::optional<Vec3> limit_normal(double u, double v, const SurfacePoint& s) const;
+    std::optional<Vec3> normal_beside(const Vec2& uv, const Vec2& aside) const;
+    void set_normal(double u, double v, const SurfacePoint& s, Answer& answer) const;
+    Answer at(double u, double v) const;
+    Answer foot_at(const Vec3& point, const Vec2& uv, const Vec2& guess) const;
+
+    ParameterBox elementary_box(const Vec2& guess) const;
+    ParameterBox search_box() const;
+    Step newton_step(const SurfacePoint& s, const Vec3& r, const Vec2& uv, const ParameterBox& box) const;
+    Foot newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
+    bool is_foot(const Vec3& p, const Vec2& uv, const ParameterBox& box) const;
+    Foot search(const Vec3& p, const ParameterBox& box);
+    Foot compass(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
+    void sample();
+
+    TopoDS_Face shape_;
+    GeomAdaptor_Surface surface_;
+    gp_Trsf location_;
+    gp_Trsf inverse_;
+    bool located_ = false;
+    double sign_ = 1.0;              ///< of the outward normal against Su x Sv
+    double tolerance_;
+    std::array<double, 2> period_;
+    ParameterBox natural_;           ///< of the surface
+    ParameterBox trimmed_;           ///< of the face, made finite
+    double su_ = 0.0;                ///< usual size of Su, Sv on the face
+    double sv_ = 0.0;
+    double size_ = 0.0;              ///< of the face in space, in its own coordinates
+    std::optional<ElementarySurface> elementary_;
+    std::array<int, 2> samples_{0, 0};
+    std::vector<Vec3> grid_;
+    std::unique_ptr<BRepTopAdaptor_FClass2d> classifier_;
+};
+
+}  // namespace mq::geometry

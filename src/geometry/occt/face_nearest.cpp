@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/occt/conversion.h"
+#include "geometry/occt/face_evaluator.h"
+
+namespace mq::geometry {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// A Newton step this short, as a part of the face's size, is the last one: the next would be of the order of its
+/// square. Steps that are not full Newton steps converge slowly, and go on to kLastSlowStep.
+constexpr double kLastStep = 1e-7;
+constexpr double kLastSlowStep = 1e-11;
+
+Vec2 clamped(const Vec2& uv, const ParameterBox& box) {
+    return Vec2(std::clamp(uv.x(), box.low[0], box.high[0]), std::clamp(uv.y(), box.low[1], box.high[1]));
+}
+
+}  // namespace
+
+/// Round the guess where the surface closes; elsewhere the surface's own bounds, or a box wider than the face.
+ParameterBox FaceEvaluator::elementary_box(const Vec2& guess) const {
+    ParameterBox box;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (period_[i] > 0.0) {
+            const double middle = guess[static_cast<Eigen::Index>(i)];
+            box.low[i] = middle - 0.5 * period_[i];
+            box.high[i] = middle + 0.5 * period_[i];
+            continue;
+        }
+        const double margin = 0.5 * (trimmed_.high[i] - trimmed_.low[i]);
+        box.low[i] = std::max(natural_.low[i], trimmed_.low[i] - margin);
+        box.high[i] = std::min(natural_.high[i], trimmed_.high[i] + margin);
+    }
+    if (elementary_->kind == ElementarySurface::Kind::Sphere) {
+        box.low[1] = -0.5 * kPi;
+        box.high[1] = 0.5 * kPi;
+    } else if (elementary_->kind == ElementarySurface::Kind::Cone) {
+        // Not past the apex, unless the face itself goes there.
+        const double apex = -elementary_->radius / std::sin(elementary_->angle);
+        if (apex <= trimmed_.low[1]) {
+            box.low[1] = std::max(box.low[1], apex);
+        } else if (apex >= trimmed_.high[1]) {
+            box.high[1] = std::min(box.high[1], apex);
+        }
+    }
+    return box;
+}
+
+/// The surface's bounds, made finite; free where it closes.
+ParameterBox FaceEvaluator::search_box() const {
+    ParameterBox box;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double margin = 0.5 * (trimmed_.high[i] - trimmed_.low[i]);
+        box.low[i] = period_[i] > 0.0 ? -kInfinity : std::max(natural_.low[i], trimmed_.low[i] - margin);
+        box.high[i] = period_[i] > 0.0 ? kInfinity : std::min(natural_.high[i], trimmed_.high[i] + margin);
+    }
+    return box;
+}
+
+/// One step towards the minimum of r^2 / 2, r = S(u, v) - p. A parameter that stands at a bound and would be driven
+/// out of it stays.
+FaceEvaluator::Step FaceEvaluator::newton_step(const SurfacePoint& s, const Vec3& r, const Vec2& uv,
+                                               const ParameterBox& box) const {
+    const Vec2 gradient(r.dot(s.su), r.dot(s.sv));
+    const Vec2 squares(s.su.squaredNorm(), s.sv.squaredNorm());
+    const Vec2 hessian(squares.x() + r.dot(s.suu), squares.y() + r.dot(s.svv));
+    std::array<bool, 2> free{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        const double tiny = kLastSlowStep * (i == 0 ? su_ * su_ : sv_ * sv_);
+        free[i] = !(uv[k] <= box.low[i] && gradient[k] >= 0.0) && !(uv[k] >= box.high[i] && gradient[k] <= 0.0) &&
+                  squares[k] > tiny;
+    }
+    Step step;
+    if (free[0] && free[1]) {
+        const double full = s.su.dot(s.sv) + r.dot(s.suv);
+        const double det = hessian.x() * hessian.y() - full * full;
+        step.minimum = hessian.x() > 0.0 && det > 1e-6 * squares.x() * squares.y();
+        if (step.minimum) {
+            step.move = Vec2(full * gradient.y() - hessian.y() * gradient.x(),
+                             full * gradient.x() - hessian.x() * gradient.y()) / det;
+        } else {
+            // Towards the foot on the tangent plane, as far as that has a direction.
+            const double mixed = s.su.dot(s.sv);
+            const double gauss = std::max(squares.x() * squares.y() - mixed * mixed,
+                                          1e-6 * squares.x() * squares.y());
+            step.move = Vec2(mixed * gradient.y() - squares.y() * gradient.x(),
+                             mixed * gradient.x() - squares.x() * gradient.y()) / gauss;
+        }
+        return step;
+    }
+    step.minimum = true;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        if (free[i]) {
+            step.minimum = hessian[k] > 0.0;
+            step.move[k] = -gradient[k] / (hessian[k] > 0.01 * squares[k] ? hessian[k] : squares[k]);
+        }
+    }
+    return step;
+}
+
+/// `p` is in the surface's own coordinates.
+FaceEvaluator::Foot FaceEvaluator::newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const {
+    constexpr int kSteps = 30;
+    constexpr int kHalvings = 8;
+    const Vec2 longest(0.25 * (trimmed_.high[0] - trimmed_.low[0]), 0.25 * (trimmed_.high[1] - trimmed_.low[1]));
+    Foot foot;
+    foot.uv = clamped(start, box);
+    SurfacePoint s = second(foot.uv.x(), foot.uv.y());
+    foot.square = (s.point - p).squaredNorm();
+    for (int i = 0; i < kSteps; ++i) {
+        const Step step = newton_step(s, s.point - p, foot.uv, box);
+        Vec2 move = step.move.cwiseMin(longest).cwiseMax(-longest);
+        const Vec2 next = clamped(foot.uv + move, box);
+        move = next - foot.uv;
+        const double length = s.su.norm() * std::abs(move.x()) + s.sv.norm() * std::abs(move.y());
+        if (length <= (step.minimum ? kLastStep : kLastSlowStep) * size_) {
+            foot.uv = next;
+            foot.found = step.minimum;
+            return foot;
+        }
+        int halvings = 0;
+        for (; halvings <= kHalvings; ++halvings, move *= 0.5) {
+            const Vec2 uv = foot.uv + move;
+            s = second(uv.x(), uv.y());
+            const double square = (s.point - p).squaredNorm();
+            if (square <= foot.square * (1.0 + 1e-14) + 1e-28 * size_ * size_) {
+                foot.uv = uv;
+                foot.square = square;
+                break;
+            }
+        }
+        if (halvings > kHalvings) {
+            return foot;
+        }
+    }
+    return foot;
+}
+
+/// r is orthogonal to the surface, or points out of the box.
+bool FaceEvaluator::is_foot(const Vec3& p, const Vec2& uv, const ParameterBox& box) const {
+    const SurfacePoint s = first(uv.x(), uv.y());
+    const Vec3 r = s.point - p;
+    const double slack = 1e-6 * r.norm() + 1e-9 * size_;
+    const double across[2] = {r.dot(s.su), r.dot(s.sv)};
+    const double sizes[2] = {s.su.norm(), s.sv.norm()};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double x = uv[static_cast<Eigen::Index>(i)];
+        const double along = sizes[i] > 0.0 ? across[i] / sizes[i] : 0.0;
+        if ((along > slack && x > box.low[i]) || (along < -slack && x < box.high[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Samples of the face's box, for searches without a guess.
+void FaceEvaluator::sample() {
+    constexpr int kLeast = 10;
+    constexpr int kMost = 40;
+    samples_ = {std::clamp(3 * surface_.NbUIntervals(GeomAbs_C2), kLeast, kMost),
+                std::clamp(3 * surface_.NbVIntervals(GeomAbs_C2), kLeast, kMost)};
+    for (int i = 0; i <= samples_[0]; ++i) {
+        for (int k = 0; k <= samples_[1]; ++k) {
+            const double u = trimmed_.low[0] + i * (trimmed_.high[0] - trimmed_.low[0]) / samples_[0];
+            const double v = trimmed_.low[1] + k * (trimmed_.high[1] - trimmed_.low[1]) / samples_[1];
+            const Vec2 uv = brought_in(u, v);
+            grid_.push_back(to_vec(surface_.Value(uv.x(), uv.y())));
+        }
+    }
+}
+
+/// Newton from the best samples; where none converges (a crease), the best sample improved without derivatives.
+FaceEvaluator::Foot FaceEvaluator::search(const Vec3& p, const ParameterBox& box) {
+    constexpr std::size_t kStarts = 4;
+    if (grid_.empty()) {
+        sample();
+    }
+    std::vector<std::pair<double, int>> order(grid_.size());
+    for (std::size_t i = 0; i < grid_.size(); ++i) {
+        order[i] = {(grid_[i] - p).squaredNorm(), static_cast<int>(i)};
+    }
+    const auto starts = static_cast<std::ptrdiff_t>(std::min(kStarts, order.size()));
+    std::partial_sort(order.begin(), order.begin() + starts, order.end());
+    const auto uv_of = [&](int index) {
+        const int i = index / (samples_[1] + 1);
+        const int k = index % (samples_[1] + 1);
+        return Vec2(trimmed_.low[0] + i * (trimmed_.high[0] - trimmed_.low[0]) / samples_[0],
+                    trimmed_.low[1] + k * (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);
+    };
+    Foot best;
+    best.square = kInfinity;
+    for (std::ptrdiff_t n = 0; n < starts; ++n) {
+        Foot foot = newton(p, uv_of(order[static_cast<std::size_t>(n)].second), box);
+        if (foot.found && is_foot(p, foot.uv, box) && foot.square < best.square) {
+            best = foot;
+        }
+    }
+    const auto [square, index] = order.front();
+    if (!best.found || square < best.square * (1.0 - 1e-9)) {
+        best = compass(p, clamped(uv_of(index), box), box);
+    }
+    return best;
+}
+
+FaceEvaluator::Foot FaceEvaluator::compass(const Vec3& p, const Vec2& start, const ParameterBox& box) const {
+    Foot foot;
+    foot.uv = start;
+    foot.square = (first(start.x(), start.y()).point - p).squaredNorm();
+    Vec2 reach((trimmed_.high[0] - trimmed_.low[0]) / samples_[0], (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);
+    constexpr int kSteps = 400;
+    constexpr double kEnd = 1e-12;
+    double part = 1.0;
+    for (int i = 0; i < kSteps && part > kEnd; ++i) {
+        bool better = false;
+        for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
+            const Vec2 uv = clamped(foot.uv + part * reach.cwiseProduct(way), box);
+            const double square = (first(uv.x(), uv.y()).point - p).squaredNorm();
+            if (square < foot.square) {
+                foot.uv = uv;
+                foot.square = square;
+                better = true;
+            }
+        }
+        part *= better ? 1.0 : 0.5;
+    }
+    foot.found = std::isfinite(foot.square);
+    return foot;
+}
+
+/// The answer at the foot (u, v) of `point`, on the turn nearest to the guess.
+Answer FaceEvaluator::foot_at(const Vec3& point, const Vec2& uv, const Vec2& guess) const {
+    const double u = branch_nearest(uv.x(), guess.x(), period_[0]);
+    const double v = branch_nearest(uv.y(), guess.y(), period_[1]);
+    Answer answer = at(u, v);
+    answer.distance = (answer.point - point).norm();
+    return answer;
+}
+
+Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
+    Answer answer;
+    answer.status = Status::BadQuery;
+    if (!(std::abs(u) < 1e50) || !(std::abs(v) < 1e50)) {
+        return answer;
+    }
+    const Vec3 p = local(point);
+    const Vec2 guess(u, v);
+    answer.status = Status::NotFound;
+    if (elementary_) {
+        const auto uv = elementary_->nearest(p, elementary_box(guess), guess);
+        return uv ? foot_at(point, *uv, guess) : answer;
+    }
+    const ParameterBox box = search_box();
+    Foot foot = newton(p, guess, box);
+    if (!foot.found || !is_foot(p, foot.uv, box)) {
+        foot = search(p, box);
+    }
+    return foot.found ? foot_at(point, foot.uv, guess) : answer;
+}
+
+Answer FaceEvaluator::nearest_global(const Vec3& point) {
+    Answer answer;
+    answer.status = Status::NotFound;
+    const Vec3 p = local(point);
+    const Vec2 middle(0.5 * (trimmed_.low[0] + trimmed_.high[0]), 0.5 * (trimmed_.low[1] + trimmed_.high[1]));
+    if (elementary_) {
+        const auto uv = elementary_->nearest(p, trimmed_, middle);
+        return uv ? foot_at(point, *uv, *uv) : answer;
+    }
+    const Foot foot = search(p, trimmed_);
+    return foot.found ? foot_at(point, foot.uv, foot.uv) : answer;
+}
+
+}  // namespace mq::geometry

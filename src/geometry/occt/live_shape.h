@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include <Geom2d_Curve.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "geometry/topology.h"
+
+namespace mq::geometry {
+
+/// The curve of an edge in the parameter domain of a face; null where the shape has none.
+struct UseCurve {
+    Handle(Geom2d_Curve) curve;
+    double first = 0.0;
+    double last = 0.0;
+};
+
+/// The shape's own parts behind the entities of the topology, by the same indices. Faces and edges are all turned to
+/// FORWARD.
+struct LiveShape {
+    std::vector<TopoDS_Face> faces;
+    std::vector<TopoDS_Edge> edges;
+    std::vector<UseCurve> uses;
+    std::vector<TopoDS_Shape> volumes;
+};
+
+/// Fills `live` and returns the entities of `shape`, with what is wrong with the way they hang together in `faults`.
+Topology build_topology(const TopoDS_Shape& shape, LiveShape& live);
+
+/// Periods of a surface in u and v, 0 where it is open. A surface that is closed within `tolerance` without being
+/// periodic counts with its whole range.
+std::array<double, 2> periods_of(const GeomAdaptor_Surface& surface, double tolerance);
+
+/// What OpenCASCADE's own checks find, one line each, with the entity's name.
+std::vector<std::string> kernel_faults(const TopoDS_Shape& shape);
+
+/// Bounds the shape, whether or not a display triangulation hangs on it.
+Box bounding_box(const TopoDS_Shape& shape, std::size_t face_count);
+
+}  // namespace mq::geometry

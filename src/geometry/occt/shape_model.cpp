@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/shape_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <vector>
+
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRep_Tool.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_Version.hxx>
+#include <TopAbs.hxx>
+
+#include "base/error.h"
+#include "geometry/occt/conversion.h"
+#include "geometry/occt/edge_evaluator.h"
+#include "geometry/occt/face_evaluator.h"
+#include "geometry/occt/live_shape.h"
+
+namespace mq::geometry {
+
+namespace {
+
+Answer refused(Status status) {
+    Answer answer;
+    answer.status = status;
+    return answer;
+}
+
+bool finite(const Query& query) {
+    return std::isfinite(query.u) && std::isfinite(query.v) && std::isfinite(query.t) && std::isfinite(query.t2) &&
+           std::isfinite(query.distance) && query.point.allFinite();
+}
+
+class ShapeModel final : public Model {
+  public:
+    explicit ShapeModel(const TopoDS_Shape& shape);
+    Answer answer(const Query& query) noexcept override;
+
+  private:
+    Answer dispatch(const Query& query);
+    Answer on_edge(const Query& query);
+    Answer on_face(const Query& query);
+    Answer use_on_face(int index, double t);
+    Answer volume_contains(int index, const Vec3& point);
+    EdgeEvaluator& edge(int index);
+    FaceEvaluator& face(int index);
+
+    LiveShape live_;
+    std::vector<std::unique_ptr<EdgeEvaluator>> edges_;
+    std::vector<std::unique_ptr<FaceEvaluator>> faces_;
+    std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
+};
+
+ShapeModel::ShapeModel(const TopoDS_Shape& shape) {
+    topology_ = build_topology(shape, live_);
+    topology_.box = bounding_box(shape, live_.faces.size());
+    const std::vector<std::string> faults = kernel_faults(shape);
+    topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());
+    edges_.resize(live_.edges.size());
+    faces_.resize(live_.faces.size());
+    classifiers_.resize(live_.volumes.size());
+}
+
+EdgeEvaluator& ShapeModel::edge(int index) {
+    const auto i = static_cast<std::size_t>(index);
+    if (!edges_[i]) {
+        edges_[i] = std::make_unique<EdgeEvaluator>(live_.edges[i], topology_.edges[i]);
+    }
+    return *edges_[i];
+}
+
+FaceEvaluator& ShapeModel::face(int index) {
+    const auto i = static_cast<std::size_t>(index);
+    if (!faces_[i]) {
+        faces_[i] = std::make_unique<FaceEvaluator>(live_.faces[i], topology_.faces[i]);
+    }
+    return *faces_[i];
+}
+
+Answer ShapeModel::answer(const Query& query) noexcept {
+    try {
+        return finite(query) && query.index >= 0 ? dispatch(query) : refused(Status::BadQuery);
+    } catch (const Standard_Failure&) {
+        return refused(Status::KernelFailure);
+    } catch (const std::exception&) {
+        return refused(Status::KernelFailure);
+    }
+}
+
+Answer ShapeModel::dispatch(const Query& query) {
+    using Kind = Query::Kind;
+    switch (query.kind) {
+        case Kind::EdgePoint:
+        case Kind::EdgeMiddle:
+        case Kind::EdgeAtDistance:
+        case Kind::EdgeNearest:
+        case Kind::EdgeLength:
+            return on_edge(query);
+        case Kind::UseOnFace:
+            return use_on_face(query.index, query.t);
+        case Kind::VolumeContains:
+            return volume_contains(query.index, query.point);
+        default:
+            return on_face(query);
+    }
+}
+
+Answer ShapeModel::on_edge(const Query& query) {
+    if (query.index >= static_cast<int>(live_.edges.size()) ||
+        topology_.edges[static_cast<std::size_t>(query.index)].degenerate) {
+        return refused(Status::BadQuery);
+    }
+    const EdgeEvaluator& curve = edge(query.index);
+    switch (query.kind) {
+        case Query::Kind::EdgePoint:
+            return curve.point(query.t);
+        case Query::Kind::EdgeMiddle:
+            return curve.middle(query.t, query.t2);
+        case Query::Kind::EdgeAtDistance:
+            return curve.at_distance(query.t, query.t2, query.distance);
+        case Query::Kind::EdgeNearest:
+            return curve.nearest(query.point, query.t, query.u, query.v);
+        default:
+            return curve.length(query.t, query.t2);
+    }
+}
+
+Answer ShapeModel::on_face(const Query& query) {
+    if (query.index >= static_cast<int>(live_.faces.size())) {
+        return refused(Status::BadQuery);
+    }
+    FaceEvaluator& surface = face(query.index);
+    switch (query.kind) {
+        case Query::Kind::FacePoint:
+            return surface.point(query.u, query.v);
+        case Query::Kind::FaceDerivatives:
+            return surface.derivatives(query.u, query.v);
+        case Query::Kind::FaceCurvatures:
+            return surface.curvatures(query.u, query.v);
+        case Query::Kind::FaceNearest:
+            return surface.nearest(query.point, query.u, query.v);
+        case Query::Kind::FaceNearestGlobal:
+            return surface.nearest_global(query.point);
+        default:
+            return surface.contains(query.u, query.v);
+    }
+}
+
+Answer ShapeModel::use_on_face(int index, double t) {
+    if (index >= static_cast<int>(topology_.uses.size())) {
+        return refused(Status::BadQuery);
+    }
+    const EdgeUse& use = topology_.uses[static_cast<std::size_t>(index)];
+    const Edge& data = topology_.edges[static_cast<std::size_t>(use.edge)];
+    const UseCurve& pcurve = live_.uses[static_cast<std::size_t>(index)];
+    const double range = data.t1 - data.t0;
+    if (t < data.t0 - 1e-9 * range || t > data.t1 + 1e-9 * range) {
+        return refused(Status::BadQuery);
+    }
+    FaceEvaluator& surface = face(use.face);
+    if (pcurve.curve.IsNull()) {
+        return data.degenerate ? refused(Status::NotFound) : surface.nearest_global(edge(use.edge).point(t).point);
+    }
+    double s = t;
+    if ((pcurve.first != data.t0 || pcurve.last != data.t1) && range > 0.0) {
+        s = pcurve.first + (t - data.t0) / range * (pcurve.last - pcurve.first);
+    }
+    const gp_Pnt2d uv = pcurve.curve->Value(s);
+    Answer answer = surface.point_of_curve(uv.X(), uv.Y());
+    if (!data.degenerate) {
+        const Vec3 target = edge(use.edge).point(t).point;
+        const double tolerance =
+            std::max(data.tolerance, topology_.faces[static_cast<std::size_t>(use.face)].tolerance);
+        answer.distance = (answer.point - target).norm();
+        if (answer.distance > 10.0 * tolerance) {
+            const Answer better = surface.nearest(target, answer.u, answer.v);
+            if (better.found() && better.distance < answer.distance) {
+                answer = better;
+            }
+        }
+    }
+    answer.t = t;
+    return answer;
+}
+
+Answer ShapeModel::volume_contains(int index, const Vec3& point) {
+    if (index >= static_cast<int>(live_.volumes.size()) ||
+        topology_.volumes[static_cast<std::size_t>(index)].kind == Volume::Kind::Faces) {
+        return refused(Status::BadQuery);
+    }
+    const auto i = static_cast<std::size_t>(index);
+    if (!classifiers_[i]) {
+        classifiers_[i] = std::make_unique<BRepClass3d_SolidClassifier>(live_.volumes[i]);
+    }
+    constexpr double kOn = 1e-7;
+    classifiers_[i]->Perform(to_pnt(point), kOn);
+    const TopAbs_State state = classifiers_[i]->State();
+    Answer answer = refused(state == TopAbs_UNKNOWN ? Status::NotFound : Status::Ok);
+    answer.side = state == TopAbs_IN ? 1 : (state == TopAbs_ON ? 0 : -1);
+    answer.point = point;
+    return answer;
+}
+
+}  // namespace
+
+std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape) {
+    if (shape.IsNull()) {
+        throw InvalidInput("The shape is null. Recompute the object, or select one that has a shape.");
+    }
+    try {
+        auto model = std::make_shared<ShapeModel>(shape);
+        if (model->topology().faces.empty()) {
+            throw InvalidInput(std::string("The shape is a ") + TopAbs::ShapeTypeToString(shape.ShapeType()) +
+                               " without faces. Select a part that has at least one face.");
+        }
+        return model;
+    } catch (const Standard_Failure& failure) {
+        const char* text = failure.GetMessageString();
+        throw GeometryError(std::string("OpenCASCADE cannot read the shape: ") +
+                            (text != nullptr && *text != '\0' ? text : failure.DynamicType()->Name()) +
+                            ". Repair the part with Part > Check geometry.");
+    }
+}
+
+const char* occt_version() {
+    return OCC_VERSION_COMPLETE;
+}
+
+}  // namespace mq::geometry

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <BRepTools.hxx>
+#include <BRepTools_WireExplorer.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include "base/error.h"
+#include "geometry/occt/conversion.h"
+#include "geometry/occt/live_shape.h"
+
+namespace mq::geometry {
+
+namespace {
+
+const char* surface_name(GeomAbs_SurfaceType type) {
+    switch (type) {
+        case GeomAbs_Plane:
+            return "plane";
+        case GeomAbs_Cylinder:
+            return "cylinder";
+        case GeomAbs_Cone:
+            return "cone";
+        case GeomAbs_Sphere:
+            return "sphere";
+        case GeomAbs_Torus:
+            return "torus";
+        case GeomAbs_BezierSurface:
+            return "bezier";
+        case GeomAbs_BSplineSurface:
+            return "bspline";
+        case GeomAbs_SurfaceOfRevolution:
+            return "revolution";
+        case GeomAbs_SurfaceOfExtrusion:
+            return "extrusion";
+        case GeomAbs_OffsetSurface:
+            return "offset";
+        case GeomAbs_OtherSurface:
+            break;
+    }
+    return "other";
+}
+
+bool bounds_a_face(const TopoDS_Shape& edge) {
+    return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
+}
+
+class TopologyBuilder {
+  public:
+    TopologyBuilder(const TopoDS_Shape& shape, LiveShape& live) : shape_(shape), live_(live) {
+        TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
+        TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
+        TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+    }
+
+    Topology build() {
+        add_nodes();
+        add_edges();
+        add_faces();
+        add_volumes();
+        for (std::size_t i = 0; i < topology_.edges.size(); ++i) {
+            if (topology_.edges[i].uses.empty()) {
+                fault(Entity{1, static_cast<int>(i)}, "belongs to no face");
+            }
+        }
+        return std::move(topology_);
+    }
+
+  private:
+    void fault(Entity entity, const std::string& what) { topology_.faults.push_back(name_of(entity) + ": " + what); }
+    void add_nodes();
+    void add_edges();
+    void set_range(int index, Edge& edge) const;
+    void add_faces();
+    void add_face(int index);
+    void add_wire(int index, const TopoDS_Face& face, const TopoDS_Wire& wire);
+    void add_loop(int index, const TopoDS_Face& face, const std::vector<TopoDS_Edge>& run);
+    UseCurve use_curve(int edge_index, int face_index, const TopoDS_Edge& edge, const TopoDS_Face& face);
+    void add_volumes();
+    void add_volume(const TopoDS_Shape& part, Volume::Kind kind, std::vector<bool>& met);
+
+    const TopoDS_Shape& shape_;
+    LiveShape& live_;
+    TopTools_IndexedMapOfShape vertices_;
+    TopTools_IndexedMapOfShape edges_;
+    TopTools_IndexedMapOfShape faces_;
+    Topology topology_;
+};
+
+void TopologyBuilder::add_nodes() {
+    for (int i = 1; i <= vertices_.Extent(); ++i) {
+        const TopoDS_Vertex& vertex = TopoDS::Vertex(vertices_(i));
+        topology_.nodes.push_back(Node{to_vec(BRep_Tool::Pnt(vertex)), BRep_Tool::Tolerance(vertex)});
+    }
+}
+
+void TopologyBuilder::add_edges() {
+    for (int i = 1; i <= edges_.Extent(); ++i) {
+        const TopoDS_Edge shape = TopoDS::Edge(edges_(i).Oriented(TopAbs_FORWARD));
+        Edge edge;
+        TopoDS_Vertex ends[2];
+        TopExp::Vertices(shape, ends[0], ends[1]);
+        for (std::size_t k = 0; k < 2; ++k) {
+            edge.nodes[k] = ends[k].IsNull() ? -1 : vertices_.FindIndex(ends[k]) - 1;
+        }
+        edge.tolerance = BRep_Tool::Tolerance(shape);
+        live_.edges.push_back(shape);
+        set_range(i - 1, edge);
+        topology_.edges.push_back(edge);
+    }
+}
+
+/// The range of the curve in space; of the first curve on a surface where there is none.
+void TopologyBuilder::set_range(int index, Edge& edge) const {
+    const TopoDS_Edge& shape = live_.edges[static_cast<std::size_t>(index)];
+    TopLoc_Location location;
+    const Handle(Geom_Curve) curve = BRep_Tool::Curve(shape, location, edge.t0, edge.t1);
+    if (!curve.IsNull()) {
+        edge.degenerate = BRep_Tool::Degenerated(shape);
+        return;
+    }
+    Handle(Geom2d_Curve) pcurve;
+    Handle(Geom_Surface) surface;
+    BRep_Tool::CurveOnSurface(shape, pcurve, surface, location, edge.t0, edge.t1);
+    // An edge without any curve has no point in space either: it can only be passed over.
+    edge.degenerate = BRep_Tool::Degenerated(shape) || pcurve.IsNull();
+    if (pcurve.IsNull()) {
+        edge.t0 = 0.0;
+        edge.t1 = 0.0;
+    }
+}
+
+void TopologyBuilder::add_faces() {
+    topology_.faces.resize(static_cast<std::size_t>(faces_.Extent()));
+    for (int i = 0; i < faces_.Extent(); ++i) {
+        add_face(i);
+    }
+}
+
+void TopologyBuilder::add_face(int index) {
+    const TopoDS_Shape& met = faces_(index + 1);
+    const TopoDS_Face face = TopoDS::Face(met.Oriented(TopAbs_FORWARD));
+    live_.faces.push_back(face);
+    TopLoc_Location location;
+    const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
+    if (surface.IsNull()) {
+        throw GeometryError(name_of(Entity{2, index}) +
+                            " has no surface. Remove it, or repair the part with Part > Check geometry.");
+    }
+    Face& data = topology_.faces[static_cast<std::size_t>(index)];
+    data.tolerance = BRep_Tool::Tolerance(face);
+    const GeomAdaptor_Surface adaptor(surface);
+    data.surface = surface_name(adaptor.GetType());
+    data.period = periods_of(adaptor, data.tolerance);
+    // A mirror in the location turns Su x Sv about, against the surface's own.
+    data.reversed = (met.Orientation() == TopAbs_REVERSED) != face.Location().Transformation().IsNegative();
+    BRepTools::UVBounds(face, data.low[0], data.high[0], data.low[1], data.high[1]);
+    for (TopoDS_Iterator it(face); it.More(); it.Next()) {
+        if (it.Value().ShapeType() == TopAbs_WIRE) {
+            add_wire(index, face, TopoDS::Wire(it.Value()));
+        }
+    }
+    if (data.loops.empty()) {
+        fault(Entity{2, index}, "has no wire");
+    }
+    const double bounds = std::max(std::max(std::abs(data.low[0]), std::abs(data.high[0])),
+                                   std::max(std::abs(data.low[1]), std::abs(data.high[1])));
+    if (!(bounds < 1e50)) {
+        fault(Entity{2, index}, "has no bounds");
+    }
+}
+
+void TopologyBuilder::add_wire(int index, const TopoDS_Face& face, const TopoDS_Wire& wire) {
+    std::vector<TopoDS_Edge> plain;
+    std::vector<TopoDS_Edge> internal;
+    for (TopoDS_Iterator it(wire); it.More(); it.Next()) {
+        const TopoDS_Edge& edge = TopoDS::Edge(it.Value());
+        if (bounds_a_face(edge)) {
+            plain.push_back(edge);
+        } else if (edge.Orientation() == TopAbs_INTERNAL) {
+            internal.push_back(edge);
+        }
+    }
+    std::vector<TopoDS_Edge> ordered;
+    if (bounds_a_face(wire)) {
+        for (BRepTools_WireExplorer it(wire, face); it.More() && ordered.size() <= plain.size(); it.Next()) {
+            ordered.push_back(it.Current());
+        }
+    }
+    // The explorer stops where the wire is not connected.
+    add_loop(index, face, ordered.size() == plain.size() ? ordered : plain);
+    add_loop(index, face, internal);
+}
+
+void TopologyBuilder::add_loop(int index, const TopoDS_Face& face, const std::vector<TopoDS_Edge>& run) {
+    if (run.empty()) {
+        return;
+    }
+    Loop loop;
+    for (const TopoDS_Edge& edge : run) {
+        EdgeUse use;
+        use.edge = edges_.FindIndex(edge) - 1;
+        use.face = index;
+        use.forward = edge.Orientation() != TopAbs_REVERSED;
+        use.internal = edge.Orientation() == TopAbs_INTERNAL;
+        const int id = static_cast<int>(topology_.uses.size());
+        live_.uses.push_back(use_curve(use.edge, index, edge, face));
+        topology_.uses.push_back(use);
+        topology_.edges[static_cast<std::size_t>(use.edge)].uses.push_back(id);
+        loop.uses.push_back(id);
+    }
+    topology_.faces[static_cast<std::size_t>(index)].loops.push_back(loop);
+}
+
+UseCurve TopologyBuilder::use_curve(int edge_index, int face_index, const TopoDS_Edge& edge, const TopoDS_Face& face) {
+    UseCurve result;
+    result.curve = BRep_Tool::CurveOnSurface(edge, face, result.first, result.last);
+    if (result.curve.IsNull()) {
+        fault(Entity{1, edge_index}, "has no curve on " + name_of(Entity{2, face_index}));
+    }
+    return result;
+}
+
+void TopologyBuilder::add_volumes() {
+    std::vector<bool> met(topology_.faces.size(), false);
+    TopTools_IndexedMapOfShape parts;
+    for (TopExp_Explorer it(shape_, TopAbs_SOLID); it.More(); it.Next()) {
+        if (parts.Add(it.Current()) > static_cast<int>(topology_.volumes.size())) {
+            add_volume(it.Current(), Volume::Kind::Solid, met);
+        }
+    }
+    for (TopExp_Explorer it(shape_, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next()) {
+        if (parts.Add(it.Current()) > static_cast<int>(topology_.volumes.size())) {
+            add_volume(it.Current(), Volume::Kind::Shell, met);
+        }
+    }
+    Volume rest;
+    rest.kind = Volume::Kind::Faces;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+        if (!met[i]) {
+            rest.sides.push_back(Volume::Side{static_cast<int>(i), false});
+        }
+    }
+    if (!rest.sides.empty()) {
+        topology_.volumes.push_back(rest);
+        live_.volumes.emplace_back();
+    }
+}
+
+/// Faces that are INTERNAL or EXTERNAL to a solid do not bound it.
+void TopologyBuilder::add_volume(const TopoDS_Shape& part, Volume::Kind kind, std::vector<bool>& met) {
+    Volume volume;
+    volume.kind = kind;
+    for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next()) {
+        const TopoDS_Shape& face = it.Current();
+        if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) {
+            continue;
+        }
+        const int index = faces_.FindIndex(face);
+        const TopAbs_Orientation first = faces_(index).Orientation();
+        volume.sides.push_back(
+            Volume::Side{index - 1, (face.Orientation() == TopAbs_REVERSED) != (first == TopAbs_REVERSED)});
+        met[static_cast<std::size_t>(index - 1)] = true;
+    }
+    topology_.volumes.push_back(volume);
+    live_.volumes.push_back(part);
+}
+
+/// Closed in the given direction (0 = u) within the tolerance, and not because the whole row is a point.
+bool closed_within(const GeomAdaptor_Surface& s, int direction, double tolerance) {
+    const double low[2] = {s.FirstUParameter(), s.FirstVParameter()};
+    const double high[2] = {s.LastUParameter(), s.LastVParameter()};
+    for (int i = 0; i < 2; ++i) {
+        if (Precision::IsInfinite(low[i]) || Precision::IsInfinite(high[i])) {
+            return false;
+        }
+    }
+    const auto at = [&](double along, double across) {
+        const double a = low[direction] + along * (high[direction] - low[direction]);
+        const double b = low[1 - direction] + across * (high[1 - direction] - low[1 - direction]);
+        return direction == 0 ? s.Value(a, b) : s.Value(b, a);
+    };
+    double width = 0.0;
+    for (int i = 0; i <= 8; ++i) {
+        const double across = i / 8.0;
+        const gp_Pnt start = at(0.0, across);
+        if (start.Distance(at(1.0, across)) > tolerance) {
+            return false;
+        }
+        width = std::max(width, std::max(start.Distance(at(0.35, across)), start.Distance(at(0.6, across))));
+    }
+    return width > 10.0 * tolerance;
+}
+
+}  // namespace
+
+std::array<double, 2> periods_of(const GeomAdaptor_Surface& surface, double tolerance) {
+    const double within = std::max(tolerance, Precision::Confusion());
+    std::array<double, 2> periods{0.0, 0.0};
+    if (surface.IsUPeriodic()) {
+        periods[0] = surface.UPeriod();
+    } else if (closed_within(surface, 0, within)) {
+        periods[0] = surface.LastUParameter() - surface.FirstUParameter();
+    }
+    if (surface.IsVPeriodic()) {
+        periods[1] = surface.VPeriod();
+    } else if (closed_within(surface, 1, within)) {
+        periods[1] = surface.LastVParameter() - surface.FirstVParameter();
+    }
+    return periods;
+}
+
+Topology build_topology(const TopoDS_Shape& shape, LiveShape& live) {
+    return TopologyBuilder(shape, live).build();
+}
+
+}  // namespace mq::geometry

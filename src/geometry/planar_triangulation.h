@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace mq::geometry {
+
+/// Constrained Delaunay triangulation in the plane, incremental, with exact predicates.
+///
+/// The whole lies in a frame of two large triangles around `box`; the caller tells inside from outside by its
+/// constraints. Half-edge 3 t + i runs from corner i to corner i + 1 of triangle t, counter-clockwise.
+class PlanarTriangulation {
+  public:
+    /// Every point inserted later must lie in the box [low, high].
+    PlanarTriangulation(const Vec2& low, const Vec2& high);
+
+    /// Inserts a point and restores the Delaunay property. A point already there is found and returned. A point on a
+    /// constraint splits it; both halves keep its label.
+    int insert(const Vec2& p);
+
+    /// What stands in the way of a constraint.
+    struct Obstacle {
+        int vertex = -1;      ///< a vertex on the constraint's inside, or -1
+        int constraint = -1;  ///< the label of a constraint that it would cross, or -1
+    };
+    /// Makes a-b an edge with the label, or names the first obstacle and leaves the constraints as they were.
+    std::optional<Obstacle> insert_constraint(int a, int b, int label);
+
+    int triangle_count() const { return static_cast<int>(corner_.size() / 3); }
+    int vertex_count() const { return static_cast<int>(points_.size()); }
+    const Vec2& point(int v) const { return points_[v]; }
+    int corner(int h) const { return corner_[h]; }
+    int twin(int h) const { return twin_[h]; }  ///< -1 on the frame
+    int label(int h) const { return label_[h]; }  ///< of the constraint on the edge, or -1
+    static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+    static int prev(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+    /// The half-edge from a to b, or -1.
+    int find_edge(int a, int b) const;
+    /// Vertices 0..3 are the frame's corners.
+    static constexpr int kFrame = 4;
+
+  private:
+    struct Place {
+        int half_edge;  // p lies on it (on_edge) or in its triangle
+        bool on_edge;
+        int vertex;  // p is this vertex, or -1
+    };
+    Place locate(const Vec2& p) const;
+    void set_triangle(int t, int a, int b, int c);
+    void attach(int h, int g, int label);
+    void insert_in_triangle(int t, int v, std::vector<int>& stack);
+    void insert_on_edge(int h, int v, std::vector<int>& stack);
+    void flip(int h);
+    void legalise(std::vector<int>& stack);
+    bool crosses(int a, int b, int h) const;
+    std::optional<Obstacle> collect_crossings(int a, int b, std::vector<std::array<int, 2>>& crossed) const;
+    void remove_crossings(int a, int b, std::vector<std::array<int, 2>> crossed);
+
+    std::vector<Vec2> points_;
+    std::vector<int> corner_;
+    std::vector<int> twin_;
+    std::vector<int> label_;
+    std::vector<int> half_edge_of_;  // one that leaves each vertex
+    int last_ = 0;                   // where the last search ended: the next one is likely near
+};
+
+}  // namespace mq::geometry
