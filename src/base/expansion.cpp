@@ -64,14 +64,6 @@ int Expansion::sign() const {
     return terms()[size_ - 1] > 0.0 ? 1 : -1;
 }
 
-double Expansion::estimate() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < size_; ++i) {
-        sum += terms()[i];
-    }
-    return sum;
-}
-
 Expansion Expansion::operator-() const {
     Expansion result;
     for (std::size_t i = 0; i < size_; ++i) {
@@ -88,6 +80,9 @@ Expansion operator+(const Expansion& a, const Expansion& b) {
     }
     if (b.size_ == 0) {
         return a;
+    }
+    if (a.size_ == 1 && b.size_ == 1) {
+        return Expansion::difference(a[0], -b[0]);
     }
     const double* a_next = a.terms();
     const double* b_next = b.terms();

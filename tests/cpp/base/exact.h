@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/expansion.h"
+#include "base/vec.h"
+
+/// The predicates by their definitions, in rational arithmetic.
+namespace mq::exact {
+
+using Vector = std::array<mpq_class, 3>;
+
+inline Vector difference(const Vec3& a, const Vec3& b) {
+    Vector d;
+    for (int i = 0; i < 3; ++i) {
+        d[i] = mpq_class(a[i]) - mpq_class(b[i]);
+    }
+    return d;
+}
+
+inline mpq_class dot(const Vector& a, const Vector& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline mpq_class value(const Expansion& e) {
+    mpq_class sum = 0;
+    for (std::size_t i = 0; i < e.size(); ++i) {
+        sum += mpq_class(e[i]);
+    }
+    return sum;
+}
+
+inline int sign_dot(const Vec3& o, const Vec3& a, const Vec3& b) {
+    return sgn(dot(difference(a, o), difference(b, o)));
+}
+
+/// cos |cos| of the angle a-o-b, which falls as the angle grows; 1 when an arm has no length.
+inline mpq_class cosine_measure(const Vec3& a, const Vec3& o, const Vec3& b) {
+    const Vector to_a = difference(a, o);
+    const Vector to_b = difference(b, o);
+    const mpq_class arms = dot(to_a, to_a) * dot(to_b, to_b);
+    if (arms == 0) {
+        return 1;
+    }
+    const mpq_class product = dot(to_a, to_b);
+    return product * abs(product) / arms;
+}
+
+inline int compare_angles(const Vec3& a, const Vec3& o, const Vec3& b, const Vec3& c, const Vec3& q, const Vec3& d) {
+    const int order = cmp(cosine_measure(c, q, d), cosine_measure(a, o, b));
+    return (order > 0) - (order < 0);
+}
+
+inline mpq_class largest_measure(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return std::max({cosine_measure(c, a, b), cosine_measure(a, b, c), cosine_measure(b, c, a)});
+}
+
+inline bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+    return std::max(largest_measure(p, q, r), largest_measure(q, p, s)) <=
+           std::max(largest_measure(r, s, q), largest_measure(s, r, p));
+}
+
+inline int smallest_angle_vertex(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const std::array<mpq_class, 3> measure{cosine_measure(c, a, b), cosine_measure(a, b, c), cosine_measure(b, c, a)};
+    return static_cast<int>(std::max_element(measure.begin(), measure.end()) - measure.begin());
+}
+
+inline mpq_class determinant(const mpq_class& a, const mpq_class& b, const mpq_class& c, const mpq_class& d) {
+    return a * d - b * c;
+}
+
+inline int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
+    const mpq_class x(c.x());
+    const mpq_class y(c.y());
+    return sgn(determinant(a.x() - x, a.y() - y, b.x() - x, b.y() - y));
+}
+
+inline int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+    std::array<mpq_class, 3> x;
+    std::array<mpq_class, 3> y;
+    std::array<mpq_class, 3> lift;
+    const std::array<Vec2, 3> corners{a, b, c};
+    for (int i = 0; i < 3; ++i) {
+        x[i] = mpq_class(corners[i].x()) - mpq_class(d.x());
+        y[i] = mpq_class(corners[i].y()) - mpq_class(d.y());
+        lift[i] = x[i] * x[i] + y[i] * y[i];
+    }
+    return sgn(mpq_class(lift[0] * determinant(x[1], y[1], x[2], y[2]) + lift[1] * determinant(x[2], y[2], x[0], y[0]) +
+                         lift[2] * determinant(x[0], y[0], x[1], y[1])));
+}
+
+}  // namespace mq::exact

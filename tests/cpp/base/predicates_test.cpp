@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "base/predicates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/exact.h"
+#include "base/point_source.h"
+
+namespace mq {
+namespace {
+
+constexpr int kCheap = 100000;
+constexpr int kCostly = 20000;
+
+/// Every predicate against its definition in rational arithmetic, on every kind of points.
+class PredicatesTest : public testing::TestWithParam<Points> {
+  protected:
+    PointSource source(std::uint64_t seed) const { return PointSource(GetParam(), seed); }
+};
+
+INSTANTIATE_TEST_SUITE_P(Points, PredicatesTest, testing::ValuesIn(kAllPoints),
+                         [](const auto& parameter) { return name_of(parameter.param); });
+
+TEST_P(PredicatesTest, SignDotIsExact) {
+    PointSource points = source(1);
+    for (int i = 0; i < kCheap; ++i) {
+        const std::vector<Vec3> v = points.take(3);
+        const int expected = exact::sign_dot(v[0], v[1], v[2]);
+        ASSERT_EQ(sign_dot(v[0], v[1], v[2]), expected) << "case " << i;
+        ASSERT_EQ(encroached(v[1], v[2], v[0]), expected < 0) << "case " << i;
+    }
+}
+
+TEST_P(PredicatesTest, ObtuseVertexIsExact) {
+    PointSource points = source(2);
+    for (int i = 0; i < kCostly; ++i) {
+        const std::vector<Vec3> v = points.take(3);
+        int expected = -1;
+        for (int k = 0; k < 3; ++k) {
+            if (exact::sign_dot(v[k], v[(k + 1) % 3], v[(k + 2) % 3]) < 0) {
+                ASSERT_EQ(expected, -1) << "two obtuse angles in case " << i;
+                expected = k;
+            }
+        }
+        ASSERT_EQ(obtuse_vertex(v[0], v[1], v[2]), expected) << "case " << i;
+    }
+}
+
+TEST_P(PredicatesTest, CompareAnglesIsExactAndAntisymmetric) {
+    PointSource points = source(3);
+    for (int i = 0; i < kCostly; ++i) {
+        const std::vector<Vec3> v = points.take(6);
+        const int sign = compare_angles(v[0], v[1], v[2], v[3], v[4], v[5]);
+        ASSERT_EQ(sign, exact::compare_angles(v[0], v[1], v[2], v[3], v[4], v[5])) << "case " << i;
+        ASSERT_EQ(compare_angles(v[3], v[4], v[5], v[0], v[1], v[2]), -sign) << "case " << i;
+        ASSERT_EQ(compare_angles(v[2], v[1], v[0], v[5], v[4], v[3]), sign) << "case " << i;
+        ASSERT_EQ(compare_angles(v[0], v[1], v[2], v[2], v[1], v[0]), 0) << "case " << i;
+    }
+}
+
+TEST_P(PredicatesTest, CompareAnglesOfOneTriangleIsExact) {
+    PointSource points = source(4);
+    for (int i = 0; i < kCostly; ++i) {
+        const std::vector<Vec3> v = points.take(3);
+        ASSERT_EQ(compare_angles(v[0], v[1], v[2], v[1], v[2], v[0]),
+                  exact::compare_angles(v[0], v[1], v[2], v[1], v[2], v[0]))
+            << "case " << i;
+        ASSERT_EQ(smallest_angle_vertex(v[0], v[1], v[2]), exact::smallest_angle_vertex(v[0], v[1], v[2]))
+            << "case " << i;
+    }
+}
+
+TEST_P(PredicatesTest, LocallyMaxminIsExactAndSymmetric) {
+    PointSource points = source(5);
+    for (int i = 0; i < kCostly; ++i) {
+        const std::vector<Vec3> v = points.take(4);
+        const bool keep = locally_maxmin(v[0], v[1], v[2], v[3]);
+        ASSERT_EQ(keep, exact::locally_maxmin(v[0], v[1], v[2], v[3])) << "case " << i;
+        ASSERT_EQ(locally_maxmin(v[1], v[0], v[3], v[2]), keep) << "case " << i;
+        ASSERT_EQ(locally_maxmin(v[1], v[0], v[2], v[3]), keep) << "case " << i;
+        ASSERT_TRUE(keep || locally_maxmin(v[2], v[3], v[1], v[0])) << "case " << i;
+    }
+}
+
+TEST_P(PredicatesTest, Orient2dIsExactAndAntisymmetric) {
+    PointSource points = source(6);
+    for (int i = 0; i < kCheap; ++i) {
+        const std::vector<Vec2> v = points.take_plane(3);
+        const int sign = orient2d(v[0], v[1], v[2]);
+        ASSERT_EQ(sign, exact::orient2d(v[0], v[1], v[2])) << "case " << i;
+        ASSERT_EQ(orient2d(v[1], v[2], v[0]), sign) << "case " << i;
+        ASSERT_EQ(orient2d(v[1], v[0], v[2]), -sign) << "case " << i;
+    }
+}
+
+TEST_P(PredicatesTest, InCircleIsExactAndAntisymmetric) {
+    PointSource points = source(7);
+    for (int i = 0; i < kCheap; ++i) {
+        const std::vector<Vec2> v = points.take_plane(4);
+        const int sign = in_circle(v[0], v[1], v[2], v[3]);
+        ASSERT_EQ(sign, exact::in_circle(v[0], v[1], v[2], v[3])) << "case " << i;
+        ASSERT_EQ(in_circle(v[1], v[0], v[2], v[3]), -sign) << "case " << i;
+        ASSERT_EQ(in_circle(v[1], v[2], v[3], v[0]), -sign) << "case " << i;
+    }
+}
+
+TEST(Predicates, AnArmWithoutLengthMakesAnAngleOfZero) {
+    const Vec3 o(1, 2, 3);
+    const Vec3 x(2, 2, 3);
+    const Vec3 y(1, 3, 3);
+    EXPECT_EQ(compare_angles(o, o, x, y, o, x), -1);
+    EXPECT_EQ(compare_angles(o, o, o, x, o, x), 0);
+    EXPECT_EQ(compare_angles(x, o, y, o, o, x), 1);
+    EXPECT_EQ(smallest_angle_vertex(o, o, x), 0);
+}
+
+TEST(Predicates, CollinearTrianglesHaveAnglesOfZeroAndPi) {
+    const Vec3 a(0.1, 0.1, 0.1);
+    const Vec3 b(0.2, 0.2, 0.2);
+    const Vec3 c(0.7, 0.7, 0.7);
+    EXPECT_EQ(obtuse_vertex(a, b, c), 1);
+    EXPECT_EQ(smallest_angle_vertex(a, b, c), 0);
+    EXPECT_EQ(smallest_angle_vertex(b, a, c), 1);
+    EXPECT_EQ(compare_angles(a, b, c, b, a, c), 1);
+    // A degenerate pair is never kept when the swap yields two real triangles.
+    EXPECT_FALSE(locally_maxmin(Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(1, 0, 0), Vec3(1, -1, 0)));
+    EXPECT_TRUE(locally_maxmin(Vec3(1, 0, 0), Vec3(1, -1, 0), Vec3(0, 0, 0), Vec3(2, 0, 0)));
+    EXPECT_TRUE(locally_maxmin(a, b, c, a));
+}
+
+TEST(Predicates, TiesOfASquareKeepEitherDiagonal) {
+    const Vec3 a(0, 0, 0.3);
+    const Vec3 b(0.1, 0, 0.3);
+    const Vec3 c(0.1, 0.1, 0.3);
+    const Vec3 d(0, 0.1, 0.3);
+    EXPECT_TRUE(locally_maxmin(a, c, d, b));
+    EXPECT_TRUE(locally_maxmin(d, b, c, a));
+    EXPECT_EQ(sign_dot(a, b, d), 0);
+    EXPECT_FALSE(encroached(b, d, a));
+    EXPECT_EQ(in_circle(a.head<2>(), b.head<2>(), c.head<2>(), d.head<2>()), 0);
+}
+
+TEST(Predicates, CountHowTheyDecided) {
+    const PredicateCount before = predicate_count();
+    sign_dot(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0));
+    sign_dot(Vec3(0, 0, 0), Vec3(1, 1, 0), Vec3(1, -1, 0));
+    EXPECT_EQ(predicate_count().filtered, before.filtered + 1);
+    EXPECT_EQ(predicate_count().exact, before.exact + 1);
+}
+
+TEST(Predicates, TheFilterDecidesRandomPoints) {
+    PointSource points(Points::kRandom, 8);
+    const PredicateCount before = predicate_count();
+    for (int i = 0; i < kCostly; ++i) {
+        const std::vector<Vec3> v = points.take(4);
+        locally_maxmin(v[0], v[1], v[2], v[3]);
+        compare_angles(v[0], v[1], v[2], v[1], v[2], v[3]);
+    }
+    EXPECT_EQ(predicate_count().exact, before.exact);
+}
+
+}  // namespace
+}  // namespace mq
