@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <limits>
+#include <memory>
+
+#include "base/error.h"
+#include "mesh/io.h"
+#include "mesh/report.h"
+#include "python/bindings.h"
+#include "triangulate/triangulate.h"
+
+namespace py = pybind11;
+
+namespace mq::python {
+
+namespace {
+
+using mesh::MeshReport;
+using mesh::TriangleMesh;
+using Surface = triangulate::Result;
+using SurfacePointer = std::shared_ptr<Surface>;
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double), "vertices are handed to NumPy as they lie in memory");
+
+/// A read-only NumPy view of `count` rows of `width` numbers. `owner` lives as long as the view.
+template <typename T>
+py::array view(const void* data, std::size_t count, std::size_t width, const py::object& owner) {
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(count)};
+    if (width > 1) {
+        shape.push_back(static_cast<py::ssize_t>(width));
+    }
+    py::array array(py::dtype::of<T>(), shape, static_cast<const T*>(data), owner);
+    array.attr("setflags")(py::arg("write") = false);
+    return array;
+}
+
+py::array point(const Vec3& p) {
+    py::array_t<double> array(3);
+    std::copy(p.data(), p.data() + 3, array.mutable_data());
+    array.attr("setflags")(py::arg("write") = false);
+    return std::move(array);
+}
+
+/// Any mesh given as arrays; the origin stays zero. Checks everything that indexing relies on.
+SurfacePointer surface_from_arrays(const py::array_t<double, py::array::c_style | py::array::forcecast>& vertices,
+                                   const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>& triangles,
+                                   const py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>& faces) {
+    const auto rows = [](const py::array& array, const char* name) {
+        if (array.size() != 0 && (array.ndim() != 2 || array.shape(1) != 3)) {
+            throw InvalidInput(std::string(name) + " must be an array of shape (n, 3)");
+        }
+        return static_cast<std::size_t>(array.size() / 3);
+    };
+    auto surface = std::make_shared<Surface>();
+    TriangleMesh& mesh = surface->mesh;
+    mesh.vertices.resize(rows(vertices, "vertices"));
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        std::copy_n(vertices.data() + 3 * v, 3, mesh.vertices[v].data());
+    }
+    mesh.triangles.resize(rows(triangles, "triangles"));
+    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+        for (int i = 0; i < 3; ++i) {
+            const std::int64_t v = triangles.data()[3 * k + i];
+            if (v < 0 || v > std::numeric_limits<std::int32_t>::max()) {
+                throw InvalidInput("triangle " + std::to_string(k) + " names vertex " + std::to_string(v) +
+                                   ", but the mesh has " + std::to_string(mesh.vertices.size()) + " vertices");
+            }
+            mesh.triangles[k][i] = static_cast<std::int32_t>(v);
+        }
+    }
+    mesh.triangle_face.assign(faces.data(), faces.data() + faces.size());
+    const py::gil_scoped_release release;
+    surface->report = mesh::measure(mesh);
+    return surface;
+}
+
+py::dict seconds_of(const MeshReport& report) {
+    py::dict seconds;
+    for (const auto& [stage, value] : report.seconds) {
+        seconds[py::str(stage)] = value;
+    }
+    return seconds;
+}
+
+py::object box_of(const MeshReport& report) {
+    if (report.box.empty()) {
+        return py::none();
+    }
+    return py::make_tuple(point(report.box.low), point(report.box.high));
+}
+
+void bind_report(py::module_& m) {
+    py::class_<MeshReport>(m, "MeshReport",
+                           "What was measured on a mesh, and what happened on the way to it.\n\n"
+                           "Angles are in degrees, lengths in mm. str() gives a text of a dozen lines.")
+        .def_readonly("triangles", &MeshReport::triangles)
+        .def_readonly("vertices", &MeshReport::vertices)
+        .def_readonly("closed", &MeshReport::closed, "no border edge")
+        .def_readonly("oriented", &MeshReport::oriented, "every inner edge is run once each way")
+        .def_readonly("manifold", &MeshReport::manifold,
+                      "no edge of three or more triangles, no pinched vertex, no degenerate triangle")
+        .def_readonly("border_edges", &MeshReport::border_edges)
+        .def_readonly("nonmanifold_edges", &MeshReport::nonmanifold_edges)
+        .def_readonly("misoriented_edges", &MeshReport::misoriented_edges)
+        .def_readonly("pinched_vertices", &MeshReport::pinched_vertices)
+        .def_readonly("degenerate_triangles", &MeshReport::degenerate_triangles)
+        .def_readonly("duplicate_triangles", &MeshReport::duplicate_triangles)
+        .def_readonly("components", &MeshReport::components)
+        .def_readonly("euler", &MeshReport::euler, "vertices - edges + triangles")
+        .def_readonly("min_angle", &MeshReport::min_angle)
+        .def_readonly("max_angle", &MeshReport::max_angle)
+        .def_readonly("mean_min_angle", &MeshReport::mean_min_angle)
+        .def_readonly("max_aspect", &MeshReport::max_aspect, "longest edge / shortest edge of one triangle")
+        .def_readonly("angle_histogram", &MeshReport::angle_histogram,
+                      "smallest angle of each triangle, 60 bins of one degree")
+        .def_readonly("area", &MeshReport::area, "mm^2")
+        .def_readonly("volume", &MeshReport::volume, "mm^3, signed; 0 unless closed")
+        .def_property_readonly("box", &box_of, "(low, high), or None for an empty mesh")
+        .def_readonly("min_angle_asked", &MeshReport::min_angle_asked)
+        .def_readonly("min_angle_unexempted", &MeshReport::min_angle_unexempted,
+                      "smallest angle over the triangles that are not in exempt")
+        .def_readonly("max_chord_height", &MeshReport::max_chord_height,
+                      "largest measured distance to the CAD, mm; -1 when there is no CAD")
+        .def_readonly("chord_height_asked", &MeshReport::chord_height_asked, "mm; 0: none")
+        .def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
+        .def_readonly("notes", &MeshReport::notes)
+        .def_readonly("complete", &MeshReport::complete, "False when a limit ended the work early")
+        .def_property_readonly("seconds", &seconds_of, "{stage: wall-clock seconds}")
+        .def_readonly("cpu_seconds", &MeshReport::cpu_seconds)
+        .def_readonly("queries", &MeshReport::queries, "queries to the geometry engine")
+        .def_readonly("predicates", &MeshReport::predicates)
+        .def_readonly("exact_predicates", &MeshReport::exact_predicates,
+                      "predicates that needed exact arithmetic")
+        .def("__str__", &mesh::to_text);
+}
+
+}  // namespace
+
+void bind_mesh(py::module_& m) {
+    bind_report(m);
+    const auto surface = [](const py::object& self) -> const Surface& { return self.cast<const Surface&>(); };
+    py::class_<Surface, SurfacePointer>(m, "Surface", "A triangle mesh in the core's memory, and its report.")
+        .def_property_readonly("vertices",
+                               [=](const py::object& self) {
+                                   const auto& v = surface(self).mesh.vertices;
+                                   return view<double>(v.data(), v.size(), 3, self);
+                               })
+        .def_property_readonly("triangles",
+                               [=](const py::object& self) {
+                                   const auto& t = surface(self).mesh.triangles;
+                                   return view<std::int32_t>(t.data(), t.size(), 3, self);
+                               })
+        .def_property_readonly("triangle_face",
+                               [=](const py::object& self) {
+                                   const auto& f = surface(self).mesh.triangle_face;
+                                   return view<std::int32_t>(f.data(), f.size(), 1, self);
+                               })
+        .def_property_readonly("vertex_entity",
+                               [=](const py::object& self) {
+                                   const auto& e = surface(self).mesh.vertex_entity;
+                                   return view<std::int32_t>(e.data(), e.size(), 2, self);
+                               })
+        .def_property_readonly("origin", [](const Surface& self) { return point(self.mesh.origin); })
+        .def_readonly("report", &Surface::report)
+        .def("write", [](const Surface& self, const std::string& path) { mesh::write(self.mesh, path); },
+             py::arg("path"), py::call_guard<py::gil_scoped_release>())
+        .def("to_bms", [](const Surface& self) { return py::bytes(mesh::to_bms(self.mesh)); });
+    m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
+          py::arg("triangle_face") = py::array_t<std::int32_t>(0), "A measured Surface of arrays (V, 3) and (T, 3).");
+}
+
+}  // namespace mq::python

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <chrono>
+#include <ctime>
+#include <memory>
+
+#include "geometry/occt/brep_text.h"
+#include "geometry/occt/shape_model.h"
+#include "python/bindings.h"
+#include "python/engine.h"
+#include "python/part_shape.h"
+#include "python/watch.h"
+#include "triangulate/triangulate.h"
+
+namespace py = pybind11;
+
+namespace mq::python {
+
+namespace {
+
+using triangulate::Options;
+using triangulate::Result;
+
+constexpr const char* kCopied =
+    "this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text";
+
+/// Wall-clock and processor seconds since it was made. Processor time is the whole process's: the work has threads.
+class Stopwatch {
+  public:
+    double wall() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+    double cpu() const { return static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC; }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::clock_t cpu_start_ = std::clock();
+};
+
+std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& options, const py::object& progress) {
+    options.validate();
+    geometry::Engine& engine = shared_engine();
+    return watch(progress, [&](Progress& handle) {
+        const Stopwatch watch_all;
+        std::shared_ptr<geometry::Model> model;
+        engine.run([&] { model = geometry::make_shape_model(*part.shape); });
+        const double reading = watch_all.wall();
+        auto result = std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle));
+        result->report.seconds.insert(result->report.seconds.begin(), {"read the shape", reading});
+        result->report.cpu_seconds = watch_all.cpu();
+        if (!part.live) {
+            result->report.notes.push_back(kCopied);
+        }
+        return result;
+    });
+}
+
+py::tuple shape_identity(const py::object& shape, bool copy) {
+    const geometry::ShapeIdentity identity = geometry::identity_of(*part_shape(shape, copy).shape);
+    return py::make_tuple(identity.tshape, identity.hash);
+}
+
+}  // namespace
+
+void bind_triangulate(py::module_& m) {
+    py::class_<Options>(m, "TriangulateOptions", "Options of triangulate; 0 means no bound.")
+        .def(py::init<>())
+        .def_readwrite("min_angle", &Options::min_angle)
+        .def_readwrite("chord_height", &Options::chord_height)
+        .def_readwrite("chord_height_relative", &Options::chord_height_relative)
+        .def_readwrite("max_edge", &Options::max_edge)
+        .def_readwrite("min_edge", &Options::min_edge)
+        .def_readwrite("max_triangles", &Options::max_triangles)
+        .def_readwrite("allow_missing_faces", &Options::allow_missing_faces);
+    m.def("triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),
+          "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel.");
+    m.def("shape_identity", &shape_identity, py::arg("shape"), py::arg("copy") = false,
+          "(address of the TShape, hash) of a Part.Shape as the core sees it; copy=True: of its copy by BREP text.");
+}
+
+}  // namespace mq::python

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+/// The parts of the extension module MeshQuality._core, one function a topic.
+namespace mq::python {
+
+void bind_errors(pybind11::module_& m);
+void bind_mesh(pybind11::module_& m);
+void bind_triangulate(pybind11::module_& m);
+
+}  // namespace mq::python

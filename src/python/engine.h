@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "geometry/engine.h"
+
+namespace mq::python {
+
+/// The geometry engine of the process, started on first use. Call it with the GIL held.
+geometry::Engine& shared_engine();
+
+/// Ends the engine's thread. Registered to run before the interpreter goes.
+void stop_shared_engine();
+
+}  // namespace mq::python

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <string>
+
+#include "geometry/occt/shape_model.h"
+#include "python/bindings.h"
+#include "python/engine.h"
+
+namespace py = pybind11;
+
+namespace {
+
+std::string major_minor(const std::string& version) {
+    return version.substr(0, version.find('.', version.find('.') + 1));
+}
+
+/// Shapes are shared in memory, so both sides must agree on their layout. Outside FreeCAD there are none to share.
+void require_same_kernel() {
+    py::str theirs;
+    try {
+        theirs = py::module_::import("Part").attr("OCC_VERSION");
+    } catch (const py::error_already_set& e) {
+        if (e.matches(PyExc_ImportError)) {
+            return;
+        }
+        throw;
+    }
+    const std::string ours = mq::geometry::occt_version();
+    if (major_minor(ours) != major_minor(theirs)) {
+        throw py::import_error("MeshQuality was built with OpenCASCADE " + ours + ", but this FreeCAD has " +
+                               std::string(theirs) + ": rebuild it with the OpenCASCADE of this FreeCAD");
+    }
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, m) {
+    m.doc() = "The C++ core of MeshQuality. Scripts use the package MeshQuality.";
+    require_same_kernel();
+    m.attr("occt_version") = mq::geometry::occt_version();
+    mq::python::bind_errors(m);
+    mq::python::bind_mesh(m);
+    mq::python::bind_triangulate(m);
+    py::module_::import("atexit").attr("register")(py::cpp_function(&mq::python::stop_shared_engine));
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+#include <cstring>
+#include <exception>
+#include <future>
+
+#include "base/progress.h"
+
+namespace mq::python {
+
+/// Python's view of a running operation: calls back on the thread that called in, never on the worker's.
+class Watcher {
+  public:
+    Watcher(Progress& progress, pybind11::object callback) : progress_(progress), callback_(std::move(callback)) {}
+
+    /// With the GIL: looks for Ctrl-C, and calls back when something changed. What is raised cancels the work and is
+    /// kept for `rethrow`.
+    void look() {
+        if (progress_.cancelled()) {
+            return;
+        }
+        try {
+            if (PyErr_CheckSignals() != 0) {
+                throw pybind11::error_already_set();
+            }
+            report(progress_.fraction(), progress_.name());
+        } catch (...) {
+            raised_ = std::current_exception();
+            progress_.cancel();
+        }
+    }
+    void report(double fraction, const char* stage) {
+        if (callback_.is_none() || (stage_ != nullptr && fraction == fraction_ && std::strcmp(stage, stage_) == 0)) {
+            return;
+        }
+        fraction_ = fraction;
+        stage_ = stage;
+        if (callback_(fraction, stage).is(pybind11::bool_(false))) {
+            progress_.cancel();
+        }
+    }
+    void rethrow() const {
+        if (raised_) {
+            std::rethrow_exception(raised_);
+        }
+    }
+
+  private:
+    Progress& progress_;
+    pybind11::object callback_;
+    double fraction_ = -1.0;
+    const char* stage_ = nullptr;
+    std::exception_ptr raised_;
+};
+
+/// Runs `work(Progress&)` on a thread of its own and returns its result. `callback` is None or a callable
+/// (fraction, stage) that may return False to cancel. The GIL is free but for the moments of calling back.
+template <typename Work>
+auto watch(const pybind11::object& callback, Work&& work) {
+    // Short enough to react well within 0.2 s, long enough to cost nothing.
+    constexpr std::chrono::milliseconds kSlice(20);
+    Progress progress;
+    Watcher watcher(progress, callback);
+    watcher.look();
+    auto future = std::async(std::launch::async, [&] {
+        progress.check();
+        return work(progress);
+    });
+    {
+        pybind11::gil_scoped_release release;
+        while (future.wait_for(kSlice) != std::future_status::ready) {
+            pybind11::gil_scoped_acquire acquire;
+            watcher.look();
+        }
+    }
+    watcher.rethrow();
+    auto result = future.get();
+    watcher.report(1.0, "done");
+    progress.check();
+    return result;
+}
+
+}  // namespace mq::python
