@@ -101,6 +101,13 @@ TEST_F(ExpansionTest, HighPowersStaySmallAndExact) {
     // 12 factors of about 135 bits each, within the range of exponents: more than the terms held in place.
     EXPECT_GT(power.size(), 16u);
     EXPECT_LE(power.size(), 40u);
+
+    Expansion copy = power;
+    EXPECT_TRUE(same_terms(copy, power));
+    copy = base;
+    EXPECT_TRUE(same_terms(copy, base));
+    copy = power;
+    EXPECT_TRUE(same_terms(copy, power));
 }
 
 TEST_F(ExpansionTest, ZeroHasNoTerms) {

@@ -109,6 +109,7 @@ class PointSource {
     std::vector<Vec3> regular(int count) {
         static constexpr std::array<int, 6> kCorners{3, 4, 4, 5, 6, 12};
         const int corners = kCorners[integer(0, 5)];
+        const bool single_precision = integer(0, 2) == 0;
         const double phase = integer(0, 1) * real(0.0, 6.0);
         const double radius = std::pow(10.0, integer(-2, 3));
         const Vec3 center = integer(0, 1) * cube(radius);
@@ -123,8 +124,8 @@ class PointSource {
         for (int i = 0; i < count; ++i) {
             const double angle = phase + 2.0 * M_PI * integer(0, corners - 1) / corners;
             const bool middle = integer(0, 9) == 0;
-            points.push_back(
-                nudge(middle ? center : Vec3(center + radius * (std::cos(angle) * x + std::sin(angle) * y))));
+            const Vec3 corner = middle ? center : Vec3(center + radius * (std::cos(angle) * x + std::sin(angle) * y));
+            points.push_back(nudge(single_precision ? Vec3(corner.cast<float>().cast<double>()) : corner));
         }
         return points;
     }
