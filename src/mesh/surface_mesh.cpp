@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/surface_mesh.h"
+
+namespace mq::mesh {
+
+namespace {
+
+// A half-edge that is neither linked nor bound yet. Never a valid half-edge or ~segment.
+constexpr int kLoose = -0x7fffffff;
+
+}  // namespace
+
+int SurfaceMesh::add_vertex(const Vec3& point, VertexEntity entity) {
+    vertices_.push_back({point, entity});
+    return vertex_count() - 1;
+}
+
+int SurfaceMesh::add_site(const Site& site) {
+    sites_.push_back(site);
+    return site_count() - 1;
+}
+
+int SurfaceMesh::add_triangle(const std::array<int, 3>& sites, int face) {
+    for (const int s : sites) {
+        corner_.push_back(s);
+        twin_.push_back(kLoose);
+    }
+    face_.push_back(face);
+    stamp_.push_back(0);
+    return triangle_count() - 1;
+}
+
+int SurfaceMesh::add_segment(int edge, const std::array<int, 2>& vertices, const std::array<double, 2>& t) {
+    segments_.push_back({edge, vertices, t, {}});
+    return segment_count() - 1;
+}
+
+void SurfaceMesh::link(int half_edge, int twin) {
+    twin_[half_edge] = twin;
+    twin_[twin] = half_edge;
+}
+
+void SurfaceMesh::bind(int half_edge, int segment, int use) {
+    twin_[half_edge] = ~segment;
+    segments_[segment].uses.push_back({half_edge, use});
+}
+
+SurfaceMesh::Link SurfaceMesh::take(int h) const {
+    Link link{twin_[h], -1};
+    if (link.twin < 0 && link.twin != kLoose) {
+        const auto& uses = segments_[~link.twin].uses;
+        for (int k = 0; k < static_cast<int>(uses.size()); ++k) {
+            if (uses[k].half_edge == h) {
+                link.slot = k;
+            }
+        }
+    }
+    return link;
+}
+
+void SurfaceMesh::put(int h, const Link& link) {
+    twin_[h] = link.twin;
+    if (link.twin >= 0) {
+        twin_[link.twin] = h;
+    } else if (link.twin != kLoose) {
+        segments_[~link.twin].uses[link.slot].half_edge = h;
+    }
+}
+
+void SurfaceMesh::set_corners(int triangle, int a, int b, int c) {
+    corner_[3 * triangle] = a;
+    corner_[3 * triangle + 1] = b;
+    corner_[3 * triangle + 2] = c;
+    ++stamp_[triangle];
+}
+
+std::array<int, 3> SurfaceMesh::split_triangle(int triangle, int site) {
+    const int h = 3 * triangle;
+    const int a = corner_[h];
+    const int b = corner_[h + 1];
+    const int c = corner_[h + 2];
+    const Link bc = take(h + 1);
+    const Link ca = take(h + 2);
+    const int t1 = add_triangle({b, c, site}, face_[triangle]);
+    const int t2 = add_triangle({c, a, site}, face_[triangle]);
+    set_corners(triangle, a, b, site);
+    put(3 * t1, bc);
+    put(3 * t2, ca);
+    link(h + 1, 3 * t1 + 2);
+    link(3 * t1 + 1, 3 * t2 + 2);
+    link(3 * t2 + 1, h + 2);
+    return {triangle, t1, t2};
+}
+
+std::array<int, 4> SurfaceMesh::split_edge(int h, int site) {
+    const int g = twin_[h];
+    const int t = triangle_of(h);
+    const int o = triangle_of(g);
+    const int a = corner_[h];
+    const int b = corner_[next(h)];
+    const int c = corner_[prev(h)];
+    const int b_other = corner_[g];
+    const int a_other = corner_[next(g)];
+    const int d = corner_[prev(g)];
+    const Link bc = take(next(h));
+    const Link ca = take(prev(h));
+    const Link ad = take(next(g));
+    const Link db = take(prev(g));
+    const int t1 = add_triangle({site, b, c}, face_[t]);
+    const int o1 = add_triangle({site, a_other, d}, face_[o]);
+    set_corners(t, a, site, c);
+    set_corners(o, b_other, site, d);
+    put(3 * t + 2, ca);
+    put(3 * t1 + 1, bc);
+    put(3 * o + 2, db);
+    put(3 * o1 + 1, ad);
+    link(3 * t + 1, 3 * t1 + 2);
+    link(3 * o + 1, 3 * o1 + 2);
+    link(3 * t, 3 * o1);
+    link(3 * t1, 3 * o);
+    return {t, t1, o, o1};
+}
+
+int SurfaceMesh::split_segment(int segment, int vertex, double t, const std::vector<int>& sites) {
+    const int far = add_segment(segments_[segment].edge, {vertex, segments_[segment].vertices[1]},
+                                {t, segments_[segment].t[1]});
+    const int start = segments_[segment].vertices[0];
+    segments_[segment].vertices[1] = vertex;
+    segments_[segment].t[1] = t;
+    for (std::size_t k = 0; k < segments_[segment].uses.size(); ++k) {
+        const int h = segments_[segment].uses[k].half_edge;
+        const int tri = triangle_of(h);
+        const int a = corner_[h];
+        const int b = corner_[next(h)];
+        const int c = corner_[prev(h)];
+        const bool along = sites_[a].vertex == start;
+        const Link bc = take(next(h));
+        const Link ca = take(prev(h));
+        const int added = add_triangle({sites[k], b, c}, face_[tri]);
+        set_corners(tri, a, sites[k], c);
+        put(3 * tri + 2, ca);
+        put(3 * added + 1, bc);
+        link(3 * tri + 1, 3 * added + 2);
+        const int near_half = along ? 3 * tri : 3 * added;
+        const int far_half = along ? 3 * added : 3 * tri;
+        twin_[near_half] = ~segment;
+        segments_[segment].uses[k].half_edge = near_half;
+        twin_[far_half] = ~far;
+        segments_[far].uses.push_back({far_half, segments_[segment].uses[k].use});
+    }
+    return far;
+}
+
+void SurfaceMesh::swap(int h) {
+    const int g = twin_[h];
+    const int t = triangle_of(h);
+    const int o = triangle_of(g);
+    const int a = corner_[h];
+    const int b = corner_[next(h)];
+    const int c = corner_[prev(h)];
+    const int d = corner_[prev(g)];
+    const Link bc = take(next(h));
+    const Link ca = take(prev(h));
+    const Link ad = take(next(g));
+    const Link db = take(prev(g));
+    set_corners(t, a, d, c);
+    set_corners(o, d, b, c);
+    put(3 * t, ad);
+    put(3 * t + 2, ca);
+    put(3 * o, db);
+    put(3 * o + 1, bc);
+    link(3 * t + 1, 3 * o + 2);
+}
+
+std::vector<int> SurfaceMesh::star(int h) const {
+    int first = h;
+    for (int g = twin(h); g >= 0; g = twin(first)) {  // clockwise, to the cut or once around
+        first = next(g);
+        if (first == h) {
+            break;
+        }
+    }
+    std::vector<int> result{first};
+    for (int g = twin(prev(first)); g >= 0 && g != first; g = twin(prev(g))) {
+        result.push_back(g);
+    }
+    return result;
+}
+
+std::string SurfaceMesh::inconsistency() const {
+    for (int h = 0; h < half_edge_count(); ++h) {
+        const std::string name = "half-edge " + std::to_string(h);
+        if (twin_[h] == kLoose) {
+            return name + " is neither linked nor on a segment";
+        }
+        const int from = vertex_of(h);
+        const int to = vertex_of(next(h));
+        if (from == to) {
+            return name + " runs from a vertex to itself";
+        }
+        if (twin_[h] >= 0) {
+            const int g = twin_[h];
+            if (twin_[g] != h || vertex_of(g) != to || vertex_of(next(g)) != from) {
+                return name + " and its twin do not match";
+            }
+            continue;
+        }
+        const Segment& s = segments_[~twin_[h]];
+        const bool same = (s.vertices[0] == from && s.vertices[1] == to) || (s.vertices[0] == to && s.vertices[1] == from);
+        if (!same || take(h).slot < 0) {
+            return name + " does not match its segment";
+        }
+    }
+    return {};
+}
+
+}  // namespace mq::mesh

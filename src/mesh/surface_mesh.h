@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::mesh {
+
+/// A triangle mesh under construction, classified on CAD entities.
+///
+/// Each CAD face has a mesh of its own (half-edges with twins); the faces meet in *segments*, pieces of CAD edges that
+/// constrain the triangulation. A segment knows the half-edges of all faces that use it: two on a closed solid, one at
+/// a border, both on one face at a seam, more on a non-manifold edge. Splitting a segment splits it for all of them.
+///
+/// A *vertex* is a point; a *site* is a vertex as one face sees it, with that face's (u, v) and normal. A vertex on a
+/// seam has two sites on one face, so within a face (u, v) never jumps.
+///
+/// Half-edge 3 t + i runs from corner i to corner i + 1 of triangle t, its triangle on the left. Triangles and
+/// vertices are only ever added or rewritten, never removed, so indices stay.
+class SurfaceMesh {
+  public:
+    struct Vertex {
+        Vec3 point;
+        VertexEntity entity{-1, -1};
+    };
+    struct Site {
+        int vertex = -1;
+        Vec2 uv = Vec2::Zero();
+        Vec3 normal = Vec3::Zero();  ///< outward unit normal of the CAD face; zero where it has none
+    };
+    struct SegmentUse {
+        int half_edge = -1;
+        int use = -1;  ///< which appearance of the CAD edge on the face (index into the CAD topology's uses)
+    };
+    struct Segment {
+        int edge = -1;                    ///< CAD edge
+        std::array<int, 2> vertices{};    ///< at t[0] and t[1]
+        std::array<double, 2> t{};
+        std::vector<SegmentUse> uses;
+    };
+
+    int add_vertex(const Vec3& point, VertexEntity entity);
+    int add_site(const Site& site);
+    int add_triangle(const std::array<int, 3>& sites, int face);
+    int add_segment(int edge, const std::array<int, 2>& vertices, const std::array<double, 2>& t);
+    /// Makes two half-edges of one face twins.
+    void link(int half_edge, int twin);
+    /// Puts a half-edge on a segment.
+    void bind(int half_edge, int segment, int use);
+
+    int triangle_count() const { return static_cast<int>(face_.size()); }
+    int half_edge_count() const { return static_cast<int>(corner_.size()); }
+    int vertex_count() const { return static_cast<int>(vertices_.size()); }
+    int segment_count() const { return static_cast<int>(segments_.size()); }
+    int site_count() const { return static_cast<int>(sites_.size()); }
+
+    static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+    static int prev(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+    static int triangle_of(int h) { return h / 3; }
+
+    int site_of(int h) const { return corner_[h]; }
+    int vertex_of(int h) const { return sites_[corner_[h]].vertex; }
+    const Vec3& point_of(int h) const { return vertices_[vertex_of(h)].point; }
+    /// The other half-edge, or -1 where `h` lies on a segment.
+    int twin(int h) const { return twin_[h] < 0 ? -1 : twin_[h]; }
+    /// The segment under `h`, or -1 where it has a twin.
+    int segment_of(int h) const { return twin_[h] < 0 ? ~twin_[h] : -1; }
+    int face_of(int triangle) const { return face_[triangle]; }
+    /// Changes whenever the corners of the triangle change.
+    std::uint32_t stamp(int triangle) const { return stamp_[triangle]; }
+
+    const Vertex& vertex(int v) const { return vertices_[v]; }
+    const Site& site(int s) const { return sites_[s]; }
+    const Segment& segment(int s) const { return segments_[s]; }
+
+    /// Triangle (a, b, c) becomes (a, b, p), (b, c, p), (c, a, p); the first keeps its index.
+    /// @return the indices of the three.
+    std::array<int, 3> split_triangle(int triangle, int site);
+    /// The two triangles beside the edge of `h` become four around `site`. Needs a twin.
+    std::array<int, 4> split_edge(int h, int site);
+    /// Splits a segment at `vertex`, parameter `t`; `sites[k]` is the vertex as use k sees it.
+    /// @return the new segment from `vertex` to the old far end. The segment itself keeps the near half.
+    int split_segment(int segment, int vertex, double t, const std::vector<int>& sites);
+    /// Replaces the edge a-b of `h` by the one between the opposite corners. Needs a twin; `h` then is one of the
+    /// half-edges of the same two triangles. Checks nothing.
+    void swap(int h);
+
+    /// Half-edges that leave the site of `h`, around it within the face, counter-clockwise from `h` or, where a
+    /// segment cuts the turn, from the first after it.
+    std::vector<int> star(int h) const;
+
+    /// The first inconsistency of links, segments and corners, or an empty string. For tests; O(n).
+    std::string inconsistency() const;
+
+  private:
+    struct Link {
+        int twin;
+        int slot;  // of the segment's use, where twin names a segment
+    };
+    Link take(int h) const;
+    void put(int h, const Link& link);
+    void set_corners(int triangle, int a, int b, int c);
+
+    std::vector<Vertex> vertices_;
+    std::vector<Site> sites_;
+    std::vector<Segment> segments_;
+    std::vector<int> corner_;  // site at the origin of each half-edge
+    std::vector<int> twin_;    // half-edge, or ~segment
+    std::vector<int> face_;
+    std::vector<std::uint32_t> stamp_;
+};
+
+}  // namespace mq::mesh

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+#include "triangulate/insertion.h"
+#include "triangulate/segment_split.h"
+
+namespace mq::triangulate {
+
+/// Algorithm E (Aftosmis 1999, section 3.5): splits edges until none is farther from the part than a tolerance, or
+/// longer than a bound. Segments are measured against their curve, other edges and the centroids of triangles against
+/// their surface.
+class ChordRefiner {
+  public:
+    /// `tolerance` and `max_edge` in mm; 0: no bound.
+    ChordRefiner(Workspace& work, SegmentSplitter& segments, double tolerance, double max_edge)
+        : work_(work), segments_(segments), tolerance_(tolerance), max_edge_(max_edge) {}
+
+    /// @return whether anything was split.
+    bool run();
+
+  private:
+    struct Site {
+        int half_edge;
+        std::uint32_t stamp;
+        double excess;  // how many times over its bound
+        Candidate candidate;
+    };
+    std::vector<Site> violations();
+    void measure_segments(std::vector<Site>& found);
+    void measure_edges(std::vector<Site>& found);
+    void measure_triangles(std::vector<Site>& found);
+    double excess(double chord, double length) const;
+    void split(const std::vector<Site>& sites);
+    void split_one(const Site& site, const std::optional<SurfacePoint>& p);
+
+    Workspace& work_;
+    SegmentSplitter& segments_;
+    double tolerance_;
+    double max_edge_;
+    std::unordered_set<std::uint64_t> passed_edges_;
+    std::unordered_set<std::uint64_t> passed_triangles_;
+    std::vector<int> touched_;
+    bool changed_ = false;
+};
+
+/// The largest distance between the mesh and the part over the middles of all edges and the centroids of all
+/// triangles, mm: segments against their curves, the others against their surfaces.
+double measure_chord_height(Workspace& work);
+
+}  // namespace mq::triangulate

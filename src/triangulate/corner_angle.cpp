@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/corner_angle.h"
+
+#include <cmath>
+
+namespace mq::triangulate {
+
+using mesh::SurfaceMesh;
+
+double angle_at(const SurfaceMesh& mesh, int h) {
+    const Vec3& o = mesh.point_of(h);
+    const Vec3 a = mesh.point_of(SurfaceMesh::next(h)) - o;
+    const Vec3 b = mesh.point_of(SurfaceMesh::prev(h)) - o;
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+SmallestAngle smallest_angle(const SurfaceMesh& mesh, int triangle) {
+    SmallestAngle best{-1, 1e300};
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const double angle = angle_at(mesh, h);
+        if (angle < best.angle) {
+            best = {h, angle};
+        }
+    }
+    return best;
+}
+
+NarrowCorner narrowest_corner(const SurfaceMesh& mesh, int segment, int end) {
+    NarrowCorner best;
+    const SurfaceMesh::Segment& s = mesh.segment(segment);
+    if (mesh.vertex(s.vertices[end]).entity[0] != 0) {
+        return best;
+    }
+    for (const SurfaceMesh::SegmentUse& use : s.uses) {
+        // The half-edge that leaves the end within this face: along the segment, or the next one of the triangle.
+        const bool leaves = mesh.vertex_of(use.half_edge) == s.vertices[end];
+        const int h = leaves ? use.half_edge : SurfaceMesh::next(use.half_edge);
+        const std::vector<int> star = mesh.star(h);
+        double sum = 0.0;
+        for (const int spoke : star) {
+            sum += angle_at(mesh, spoke);
+        }
+        const int first = mesh.segment_of(star.front());
+        const int last = mesh.segment_of(SurfaceMesh::prev(star.back()));
+        const int other = first == segment ? last : first;
+        if (sum < best.angle && other >= 0 && other != segment) {
+            best = {sum, other};
+        }
+    }
+    return best;
+}
+
+}  // namespace mq::triangulate

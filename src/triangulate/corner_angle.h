@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "mesh/surface_mesh.h"
+
+namespace mq::triangulate {
+
+/// The narrowest angle that a segment makes with another segment at one of its ends, measured on the faces beside it.
+struct NarrowCorner {
+    double angle = 1e300;  ///< radians; large when the end is no CAD node
+    int segment = -1;      ///< the other one
+};
+
+/// At end 0 or 1 of the segment.
+NarrowCorner narrowest_corner(const mesh::SurfaceMesh& mesh, int segment, int end);
+
+/// The angle at the origin of `h` in its triangle, radians.
+double angle_at(const mesh::SurfaceMesh& mesh, int h);
+
+/// The corner of the triangle with the smallest angle as a half-edge, and that angle in radians.
+struct SmallestAngle {
+    int half_edge;
+    double angle;
+};
+SmallestAngle smallest_angle(const mesh::SurfaceMesh& mesh, int triangle);
+
+}  // namespace mq::triangulate

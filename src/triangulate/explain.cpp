@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/explain.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "triangulate/corner_angle.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using mesh::SurfaceMesh;
+
+std::string entity_name(const mesh::VertexEntity& e) {
+    return geometry::name_of({e[0], e[1]});
+}
+
+std::string edge_name(const Workspace& work, int segment) {
+    return geometry::name_of({1, work.mesh.segment(segment).edge});
+}
+
+std::string degrees(double radians) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f degrees", radians * 180.0 / M_PI);
+    return text;
+}
+
+std::string narrow_corner(const Workspace& work, int triangle) {
+    const SmallestAngle smallest = smallest_angle(work.mesh, triangle);
+    const int a = work.mesh.segment_of(smallest.half_edge);
+    const int b = work.mesh.segment_of(SurfaceMesh::prev(smallest.half_edge));
+    return "corner of " + degrees(smallest.angle) + " between " + edge_name(work, a) + " and " + edge_name(work, b) +
+           " at " + entity_name(work.mesh.vertex(work.mesh.vertex_of(smallest.half_edge)).entity);
+}
+
+}  // namespace
+
+std::string explain(const Workspace& work, int triangle, const Exemption& exemption) {
+    const std::string where = " on " + geometry::name_of({2, work.mesh.face_of(triangle)});
+    const std::string at_edge = exemption.segment >= 0 ? " at " + edge_name(work, exemption.segment) : "";
+    switch (exemption.cause) {
+        case Cause::NarrowCorner:
+            return narrow_corner(work, triangle) + where;
+        case Cause::NarrowCluster:
+            return "edges near the narrow corner at " + entity_name(work.mesh.vertex(exemption.vertex).entity) +
+                   " would shrink for ever" + at_edge + where;
+        case Cause::Resolution:
+            return "a further vertex would lie closer than single precision tells apart" + at_edge + where;
+        case Cause::MinEdge:
+            return "a further vertex would make an edge shorter than min_edge" + at_edge + where;
+        case Cause::Fold:
+            return "a further vertex would fold the mesh" + at_edge + where;
+        case Cause::NoSurfacePoint:
+            return "the engine finds no point of the surface there" + where;
+        case Cause::Budget:
+            return "max_triangles is reached" + where;
+    }
+    return "unknown" + where;
+}
+
+}  // namespace mq::triangulate

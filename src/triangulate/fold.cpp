@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/fold.h"
+
+#include <algorithm>
+
+namespace mq::triangulate {
+
+Corner corner_of(const mesh::SurfaceMesh& mesh, int site) {
+    const auto& s = mesh.site(site);
+    return {mesh.vertex(s.vertex).point, s.normal};
+}
+
+double alignment(const Corner& a, const Corner& b, const Corner& c) {
+    const Vec3 normal = (b.point - a.point).cross(c.point - a.point);
+    const double length = normal.norm();
+    if (!(length > 0.0)) {
+        return -1.0;
+    }
+    double worst = 1.0;
+    for (const Corner* corner : {&a, &b, &c}) {
+        if (corner->normal.squaredNorm() > 0.0) {
+            worst = std::min(worst, normal.dot(corner->normal) / length);
+        }
+    }
+    return worst;
+}
+
+double alignment(const mesh::SurfaceMesh& mesh, int triangle) {
+    const int h = 3 * triangle;
+    return alignment(corner_of(mesh, mesh.site_of(h)), corner_of(mesh, mesh.site_of(h + 1)),
+                     corner_of(mesh, mesh.site_of(h + 2)));
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+
+#include "mesh/surface_mesh.h"
+
+namespace mq::triangulate {
+
+/// A corner of a triangle that may not exist yet.
+struct Corner {
+    Vec3 point;
+    Vec3 normal;  ///< of the CAD face; zero where it has none
+};
+
+Corner corner_of(const mesh::SurfaceMesh& mesh, int site);
+
+/// How well a triangle follows its surface: the smallest cosine between its normal and those at its corners.
+/// -1 for a triangle without area.
+double alignment(const Corner& a, const Corner& b, const Corner& c);
+double alignment(const mesh::SurfaceMesh& mesh, int triangle);
+
+/// A new triangle must lie within 60 degrees of its surface, unless those that it replaces were worse.
+constexpr double kAligned = 0.5;
+
+}  // namespace mq::triangulate

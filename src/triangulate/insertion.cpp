@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/insertion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/predicates.h"
+#include "triangulate/fold.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Query;
+using mesh::SurfaceMesh;
+
+// A vertex nearer to an edge than this part of the triangle's height is put on the edge.
+constexpr double kOnEdge = 0.02;
+constexpr int kMaxWalk = 100;
+constexpr std::size_t kMaxVisit = 400;
+
+struct Weights {
+    double w[3];
+};
+
+Candidate weighted_site(const SurfaceMesh& mesh, int triangle, const Weights& weights) {
+    Candidate c;
+    c.triangle = triangle;
+    for (int i = 0; i < 3; ++i) {
+        const int h = 3 * triangle + i;
+        c.point += weights.w[i] * mesh.point_of(h);
+        c.uv += weights.w[i] * mesh.site(mesh.site_of(h)).uv;
+        c.reach = std::max(c.reach, (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).norm());
+    }
+    return c;
+}
+
+// Barycentric weights of the circumcentre.
+Weights circumcentre(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double la = (c - b).squaredNorm();
+    const double lb = (a - c).squaredNorm();
+    const double lc = (b - a).squaredNorm();
+    const double wa = la * (lb + lc - la);
+    const double wb = lb * (lc + la - lb);
+    const double wc = lc * (la + lb - lc);
+    const double sum = wa + wb + wc;
+    return {{wa / sum, wb / sum, wc / sum}};
+}
+
+bool in_circumsphere(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
+    const Vec3& a = mesh.point_of(3 * triangle);
+    const Vec3& b = mesh.point_of(3 * triangle + 1);
+    const Vec3& c = mesh.point_of(3 * triangle + 2);
+    const Weights w = circumcentre(a, b, c);
+    const Vec3 centre = w.w[0] * a + w.w[1] * b + w.w[2] * c;
+    return !((p - centre).squaredNorm() > (a - centre).squaredNorm());  // degenerate triangles count as reached
+}
+
+// The three signed areas of p against the sides, seen along p's normal.
+std::array<double, 3> side_areas(const SurfaceMesh& mesh, int triangle, const SurfacePoint& p) {
+    Vec3 up = p.normal;
+    if (!(up.squaredNorm() > 0.0)) {
+        const Vec3& a = mesh.point_of(3 * triangle);
+        up = (mesh.point_of(3 * triangle + 1) - a).cross(mesh.point_of(3 * triangle + 2) - a);
+    }
+    std::array<double, 3> areas{};
+    for (int i = 0; i < 3; ++i) {
+        const Vec3& a = mesh.point_of(3 * triangle + i);
+        const Vec3& b = mesh.point_of(SurfaceMesh::next(3 * triangle + i));
+        areas[i] = (b - a).cross(p.point - a).dot(up);
+    }
+    return areas;
+}
+
+bool too_close(const Workspace& work, int triangle, const Vec3& p) {
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        if ((work.mesh.point_of(h) - p).norm() < work.shortest_allowed()) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Would the fan from p over the outer sides of these triangles fold?
+bool folds(const SurfaceMesh& mesh, const std::vector<int>& sides, const Corner& p, double before) {
+    const double least = std::min(kAligned, before);
+    for (const int h : sides) {
+        const double a = alignment(corner_of(mesh, mesh.site_of(h)), corner_of(mesh, mesh.site_of(SurfaceMesh::next(h))), p);
+        if (a < least || a <= 0.0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<Candidate> paper_site(const SurfaceMesh& mesh, int triangle, int& blocking_segment) {
+    const Vec3& a = mesh.point_of(3 * triangle);
+    const Vec3& b = mesh.point_of(3 * triangle + 1);
+    const Vec3& c = mesh.point_of(3 * triangle + 2);
+    const int obtuse = obtuse_vertex(a, b, c);
+    if (obtuse < 0) {
+        return weighted_site(mesh, triangle, circumcentre(a, b, c));
+    }
+    const int opposite = SurfaceMesh::next(3 * triangle + obtuse);
+    blocking_segment = mesh.segment_of(opposite);
+    if (blocking_segment >= 0) {
+        return std::nullopt;
+    }
+    return weighted_site(mesh, SurfaceMesh::triangle_of(mesh.twin(opposite)), {{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}});
+}
+
+Candidate edge_middle_site(const SurfaceMesh& mesh, int h) {
+    Weights w{{0.0, 0.0, 0.0}};
+    w.w[h % 3] = 0.5;
+    w.w[(h + 1) % 3] = 0.5;
+    return weighted_site(mesh, SurfaceMesh::triangle_of(h), w);
+}
+
+std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const std::vector<Candidate>& candidates) {
+    geometry::Engine::Batch batch;
+    for (const Candidate& c : candidates) {
+        batch.push_back(Query::face_nearest(work.mesh.face_of(c.triangle), work.grid.to_part(c.point), c.uv.x(), c.uv.y()));
+    }
+    geometry::Engine::Answers answers = work.session.ask(std::move(batch));
+    std::vector<std::optional<SurfacePoint>> result(candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (!answers[i].found() || answers[i].distance > candidates[i].reach) {
+            const Candidate& c = candidates[i];
+            answers[i] = work.session.ask(Query::face_point(work.mesh.face_of(c.triangle), c.uv.x(), c.uv.y()));
+            answers[i].distance = (answers[i].point - work.grid.to_part(c.point)).norm();
+        }
+        if (answers[i].found() && answers[i].distance <= candidates[i].reach) {
+            result[i] = SurfacePoint{work.grid.snap(answers[i].point), Vec2(answers[i].u, answers[i].v), answers[i].normal};
+        }
+    }
+    return result;
+}
+
+Location locate(const SurfaceMesh& mesh, int triangle, const SurfacePoint& p) {
+    int t = triangle;
+    for (int step = 0; step < kMaxWalk; ++step) {
+        const std::array<double, 3> areas = side_areas(mesh, t, p);
+        const int least = static_cast<int>(std::min_element(areas.begin(), areas.end()) - areas.begin());
+        const double total = areas[0] + areas[1] + areas[2];
+        const int h = 3 * t + least;
+        const bool outside = areas[least] < 0.0;
+        const bool near = areas[least] < kOnEdge * total;
+        if (!outside && !near) {
+            return {t, -1, -1};
+        }
+        if (mesh.segment_of(h) >= 0) {
+            return {t, -1, mesh.segment_of(h)};
+        }
+        if (!outside) {
+            return {t, h, -1};
+        }
+        t = SurfaceMesh::triangle_of(mesh.twin(h));
+    }
+    return {};
+}
+
+std::vector<int> encroached_segments(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
+    std::vector<int> result;
+    std::vector<int> queue{triangle};
+    std::set<int> seen{triangle};
+    for (std::size_t i = 0; i < queue.size() && queue.size() < kMaxVisit; ++i) {
+        for (int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
+            const int s = mesh.segment_of(h);
+            if (s >= 0) {
+                if (encroached(mesh.point_of(h), mesh.point_of(SurfaceMesh::next(h)), p)) {
+                    result.push_back(s);
+                }
+                continue;
+            }
+            const int other = SurfaceMesh::triangle_of(mesh.twin(h));
+            if (seen.count(other) == 0 && in_circumsphere(mesh, other, p)) {
+                seen.insert(other);
+                queue.push_back(other);
+            }
+        }
+    }
+    return result;
+}
+
+std::optional<Cause> insert_vertex(Workspace& work, const Location& place, const SurfacePoint& p,
+                                   std::vector<int>& touched) {
+    SurfaceMesh& mesh = work.mesh;
+    const int h = place.half_edge;
+    const Corner corner{p.point, p.normal};
+    std::vector<int> sides;
+    double before = alignment(mesh, place.triangle);
+    if (too_close(work, place.triangle, p.point)) {
+        return work.too_short();
+    }
+    if (h < 0) {
+        sides = {3 * place.triangle, 3 * place.triangle + 1, 3 * place.triangle + 2};
+    } else {
+        const int g = mesh.twin(h);
+        if (too_close(work, SurfaceMesh::triangle_of(g), p.point)) {
+            return work.too_short();
+        }
+        before = std::min(before, alignment(mesh, SurfaceMesh::triangle_of(g)));
+        sides = {SurfaceMesh::next(h), SurfaceMesh::prev(h), SurfaceMesh::next(g), SurfaceMesh::prev(g)};
+    }
+    if (folds(mesh, sides, corner, before)) {
+        return Cause::Fold;
+    }
+    const int face = mesh.face_of(place.triangle);
+    const int site = mesh.add_site({mesh.add_vertex(p.point, {2, face}), p.uv, p.normal});
+    std::vector<int> changed;
+    if (h < 0) {
+        const auto three = mesh.split_triangle(place.triangle, site);
+        changed.assign(three.begin(), three.end());
+    } else {
+        work.maxmin.forget(mesh.vertex_of(h), mesh.vertex_of(SurfaceMesh::next(h)));
+        const auto four = mesh.split_edge(h, site);
+        changed.assign(four.begin(), four.end());
+    }
+    std::vector<int> stack;
+    for (const int t : changed) {
+        touched.push_back(t);
+        stack.insert(stack.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+    }
+    work.maxmin.restore(stack, touched);
+    return std::nullopt;
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "triangulate/workspace.h"
+
+namespace mq::triangulate {
+
+/// Where a new site should go, before the engine has put it on the surface.
+struct Candidate {
+    int triangle = -1;  ///< that owns it
+    Vec3 point = Vec3::Zero();
+    Vec2 uv = Vec2::Zero();  ///< interpolated: the guess for the engine
+    double reach = 0.0;      ///< a foot farther from `point` than this is on another sheet of the surface
+};
+
+/// The paper's site (Aftosmis 1999, section 3.3): the circumcentre of a triangle that is not obtuse; otherwise the
+/// centroid of the triangle across the edge opposite the obtuse angle. No value when that edge is a segment, which
+/// is then `blocking_segment`.
+std::optional<Candidate> paper_site(const mesh::SurfaceMesh& mesh, int triangle, int& blocking_segment);
+/// The middle of the edge of `h`.
+Candidate edge_middle_site(const mesh::SurfaceMesh& mesh, int h);
+
+/// A point of the surface that may become a vertex inside a face.
+struct SurfacePoint {
+    Vec3 point;
+    Vec2 uv;
+    Vec3 normal;
+};
+
+/// Asks for the surface points of many candidates at once; no value where the engine has none near.
+std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const std::vector<Candidate>& candidates);
+
+/// Where a surface point falls on the mesh.
+struct Location {
+    int triangle = -1;   ///< that it falls in, or -1
+    int half_edge = -1;  ///< an edge with a twin that it lies (nearly) on, or -1
+    int segment = -1;    ///< a segment that it lies on or beyond, or -1
+};
+/// Walks from `triangle`. Never crosses a segment.
+Location locate(const mesh::SurfaceMesh& mesh, int triangle, const SurfacePoint& p);
+
+/// The segments that p would encroach upon, among those that it can see from where it falls.
+std::vector<int> encroached_segments(const mesh::SurfaceMesh& mesh, int triangle, const Vec3& p);
+
+/// Puts a vertex where `place` says and restores the maxmin property. Changes nothing, and says why, when it would lie
+/// too close to a neighbour or fold the mesh. Changed triangles are appended to `touched`.
+std::optional<Cause> insert_vertex(Workspace& work, const Location& place, const SurfacePoint& p,
+                                   std::vector<int>& touched);
+
+}  // namespace mq::triangulate

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/maxmin.h"
+
+#include <algorithm>
+
+#include "base/predicates.h"
+#include "triangulate/fold.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using mesh::SurfaceMesh;
+
+std::uint64_t key(int a, int b) {
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
+}
+
+}  // namespace
+
+Maxmin::Maxmin(SurfaceMesh& mesh) : mesh_(mesh) {
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        if (!mesh.segment(s).uses.empty()) {
+            remember(mesh.segment(s).vertices[0], mesh.segment(s).vertices[1]);
+        }
+    }
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        if (mesh.twin(h) > h) {
+            remember(mesh.vertex_of(h), mesh.vertex_of(SurfaceMesh::next(h)));
+        }
+    }
+}
+
+void Maxmin::remember(int a, int b) {
+    if (on_border(a) && on_border(b)) {
+        ++pairs_[key(a, b)];
+    }
+}
+
+void Maxmin::forget(int a, int b) {
+    const auto found = pairs_.find(key(a, b));
+    if (found != pairs_.end() && --found->second == 0) {
+        pairs_.erase(found);
+    }
+}
+
+std::vector<int> Maxmin::doubled_edges() const {
+    std::vector<int> result;
+    for (int h = 0; h < mesh_.half_edge_count(); ++h) {
+        const int a = mesh_.vertex_of(h);
+        const int b = mesh_.vertex_of(SurfaceMesh::next(h));
+        if (mesh_.twin(h) > h && on_border(a) && on_border(b) && pairs_.at(key(a, b)) > 1) {
+            result.push_back(h);
+        }
+    }
+    return result;
+}
+
+bool Maxmin::legal(int h) const {
+    const int g = mesh_.twin(h);
+    const int a = mesh_.site_of(h);
+    const int b = mesh_.site_of(SurfaceMesh::next(h));
+    const int c = mesh_.site_of(SurfaceMesh::prev(h));
+    const int d = mesh_.site_of(SurfaceMesh::prev(g));
+    const int vc = mesh_.site(c).vertex;
+    const int vd = mesh_.site(d).vertex;
+    if (vc == vd || (on_border(vc) && on_border(vd) && pairs_.count(key(vc, vd)) > 0)) {
+        return false;
+    }
+    const Corner ca = corner_of(mesh_, a);
+    const Corner cb = corner_of(mesh_, b);
+    const Corner cc = corner_of(mesh_, c);
+    const Corner cd = corner_of(mesh_, d);
+    const double after = std::min(alignment(ca, cd, cc), alignment(cd, cb, cc));
+    if (after < kAligned) {
+        const double before = std::min(alignment(ca, cb, cc), alignment(cb, ca, cd));
+        if (after < before || after <= -1.0) {
+            return false;
+        }
+    }
+    // A vertex with three edges inside a face: the swap would join two vertices that are joined already.
+    for (const int corner : {h, SurfaceMesh::next(h)}) {
+        const std::vector<int> star = mesh_.star(corner);
+        if (star.size() <= 3 && mesh_.twin(SurfaceMesh::prev(star.back())) >= 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched) {
+    while (!stack.empty()) {
+        const int h = stack.back();
+        stack.pop_back();
+        const int g = mesh_.twin(h);
+        if (g < 0) {
+            continue;
+        }
+        const int next = SurfaceMesh::next(h);
+        if (locally_maxmin(mesh_.point_of(h), mesh_.point_of(next), mesh_.point_of(SurfaceMesh::prev(h)),
+                           mesh_.point_of(SurfaceMesh::prev(g))) ||
+            !legal(h)) {
+            continue;
+        }
+        const int t = SurfaceMesh::triangle_of(h);
+        const int o = SurfaceMesh::triangle_of(g);
+        forget(mesh_.vertex_of(h), mesh_.vertex_of(next));
+        mesh_.swap(h);
+        remember(mesh_.vertex_of(3 * t + 1), mesh_.vertex_of(3 * t + 2));
+        touched.push_back(t);
+        touched.push_back(o);
+        stack.insert(stack.end(), {3 * t, 3 * t + 2, 3 * o, 3 * o + 1});
+    }
+}
+
+void Maxmin::sweep(std::vector<int>& touched) {
+    std::vector<int> stack;
+    for (int h = mesh_.half_edge_count() - 1; h >= 0; --h) {
+        if (mesh_.twin(h) > h) {
+            stack.push_back(h);
+        }
+    }
+    restore(stack, touched);
+}
+
+}  // namespace mq::triangulate

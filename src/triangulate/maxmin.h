@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "mesh/surface_mesh.h"
+
+namespace mq::triangulate {
+
+/// Keeps a mesh constrained locally maxmin (Aftosmis 1999, sections 3.3 and 3.4): no legal swap of an edge makes the
+/// smallest angle beside it larger.
+///
+/// A swap is legal when the edge is no segment, the two new triangles do not fold over the surface, and no two edges
+/// of the mesh join the same vertices afterwards.
+class Maxmin {
+  public:
+    explicit Maxmin(mesh::SurfaceMesh& mesh);
+
+    /// Swaps until no edge of the whole mesh violates the predicate.
+    void sweep(std::vector<int>& touched);
+    /// Swaps until no edge reachable from `stack` violates it, forward and back: every swap puts the four edges around
+    /// it on the stack again. Changed triangles are appended to `touched`.
+    void restore(std::vector<int>& stack, std::vector<int>& touched);
+
+    /// Half-edges without a segment that join two vertices that another edge joins already.
+    std::vector<int> doubled_edges() const;
+    /// To be called before and after a vertex is put on an edge or a segment between two border vertices.
+    void forget(int a, int b);
+    void remember(int a, int b);
+
+  private:
+    bool legal(int h) const;
+    bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
+
+    mesh::SurfaceMesh& mesh_;
+    // Edges between two vertices on CAD edges: only these can meet the same pair on another face.
+    std::unordered_map<std::uint64_t, int> pairs_;
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/refine.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "triangulate/corner_angle.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using mesh::SurfaceMesh;
+
+// Sites asked of the engine in one round: a part of the queue, so that the worst still come first.
+constexpr std::size_t kMaxRound = 512;
+constexpr std::size_t kPartOfQueue = 8;
+constexpr int kMaxRetries = 3;
+
+}  // namespace
+
+Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees)
+    : work_(work), segments_(segments), bound_(min_angle_degrees * M_PI / 180.0) {}
+
+void Refiner::push_if_bad(int triangle) {
+    const SmallestAngle smallest = smallest_angle(work_.mesh, triangle);
+    if (smallest.angle < bound_) {
+        queue_.push({smallest.angle, triangle, work_.mesh.stamp(triangle)});
+    }
+}
+
+void Refiner::push_touched() {
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    for (const int t : touched_) {
+        push_if_bad(t);
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const int s = work_.mesh.segment_of(h);
+            if (s >= 0 && segments_.encroached(s)) {
+                segments_.request(s);
+            }
+        }
+    }
+    touched_.clear();
+}
+
+void Refiner::run() {
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        touched_.push_back(t);
+    }
+    int retries = 0;
+    for (;;) {
+        push_touched();
+        if (work_.over_budget()) {
+            break;
+        }
+        if (!segments_.idle()) {
+            segments_.run(touched_);
+        } else if (!refine_round() && (++retries > kMaxRetries || !retry_exempted())) {
+            break;
+        }
+    }
+    while (!queue_.empty()) {
+        const Bad bad = queue_.top();
+        queue_.pop();
+        if (work_.mesh.stamp(bad.triangle) == bad.stamp && !narrow_corner(bad)) {
+            exempt(bad, Cause::Budget);
+        }
+    }
+}
+
+// A triangle that was given up may have a better neighbourhood by now.
+bool Refiner::retry_exempted() {
+    bool any = false;
+    for (auto it = work_.exempt.begin(); it != work_.exempt.end();) {
+        if (it->second.cause == Cause::NarrowCorner && it->second.stamp == work_.mesh.stamp(it->first)) {
+            ++it;
+            continue;
+        }
+        touched_.push_back(it->first);
+        it = work_.exempt.erase(it);
+        any = true;
+    }
+    return any;
+}
+
+bool Refiner::refine_round() {
+    work_.progress.check();
+    const std::vector<Job> jobs = take_jobs();
+    if (jobs.empty()) {
+        return !segments_.idle() || !queue_.empty() || !again_.empty() || !touched_.empty();
+    }
+    std::vector<Candidate> candidates;
+    for (const Job& job : jobs) {
+        candidates.push_back(job.candidate);
+    }
+    const auto points = surface_points(work_, candidates);
+    for (std::size_t i = 0; i < jobs.size() && !work_.over_budget(); ++i) {
+        if (work_.mesh.stamp(jobs[i].bad.triangle) == jobs[i].bad.stamp) {
+            work_on(jobs[i], points[i]);
+        }
+    }
+    return true;
+}
+
+std::vector<Refiner::Job> Refiner::take_jobs() {
+    std::vector<Job> jobs;
+    jobs.swap(again_);
+    const std::size_t most = std::clamp<std::size_t>(queue_.size() / kPartOfQueue, 1, kMaxRound);
+    while (!queue_.empty() && jobs.size() < most) {
+        const Bad bad = queue_.top();
+        queue_.pop();
+        if (work_.mesh.stamp(bad.triangle) != bad.stamp || narrow_corner(bad)) {
+            continue;
+        }
+        int segment = -1;
+        if (const auto site = paper_site(work_.mesh, bad.triangle, segment)) {
+            jobs.push_back({bad, *site, false});
+        } else {
+            handle_blocked(bad, segment);
+        }
+    }
+    return jobs;
+}
+
+// The angle lies between two segments that meet in its corner: the part itself has it.
+bool Refiner::narrow_corner(const Bad& bad) {
+    const int h = smallest_angle(work_.mesh, bad.triangle).half_edge;
+    const int segment = work_.mesh.segment_of(h);
+    if (segment < 0 || work_.mesh.segment_of(SurfaceMesh::prev(h)) < 0) {
+        return false;
+    }
+    exempt(bad, Cause::NarrowCorner, work_.mesh.vertex_of(h), segment);
+    return true;
+}
+
+// The obtuse angle faces a segment, so its corner encroaches upon it. The triangle changes when the segment is split.
+void Refiner::handle_blocked(const Bad& bad, int segment) {
+    if (!split_instead(bad, {segment})) {
+        Job job{bad, edge_middle_site(work_.mesh, longest_edge(bad.triangle)), true};
+        give_up(job, Cause::Fold);
+    }
+}
+
+bool Refiner::split_instead(const Bad& bad, const std::vector<int>& segments) {
+    bool any = false;
+    int corner = -1;
+    for (const int s : segments) {
+        if (!segments_.refused(s) && segments_.may_split_for(s, shortest_edge(bad.triangle), corner)) {
+            segments_.request(s);
+            any = true;
+        }
+    }
+    if (!any && corner >= 0) {
+        exempt(bad, Cause::NarrowCluster, corner, segments.front());
+        return true;
+    }
+    if (any) {  // the triangle may still be there afterwards
+        touched_.push_back(bad.triangle);
+    }
+    return any;
+}
+
+void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
+    if (!p) {
+        give_up(job, Cause::NoSurfacePoint);
+        return;
+    }
+    const Location place = locate(work_.mesh, job.candidate.triangle, *p);
+    if (place.segment >= 0) {
+        if (!split_instead(job.bad, {place.segment})) {
+            give_up(job, work_.too_short());
+        }
+        return;
+    }
+    if (place.triangle < 0) {
+        give_up(job, Cause::Fold);
+        return;
+    }
+    const std::vector<int> encroached = encroached_segments(work_.mesh, place.triangle, p->point);
+    if (!encroached.empty()) {
+        if (split_instead(job.bad, encroached)) {
+            return;
+        }
+    }
+    if (const auto refused = insert_vertex(work_, place, *p, touched_)) {
+        give_up(job, *refused);
+        return;
+    }
+    if (work_.mesh.stamp(job.bad.triangle) == job.bad.stamp) {  // the site fell elsewhere; try again
+        touched_.push_back(job.bad.triangle);
+    }
+}
+
+void Refiner::give_up(const Job& job, Cause cause) {
+    const int h = longest_edge(job.bad.triangle);
+    const int segment = work_.mesh.segment_of(h);
+    if (!job.fallback && segment < 0) {
+        again_.push_back({job.bad, edge_middle_site(work_.mesh, h), true});
+    } else if (!job.fallback && split_instead(job.bad, {segment})) {
+        return;
+    } else {
+        exempt(job.bad, cause, -1, segment);
+    }
+}
+
+void Refiner::exempt(const Bad& bad, Cause cause, int vertex, int segment) {
+    work_.exempt[bad.triangle] = {cause, vertex, segment, bad.stamp};
+}
+
+double Refiner::shortest_edge(int triangle) const {
+    double shortest = 1e300;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        shortest = std::min(shortest, (work_.mesh.point_of(SurfaceMesh::next(h)) - work_.mesh.point_of(h)).norm());
+    }
+    return shortest;
+}
+
+int Refiner::longest_edge(int triangle) const {
+    int best = 3 * triangle;
+    double longest = -1.0;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const double length = (work_.mesh.point_of(SurfaceMesh::next(h)) - work_.mesh.point_of(h)).squaredNorm();
+        if (length > longest) {
+            longest = length;
+            best = h;
+        }
+    }
+    return best;
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "triangulate/workspace.h"
+
+namespace mq::triangulate {
+
+/// Splits constraining edges on their CAD curves: in the middle by arc length, and near a CAD node with an acute
+/// corner on concentric shells, at a power-of-two distance from the node (Ruppert 1995, modified segment splitting).
+/// On shells the pieces at one narrow corner get equal lengths, and equal pieces at less than 60 degrees do not
+/// encroach on each other.
+class SegmentSplitter {
+  public:
+    explicit SegmentSplitter(Workspace& work) : work_(work) {}
+
+    /// Φ_encroached for the apexes of the triangles beside the segment.
+    bool encroached(int segment) const;
+    /// May a triangle whose shortest edge has this length cause the segment to be split? Not when the split would
+    /// make a shorter edge across a narrow corner: that could go on for ever (Shewchuk 2002, "terminator").
+    bool may_split_for(int segment, double shortest_edge, int& corner_vertex) const;
+
+    void request(int segment);
+    /// Splits all that were requested and all that become encroached by it, in batches. Changed triangles are
+    /// appended to `touched`.
+    void run(std::vector<int>& touched);
+    bool refused(int segment) const { return segment < static_cast<int>(refused_.size()) && refused_[segment] != 0; }
+    bool idle() const { return pending_.empty(); }
+
+  private:
+    struct Shell {
+        int end = -1;  ///< the end at whose node the shell is centred, -1: none
+        double radius = 0.0;
+    };
+    Shell shell_of(int segment) const;
+    double chord(int segment) const;
+    geometry::Query place_query(int segment) const;
+    void split_batch(const std::vector<int>& segments, std::vector<int>& touched);
+    bool split(int segment, const geometry::Answer& place, const geometry::Answer* on_faces, std::vector<int>& touched);
+    bool make_room(int segment, std::size_t use, const Vec3& point, const Vec3& normal, std::vector<int>& touched);
+    void request_encroached_around(const std::vector<int>& triangles);
+    void refuse(int segment);
+
+    Workspace& work_;
+    std::vector<int> pending_;
+    std::vector<char> waiting_;  // per segment
+    std::vector<char> refused_;
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/triangulate.h"
+
+#include <chrono>
+#include <ctime>
+
+#include "base/predicates.h"
+#include "triangulate/assemble.h"
+#include "triangulate/chord.h"
+#include "triangulate/corner_angle.h"
+#include "triangulate/explain.h"
+#include "triangulate/output.h"
+#include "triangulate/refine.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+constexpr std::size_t kDefaultBudget = 20'000'000;
+// Neighbours closer than this many grid steps make triangles whose angles are mostly rounding.
+constexpr double kFloorSteps = 16.0;
+constexpr int kMaxChordRounds = 6;
+
+class StageClock {
+  public:
+    explicit StageClock(mesh::MeshReport& report) : report_(report) {}
+    void end(const char* stage) {
+        const auto now = std::chrono::steady_clock::now();
+        report_.seconds.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+        last_ = now;
+    }
+
+  private:
+    mesh::MeshReport& report_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+double cpu_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double chord_height(const Options& options, const Box& box) {
+    return options.chord_height > 0.0 ? options.chord_height : options.chord_height_relative * box.largest_side();
+}
+
+void check_against_part(const Options& options, const geometry::Topology& topology, const SingleGrid& grid) {
+    if (topology.faces.empty()) {
+        throw InvalidInput("the shape has no faces: give a solid, a shell or faces");
+    }
+    const double chord = chord_height(options, topology.box);
+    if (chord > 0.0 && chord < 4.0 * grid.resolution()) {
+        throw InvalidInput("chord_height is " + std::to_string(chord) +
+                           " mm: single precision holds this part to " + std::to_string(4.0 * grid.resolution()) +
+                           " mm only; ask for more than that");
+    }
+}
+
+// Edges of S_C that join the same vertices on two faces get a vertex of their own in the middle.
+void separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
+    for (int round = 0; round < 8; ++round) {
+        const std::vector<int> doubled = work.maxmin.doubled_edges();
+        std::vector<Candidate> candidates;
+        for (const int h : doubled) {
+            candidates.push_back(edge_middle_site(work.mesh, h));
+        }
+        const auto points = surface_points(work, candidates);
+        bool changed = false;
+        for (std::size_t i = 0; i < doubled.size(); ++i) {
+            const Location place{doubled[i] / 3, doubled[i], -1};
+            changed = (points[i] && !insert_vertex(work, place, *points[i], touched)) || changed;
+            if (changed) {
+                break;  // swaps may have moved the others
+            }
+        }
+        if (!changed) {
+            return;
+        }
+    }
+}
+
+std::string failed_faces(const geometry::InitialTriangulation& initial) {
+    std::string text;
+    for (const auto& [face, why] : initial.failures) {
+        text += (text.empty() ? "" : "; ") + geometry::name_of({2, face}) + ": " + why;
+    }
+    return text;
+}
+
+void refine(Workspace& work, const Options& options, double chord, StageClock& clock) {
+    SegmentSplitter segments(work);
+    work.progress.stage("refining angles", 0.15, chord > 0.0 || options.max_edge > 0.0 ? 0.4 : 0.9);
+    Refiner refiner(work, segments, options.min_angle);
+    refiner.run();
+    clock.end("angles");
+    if (!(chord > 0.0) && !(options.max_edge > 0.0)) {
+        return;
+    }
+    work.progress.stage("refining to the chord height", 0.4, 0.9);
+    ChordRefiner chords(work, segments, chord, options.max_edge);
+    for (int round = 0; round < kMaxChordRounds && chords.run(); ++round) {
+        refiner.run();
+        work.progress.advance((round + 1.0) / kMaxChordRounds);
+    }
+    clock.end("chord height");
+}
+
+void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
+    report.min_angle_unexempted = 180.0;
+    for (std::size_t i = 0; i < out.source.size(); ++i) {
+        const int t = out.source[i];
+        const double angle = smallest_angle(work.mesh, t).angle * 180.0 / M_PI;
+        const auto found = work.exempt.find(t);
+        if (angle < bound && found != work.exempt.end() && found->second.stamp == work.mesh.stamp(t)) {
+            report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, t, found->second));
+        } else {
+            report.min_angle_unexempted = std::min(report.min_angle_unexempted, angle);
+        }
+    }
+}
+
+mesh::MeshReport final_report(Workspace& work, const Output& out, const Options& options, double chord) {
+    mesh::MeshReport report = mesh::measure(out.mesh);
+    report.min_angle_asked = options.min_angle;
+    report.chord_height_asked = chord;
+    report.max_chord_height = measure_chord_height(work);
+    report_exemptions(work, out, options.min_angle, report);
+    report.notes = work.session.topology().faults;
+    report.complete = !work.over_budget();
+    if (work.over_budget()) {
+        report.notes.push_back("stopped at max_triangles = " + std::to_string(work.budget) +
+                               ": the mesh is consistent, but its bounds are not all met; raise max_triangles");
+    }
+    return report;
+}
+
+}  // namespace
+
+Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options,
+                   Progress* progress) {
+    options.validate();
+    Progress unwatched;
+    Progress& watched = progress != nullptr ? *progress : unwatched;
+    mesh::MeshReport timing;
+    StageClock clock(timing);
+    const double cpu_before = cpu_seconds();
+    const std::uint64_t queries_before = engine.queries();
+    predicate_count() = {};
+
+    geometry::Session session(engine, model);
+    const geometry::Topology& topology = session.topology();
+    const SingleGrid grid(topology.box);
+    check_against_part(options, topology, grid);
+    const double chord = chord_height(options, topology.box);
+
+    watched.stage("initial triangulation", 0.0, 0.15);
+    const geometry::InitialTriangulation initial = geometry::triangulate_initially(session, grid, watched);
+    if (!initial.failures.empty() && (!options.allow_missing_faces || initial.failures.size() == initial.faces.size())) {
+        throw TopologyError("no triangulation of " + failed_faces(initial) +
+                            ". Repair the shape, or allow missing faces to mesh the rest");
+    }
+    mesh::SurfaceMesh surface = assemble(initial, topology);
+    clock.end("initial triangulation");
+
+    Maxmin maxmin(surface);
+    Workspace work{session, grid, surface, maxmin, watched};
+    work.floor = kFloorSteps * grid.resolution();
+    work.min_edge = options.min_edge;
+    work.budget = options.max_triangles > 0 ? options.max_triangles : kDefaultBudget;
+    work.depth.assign(surface.segment_count(), 0);
+    std::vector<int> touched;
+    separate_doubled_edges(work, touched);
+    maxmin.sweep(touched);
+    refine(work, options, chord, clock);
+
+    watched.stage("checking", 0.9, 1.0);
+    Output out = write_out(surface, topology, grid.origin());
+    Result result;
+    result.report = final_report(work, out, options, chord);
+    result.mesh = std::move(out.mesh);
+    for (const auto& failure : initial.failures) {
+        result.report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
+    }
+    clock.end("checking");
+    result.report.seconds = timing.seconds;
+    result.report.cpu_seconds = cpu_seconds() - cpu_before;
+    result.report.queries = engine.queries() - queries_before;
+    result.report.predicates = predicate_count().filtered + predicate_count().exact;
+    result.report.exact_predicates = predicate_count().exact;
+    return result;
+}
+
+}  // namespace mq::triangulate

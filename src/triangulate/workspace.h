@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/single_grid.h"
+#include "geometry/session.h"
+#include "mesh/surface_mesh.h"
+#include "triangulate/maxmin.h"
+
+namespace mq::triangulate {
+
+/// Why a triangle keeps an angle below the bound.
+enum class Cause {
+    NarrowCorner,   ///< the angle lies between two CAD edges that meet in its corner
+    NarrowCluster,  ///< splitting further would shrink edges towards a narrow corner for ever
+    Resolution,     ///< a further vertex would lie closer than single precision tells apart
+    MinEdge,        ///< a further vertex would make an edge shorter than min_edge
+    Fold,           ///< a further vertex would fold the mesh over the surface
+    NoSurfacePoint, ///< the engine finds no point of the surface there
+    Budget,         ///< max_triangles is reached
+};
+
+struct Exemption {
+    Cause cause = Cause::Fold;
+    int vertex = -1;   ///< the corner at fault, or -1
+    int segment = -1;  ///< the segment at fault, or -1
+    std::uint32_t stamp = 0;  ///< of the triangle when it was exempted
+};
+
+/// What the algorithms share while they work on one part.
+struct Workspace {
+    geometry::Session& session;
+    const SingleGrid& grid;
+    mesh::SurfaceMesh& mesh;
+    Maxmin& maxmin;
+    Progress& progress;
+    double floor = 0.0;         ///< no two neighbours closer than this, mm
+    double min_edge = 0.0;      ///< as asked; 0: none
+    std::size_t budget = 0;     ///< triangles
+    std::vector<int> depth{};   ///< per segment: how often its CAD edge was halved to get here
+    std::map<int, Exemption> exempt{};  ///< by triangle
+
+    bool over_budget() const { return static_cast<std::size_t>(mesh.triangle_count()) >= budget; }
+    double shortest_allowed() const { return min_edge > floor ? min_edge : floor; }
+    Cause too_short() const { return min_edge > floor ? Cause::MinEdge : Cause::Resolution; }
+};
+
+}  // namespace mq::triangulate
