@@ -17,7 +17,7 @@ namespace mq::geometry {
 namespace {
 
 /// Arc lengths are right to this part of themselves.
-constexpr double kLengthAccuracy = 1e-10;
+constexpr double kLengthAccuracy = 1e-9;
 
 }  // namespace
 
@@ -109,10 +109,16 @@ double EdgeEvaluator::arc_within(double from, double to, double whole, int depth
     const double middle = 0.5 * (from + to);
     const double left = gauss(from, middle);
     const double right = gauss(middle, to);
-    if (depth == 0 || std::abs(left + right - whole) <= kLengthAccuracy * std::abs(left + right)) {
+    const double accuracy = kLengthAccuracy * std::max(left + right, 0.01 * size_);
+    if (depth == 0 || std::abs(left + right - whole) <= accuracy) {
         return left + right;
     }
     return arc_within(from, middle, left, depth - 1) + arc_within(middle, to, right, depth - 1);
+}
+
+double EdgeEvaluator::smooth_arc(double from, double to) const {
+    constexpr int kDepth = 12;
+    return from < to ? arc_within(from, to, gauss(from, to), kDepth) : 0.0;
 }
 
 /// Length from `from` to `to`; negative when `to` comes first.
@@ -123,16 +129,20 @@ double EdgeEvaluator::arc(double from, double to) const {
     if (to < from) {
         return -arc(to, from);
     }
-    constexpr int kDepth = 12;
-    double sum = 0.0;
-    double low = from;
-    for (const double knot : knots_) {
-        if (knot > low && knot < to) {
-            sum += arc_within(low, knot, gauss(low, knot), kDepth);
-            low = knot;
+    if (sums_.empty()) {
+        sums_.push_back(0.0);
+        for (std::size_t i = 1; i < knots_.size(); ++i) {
+            sums_.push_back(sums_.back() + smooth_arc(knots_[i - 1], knots_[i]));
         }
     }
-    return sum + arc_within(low, to, gauss(low, to), kDepth);
+    const auto first = std::upper_bound(knots_.begin(), knots_.end(), from) - knots_.begin();
+    const auto last = std::lower_bound(knots_.begin(), knots_.end(), to) - knots_.begin() - 1;
+    if (last < first) {
+        return smooth_arc(from, to);
+    }
+    const auto i = static_cast<std::size_t>(first);
+    const auto k = static_cast<std::size_t>(last);
+    return smooth_arc(from, knots_[i]) + (sums_[k] - sums_[i]) + smooth_arc(knots_[k], to);
 }
 
 Answer EdgeEvaluator::length(double from, double to) const {

@@ -31,6 +31,7 @@ class EdgeEvaluator {
     double speed(double t) const;
     Answer at_parameter(double t) const;
     double arc(double from, double to) const;
+    double smooth_arc(double from, double to) const;
     double arc_within(double from, double to, double whole, int depth) const;
     double gauss(double from, double to) const;
     double crossing(const Vec3& start, double low, double high, double distance) const;
@@ -46,7 +47,8 @@ class EdgeEvaluator {
     double t1_;
     double slack_;              ///< how far t may lie out of the range by rounding
     double size_ = 0.0;         ///< of the curve, to judge lengths by
-    std::vector<double> knots_;  ///< where the curve is less than smooth, and the ends
+    std::vector<double> knots_;         ///< where the curve is less than smooth, and the ends
+    mutable std::vector<double> sums_;  ///< arc lengths up to the knots, once they were asked for
 };
 
 }  // namespace mq::geometry

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <BRepTopAdaptor_FClass2d.hxx>
@@ -64,10 +65,14 @@ class FaceEvaluator {
     ParameterBox search_box() const;
     Step newton_step(const SurfacePoint& s, const Vec3& r, const Vec2& uv, const ParameterBox& box) const;
     Foot newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
+    bool collapsed(const Vec2& uv) const;
     bool is_foot(const Vec3& p, const Vec2& uv, const ParameterBox& box) const;
     Foot search(const Vec3& p, const ParameterBox& box);
     Foot compass(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
     void sample();
+    Vec2 beside_pole(const Vec3& p, const Vec2& pole) const;
+    Vec2 sample_at(int i, int k) const;
+    std::vector<std::pair<double, Vec2>> best_samples(const Vec3& p) const;
 
     TopoDS_Face shape_;
     GeomAdaptor_Surface surface_;

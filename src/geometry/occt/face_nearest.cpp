@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Precision.hxx>
+
 #include "geometry/occt/conversion.h"
 #include "geometry/occt/face_evaluator.h"
 
@@ -144,6 +146,13 @@ FaceEvaluator::Foot FaceEvaluator::newton(const Vec3& p, const Vec2& start, cons
     return foot;
 }
 
+/// A pole and the like: one parameter moves nothing, so that a search cannot leave in every direction.
+bool FaceEvaluator::collapsed(const Vec2& uv) const {
+    constexpr double kCollapsed = 1e-5;
+    const SurfacePoint s = first(uv.x(), uv.y());
+    return s.su.norm() <= kCollapsed * su_ || s.sv.norm() <= kCollapsed * sv_;
+}
+
 /// r is orthogonal to the surface, or points out of the box.
 bool FaceEvaluator::is_foot(const Vec3& p, const Vec2& uv, const ParameterBox& box) const {
     const SurfacePoint s = first(uv.x(), uv.y());
@@ -161,51 +170,108 @@ bool FaceEvaluator::is_foot(const Vec3& p, const Vec2& uv, const ParameterBox& b
     return true;
 }
 
-/// Samples of the face's box, for searches without a guess.
+/// Samples of the face's box, for searches without a guess: about as dense in both directions, and several in each
+/// span of the surface.
 void FaceEvaluator::sample() {
-    constexpr int kLeast = 10;
-    constexpr int kMost = 40;
-    samples_ = {std::clamp(3 * surface_.NbUIntervals(GeomAbs_C2), kLeast, kMost),
-                std::clamp(3 * surface_.NbVIntervals(GeomAbs_C2), kLeast, kMost)};
+    constexpr double kTotal = 600.0;
+    constexpr int kLeast = 8;
+    constexpr int kMost = 160;
+    const std::array<double, 2> range{trimmed_.high[0] - trimmed_.low[0], trimmed_.high[1] - trimmed_.low[1]};
+    const std::array<double, 2> lengths{su_ * range[0], sv_ * range[1]};
+    const std::array<int, 2> spans{surface_.NbUIntervals(GeomAbs_C2), surface_.NbVIntervals(GeomAbs_C2)};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double natural = natural_.high[i] - natural_.low[i];
+        const double part = natural < Precision::Infinite() ? std::min(1.0, range[i] / natural) : 1.0;
+        const double even = std::sqrt(kTotal * std::max(lengths[i], 1e-300) / std::max(lengths[1 - i], 1e-300));
+        const double wanted = std::max(std::min(even, kTotal), std::ceil(3.0 * part * spans[i]));
+        samples_[i] = static_cast<int>(std::clamp<double>(wanted, kLeast, kMost));
+    }
     for (int i = 0; i <= samples_[0]; ++i) {
         for (int k = 0; k <= samples_[1]; ++k) {
-            const double u = trimmed_.low[0] + i * (trimmed_.high[0] - trimmed_.low[0]) / samples_[0];
-            const double v = trimmed_.low[1] + k * (trimmed_.high[1] - trimmed_.low[1]) / samples_[1];
-            const Vec2 uv = brought_in(u, v);
+            const Vec2 at = sample_at(i, k);
+            const Vec2 uv = brought_in(at.x(), at.y());
             grid_.push_back(to_vec(surface_.Value(uv.x(), uv.y())));
         }
     }
 }
 
-/// Newton from the best samples; where none converges (a crease), the best sample improved without derivatives.
+Vec2 FaceEvaluator::sample_at(int i, int k) const {
+    return Vec2(trimmed_.low[0] + i * (trimmed_.high[0] - trimmed_.low[0]) / samples_[0],
+                trimmed_.low[1] + k * (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);
+}
+
+/// The samples that none of their neighbours beats, best first, with their squared distances.
+std::vector<std::pair<double, Vec2>> FaceEvaluator::best_samples(const Vec3& p) const {
+    constexpr std::size_t kMost = 6;
+    const int nu = samples_[0] + 1;
+    const int nv = samples_[1] + 1;
+    std::vector<double> squares(grid_.size());
+    std::transform(grid_.begin(), grid_.end(), squares.begin(), [&](const Vec3& q) { return (q - p).squaredNorm(); });
+    std::vector<std::pair<double, Vec2>> found;
+    for (int i = 0; i < nu; ++i) {
+        for (int k = 0; k < nv; ++k) {
+            const double here = squares[static_cast<std::size_t>(i * nv + k)];
+            bool least = true;
+            for (int a = std::max(0, i - 1); a <= std::min(nu - 1, i + 1) && least; ++a) {
+                for (int b = std::max(0, k - 1); b <= std::min(nv - 1, k + 1) && least; ++b) {
+                    least = here <= squares[static_cast<std::size_t>(a * nv + b)];
+                }
+            }
+            if (least) {
+                found.emplace_back(here, sample_at(i, k));
+            }
+        }
+    }
+    const std::size_t kept = std::min(kMost, found.size());
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end(),
+                      [](const auto& x, const auto& y) { return x.first < y.first; });
+    found.resize(kept);
+    return found;
+}
+
+/// Round a pole, where a search does not know which way to turn: the best of the points just beside it.
+Vec2 FaceEvaluator::beside_pole(const Vec3& p, const Vec2& pole) const {
+    constexpr int kTurns = 24;
+    const SurfacePoint s = first(pole.x(), pole.y());
+    const Eigen::Index around = s.su.norm() * sv_ < s.sv.norm() * su_ ? 0 : 1;
+    const auto a = static_cast<std::size_t>(around);
+    const double cell = (trimmed_.high[1 - a] - trimmed_.low[1 - a]) / samples_[1 - a];
+    const bool at_high = pole[1 - around] > 0.5 * (trimmed_.low[1 - a] + trimmed_.high[1 - a]);
+    Vec2 best = pole;
+    double least = kInfinity;
+    for (int i = 0; i <= kTurns; ++i) {
+        Vec2 uv = pole;
+        uv[around] = trimmed_.low[a] + i * (trimmed_.high[a] - trimmed_.low[a]) / kTurns;
+        uv[1 - around] += 0.1 * (at_high ? -cell : cell);
+        const double square = (first(uv.x(), uv.y()).point - p).squaredNorm();
+        if (square < least) {
+            least = square;
+            best = uv;
+        }
+    }
+    return best;
+}
+
+/// Newton from the best samples; where none comes closer (at a crease, at a pole), the best sample improved without
+/// derivatives.
 FaceEvaluator::Foot FaceEvaluator::search(const Vec3& p, const ParameterBox& box) {
-    constexpr std::size_t kStarts = 4;
     if (grid_.empty()) {
         sample();
     }
-    std::vector<std::pair<double, int>> order(grid_.size());
-    for (std::size_t i = 0; i < grid_.size(); ++i) {
-        order[i] = {(grid_[i] - p).squaredNorm(), static_cast<int>(i)};
-    }
-    const auto starts = static_cast<std::ptrdiff_t>(std::min(kStarts, order.size()));
-    std::partial_sort(order.begin(), order.begin() + starts, order.end());
-    const auto uv_of = [&](int index) {
-        const int i = index / (samples_[1] + 1);
-        const int k = index % (samples_[1] + 1);
-        return Vec2(trimmed_.low[0] + i * (trimmed_.high[0] - trimmed_.low[0]) / samples_[0],
-                    trimmed_.low[1] + k * (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);
-    };
+    const std::vector<std::pair<double, Vec2>> starts = best_samples(p);
     Foot best;
     best.square = kInfinity;
-    for (std::ptrdiff_t n = 0; n < starts; ++n) {
-        Foot foot = newton(p, uv_of(order[static_cast<std::size_t>(n)].second), box);
+    if (starts.empty()) {
+        return best;
+    }
+    for (const auto& [square, uv] : starts) {
+        const Foot foot = newton(p, collapsed(uv) ? beside_pole(p, uv) : uv, box);
         if (foot.found && is_foot(p, foot.uv, box) && foot.square < best.square) {
             best = foot;
         }
     }
-    const auto [square, index] = order.front();
-    if (!best.found || square < best.square * (1.0 - 1e-9)) {
-        best = compass(p, clamped(uv_of(index), box), box);
+    if (!best.found || starts.front().first < best.square * (1.0 - 1e-9)) {
+        best = compass(p, clamped(starts.front().second, box), box);
     }
     return best;
 }
@@ -259,8 +325,10 @@ Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
     }
     const ParameterBox box = search_box();
     Foot foot = newton(p, guess, box);
-    if (!foot.found || !is_foot(p, foot.uv, box)) {
-        foot = search(p, box);
+    const bool local = foot.found && is_foot(p, foot.uv, box);
+    if (!local || collapsed(foot.uv)) {
+        const Foot other = search(p, box);
+        foot = local && foot.square <= other.square ? foot : other;
     }
     return foot.found ? foot_at(point, foot.uv, guess) : answer;
 }

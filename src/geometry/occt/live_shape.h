@@ -40,6 +40,6 @@ std::array<double, 2> periods_of(const GeomAdaptor_Surface& surface, double tole
 std::vector<std::string> kernel_faults(const TopoDS_Shape& shape);
 
 /// Bounds the shape, whether or not a display triangulation hangs on it.
-Box bounding_box(const TopoDS_Shape& shape, std::size_t face_count);
+Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology);
 
 }  // namespace mq::geometry

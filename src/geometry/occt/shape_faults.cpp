@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <algorithm>
 #include <set>
 #include <utility>
 
-#include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepCheck_ListOfStatus.hxx>
 #include <BRepCheck_Result.hxx>
-#include <Bnd_Box.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -175,25 +172,6 @@ std::vector<std::string> kernel_faults(const TopoDS_Shape& shape) {
         return {std::string("OpenCASCADE's check of the shape ended with an exception: ") +
                 (text != nullptr && *text != '\0' ? text : failure.DynamicType()->Name())};
     }
-}
-
-Box bounding_box(const TopoDS_Shape& shape, std::size_t face_count) {
-    constexpr std::size_t kManyFaces = 300;
-    Bnd_Box bounds;
-    if (face_count < kManyFaces) {
-        BRepBndLib::AddOptimal(shape, bounds, Standard_False, Standard_False);
-    } else {
-        BRepBndLib::Add(shape, bounds, Standard_False);
-    }
-    Box box;
-    if (!bounds.IsVoid()) {
-        double low[3];
-        double high[3];
-        bounds.Get(low[0], low[1], low[2], high[0], high[1], high[2]);
-        box.add(Vec3(low[0], low[1], low[2]));
-        box.add(Vec3(high[0], high[1], high[2]));
-    }
-    return box;
 }
 
 }  // namespace mq::geometry
