@@ -17,16 +17,16 @@ namespace {
 /// SWIG's type of TopoDS_Shape in the runtime that all SWIG modules of the process share; null when FreeCAD was built
 /// with another version of that runtime. The type needs a Python class, or nobody would call the shape's destructor.
 swig_type_info* shape_type() {
+    // Without any SWIG module in the process there is no runtime to ask, hence the import first.
+    const py::module_ registrar = py::module_::import("MeshQuality._occ_shape");
     swig_type_info* type = SWIG_TypeQuery("TopoDS_Shape *");
-    if (type == nullptr || type->clientdata == nullptr) {
-        const py::module_ registrar = py::module_::import("MeshQuality._occ_shape");
+    if (type != nullptr && type->clientdata == nullptr) {
         py::dict members;
         members["__swig_destroy__"] = registrar.attr("delete_TopoDS_Shape");
         members["__module__"] = "MeshQuality._occ_shape";
         const py::object metaclass = py::reinterpret_borrow<py::object>(reinterpret_cast<PyObject*>(&PyType_Type));
         const py::tuple bases = py::make_tuple(py::module_::import("builtins").attr("object"));
         registrar.attr("TopoDS_Shape_swigregister")(metaclass("TopoDS_Shape", bases, members));
-        type = SWIG_TypeQuery("TopoDS_Shape *");
     }
     return type;
 }

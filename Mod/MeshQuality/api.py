@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The scripting functions that need FreeCAD; the package hands them out under its own name."""
+
+from . import convert, options
+from .compat import core
+from .errors import InvalidInput
+from .surface_mesh import SurfaceMesh
+
+
+def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None,
+                max_edge=None, min_edge=None, method="refine", max_triangles=None,
+                allow_missing_faces=False, progress=None):
+    """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
+
+    shape                  Part.Shape with faces, or a document object that has one
+    min_angle              degrees, 0 < min_angle <= 34
+    chord_height           mm; largest distance to the shape; None: no bound
+    chord_height_relative  the same as a fraction of the largest dimension; give one of the two
+    max_edge, min_edge     mm; None: no bound
+    method                 "refine"
+    max_triangles          the work ends incomplete at this number; None: 20 million
+    allow_missing_faces    mesh the rest of a part whose faces fail, and name them in the report
+    progress               callable(fraction 0..1, stage); returning False cancels
+
+    Returns a SurfaceMesh. The shape is only read.
+    Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
+    """
+    values = options.check(options.TRIANGULATE, {
+        "min_angle": min_angle, "chord_height": chord_height,
+        "chord_height_relative": chord_height_relative, "max_edge": max_edge,
+        "min_edge": min_edge, "method": method, "max_triangles": max_triangles,
+        "allow_missing_faces": allow_missing_faces,
+    })
+    if progress is not None and not callable(progress):
+        raise InvalidInput(f"progress = {progress!r} is not callable: give a function of "
+                           "(fraction, stage)")
+    live_shape = convert.shape_of(shape)
+    module = core()
+    core_options = module.TriangulateOptions()
+    for name, value in values.items():
+        if name != "method":
+            setattr(core_options, name, options.to_property(None, value))
+    return SurfaceMesh(module.triangulate(live_shape, core_options, progress))
+
+
+def quality(mesh, shape=None):
+    """The MeshReport of a Mesh.Mesh, a Mesh feature, a SurfaceMesh, or arrays (V, F).
+
+    With `shape` (Part.Shape or document object) the report also has max_chord_height, the largest
+    distance of the triangles' corners, edge middles and centroids from the shape.
+    Raises InvalidInput for anything else and for indices out of range.
+    """
+    module = core()
+    if isinstance(mesh, SurfaceMesh):
+        surface = mesh._surface
+    elif convert.is_mesh(mesh):
+        surface = convert.surface_of_arrays(module, *convert.arrays_of_mesh(mesh))
+    elif isinstance(mesh, (tuple, list)) and len(mesh) == 2:
+        surface = convert.surface_of_arrays(module, *mesh)
+    else:
+        raise InvalidInput("a Mesh.Mesh, a SurfaceMesh or arrays (V, F) are needed, not "
+                           f"{type(mesh).__name__}")
+    if shape is None:
+        return surface.report
+    return module.measure_against(surface, convert.shape_of(shape))
+
+
+def add_quality_mesh(source, **values):
+    """Adds a document object that keeps a quality mesh of `source` up to date; one undo step.
+
+    source   document object with a shape: feature, body, link or container
+    values   the options of triangulate, except progress
+
+    Returns the object. Raises what triangulate raises, and then adds nothing.
+    """
+    from .features import quality_mesh
+
+    return quality_mesh.add(source, values)

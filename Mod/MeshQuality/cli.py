@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line, seen from outside FreeCAD: arguments, help, and the start of FreeCAD.
+
+Imports nothing of FreeCAD. The job travels in a file, because FreeCAD's own option parser takes
+what is on its command line, and the result comes back in one, because FreeCAD prints to stdout.
+"""
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from . import options
+from .errors import Error
+
+DONE, FAILED, USAGE = 0, 1, 2
+CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
+MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
+OUTPUT_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".msh", ".vtu")
+
+
+def _add_options(parser, table):
+    for option in table:
+        if option.kind is bool:
+            parser.add_argument(option.flag, action="store_true", help=option.help)
+            continue
+        default = "" if option.default is None else f" (default: {option.default})"
+        text = f"{option.help}; {option.range_text}{default}"
+        parser.add_argument(option.flag, type=option.kind, metavar=option.unit.upper() or "X",
+                            default=option.default, help=text.replace("%", "%%"))
+
+
+def parser():
+    """The argument parser of bin/meshquality."""
+    top = argparse.ArgumentParser(
+        prog="meshquality", description="Quality meshes of CAD parts, by FreeCAD's shapes.",
+        epilog="Exit status: 0 done, 1 failed, 2 bad usage or input; stderr's last line says why.")
+    commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    common = argparse.ArgumentParser(add_help=False)
+    common.add_argument("--json", action="store_true",
+                        help="print the report as one JSON object on stdout")
+    common.add_argument("--object", metavar="NAME",
+                        help="of an FCStd file mesh the object of this name or label only")
+
+    one = commands.add_parser(
+        "triangulate", parents=[common], help="mesh a CAD part",
+        description="Triangulates a CAD part with a guaranteed smallest angle.")
+    one.add_argument("input", help="CAD file: " + " ".join(CAD_SUFFIXES))
+    one.add_argument("-o", "--output", help="mesh file: " + " ".join(OUTPUT_SUFFIXES))
+    _add_options(one, options.TRIANGULATE)
+
+    one = commands.add_parser(
+        "quality", parents=[common], help="report on a mesh",
+        description="Measures a mesh: topology, angles, and its distance to a shape if given.")
+    one.add_argument("input", help="mesh file: " + " ".join(MESH_SUFFIXES))
+    one.add_argument("--shape", metavar="CAD", help="CAD file to measure the distance to")
+    return top
+
+
+def _job(arguments):
+    """What FreeCAD is to do; raises Error for what can be seen without starting it."""
+    job = vars(arguments).copy()
+    for name in ("input", "shape", "output"):
+        if job.get(name):
+            job[name] = os.path.abspath(job[name])
+    for name, suffixes in (("input", MESH_SUFFIXES if job["command"] == "quality"
+                            else CAD_SUFFIXES), ("shape", CAD_SUFFIXES)):
+        path = job.get(name)
+        if path and not os.path.isfile(path):
+            raise Error(f"there is no file '{path}'")
+        _require_suffix(path, suffixes)
+    _require_suffix(job.get("output"), OUTPUT_SUFFIXES)
+    if job.get("output") and not os.path.isdir(os.path.dirname(job["output"])):
+        raise Error(f"there is no folder '{os.path.dirname(job['output'])}' to write to")
+    if job["command"] == "triangulate":
+        names = [option.name for option in options.TRIANGULATE]
+        job["options"] = options.check(options.TRIANGULATE, {n: job.pop(n) for n in names})
+    return job
+
+
+def _require_suffix(path, suffixes):
+    if path and os.path.splitext(path)[1].lower() not in suffixes:
+        raise Error(f"'{path}' has no known extension: it must be one of {' '.join(suffixes)}")
+
+
+def _freecad():
+    """FreeCAD's console program; MESHQUALITY_FREECADCMD overrides."""
+    chosen = os.environ.get("MESHQUALITY_FREECADCMD")
+    for name in [chosen] if chosen else ["freecadcmd", "FreeCADCmd", "freecad.cmd"]:
+        path = shutil.which(name)
+        if path:
+            return path
+    raise OSError("FreeCAD's console program freecadcmd is not found: put it on PATH, or name "
+                  "it in MESHQUALITY_FREECADCMD")
+
+
+def _run_in_freecad(job):
+    """The result {"status", "text", "report"} of the job, from a FreeCAD of its own."""
+    package = os.path.dirname(os.path.abspath(__file__))
+    with tempfile.TemporaryDirectory(prefix="meshquality-") as folder:
+        job_path = os.path.join(folder, "job.json")
+        result_path = os.path.join(folder, "result.json")
+        with open(job_path, "w", encoding="utf-8") as stream:
+            json.dump({**job, "result": result_path}, stream)
+        code = subprocess.run(
+            [_freecad(), "-P", os.path.dirname(package), os.path.join(package, "cli_worker.py")],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=False,
+            env={**os.environ, "MESHQUALITY_JOB": job_path}).returncode
+        try:
+            with open(result_path, encoding="utf-8") as stream:
+                return json.load(stream)
+        except (OSError, ValueError):
+            how = f"was ended by signal {-code}" if code < 0 else f"ended with status {code}"
+            return {"status": FAILED, "text": f"FreeCAD {how} and left no result"}
+
+
+def main(arguments=None):
+    """Runs the command line; returns the exit status."""
+    parsed = parser().parse_args(arguments)
+    try:
+        result = _run_in_freecad(_job(parsed))
+    except Error as error:
+        result = {"status": USAGE, "text": str(error)}
+    except OSError as error:
+        result = {"status": FAILED, "text": str(error)}
+    except KeyboardInterrupt:
+        result = {"status": FAILED, "text": "interrupted"}
+    report = result.get("report", {})
+    if parsed.json:
+        failure = {} if result["status"] == DONE else {"error": result["text"]}
+        print(json.dumps({**report, **failure}))
+    elif result["status"] == DONE:
+        print(result["report_text"], end="")
+    print(f"meshquality: {result['text']}", file=sys.stderr)
+    return result["status"]

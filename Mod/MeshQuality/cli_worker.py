@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line inside FreeCAD: does the job of the file named by MESHQUALITY_JOB."""
+
+import json
+import math
+import os
+import sys
+import time
+import traceback
+
+import FreeCAD
+
+import MeshQuality as mq
+from MeshQuality import convert
+from MeshQuality.cli import DONE, FAILED, USAGE
+
+REPORT_FIELDS = (
+    "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
+    "nonmanifold_edges", "misoriented_edges", "pinched_vertices", "degenerate_triangles",
+    "duplicate_triangles", "components", "euler", "min_angle", "max_angle", "mean_min_angle",
+    "max_aspect", "angle_histogram", "area", "volume", "min_angle_asked", "min_angle_unexempted",
+    "max_chord_height", "chord_height_asked", "exempt", "notes", "complete", "seconds",
+    "cpu_seconds", "queries", "predicates", "exact_predicates",
+)
+
+
+def report_fields(report):
+    """A MeshReport as plain values for JSON; numbers that JSON has no word for become null."""
+    fields = {name: getattr(report, name) for name in REPORT_FIELDS}
+    fields["box"] = None if report.box is None else [corner.tolist() for corner in report.box]
+    return {name: None if isinstance(value, float) and not math.isfinite(value) else value
+            for name, value in fields.items()}
+
+
+def read_shape(path, name=None):
+    """The shape of a CAD file; of an FCStd file that of one object, or of all at its top level."""
+    import Part
+
+    if path.lower().endswith(".fcstd"):
+        return _read_document(path, name)
+    if name:
+        raise mq.InvalidInput(f"--object is for FCStd files, not for '{path}'")
+    try:
+        shape = Part.read(path)
+    except Exception as error:  # noqa: BLE001 - FreeCAD raises many types, some of them its own
+        raise mq.InvalidInput(f"cannot read '{path}': {error}") from error
+    if shape.isNull():
+        raise mq.InvalidInput(f"cannot read '{path}': it holds no shape")
+    return shape
+
+
+def _read_document(path, name):
+    import Part
+
+    try:
+        document = FreeCAD.openDocument(path)
+    except Exception as error:  # noqa: BLE001
+        raise mq.InvalidInput(f"cannot read '{path}': {error}") from error
+    if name:
+        found = [o for o in document.Objects if name in (o.Name, o.Label)]
+        if not found:
+            raise mq.InvalidInput(f"'{path}' has no object named '{name}'")
+        return convert.shape_of(found[0])
+    shapes = [Part.getShape(obj) for obj in document.RootObjects]
+    shapes = [shape for shape in shapes if not shape.isNull() and shape.Faces]
+    if not shapes:
+        raise mq.InvalidInput(f"'{path}' has no object with faces")
+    return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
+
+
+def read_mesh(path):
+    """The Mesh.Mesh of a mesh file."""
+    import Mesh
+
+    try:
+        mesh = Mesh.Mesh(path)
+    except Exception as error:  # noqa: BLE001
+        raise mq.InvalidInput(f"cannot read '{path}': {error}") from error
+    if mesh.CountFacets == 0:
+        raise mq.InvalidInput(f"cannot read '{path}': it holds no triangles")
+    return mesh
+
+
+def progress_line():
+    """A progress callback for people at a terminal; None where nobody looks."""
+    if not sys.stderr.isatty():
+        return None
+    last = [0.0]
+
+    def show(fraction, stage):
+        if time.monotonic() - last[0] > 0.2 or fraction == 1.0:
+            last[0] = time.monotonic()
+            end = "\n" if fraction == 1.0 else ""
+            print(f"\r{stage:<24} {100 * fraction:5.1f} %", end=end, file=sys.stderr, flush=True)
+
+    return show
+
+
+def triangulate(job):
+    """Returns the report and the sentence to end with."""
+    shape = read_shape(job["input"], job.get("object"))
+    mesh = mq.triangulate(shape, **job["options"], progress=progress_line())
+    if job.get("output"):
+        mesh.write(job["output"])
+    where = f" in {job['output']}" if job.get("output") else ""
+    return mesh.report, f"{mesh.report.triangles} triangles{where}"
+
+
+def quality(job):
+    """Returns the report and the sentence to end with."""
+    mesh = read_mesh(job["input"])
+    shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
+    report = mq.quality(mesh, shape)
+    return report, f"measured {report.triangles} triangles of {job['input']}"
+
+
+def run(job):
+    """The job's result as plain data; never raises."""
+    try:
+        report, text = {"triangulate": triangulate, "quality": quality}[job["command"]](job)
+    except mq.InvalidInput as error:
+        return {"status": USAGE, "text": str(error)}
+    except mq.Error as error:
+        return {"status": FAILED, "text": str(error)}
+    except Exception as error:  # noqa: BLE001 - whatever it is, the caller must hear of it
+        traceback.print_exc()
+        return {"status": FAILED, "text": f"{type(error).__name__}: {error}"}
+    return {"status": DONE, "text": text, "report": report_fields(report),
+            "report_text": str(report)}
+
+
+def main():
+    with open(os.environ["MESHQUALITY_JOB"], encoding="utf-8") as stream:
+        job = json.load(stream)
+    result = run(job)
+    with open(job["result"], "w", encoding="utf-8") as stream:
+        json.dump(result, stream)
+    sys.exit(result["status"])
+
+
+if "MESHQUALITY_JOB" in os.environ:
+    main()

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Shapes and meshes of FreeCAD in and out: what scripts may pass, and what the core works on."""
+
+import io
+import os
+import tempfile
+
+import FreeCAD
+import numpy as np
+
+from .errors import InvalidInput
+
+_BMS_HEAD = 264  # magic, version and comment; then two counts, points, facets and the box
+
+
+def label_of(source):
+    """How messages name a shape or a document object."""
+    if isinstance(source, tuple):
+        return label_of(source[0])
+    label = getattr(source, "Label", None)
+    return f"'{label}'" if label else "the shape"
+
+
+def shape_of(source):
+    """The Part.Shape of a Part.Shape, a document object or (document object, "Face3").
+
+    Of an object with a placement, a link or a container the shape is where the document has it;
+    a container gives a compound of what it holds. Raises InvalidInput when there are no faces.
+    """
+    import Part
+
+    subname = ""
+    if isinstance(source, tuple) and len(source) == 2:
+        obj, subname = source[0], source[1]
+        subname = subname if isinstance(subname, str) else "".join(subname[:1])
+    else:
+        obj = source
+    if isinstance(obj, Part.Shape):
+        shape = obj.getElement(subname) if subname else obj
+    elif isinstance(obj, FreeCAD.DocumentObject):
+        shape = Part.getShape(obj, subname, needSubElement=bool(subname))
+    else:
+        raise InvalidInput("a Part.Shape or a document object with a shape is needed, not "
+                           f"{type(source).__name__}")
+    if shape.isNull():
+        raise InvalidInput(f"{label_of(source)} is null: it has no geometry")
+    if not shape.Faces:
+        raise InvalidInput(f"{label_of(source)} has no faces (its type is {shape.ShapeType}): "
+                           "give a solid, a shell or faces")
+    return shape
+
+
+def is_mesh(candidate):
+    """True for a Mesh.Mesh and for a document object that holds one."""
+    import Mesh
+
+    return isinstance(getattr(candidate, "Mesh", candidate), Mesh.Mesh)
+
+
+def arrays_of_mesh(mesh):
+    """(vertices float64 (V, 3), triangles int32 (T, 3)) of a Mesh.Mesh or a Mesh feature.
+
+    Coordinates include the mesh's placement.
+    """
+    mesh = getattr(mesh, "Mesh", mesh)
+    handle, path = tempfile.mkstemp(suffix=".bms")
+    os.close(handle)
+    try:
+        # A file, because writing this format into a stream loses its beginning in FreeCAD 0.20.
+        mesh.write(Filename=path, Format="BMS")
+        with open(path, "rb") as stream:
+            data = stream.read()
+    finally:
+        os.unlink(path)
+    points, facets = (int(n) for n in np.frombuffer(data, "<u4", 2, _BMS_HEAD))
+    start = _BMS_HEAD + 8
+    vertices = np.frombuffer(data, "<f4", 3 * points, start).astype(np.float64).reshape(-1, 3)
+    columns = np.frombuffer(data, "<u4", 6 * facets, start + 12 * points).reshape(-1, 6)
+    placement = mesh.Placement
+    if not placement.isIdentity():
+        matrix = np.array(placement.toMatrix().A).reshape(4, 4)
+        vertices = vertices @ matrix[:3, :3].T + matrix[:3, 3]
+    return vertices, columns[:, :3].astype(np.int32)
+
+
+def surface_of_arrays(core, vertices, triangles):
+    """A measured core.Surface of (V, 3) numbers and (T, 3) indices; raises InvalidInput."""
+    try:
+        vertices = np.asarray(vertices, dtype=np.float64)
+        triangles = np.asarray(triangles)
+    except (TypeError, ValueError) as error:
+        raise InvalidInput(f"a mesh as arrays needs (V, 3) numbers and (T, 3) indices: {error}") \
+            from error
+    if triangles.size and not np.issubdtype(triangles.dtype, np.integer):
+        raise InvalidInput(f"triangles must be whole numbers, not {triangles.dtype}")
+    return core.surface_from_arrays(vertices, triangles.astype(np.int64, copy=False))
+
+
+def mesh_of_surface(surface):
+    """A Mesh.Mesh with the same triangles in the same order, one segment a CAD face."""
+    import Mesh
+
+    mesh = Mesh.Mesh()
+    mesh.read(Stream=io.BytesIO(surface.to_bms()), Format="BMS")
+    if np.any(surface.origin):
+        mesh.Placement = FreeCAD.Placement(FreeCAD.Vector(*surface.origin), FreeCAD.Rotation())
+    for triangles in face_segments(surface.triangle_face):
+        mesh.addSegment(triangles.tolist())
+    return mesh
+
+
+def face_segments(triangle_face):
+    """The triangles of each CAD face, faces in ascending order, as index arrays."""
+    if triangle_face.size == 0:
+        return []
+    order = np.argsort(triangle_face, kind="stable")
+    borders = np.flatnonzero(np.diff(triangle_face[order])) + 1
+    return np.split(order, borders)

@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The options of every operation: one table, from which the properties of document objects, the
+task panels, the command line and the documentation are made. Imports nothing of FreeCAD.
+"""
+
+import math
+import numbers
+from dataclasses import dataclass
+
+from .errors import Error, InvalidInput
+
+METHODS = ("refine", "star", "sprinkle")
+
+
+@dataclass(frozen=True)
+class Option:
+    """One option. `low` itself is not allowed where `above` is set; None stands for "no bound"."""
+
+    name: str
+    kind: type
+    default: object
+    help: str
+    unit: str = ""
+    low: float = None
+    high: float = None
+    above: bool = True
+    choices: tuple = ()
+    group: str = "Mesh"
+
+    @property
+    def property_name(self):
+        """The name of its property on document objects: min_angle -> MinAngle."""
+        return "".join(word.capitalize() for word in self.name.split("_"))
+
+    @property
+    def property_type(self):
+        """The type of its property on document objects."""
+        if self.choices:
+            return "App::PropertyEnumeration"
+        if self.unit:
+            return {"degrees": "App::PropertyAngle", "mm": "App::PropertyLength"}[self.unit]
+        return {
+            bool: "App::PropertyBool", int: "App::PropertyInteger", float: "App::PropertyFloat",
+        }[self.kind]
+
+    @property
+    def flag(self):
+        """Its name on the command line: min_angle -> --min-angle."""
+        return "--" + self.name.replace("_", "-")
+
+    @property
+    def range_text(self):
+        """What values are allowed, in words."""
+        if self.choices:
+            return "one of " + ", ".join(self.choices)
+        if self.kind is bool:
+            return "True or False"
+        unit = f" {self.unit}" if self.unit else ""
+        parts = []
+        if self.low is not None:
+            parts.append(f"{'greater than' if self.above else 'at least'} {self.low:g}")
+        if self.high is not None:
+            parts.append(f"at most {self.high:g}")
+        return " and ".join(parts) + unit
+
+    def checked(self, value):
+        """The value as a plain int, float, bool, str or None.
+
+        Raises InvalidInput naming the option, the value and the range.
+        """
+        if value is None and self.default is None:
+            return None
+        if self.choices:
+            good = isinstance(value, str) and value in self.choices
+        elif self.kind is bool:
+            good = isinstance(value, bool)
+        else:
+            value = _plain_number(value, self)
+            good = self._in_range(value)
+        if not good:
+            raise InvalidInput(f"{self.name} = {value!r} is not allowed: it must be "
+                               f"{self.range_text}")
+        return value
+
+    def _in_range(self, value):
+        if not math.isfinite(value):
+            return False
+        if self.low is not None and (value <= self.low if self.above else value < self.low):
+            return False
+        return self.high is None or value <= self.high
+
+
+def _plain_number(value, option):
+    """Takes numbers of Python and NumPy, and FreeCAD's quantities; of an int option no fractions."""
+    if type(value).__name__ == "Quantity" and hasattr(value, "Unit"):
+        expected = {"degrees": "Angle", "mm": "Length"}.get(option.unit)
+        if value.Unit.Type not in (expected, ""):
+            raise InvalidInput(f"{option.name} = {value} is not allowed: it must be "
+                               f"{option.range_text}")
+        value = value.Value
+    wanted = numbers.Integral if option.kind is int else numbers.Real
+    if isinstance(value, bool) or not isinstance(value, wanted):
+        what = "a whole number" if option.kind is int else "a number"
+        raise InvalidInput(f"{option.name} = {value!r} is not allowed: it must be {what}, "
+                           f"{option.range_text}")
+    return option.kind(value)
+
+
+TRIANGULATE = (
+    Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0,
+           help="Smallest angle of a triangle; beyond about 30 the triangles grow many"),
+    Option("chord_height", float, None, unit="mm", low=0.0, group="Accuracy",
+           help="Largest distance between the mesh and the shape"),
+    Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Accuracy",
+           help="The same as a fraction of the shape's largest dimension"),
+    Option("max_edge", float, None, unit="mm", low=0.0, group="Size",
+           help="Longest edge of a triangle"),
+    Option("min_edge", float, None, unit="mm", low=0.0, group="Size",
+           help="No edge is split into shorter ones than this"),
+    Option("method", str, "refine", choices=METHODS,
+           help="Algorithm: refine inserts points until every angle and chord fits"),
+    Option("max_triangles", int, None, low=1, above=False, group="Size",
+           help="Work ends with an incomplete mesh at this number; 20 million unless given"),
+    Option("allow_missing_faces", bool, False,
+           help="Mesh the rest of a part whose faces fail, and name those in the report"),
+)
+
+
+def check(table, values):
+    """All options of `table` as {name: plain value}, those not in `values` with their default.
+
+    Raises InvalidInput naming the option, its value and its range.
+    """
+    known = {option.name: option for option in table}
+    for name in values:
+        if name not in known:
+            raise InvalidInput(f"{name} is not an option: there are {', '.join(known)}")
+    checked = {name: option.checked(values.get(name, option.default))
+               for name, option in known.items()}
+    _check_together(checked)
+    return checked
+
+
+def _check_together(values):
+    chord, relative = values.get("chord_height"), values.get("chord_height_relative")
+    if chord is not None and relative is not None:
+        raise InvalidInput(f"chord_height = {chord:g} mm and chord_height_relative = {relative:g} "
+                           "exclude each other: give one of them")
+    low, high = values.get("min_edge"), values.get("max_edge")
+    if low is not None and high is not None and low > high:
+        raise InvalidInput(f"min_edge = {low:g} mm is longer than max_edge = {high:g} mm")
+    method = values.get("method", "refine")
+    if method != "refine":
+        raise Error(f"method = {method!r} is not available yet: use 'refine'")
+
+
+def to_property(option, value):
+    """The value that stands for `value` in a document object's property: 0 for no bound."""
+    return 0 if value is None else value
+
+
+def from_property(option, value):
+    """The option's value that a property holds; the inverse of to_property."""
+    value = getattr(value, "Value", value)
+    return None if option.default is None and value == 0 else value
