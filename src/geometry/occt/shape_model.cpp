@@ -191,11 +191,14 @@ Answer ShapeModel::volume_contains(int index, const Vec3& point) {
         return refused(Status::BadQuery);
     }
     const auto i = static_cast<std::size_t>(index);
+    // In the part's own coordinates: OpenCASCADE's classifier goes wrong in mirrored and scaled locations.
+    const TopLoc_Location& location = live_.volumes[i].Location();
     if (!classifiers_[i]) {
-        classifiers_[i] = std::make_unique<BRepClass3d_SolidClassifier>(live_.volumes[i]);
+        classifiers_[i] =
+            std::make_unique<BRepClass3d_SolidClassifier>(live_.volumes[i].Located(TopLoc_Location()));
     }
     constexpr double kOn = 1e-7;
-    classifiers_[i]->Perform(to_pnt(point), kOn);
+    classifiers_[i]->Perform(to_pnt(point).Transformed(location.Transformation().Inverted()), kOn);
     const TopAbs_State state = classifiers_[i]->State();
     Answer answer = refused(state == TopAbs_UNKNOWN ? Status::NotFound : Status::Ok);
     answer.side = state == TopAbs_IN ? 1 : (state == TopAbs_ON ? 0 : -1);

@@ -130,6 +130,7 @@ TEST(ShapeModel, HasOutwardNormalsWhereverTheShapeIsPut) {
             const double scale = std::abs(std::pow(trsf.ScaleFactor(), 3.0));
             const auto moved = make_shape_model(located(shape, trsf));
             EXPECT_NEAR(flux_of_rectangles(*moved), volume * scale, 0.02 * volume * scale);
+            expect_normals_outward(*moved);
             const auto transformed = make_shape_model(BRepBuilderAPI_Transform(shape, trsf, Standard_True).Shape());
             EXPECT_NEAR(flux_of_rectangles(*transformed), volume * scale, 0.02 * volume * scale);
             expect_normals_outward(*transformed);
