@@ -289,18 +289,19 @@ int FaceMesher::coarse_side(int t, const Vec3& normal_at_centroid) const {
     return worst < kCosMaxTurn ? longest : -1;
 }
 
-// A long border side is the cause of the trouble itself; otherwise the triangle's longest side is cut.
+// A long border side is the cause of the trouble itself; otherwise the triangle's longest side is cut. Lengths are those
+// in the scaled domain: a side that goes round a periodic face is long, though its ends may be near.
 void FaceMesher::ask_to_split(int t, std::set<std::array<int, 2>>& sides) {
     double length[3];
     for (int i = 0; i < 3; ++i) {
         const int h = 3 * t + i;
-        length[i] = (corner_site(PlanarTriangulation::next(h)).point - corner_site(h).point).norm();
+        length[i] = (tri_->point(tri_->corner(PlanarTriangulation::next(h))) - tri_->point(tri_->corner(h))).norm();
     }
     const double longest = std::max({length[0], length[1], length[2]});
     bool marked = false;
     for (int i = 0; i < 3; ++i) {
         const int label = tri_->label(3 * t + i);
-        if (label >= 0 && length[i] >= 0.5 * longest && length[i] > 2.0 * reach() && !border_.pieces[label].collapsed()) {
+        if (label >= 0 && length[i] >= 0.5 * longest && !border_.pieces[label].collapsed()) {
             mark_piece(label);
             marked = true;
         }
