@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
+# FreeCAD executes this file inside a function: its methods see none of the names defined here.
 import os
 
 import FreeCADGui
 import MeshQuality
 
-_ICONS = os.path.join(
-    os.path.dirname(MeshQuality.__file__), os.pardir, os.pardir, "Resources", "icons")
-
 
 class MeshQualityWorkbench(FreeCADGui.Workbench):
     MenuText = "Mesh Quality"
     ToolTip = "Meshes of CAD shapes with guaranteed quality"
-    Icon = os.path.join(_ICONS, "MeshQuality.svg")
 
     def Initialize(self):
+        import FreeCADGui
         from MeshQuality.gui import commands
 
         FreeCADGui.addIconPath(self.__class__.icons)
@@ -25,5 +23,7 @@ class MeshQualityWorkbench(FreeCADGui.Workbench):
         return "Gui::PythonWorkbench"
 
 
-MeshQualityWorkbench.icons = _ICONS
+MeshQualityWorkbench.icons = os.path.normpath(os.path.join(
+    os.path.dirname(MeshQuality.__file__), os.pardir, os.pardir, "Resources", "icons"))
+MeshQualityWorkbench.Icon = os.path.join(MeshQualityWorkbench.icons, "MeshQuality.svg")
 FreeCADGui.addWorkbench(MeshQualityWorkbench())

@@ -126,7 +126,8 @@ def add(source, values):
                            f"{type(source).__name__}")
     checked = options.check(options.TRIANGULATE, values)
     document = source.Document
-    own_transaction = not document.HasPendingTransaction
+    # A transaction that was opened shows in the document only after its first change.
+    own_transaction = not (document.HasPendingTransaction or FreeCAD.getActiveTransaction())
     if own_transaction:
         document.openTransaction("Quality mesh")
     obj = document.addObject("Mesh::FeaturePython", "QualityMesh")

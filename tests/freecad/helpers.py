@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What several test modules share: parts and checks of properties."""
+
+import os
+import tempfile
+import unittest
+
+import FreeCAD
+import numpy as np
+import Part
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+
+def simple_parts():
+    """{name: solid} of every elementary surface, and one with fused ones."""
+    box = Part.makeBox(10, 20, 30)
+    hole = Part.makeCylinder(3, 40, FreeCAD.Vector(5, 10, -5))
+    boss = Part.makeCylinder(4, 10, FreeCAD.Vector(5, 10, 25))
+    return {
+        "box": box,
+        "cylinder": Part.makeCylinder(5, 10),
+        "sphere": Part.makeSphere(5),
+        "cone": Part.makeCone(5, 0, 10),
+        "frustum": Part.makeCone(5, 2, 10),
+        "torus": Part.makeTorus(10, 3),
+        "fused": box.fuse(boss),
+        "cut": box.cut(hole),
+    }
+
+
+def distances_to_faces(shape, mesh, samples=40):
+    """Distances from some triangles' centroids to the face that each is said to lie on, mm."""
+    count = len(mesh.triangles)
+    chosen = np.unique(np.linspace(0, count - 1, min(samples, count)).astype(int))
+    centroids = mesh.vertices[mesh.triangles[chosen]].mean(axis=1) + mesh.origin
+    return [Part.Vertex(FreeCAD.Vector(*p)).distToShape(shape.Faces[mesh.triangle_face[k]])[0]
+            for k, p in zip(chosen, centroids)]
+
+
+def points_and_facets(mesh):
+    """The arrays of a Mesh.Mesh, read the slow way that shares no code with the product."""
+    points, facets = mesh.Topology
+    return np.array([tuple(p) for p in points]), np.array(facets, dtype=np.int32)
+
+
+class DocumentTest(unittest.TestCase):
+    """A test with a fresh document, undo switched on, and a folder for files."""
+
+    def setUp(self):
+        self.document = FreeCAD.newDocument("Test")
+        self.document.UndoMode = 1
+        self.names = [self.document.Name]
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = holder.name
+
+    def tearDown(self):
+        for name in self.names:
+            if name in FreeCAD.listDocuments():
+                FreeCAD.closeDocument(name)
+
+    def box(self, name="Box", **sizes):
+        obj = self.document.addObject("Part::Box", name)
+        for key, value in sizes.items():
+            setattr(obj, key, value)
+        self.document.recompute()
+        return obj

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""bin/meshquality from outside: status, stdout, stderr, files."""
+
+import json
+import os
+import subprocess
+import unittest
+
+import helpers
+
+import Mesh
+import Part
+
+import MeshQuality as mq
+from MeshQuality import options
+
+COMMAND = os.path.join(helpers.ROOT, "bin", "meshquality")
+
+
+def run(*arguments):
+    """(exit status, stdout, lines of stderr)."""
+    environment = {name: value for name, value in os.environ.items() if name != "MESHQUALITY_JOB"}
+    done = subprocess.run([COMMAND, *map(str, arguments)], stdin=subprocess.DEVNULL, text=True,
+                          capture_output=True, timeout=300, env=environment)
+    return done.returncode, done.stdout, done.stderr.splitlines()
+
+
+class Triangulate(helpers.DocumentTest):
+    def setUp(self):
+        super().setUp()
+        self.shape = Part.makeCylinder(5, 10)
+        self.step = os.path.join(self.folder, "part.step")
+        self.shape.exportStep(self.step)
+
+    def test_json_is_one_object_with_the_report(self):
+        output = os.path.join(self.folder, "part.ply")
+        status, out, err = run("triangulate", self.step, "-o", output, "--json",
+                               "--min-angle", 20, "--chord-height-relative", 0.01)
+        self.assertEqual(status, 0, err)
+        report = json.loads(out)
+        expected = mq.triangulate(Part.read(self.step), min_angle=20, chord_height_relative=0.01)
+        for name in ("triangles", "vertices", "closed", "oriented", "manifold", "min_angle",
+                     "max_angle", "max_chord_height", "angle_histogram", "queries"):
+            self.assertEqual(report[name], getattr(expected.report, name), name)
+        self.assertGreater(report["cpu_seconds"], 0.0)
+        self.assertIsInstance(report["seconds"], dict)
+        self.assertEqual(Mesh.Mesh(output).CountFacets, report["triangles"])
+
+    def test_text_for_people(self):
+        status, out, err = run("triangulate", self.step)
+        self.assertEqual(status, 0, err)
+        self.assertTrue(out.startswith("triangles"), out)
+        self.assertIn("triangles", err[-1])
+
+    def test_every_kind_of_cad_file(self):
+        self.shape.exportBrep(os.path.join(self.folder, "part.brep"))
+        self.shape.exportIges(os.path.join(self.folder, "part.iges"))
+        self.document.addObject("Part::Box", "Box")
+        self.document.addObject("Part::Cylinder", "Cylinder").Label = "my cylinder"
+        self.document.recompute()
+        self.document.saveAs(os.path.join(self.folder, "part.FCStd"))
+        for name, faces in (("part.brep", 3), ("part.iges", 3), ("part.FCStd", 9)):
+            path = os.path.join(self.folder, name)
+            output = os.path.join(self.folder, "part.msh")
+            status, _, err = run("triangulate", path, "-o", output)
+            self.assertEqual(status, 0, err)
+            with open(output, encoding="ascii") as stream:
+                self.assertIn(f"$PhysicalNames\n{faces}\n", stream.read())
+        status, out, err = run("triangulate", path, "--object", "my cylinder", "--json")
+        self.assertEqual((status, json.loads(out)["components"]), (0, 1), err)
+
+    def test_bad_input_ends_with_2_and_says_why(self):
+        junk = os.path.join(self.folder, "junk.step")
+        with open(junk, "w", encoding="ascii") as stream:
+            stream.write("no STEP file\n")
+        wire = os.path.join(self.folder, "wire.brep")
+        Part.makeLine((0, 0, 0), (1, 0, 0)).exportBrep(wire)
+        for arguments, word in (
+                ((), "COMMAND"),
+                (("triangulate",), "input"),
+                (("triangulate", self.step, "--min-angle", "foo"), "--min-angle"),
+                (("triangulate", self.step, "--min-angle", "50"), "34 degrees"),
+                (("triangulate", self.step, "--min-angle", "nan"), "nan"),
+                (("triangulate", os.path.join(self.folder, "none.step")), "none.step"),
+                (("triangulate", self.folder + "/part.xyz"), "part.xyz"),
+                (("triangulate", junk), "junk.step"),
+                (("triangulate", wire), "no faces"),
+                (("triangulate", self.step, "-o", "/nowhere/x.ply"), "/nowhere"),
+                (("triangulate", self.step, "-o", self.folder + "/x.step"), "x.step"),
+                (("quality", self.step), "part.step")):
+            with self.subTest(arguments):
+                status, out, err = run(*arguments)
+                self.assertEqual((status, out), (2, ""))
+                self.assertIn(word, err[-1])
+
+    def test_failure_with_json_is_an_object_too(self):
+        status, out, err = run("triangulate", self.step, "--json", "--min-angle", "50")
+        self.assertEqual(status, 2)
+        self.assertIn(json.loads(out)["error"], err[-1])
+
+
+class Quality(helpers.DocumentTest):
+    def test_a_mesh_with_a_hole(self):
+        mesh = Mesh.createBox(1, 2, 3)
+        mesh.removeFacets([0])
+        path = os.path.join(self.folder, "open.stl")
+        mesh.write(path)
+        status, out, err = run("quality", path, "--json")
+        report = json.loads(out)
+        self.assertEqual(status, 0, err)
+        self.assertFalse(report["closed"])
+        self.assertEqual(report["border_edges"], 3)
+        self.assertEqual(report["triangles"], 11)
+
+
+class Help(unittest.TestCase):
+    def test_every_option_is_there(self):
+        status, out, _ = run("triangulate", "--help")
+        self.assertEqual(status, 0)
+        for option in options.TRIANGULATE:
+            self.assertIn(option.flag, out)
+        self.assertEqual(run("--help")[0], 0)

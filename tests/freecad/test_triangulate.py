@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""mq.triangulate: properties of the mesh, options, progress and cancel."""
+
+import gc
+import math
+import time
+import unittest
+
+import FreeCAD
+import helpers
+import numpy as np
+import Part
+
+import MeshQuality as mq
+
+
+class SimpleParts(unittest.TestCase):
+    def check(self, shape, **options):
+        mesh = mq.triangulate(shape, **options)
+        report = mesh.report
+        self.assertTrue(report.closed and report.oriented and report.manifold, str(report))
+        self.assertGreaterEqual(report.min_angle_unexempted, options.get("min_angle", 25.0))
+        self.assertEqual(report.triangles, len(mesh.triangles))
+        self.assertEqual(report.vertices, len(mesh.vertices))
+        self.assertTrue(np.array_equal(mesh.vertices, mesh.vertices.astype(np.float32)))
+        self.assertGreater(report.volume, 0.0)
+        return mesh
+
+    def test_every_elementary_surface(self):
+        for name, shape in helpers.simple_parts().items():
+            with self.subTest(name):
+                mesh = self.check(shape, chord_height_relative=0.01)
+                size = max(shape.BoundBox.XLength, shape.BoundBox.YLength, shape.BoundBox.ZLength)
+                self.assertLessEqual(mesh.report.max_chord_height, 0.01 * size)
+                self.assertLess(abs(mesh.report.volume / shape.Volume - 1.0), 0.05)
+                self.assertEqual(sorted(set(mesh.triangle_face.tolist())),
+                                 list(range(len(shape.Faces))))
+                self.assertLessEqual(max(helpers.distances_to_faces(shape, mesh)), 0.01 * size)
+
+    def test_a_box_needs_no_more_than_its_corners_ask_for(self):
+        shape = Part.makeBox(10, 10, 10)
+        mesh = self.check(shape)
+        self.assertAlmostEqual(mesh.report.volume, 1000.0, places=6)
+        self.assertEqual(mesh.report.euler, 2)
+
+    def test_every_vertex_lies_on_its_entity(self):
+        shape = helpers.simple_parts()["cut"]
+        mesh = self.check(shape)
+        lists = (shape.Vertexes, shape.Edges, shape.Faces)
+        for point, (dimension, index) in list(zip(mesh.vertices, mesh.vertex_entity))[::5]:
+            vertex = Part.Vertex(FreeCAD.Vector(*(point + mesh.origin)))
+            self.assertLess(vertex.distToShape(lists[dimension][index])[0], 1e-4)
+
+    def test_finer_chord_height_gives_a_closer_mesh(self):
+        shape = Part.makeTorus(10, 3)
+        coarse = self.check(shape, chord_height=0.2)
+        fine = self.check(shape, chord_height=0.05)
+        self.assertLess(fine.report.max_chord_height, 0.05)
+        self.assertGreater(len(fine.triangles), len(coarse.triangles))
+        self.assertLess(abs(fine.report.volume - shape.Volume),
+                        abs(coarse.report.volume - shape.Volume))
+
+    def test_max_edge_bounds_the_edges(self):
+        mesh = self.check(Part.makeBox(10, 10, 10), max_edge=2.0)
+        corners = mesh.vertices[mesh.triangles]
+        edges = corners - np.roll(corners, 1, axis=1)
+        self.assertLessEqual(np.linalg.norm(edges, axis=2).max(), 2.0)
+
+    def test_same_input_same_bytes(self):
+        shape = helpers.simple_parts()["fused"]
+        first, second = (mq.triangulate(shape, chord_height=0.1) for _ in range(2))
+        self.assertEqual(first.vertices.tobytes(), second.vertices.tobytes())
+        self.assertEqual(first.triangles.tobytes(), second.triangles.tobytes())
+
+    def test_far_from_the_origin_nothing_is_lost(self):
+        shape = Part.makeCylinder(5, 10, FreeCAD.Vector(1e6, 0, 0))
+        mesh = self.check(shape, chord_height=0.05)
+        self.assertTrue(mesh.origin.any())
+        self.assertLess(np.abs(mesh.vertices).max(), 1000.0)
+        self.assertLess(abs(mesh.report.volume / shape.Volume - 1.0), 0.05)
+        self.assertAlmostEqual(mesh.to_mesh().BoundBox.Center.x, 1e6, delta=1.0)
+
+    def test_open_faces_give_an_open_mesh(self):
+        mesh = mq.triangulate(Part.makePlane(10, 10))
+        self.assertFalse(mesh.report.closed)
+        self.assertTrue(mesh.report.oriented and mesh.report.manifold)
+        self.assertAlmostEqual(mesh.report.area, 100.0, places=6)
+
+
+class Views(unittest.TestCase):
+    def test_types_shapes_and_lifetime(self):
+        mesh = mq.triangulate(Part.makeBox(1, 2, 3))
+        expected = {"vertices": (np.float64, 2, 3), "triangles": (np.int32, 2, 3),
+                    "triangle_face": (np.int32, 1, None), "vertex_entity": (np.int32, 2, 2),
+                    "origin": (np.float64, 1, None)}
+        for name, (dtype, dimensions, width) in expected.items():
+            array = getattr(mesh, name)
+            self.assertEqual(array.dtype, dtype)
+            self.assertEqual(array.ndim, dimensions)
+            if width:
+                self.assertEqual(array.shape[1], width)
+            with self.assertRaises(ValueError):
+                array[0] = 1
+        again = mesh.vertices
+        self.assertTrue(np.shares_memory(again, mesh.vertices), "a view, not a copy")
+        before = again.copy()
+        del mesh
+        gc.collect()
+        junk = [np.ones(10000) for _ in range(100)]
+        self.assertTrue(np.array_equal(again, before), f"{len(junk)}")
+
+    def test_report_reads_well(self):
+        report = mq.triangulate(Part.makeBox(1, 2, 3)).report
+        self.assertIsInstance(report, mq.MeshReport)
+        text = str(report)
+        for word in ("triangles", "closed", "angles", "chord height"):
+            self.assertIn(word, text)
+        self.assertEqual(sum(report.angle_histogram), report.triangles)
+        self.assertTrue(all(isinstance(s, float) for s in report.seconds.values()))
+
+
+class Options(unittest.TestCase):
+    def refused(self, *words, **options):
+        with self.assertRaises(mq.Error) as caught:
+            mq.triangulate(Part.makeBox(1, 1, 1), **options)
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+        return caught.exception
+
+    def test_numbers_out_of_range_are_named(self):
+        for name in ("min_angle", "chord_height", "chord_height_relative", "max_edge", "min_edge"):
+            for value in (math.nan, math.inf, -1.0, 0.0, 0, "25", [1], True, 1j):
+                error = self.refused(name, repr(value)[:2], "must be", **{name: value})
+                self.assertIsInstance(error, mq.InvalidInput)
+        self.refused("min_angle", "35", "34 degrees", min_angle=35)
+        self.refused("chord_height_relative", "at most 1", chord_height_relative=1.5)
+
+    def test_none_is_no_bound_but_not_an_angle(self):
+        self.refused("min_angle", "None", min_angle=None)
+        mq.triangulate(Part.makeBox(1, 1, 1), chord_height=None, max_edge=None, max_triangles=None)
+
+    def test_whole_numbers(self):
+        for value in (0, -5, 2.5, "3"):
+            self.refused("max_triangles", max_triangles=value)
+
+    def test_options_that_exclude_each_other(self):
+        self.refused("chord_height", "chord_height_relative",
+                     chord_height=1.0, chord_height_relative=0.1)
+        self.refused("min_edge", "max_edge", min_edge=2.0, max_edge=1.0)
+
+    def test_methods(self):
+        for method in ("star", "sprinkle"):
+            self.refused(method, "not available yet", method=method)
+        self.refused("method", "'foo'", "refine", method="foo")
+        with self.assertRaises(TypeError):
+            mq.triangulate(Part.makeBox(1, 1, 1), min_angel=3)
+
+    def test_numpy_numbers_and_quantities(self):
+        for angle in (np.float32(20), np.int64(20), FreeCAD.Units.Quantity("20 deg")):
+            mesh = mq.triangulate(Part.makeBox(1, 1, 1), min_angle=angle)
+            self.assertEqual(mesh.report.min_angle_asked, 20.0)
+        self.refused("min_angle", "20", min_angle=FreeCAD.Units.Quantity("20 mm"))
+
+
+class ProgressAndCancel(unittest.TestCase):
+    LONG = {"min_angle": 30.0, "chord_height": 1e-5}
+
+    def test_progress_rises_from_0_to_1(self):
+        seen = []
+        mq.triangulate(Part.makeTorus(10, 3), chord_height=0.01,
+                       progress=lambda fraction, stage: seen.append((fraction, stage)))
+        fractions = [fraction for fraction, _ in seen]
+        self.assertEqual(fractions[0], 0.0)
+        self.assertEqual(fractions[-1], 1.0)
+        self.assertTrue(all(isinstance(stage, str) for _, stage in seen))
+        self.assertEqual(fractions, sorted(fractions))
+
+    def test_false_cancels_at_once(self):
+        refused = []
+
+        def progress(fraction, stage):
+            if time.monotonic() - start < 0.3:
+                return None
+            refused.append(time.monotonic())
+            return False
+
+        start = time.monotonic()
+        with self.assertRaises(mq.Cancelled):
+            mq.triangulate(Part.makeTorus(10, 3), progress=progress, **self.LONG)
+        self.assertEqual(len(refused), 1)
+        self.assertLess(time.monotonic() - refused[0], 1.0)
+
+    def test_cancel_before_the_start(self):
+        with self.assertRaises(mq.Cancelled):
+            mq.triangulate(Part.makeBox(1, 1, 1), progress=lambda fraction, stage: False)
+
+    def test_what_the_callback_raises_comes_out(self):
+        def progress(fraction, stage):
+            if fraction > 0.0:
+                raise KeyError("mine")
+
+        start = time.monotonic()
+        with self.assertRaisesRegex(KeyError, "mine"):
+            mq.triangulate(Part.makeTorus(10, 3), progress=progress, **self.LONG)
+        self.assertLess(time.monotonic() - start, 20.0)
+
+    def test_the_next_call_works_after_a_cancel(self):
+        self.test_cancel_before_the_start()
+        self.assertTrue(mq.triangulate(Part.makeBox(1, 1, 1)).report.closed)
+
+    def test_progress_must_be_callable(self):
+        with self.assertRaisesRegex(mq.InvalidInput, "progress"):
+            mq.triangulate(Part.makeBox(1, 1, 1), progress=3)
