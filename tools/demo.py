@@ -19,12 +19,12 @@ import picture  # noqa: E402
 import MeshQuality as mq  # noqa: E402
 
 OUT = Path(os.environ.get("MESHQUALITY_OUT", ROOT / "out"))
-STEP_PART = "Idf/Idflibs/CAP_50SGV_8_10.stp"
+STEP_PART = "Idf/Idflibs/SOT428_DPAK.stp"
 OPTIONS = {"min_angle": 25.0, "chord_height_relative": 0.001}
 
 
 def installed_step_part():
-    """A capacitor of FreeCAD's own library of electronic parts."""
+    """A transistor housing of FreeCAD's own library of electronic parts."""
     roots = [FreeCAD.getResourceDir(), FreeCAD.getHomePath()]
     for root in roots:
         path = Path(root) / "Mod" / STEP_PART
@@ -40,7 +40,7 @@ def make_sources(document):
     document.recompute()
     read = [o for o in document.Objects if o not in before and hasattr(o, "Shape")]
     largest = max(read, key=lambda o: len(o.Shape.Faces))
-    largest.Label = "Capacitor"
+    largest.Label = "DPAK"
     bracket = document.addObject("Part::Feature", "Bracket")
     bracket.Shape = parts.bracket()
     return [largest, bracket]
