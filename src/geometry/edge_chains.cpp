@@ -10,7 +10,7 @@ namespace mq::geometry {
 
 namespace {
 
-constexpr double kMaxTurn = 0.7854;  // 45 degrees between the tangents of one piece
+constexpr double kMaxTurn = 0.5236;  // 30 degrees between the tangents of one piece
 constexpr int kMaxDepth = 14;
 // Vertices closer than this many grid steps would fall together or make triangles without a direction.
 constexpr double kMinSteps = 16.0;

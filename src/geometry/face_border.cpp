@@ -46,8 +46,8 @@ Vec2 metric_scale(Session& session, int face) {
     return mean.cwiseMax(Vec2::Constant(floor));
 }
 
-std::vector<Run> collect_runs(Session& session, const EdgeChains& chains, int face, std::vector<std::size_t>& loop_end,
-                              std::string& failure) {
+std::vector<Run> collect_runs(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face,
+                              std::vector<std::size_t>& loop_end, FaceBorder& border, std::string& failure) {
     const Topology& topology = session.topology();
     std::vector<Run> runs;
     Engine::Batch batch;
@@ -81,6 +81,9 @@ std::vector<Run> collect_runs(Session& session, const EdgeChains& chains, int fa
             site.uv = Vec2(answer.u, answer.v);
             site.normal = answer.normal;
             site.point = chains.vertices()[site.vertex].point;
+            if (!run.collapsed && answer.found()) {
+                border.deviation = std::max(border.deviation, (grid.to_part(site.point) - answer.point).norm());
+            }
         }
     }
     return runs;
@@ -170,7 +173,7 @@ FaceBorder face_border(Session& session, const EdgeChains& chains, const SingleG
     border.scale = metric_scale(session, face);
     border.plane = std::string(topology.faces[face].surface) == "plane";
     std::vector<std::size_t> loop_end;
-    const std::vector<Run> runs = collect_runs(session, chains, face, loop_end, failure);
+    const std::vector<Run> runs = collect_runs(session, chains, grid, face, loop_end, border, failure);
     if (!failure.empty()) {
         return border;
     }

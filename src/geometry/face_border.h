@@ -22,6 +22,7 @@ struct FaceBorder {
     std::vector<Piece> pieces;
     Vec2 scale = Vec2::Ones();  ///< mm per unit of u and of v, on average
     bool plane = false;
+    double deviation = 0.0;  ///< largest distance between an edge's own curve and its curve on the face, mm
 
     Vec2 scaled(const Vec2& uv) const { return uv.cwiseProduct(scale); }
     Vec2 unscaled(const Vec2& xy) const { return xy.cwiseQuotient(scale); }

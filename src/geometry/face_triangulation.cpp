@@ -16,17 +16,21 @@ using Site = FaceTriangulation::Site;
 using Link = FaceTriangulation::Link;
 using Corners = std::array<int, 3>;
 
-// A triangle is coarse when normals at its corners, at its centroid and its own differ by more: 50 degrees leave room
-// below the 60 degrees that the refinement relies on (Aftosmis 1999, section 3.2: surface within reach of its mesh).
-const double kCosMaxTurn = std::cos(50.0 * M_PI / 180.0);
+// A triangle is coarse when normals at its corners, at its centroid and its own differ by more: 35 degrees leave room
+// below the 60 degrees that the refinement relies on.
+const double kCosMaxTurn = std::cos(35.0 * M_PI / 180.0);
+// At the apex of a cone every triangle turns, however small; it only must not fold.
+const double kCosMaxTurnAtApex = std::cos(70.0 * M_PI / 180.0);
+constexpr double kMinDeviations = 20.0;
+constexpr double kMinPart = 1e-4;
 constexpr int kMaxRounds = 40;
 constexpr int kMaxSites = 40000;
 constexpr double kMinSteps = 16.0;  // as for edges: shorter sides have no direction on the grid
 
 class FaceMesher {
   public:
-    FaceMesher(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face)
-        : session_(session), chains_(chains), grid_(grid), face_(face) {}
+    FaceMesher(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face, bool border_may_change)
+        : session_(session), chains_(chains), grid_(grid), face_(face), border_may_change_(border_may_change) {}
 
     FaceTriangulation run();
 
@@ -34,7 +38,8 @@ class FaceMesher {
     bool insert_border();
     bool add_constraint(int piece);
     void mark_piece(int piece);
-    void mark_around(int site_vertex);
+    void mark_around(int planar_vertex);
+    void wish_halved(int piece);
     void find_inside();
     void check_halving();
     bool refine_round();
@@ -56,6 +61,7 @@ class FaceMesher {
     const EdgeChains& chains_;
     const SingleGrid& grid_;
     int face_;
+    bool border_may_change_;  // to make triangles follow the surface, not only to keep the border from crossing itself
     FaceBorder border_;
     std::unique_ptr<PlanarTriangulation> tri_;
     std::vector<int> planar_of_;             // site -> vertex of the planar triangulation
@@ -63,6 +69,7 @@ class FaceMesher {
     std::vector<std::vector<int>> overlaps_; // further pieces on the edge of a piece: the other side of a slit
     std::vector<char> inside_;
     std::set<Corners> fine_;                 // triangles that passed the test once
+    double smallest_ = 0.0;  // triangles smaller than this need not follow the surface: it may fold itself
     FaceTriangulation result_;
 };
 
@@ -99,6 +106,17 @@ void FaceMesher::mark_piece(int piece) {
     }
 }
 
+// Where the curves of an edge differ within its tolerance, shorter pieces follow the surface no better.
+void FaceMesher::wish_halved(int piece) {
+    const FaceBorder::Piece& p = border_.pieces[piece];
+    if (!border_may_change_ || p.collapsed()) {
+        return;
+    }
+    if ((result_.sites[p.to].point - result_.sites[p.from].point).norm() > kMinDeviations * border_.deviation) {
+        mark_piece(piece);
+    }
+}
+
 void FaceMesher::mark_around(int planar_vertex) {
     for (int k = 0; k < static_cast<int>(border_.pieces.size()); ++k) {
         const FaceBorder::Piece& p = border_.pieces[k];
@@ -120,6 +138,8 @@ bool FaceMesher::insert_border() {
         return false;
     }
     tri_ = std::make_unique<PlanarTriangulation>(low, high);
+    smallest_ = std::max({2.0 * reach(), kMinDeviations * border_.deviation,
+                          kMinPart * (high - low).norm()});
     result_.sites = border_.sites;
     site_of_.assign(PlanarTriangulation::kFrame, -1);
     for (int s = 0; s < static_cast<int>(result_.sites.size()); ++s) {
@@ -247,7 +267,7 @@ void FaceMesher::check_halving() {
             const Vec2& to = tri_->point(tri_->corner(PlanarTriangulation::next(side)));
             const Vec2& apex = tri_->point(tri_->corner(PlanarTriangulation::prev(side)));
             if (orient2d(apex, from, middle) <= 0 || orient2d(to, apex, middle) <= 0) {
-                mark_piece(pieces[i]);
+                wish_halved(pieces[i]);
             }
         }
     }
@@ -272,7 +292,7 @@ int FaceMesher::coarse_side(int t, const Vec3& normal_at_centroid) const {
             longest = i;
         }
     }
-    if (border_.plane || sides[longest].norm() < 2.0 * reach()) {
+    if (border_.plane || sides[longest].norm() < smallest_) {
         return -1;
     }
     Vec3 own = sides[0].cross(sides[1]);
@@ -281,12 +301,15 @@ int FaceMesher::coarse_side(int t, const Vec3& normal_at_centroid) const {
     }
     own.normalize();
     double worst = own.dot(normal_at_centroid);
+    bool singular = false;
     for (const Site* corner : s) {
         if (corner->normal.squaredNorm() > 0.0) {
             worst = std::min({worst, own.dot(corner->normal), normal_at_centroid.dot(corner->normal)});
+        } else {
+            singular = true;
         }
     }
-    return worst < kCosMaxTurn ? longest : -1;
+    return worst < (singular ? kCosMaxTurnAtApex : kCosMaxTurn) ? longest : -1;
 }
 
 // A long border side is the cause of the trouble itself; otherwise the triangle's longest side is cut. Lengths are those
@@ -302,7 +325,7 @@ void FaceMesher::ask_to_split(int t, std::set<std::array<int, 2>>& sides) {
     for (int i = 0; i < 3; ++i) {
         const int label = tri_->label(3 * t + i);
         if (label >= 0 && length[i] >= 0.5 * longest && !border_.pieces[label].collapsed()) {
-            mark_piece(label);
+            wish_halved(label);
             marked = true;
         }
     }
@@ -491,8 +514,9 @@ void FaceMesher::turn_outward() {
 
 }  // namespace
 
-FaceTriangulation triangulate_face(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face) {
-    return FaceMesher(session, chains, grid, face).run();
+FaceTriangulation triangulate_face(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face,
+                                   bool border_may_change) {
+    return FaceMesher(session, chains, grid, face, border_may_change).run();
 }
 
 }  // namespace mq::geometry

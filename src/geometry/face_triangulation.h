@@ -41,6 +41,9 @@ struct FaceTriangulation {
 };
 
 /// Triangulates a face over the present chains. When `marks` is not empty in the result, halve them and call again.
-FaceTriangulation triangulate_face(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face);
+/// With `border_may_change` pieces are marked also where triangles turn away from the surface; without it only where
+/// the border cannot be triangulated otherwise.
+FaceTriangulation triangulate_face(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face,
+                                   bool border_may_change);
 
 }  // namespace mq::geometry

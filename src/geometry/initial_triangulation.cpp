@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/initial_triangulation.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace mq::geometry {
@@ -9,6 +10,8 @@ namespace {
 
 // Every round halves the pieces that stand in some face's way. A gap of 1e-6 of an edge takes twenty rounds.
 constexpr int kMaxRounds = 24;
+// Rounds in which faces may ask for shorter pieces to follow their surface; later ones only untangle borders.
+constexpr int kShapingRounds = 8;
 
 std::vector<int> faces_of(const Topology& topology, const std::set<int>& edges) {
     std::set<int> faces;
@@ -33,11 +36,18 @@ InitialTriangulation triangulate_initially(Session& session, const SingleGrid& g
         for (std::size_t i = 0; i < open.size(); ++i) {
             progress.check();
             FaceTriangulation& face = result.faces[open[i]];
-            face = triangulate_face(session, result.chains, grid, open[i]);
+            face = triangulate_face(session, result.chains, grid, open[i], round < kShapingRounds);
             marks.insert(face.marks.begin(), face.marks.end());
             progress.advance((round + static_cast<double>(i) / open.size()) / (round + 2.0));
         }
         open = faces_of(topology, result.chains.halve(session, marks));
+        if (round + 1 == kShapingRounds) {  // wishes that could not be granted do not count from now on
+            for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
+                if (!result.faces[f].marks.empty() && std::find(open.begin(), open.end(), f) == open.end()) {
+                    open.push_back(f);
+                }
+            }
+        }
     }
     for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
         FaceTriangulation& face = result.faces[f];

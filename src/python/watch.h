@@ -17,8 +17,8 @@ class Watcher {
   public:
     Watcher(Progress& progress, pybind11::object callback) : progress_(progress), callback_(std::move(callback)) {}
 
-    /// With the GIL: looks for Ctrl-C, and calls back when something changed. What is raised cancels the work and is
-    /// kept for `rethrow`.
+    /// With the GIL: looks for Ctrl-C, and calls back when something changed or some time has passed, since the answer
+    /// is the caller's only way to cancel. What is raised cancels the work and is kept for `rethrow`.
     void look() {
         if (progress_.cancelled()) {
             return;
@@ -34,9 +34,13 @@ class Watcher {
         }
     }
     void report(double fraction, const char* stage) {
-        if (callback_.is_none() || (stage_ != nullptr && fraction == fraction_ && std::strcmp(stage, stage_) == 0)) {
+        constexpr std::chrono::milliseconds kLongestSilence(100);
+        const auto now = std::chrono::steady_clock::now();
+        const bool same = stage_ != nullptr && fraction == fraction_ && std::strcmp(stage, stage_) == 0;
+        if (callback_.is_none() || (same && now - called_ < kLongestSilence)) {
             return;
         }
+        called_ = now;
         fraction_ = fraction;
         stage_ = stage;
         if (callback_(fraction, stage).is(pybind11::bool_(false))) {
@@ -52,6 +56,7 @@ class Watcher {
   private:
     Progress& progress_;
     pybind11::object callback_;
+    std::chrono::steady_clock::time_point called_;
     double fraction_ = -1.0;
     const char* stage_ = nullptr;
     std::exception_ptr raised_;

@@ -186,9 +186,8 @@ void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>
     if (!p || work_.mesh.stamp(h / 3) != site.stamp || work_.mesh.twin(h) < 0) {
         return;
     }
-    const std::vector<int> encroached = encroached_segments(work_.mesh, h / 3, p->point);
     bool split_segment = false;
-    for (const int s : encroached) {
+    for (const int s : look_around(work_.mesh, h / 3, p->point).encroached) {
         if (!segments_.refused(s)) {
             segments_.request(s);
             split_segment = true;

@@ -17,12 +17,17 @@ double alignment(const Corner& a, const Corner& b, const Corner& c) {
         return -1.0;
     }
     double worst = 1.0;
+    bool singular = false;
     for (const Corner* corner : {&a, &b, &c}) {
         if (corner->normal.squaredNorm() > 0.0) {
             worst = std::min(worst, normal.dot(corner->normal) / length);
+        } else {
+            singular = true;
         }
     }
-    return worst;
+    // Around the apex of a slender cone there is room for four triangles of 25 degrees or fewer, so each of them has to
+    // turn far away from the surface at its other corners.
+    return singular && worst > kAlignedAtApex ? std::max(worst, kAlignedSwap) : worst;
 }
 
 double alignment(const mesh::SurfaceMesh& mesh, int triangle) {

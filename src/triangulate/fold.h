@@ -22,5 +22,8 @@ double alignment(const mesh::SurfaceMesh& mesh, int triangle);
 
 /// A new triangle must lie within 60 degrees of its surface, unless those that it replaces were worse.
 constexpr double kAligned = 0.5;
+/// A swap must leave room below that for the vertices to come: 40 degrees.
+constexpr double kAlignedSwap = 0.766;
+constexpr double kAlignedAtApex = 0.1;
 
 }  // namespace mq::triangulate

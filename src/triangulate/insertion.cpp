@@ -112,6 +112,13 @@ std::optional<Candidate> paper_site(const SurfaceMesh& mesh, int triangle, int& 
     return weighted_site(mesh, SurfaceMesh::triangle_of(mesh.twin(opposite)), {{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}});
 }
 
+Candidate circumcentre_site(const SurfaceMesh& mesh, int triangle) {
+    const int h = 3 * triangle;
+    Candidate c = weighted_site(mesh, triangle, circumcentre(mesh.point_of(h), mesh.point_of(h + 1), mesh.point_of(h + 2)));
+    c.reach = std::max(c.reach, (c.point - mesh.point_of(h)).norm());
+    return c;
+}
+
 Candidate edge_middle_site(const SurfaceMesh& mesh, int h) {
     Weights w{{0.0, 0.0, 0.0}};
     w.w[h % 3] = 0.5;
@@ -162,16 +169,17 @@ Location locate(const SurfaceMesh& mesh, int triangle, const SurfacePoint& p) {
     return {};
 }
 
-std::vector<int> encroached_segments(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
-    std::vector<int> result;
+Surroundings look_around(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
+    Surroundings result;
     std::vector<int> queue{triangle};
     std::set<int> seen{triangle};
     for (std::size_t i = 0; i < queue.size() && queue.size() < kMaxVisit; ++i) {
         for (int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
             const int s = mesh.segment_of(h);
+            result.nearest = std::min(result.nearest, (mesh.point_of(h) - p).norm());
             if (s >= 0) {
                 if (encroached(mesh.point_of(h), mesh.point_of(SurfaceMesh::next(h)), p)) {
-                    result.push_back(s);
+                    result.encroached.push_back(s);
                 }
                 continue;
             }

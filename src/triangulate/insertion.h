@@ -20,6 +20,8 @@ struct Candidate {
 /// centroid of the triangle across the edge opposite the obtuse angle. No value when that edge is a segment, which
 /// is then `blocking_segment`.
 std::optional<Candidate> paper_site(const mesh::SurfaceMesh& mesh, int triangle, int& blocking_segment);
+/// The circumcentre of a triangle, obtuse or not. It may fall into another triangle: see `locate`.
+Candidate circumcentre_site(const mesh::SurfaceMesh& mesh, int triangle);
 /// The middle of the edge of `h`.
 Candidate edge_middle_site(const mesh::SurfaceMesh& mesh, int h);
 
@@ -42,8 +44,12 @@ struct Location {
 /// Walks from `triangle`. Never crosses a segment.
 Location locate(const mesh::SurfaceMesh& mesh, int triangle, const SurfacePoint& p);
 
-/// The segments that p would encroach upon, among those that it can see from where it falls.
-std::vector<int> encroached_segments(const mesh::SurfaceMesh& mesh, int triangle, const Vec3& p);
+/// What a new vertex at p would meet: found in the triangles around `triangle` whose circumspheres hold p.
+struct Surroundings {
+    std::vector<int> encroached;  ///< segments with p in their diametral sphere, among those that p can see
+    double nearest = 1e300;       ///< distance to the nearest vertex
+};
+Surroundings look_around(const mesh::SurfaceMesh& mesh, int triangle, const Vec3& p);
 
 /// Puts a vertex where `place` says and restores the maxmin property. Changes nothing, and says why, when it would lie
 /// too close to a neighbour or fold the mesh. Changed triangles are appended to `touched`.

@@ -16,6 +16,8 @@ using mesh::SurfaceMesh;
 constexpr std::size_t kMaxRound = 512;
 constexpr std::size_t kPartOfQueue = 8;
 constexpr int kMaxRetries = 3;
+constexpr int kMaxShrinks = 6;
+constexpr double kMaxShrink = 0.35;
 
 }  // namespace
 
@@ -115,7 +117,7 @@ std::vector<Refiner::Job> Refiner::take_jobs() {
         }
         int segment = -1;
         if (const auto site = paper_site(work_.mesh, bad.triangle, segment)) {
-            jobs.push_back({bad, *site, false});
+            jobs.push_back({bad, *site, 0});
         } else {
             handle_blocked(bad, segment);
         }
@@ -137,8 +139,7 @@ bool Refiner::narrow_corner(const Bad& bad) {
 // The obtuse angle faces a segment, so its corner encroaches upon it. The triangle changes when the segment is split.
 void Refiner::handle_blocked(const Bad& bad, int segment) {
     if (!split_instead(bad, {segment})) {
-        Job job{bad, edge_middle_site(work_.mesh, longest_edge(bad.triangle)), true};
-        give_up(job, Cause::Fold);
+        give_up({bad, {}, 2}, Cause::Fold);
     }
 }
 
@@ -177,29 +178,59 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
         give_up(job, Cause::Fold);
         return;
     }
-    const std::vector<int> encroached = encroached_segments(work_.mesh, place.triangle, p->point);
-    if (!encroached.empty()) {
-        if (split_instead(job.bad, encroached)) {
-            return;
-        }
+    const Surroundings around = look_around(work_.mesh, place.triangle, p->point);
+    if (!around.encroached.empty() && split_instead(job.bad, around.encroached)) {
+        return;
     }
+    if (around.nearest < work_.shortest_allowed()) {
+        give_up(job, work_.too_short());
+        return;
+    }
+    int shrinks = 0;
+    if (crowded(job.bad.triangle, around.nearest, shrinks)) {
+        give_up(job, Cause::Crowded);
+        return;
+    }
+    const int vertices = work_.mesh.vertex_count();
     if (const auto refused = insert_vertex(work_, place, *p, touched_)) {
         give_up(job, *refused);
         return;
     }
+    remember_shrinks(vertices, shrinks);
     if (work_.mesh.stamp(job.bad.triangle) == job.bad.stamp) {  // the site fell elsewhere; try again
         touched_.push_back(job.bad.triangle);
     }
 }
 
+// In a Delaunay triangulation a circumcentre is at least 1 / (2 sin 25) = 1.18 shortest edges away from every vertex.
+// Here that can fail, by the paper's rule for obtuse triangles and by the surface's curvature, and edges would shrink
+// from one insertion to the next. So that this ends, a vertex has a limited number of such steps in its ancestry.
+bool Refiner::crowded(int triangle, double nearest, int& shrinks) const {
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const std::size_t v = work_.mesh.vertex_of(h);
+        shrinks = std::max<int>(shrinks, v < work_.shrinks.size() ? work_.shrinks[v] : 0);
+    }
+    const double shortest = shortest_edge(triangle);
+    if (nearest >= shortest) {
+        return false;
+    }
+    ++shrinks;
+    return shrinks > kMaxShrinks || nearest < kMaxShrink * shortest;
+}
+
+void Refiner::remember_shrinks(int first_vertex, int shrinks) {
+    work_.shrinks.resize(work_.mesh.vertex_count(), 0);
+    std::fill(work_.shrinks.begin() + first_vertex, work_.shrinks.end(), static_cast<std::uint8_t>(shrinks));
+}
+
 void Refiner::give_up(const Job& job, Cause cause) {
     const int h = longest_edge(job.bad.triangle);
     const int segment = work_.mesh.segment_of(h);
-    if (!job.fallback && segment < 0) {
-        again_.push_back({job.bad, edge_middle_site(work_.mesh, h), true});
-    } else if (!job.fallback && split_instead(job.bad, {segment})) {
-        return;
-    } else {
+    if (job.attempt == 0) {
+        again_.push_back({job.bad, circumcentre_site(work_.mesh, job.bad.triangle), 1});
+    } else if (job.attempt == 1 && segment < 0) {
+        again_.push_back({job.bad, edge_middle_site(work_.mesh, h), 2});
+    } else if (job.attempt != 1 || !split_instead(job.bad, {segment})) {
         exempt(job.bad, cause, -1, segment);
     }
 }

@@ -33,7 +33,7 @@ class Refiner {
     struct Job {
         Bad bad;
         Candidate candidate;
-        bool fallback = false;  // the paper's site was refused: the middle of the longest edge
+        int attempt = 0;  // the paper's site; when it is refused the circumcentre, then the middle of the longest edge
     };
 
     void push_if_bad(int triangle);
@@ -44,6 +44,8 @@ class Refiner {
     void work_on(const Job& job, const std::optional<SurfacePoint>& p);
     bool split_instead(const Bad& bad, const std::vector<int>& segments);
     void give_up(const Job& job, Cause cause);
+    bool crowded(int triangle, double nearest, int& shrinks) const;
+    void remember_shrinks(int first_vertex, int shrinks);
     void exempt(const Bad& bad, Cause cause, int vertex = -1, int segment = -1);
     bool narrow_corner(const Bad& bad);
     bool retry_exempted();

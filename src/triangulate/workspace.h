@@ -21,6 +21,7 @@ enum class Cause {
     NarrowCluster,  ///< splitting further would shrink edges towards a narrow corner for ever
     Resolution,     ///< a further vertex would lie closer than single precision tells apart
     MinEdge,        ///< a further vertex would make an edge shorter than min_edge
+    Crowded,        ///< a further vertex would lie closer to another one than the triangle's shortest edge
     Fold,           ///< a further vertex would fold the mesh over the surface
     NoSurfacePoint, ///< the engine finds no point of the surface there
     Budget,         ///< max_triangles is reached
@@ -44,6 +45,7 @@ struct Workspace {
     double min_edge = 0.0;      ///< as asked; 0: none
     std::size_t budget = 0;     ///< triangles
     std::vector<int> depth{};   ///< per segment: how often its CAD edge was halved to get here
+    std::vector<std::uint8_t> shrinks{};  ///< per vertex: insertions in its ancestry that made edges shorter
     std::map<int, Exemption> exempt{};  ///< by triangle
 
     bool over_budget() const { return static_cast<std::size_t>(mesh.triangle_count()) >= budget; }

@@ -195,47 +195,66 @@ std::optional<Vec3> FaceEvaluator::normal_beside(const Vec2& uv, const Vec2& asi
     return Vec3((2.0 * *near - *far).normalized());
 }
 
+/// The parameter that moves nothing at a pole: 0 for u, 1 for v, -1 where (u, v) is no pole. A derivative that vanishes
+/// alone makes none: the points along it may still differ.
+int FaceEvaluator::pole_parameter(const Vec2& uv) const {
+    constexpr double kPoint = 1e-6;
+    const Vec3 here = first(uv.x(), uv.y()).point;
+    for (int i = 0; i < 2; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        double reach = 0.0;
+        for (const double part : {0.0, 0.3, 0.6, 1.0}) {
+            Vec2 other = uv;
+            other[i] = trimmed_.low[k] + part * (trimmed_.high[k] - trimmed_.low[k]);
+            reach = std::max(reach, (first(other.x(), other.y()).point - here).norm());
+        }
+        if (reach <= kPoint * size_) {
+            return i;
+        }
+    }
+    return -1;
+}
+
 /// The normal that all points round a singular one tend to, if they agree: at the pole of a sphere, not at an apex.
-std::optional<Vec3> FaceEvaluator::limit_normal(double u, double v, const SurfacePoint& s) const {
+std::optional<Vec3> FaceEvaluator::limit_normal(double u, double v) const {
     constexpr double kAside = 1e-3;
     constexpr double kAgreement = 0.98;
+    const Vec2 here(u, v);
     const Vec2 size(trimmed_.high[0] - trimmed_.low[0], trimmed_.high[1] - trimmed_.low[1]);
     const Vec2 middle(0.5 * (trimmed_.low[0] + trimmed_.high[0]), 0.5 * (trimmed_.low[1] + trimmed_.high[1]));
     Vec2 inward = kAside * size;
     for (Eigen::Index i = 0; i < 2; ++i) {
-        inward[i] *= (i == 0 ? u : v) > middle[i] ? -1.0 : 1.0;
+        inward[i] *= here[i] > middle[i] ? -1.0 : 1.0;
     }
-    const bool u_collapsed = s.su.norm() <= kSingular * su_;
-    const bool v_collapsed = s.sv.norm() <= kSingular * sv_;
+    const int pole = pole_parameter(here);
     std::vector<std::optional<Vec3>> around;
-    if (u_collapsed && !v_collapsed) {
+    if (pole >= 0) {
+        Vec2 aside = inward;
+        aside[pole] = 0.0;
         for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-            around.push_back(normal_beside(Vec2(trimmed_.low[0] + part * size.x(), v), Vec2(0.0, inward.y())));
+            Vec2 turned = here;
+            turned[pole] = trimmed_.low[static_cast<std::size_t>(pole)] + part * size[pole];
+            around.push_back(normal_beside(turned, aside));
         }
-        around.push_back(normal_beside(Vec2(u, v), Vec2(0.0, inward.y())));
-    } else if (v_collapsed && !u_collapsed) {
-        for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-            around.push_back(normal_beside(Vec2(u, trimmed_.low[1] + part * size.y()), Vec2(inward.x(), 0.0)));
-        }
-        around.push_back(normal_beside(Vec2(u, v), Vec2(inward.x(), 0.0)));
+        around.push_back(normal_beside(here, aside));
     } else {
-        around.push_back(normal_beside(Vec2(u, v), Vec2(inward.x(), 0.0)));
-        around.push_back(normal_beside(Vec2(u, v), Vec2(0.0, inward.y())));
-        around.push_back(normal_beside(Vec2(u, v), inward));
+        around.push_back(normal_beside(here, Vec2(inward.x(), 0.0)));
+        around.push_back(normal_beside(here, Vec2(0.0, inward.y())));
+        around.push_back(normal_beside(here, inward));
     }
-    const std::optional<Vec3> here = around.back();
+    const std::optional<Vec3> limit = around.back();
     for (const auto& n : around) {
-        if (here && n && n->dot(*here) < kAgreement) {
+        if (limit && n && n->dot(*limit) < kAgreement) {
             return std::nullopt;
         }
     }
-    return here;
+    return limit;
 }
 
 void FaceEvaluator::set_normal(double u, double v, const SurfacePoint& s, Answer& answer) const {
     std::optional<Vec3> n = regular_normal(s);
     if (!n) {
-        n = limit_normal(u, v, s);
+        n = limit_normal(u, v);
     }
     answer.status = n ? Status::Ok : Status::Singular;
     if (!n) {

@@ -55,7 +55,8 @@ class FaceEvaluator {
     SurfacePoint placed(SurfacePoint s) const;
     Vec3 local(const Vec3& point) const;
     std::optional<Vec3> regular_normal(const SurfacePoint& s) const;
-    std::optional<Vec3> limit_normal(double u, double v, const SurfacePoint& s) const;
+    int pole_parameter(const Vec2& uv) const;
+    std::optional<Vec3> limit_normal(double u, double v) const;
     std::optional<Vec3> normal_beside(const Vec2& uv, const Vec2& aside) const;
     void set_normal(double u, double v, const SurfacePoint& s, Answer& answer) const;
     Answer at(double u, double v) const;

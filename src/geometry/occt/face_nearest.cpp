@@ -229,20 +229,27 @@ std::vector<std::pair<double, Vec2>> FaceEvaluator::best_samples(const Vec3& p) 
     return found;
 }
 
-/// Round a pole, where a search does not know which way to turn: the best of the points just beside it.
+/// Round a pole, where a search does not know which way to turn: the best of the points just beside it. Where a
+/// derivative vanishes without a pole, a point further in.
 Vec2 FaceEvaluator::beside_pole(const Vec3& p, const Vec2& pole) const {
     constexpr int kTurns = 24;
-    const SurfacePoint s = first(pole.x(), pole.y());
-    const Eigen::Index around = s.su.norm() * sv_ < s.sv.norm() * su_ ? 0 : 1;
+    constexpr double kAside = 0.1;
+    Vec2 inward;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        const double cell = (trimmed_.high[i] - trimmed_.low[i]) / samples_[i];
+        inward[k] = pole[k] > 0.5 * (trimmed_.low[i] + trimmed_.high[i]) ? -kAside * cell : kAside * cell;
+    }
+    const int around = pole_parameter(pole);
+    if (around < 0) {
+        return pole + inward;
+    }
     const auto a = static_cast<std::size_t>(around);
-    const double cell = (trimmed_.high[1 - a] - trimmed_.low[1 - a]) / samples_[1 - a];
-    const bool at_high = pole[1 - around] > 0.5 * (trimmed_.low[1 - a] + trimmed_.high[1 - a]);
     Vec2 best = pole;
     double least = kInfinity;
     for (int i = 0; i <= kTurns; ++i) {
-        Vec2 uv = pole;
+        Vec2 uv = pole + inward;
         uv[around] = trimmed_.low[a] + i * (trimmed_.high[a] - trimmed_.low[a]) / kTurns;
-        uv[1 - around] += 0.1 * (at_high ? -cell : cell);
         const double square = (first(uv.x(), uv.y()).point - p).squaredNorm();
         if (square < least) {
             least = square;

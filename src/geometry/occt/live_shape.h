@@ -37,7 +37,7 @@ Topology build_topology(const TopoDS_Shape& shape, LiveShape& live);
 std::array<double, 2> periods_of(const GeomAdaptor_Surface& surface, double tolerance);
 
 /// What OpenCASCADE's own checks find, one line each, with the entity's name.
-std::vector<std::string> kernel_faults(const TopoDS_Shape& shape);
+std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology);
 
 /// Bounds the shape, whether or not a display triangulation hangs on it.
 Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology);

@@ -5,6 +5,8 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepCheck_ListOfStatus.hxx>
 #include <BRepCheck_Result.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -161,12 +163,28 @@ class FaultList {
     std::vector<std::string> faults_;
 };
 
+/// Solids whose faces look inward. The check of the shape takes them for holes in infinite space.
+void add_inverted_solids(const LiveShape& live, const Topology& topology, std::vector<std::string>& faults) {
+    for (std::size_t i = 0; i < live.volumes.size(); ++i) {
+        if (topology.volumes[i].kind != Volume::Kind::Solid) {
+            continue;
+        }
+        BRepClass3d_SolidClassifier classifier(live.volumes[i].Located(TopLoc_Location()));
+        classifier.PerformInfinitePoint(Precision::Confusion());
+        if (classifier.State() == TopAbs_IN) {
+            faults.push_back("Solid" + std::to_string(i + 1) + ": is turned inside out");
+        }
+    }
+}
+
 }  // namespace
 
-std::vector<std::string> kernel_faults(const TopoDS_Shape& shape) {
+std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology) {
     try {
         const BRepCheck_Analyzer analyzer(shape);
-        return FaultList(shape, analyzer).collect();
+        std::vector<std::string> faults = FaultList(shape, analyzer).collect();
+        add_inverted_solids(live, topology, faults);
+        return faults;
     } catch (const Standard_Failure& failure) {
         const char* text = failure.GetMessageString();
         return {std::string("OpenCASCADE's check of the shape ended with an exception: ") +

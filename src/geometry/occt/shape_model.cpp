@@ -56,7 +56,7 @@ class ShapeModel final : public Model {
 ShapeModel::ShapeModel(const TopoDS_Shape& shape) {
     topology_ = build_topology(shape, live_);
     topology_.box = bounding_box(shape, live_, topology_);
-    const std::vector<std::string> faults = kernel_faults(shape);
+    const std::vector<std::string> faults = kernel_faults(shape, live_, topology_);
     topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());
     edges_.resize(live_.edges.size());
     faces_.resize(live_.faces.size());

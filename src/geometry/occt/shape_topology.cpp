@@ -52,6 +52,29 @@ const char* surface_name(GeomAbs_SurfaceType type) {
     return "other";
 }
 
+/// The surface is a line or a point within the tolerance, as at the sharp end of some wings.
+bool has_no_area(const GeomAdaptor_Surface& surface, const Face& face) {
+    constexpr int kCells = 4;
+    const double du = face.high[0] - face.low[0];
+    const double dv = face.high[1] - face.low[1];
+    double area = 0.0;
+    double length = 0.0;
+    for (int i = 0; i <= kCells; ++i) {
+        for (int k = 0; k <= kCells; ++k) {
+            // Never quite on the border, where curves may have overshot the surface.
+            const double a = 0.01 + 0.98 * i / kCells;
+            const double b = 0.01 + 0.98 * k / kCells;
+            gp_Pnt p;
+            gp_Vec su;
+            gp_Vec sv;
+            surface.D1(face.low[0] + a * du, face.low[1] + b * dv, p, su, sv);
+            area = std::max(area, su.Crossed(sv).Magnitude() * du * dv);
+            length = std::max(length, std::max(su.Magnitude() * du, sv.Magnitude() * dv));
+        }
+    }
+    return area <= Precision::Confusion() * length;
+}
+
 bool bounds_a_face(const TopoDS_Shape& edge) {
     return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
 }
@@ -173,6 +196,9 @@ void TopologyBuilder::add_face(int index) {
     }
     if (data.loops.empty()) {
         fault(Entity{2, index}, "has no wire");
+    }
+    if (has_no_area(adaptor, data)) {
+        fault(Entity{2, index}, "has no area");
     }
     const double bounds = std::max(std::max(std::abs(data.low[0]), std::abs(data.high[0])),
                                    std::max(std::abs(data.low[1]), std::abs(data.high[1])));
