@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -11,15 +12,12 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <Geom_CylindricalSurface.hxx>
-#include <GeomConvert.hxx>
-#include <Geom_RectangularTrimmedSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <Poly_Triangulation.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
-#include <TopoDS_Iterator.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
 
@@ -187,22 +185,22 @@ TEST(ShapeModel, TurnsReversedShapesInsideOut) {
         EXPECT_NE(plain->topology().faces[static_cast<std::size_t>(f)].reversed,
                   reversed->topology().faces[static_cast<std::size_t>(f)].reversed);
     }
+    EXPECT_TRUE(plain->topology().faults.empty());
+    EXPECT_EQ(reversed->topology().faults, std::vector<std::string>{"Solid1: is turned inside out"});
     for (std::size_t i = 0; i < plain->topology().uses.size(); ++i) {
         EXPECT_EQ(plain->topology().uses[i].forward, reversed->topology().uses[i].forward);
     }
 }
 
-/// A box cut in two by a plane: the cut is one face, that one solid sees from its other side.
+/// Two boxes side by side: the face between them is one, that one solid sees from its other side.
 TEST(ShapeModel, SharesTheFaceBetweenTwoSolids) {
-    const TopoDS_Shape plane = BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0.4, 0.0, 0.0), gp_Dir(1.0, 0.0, 0.0)), -5.0,
-                                                       5.0, -5.0, 5.0).Shape();
-    BRepAlgoAPI_BuilderAlgo cut;
+    BRepAlgoAPI_BuilderAlgo fuse;
     TopTools_ListOfShape arguments;
     arguments.Append(BRepPrimAPI_MakeBox(gp_Pnt(0.0, 0.0, 0.0), gp_Pnt(1.0, 2.0, 3.0)).Shape());
     arguments.Append(BRepPrimAPI_MakeBox(gp_Pnt(1.0, 0.0, 0.0), gp_Pnt(2.0, 2.0, 3.0)).Shape());
-    cut.SetArguments(arguments);
-    cut.Build();
-    const auto model = make_shape_model(cut.Shape());
+    fuse.SetArguments(arguments);
+    fuse.Build();
+    const auto model = make_shape_model(fuse.Shape());
     const Topology& topology = model->topology();
     EXPECT_EQ(topology.faces.size(), 11u);
     ASSERT_EQ(topology.volumes.size(), 2u);
@@ -322,6 +320,40 @@ TEST(ShapeModel, NamesWhatTheKernelFinds) {
         named = named || fault.find("self-intersecting wire") != std::string::npos;
     }
     EXPECT_TRUE(named);
+}
+
+/// The first two rows of poles coincide: Su vanishes all along u = 0.
+TopoDS_Face patch_of(const gp_Pnt& a, const gp_Pnt& b, const gp_Pnt& c, const gp_Pnt& d) {
+    TColgp_Array2OfPnt poles(1, 3, 1, 3);
+    const gp_Pnt rows[3][2] = {{a, b}, {a, b}, {c, d}};
+    for (int i = 0; i < 3; ++i) {
+        poles(i + 1, 1) = rows[i][0];
+        poles(i + 1, 2) = gp_Pnt(0.5 * (rows[i][0].XYZ() + rows[i][1].XYZ()));
+        poles(i + 1, 3) = rows[i][1];
+    }
+    return BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Face();
+}
+
+TEST(ShapeModel, NamesFacesWithoutArea) {
+    const gp_Pnt a(0.0, 0.0, 0.0);
+    const gp_Pnt b(4.0, 0.0, 0.0);
+    const auto model = make_shape_model(compound({box123(), patch_of(a, b, a, b)}));
+    const auto& faults = model->topology().faults;
+    EXPECT_NE(std::find(faults.begin(), faults.end(), "Face7: has no area"), faults.end());
+}
+
+/// Su vanishes on the whole border, which is no pole: the normal is the limit from inside, point by point.
+TEST(ShapeModel, HasNormalsWhereADerivativeVanishes) {
+    const auto model = make_shape_model(patch_of({0.0, 0.0, 0.0}, {0.0, 4.0, 0.0}, {2.0, 0.0, 1.0}, {2.0, 4.0, 3.0}));
+    for (const double v : {0.0, 0.3, 1.0}) {
+        const Answer answer = model->answer(Query::face_point(0, 0.0, v));
+        ASSERT_EQ(answer.status, Status::Ok) << v;
+        const Vec3 expected = Vec3(2.0, 0.0, 1.0 + 2.0 * v).cross(Vec3::UnitY()).normalized();
+        EXPECT_LT((answer.normal - expected).norm(), 1e-4) << v;
+        const Answer foot = model->answer(Query::face_nearest(0, Vec3(0.5, 1.0, 0.3), 0.0, v));
+        EXPECT_NEAR(foot.distance, model->answer(Query::face_nearest_global(0, Vec3(0.5, 1.0, 0.3))).distance, 1e-9);
+        EXPECT_GT(foot.u, 0.1);
+    }
 }
 
 TEST(ShapeModel, LeavesTheShapeAndItsDisplayAlone) {
