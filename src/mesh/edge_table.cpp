@@ -8,8 +8,7 @@
 
 namespace mq::mesh {
 
-EdgeTable::EdgeTable(const std::vector<Triangle>& triangles, std::size_t vertex_count)
-    : begin_(vertex_count + 1, 0) {
+EdgeTable::EdgeTable(const std::vector<Triangle>& triangles, std::size_t vertex_count) : begin_(vertex_count + 1, 0) {
     for (const Triangle& t : triangles) {
         if (!collapsed(t)) {
             for (int i = 0; i < 3; ++i) {

@@ -18,8 +18,8 @@ namespace {
 
 using Writer = std::string (*)(const TriangleMesh&);
 
-constexpr std::array<std::pair<const char*, Writer>, 6> kWriters{{
-    {".stl", to_stl}, {".ply", to_ply}, {".obj", to_obj}, {".off", to_off}, {".msh", to_msh}, {".vtu", to_vtu}}};
+constexpr std::array<std::pair<const char*, Writer>, 6> kWriters{
+    {{".stl", to_stl}, {".ply", to_ply}, {".obj", to_obj}, {".off", to_off}, {".msh", to_msh}, {".vtu", to_vtu}}};
 
 std::string extension_of(const std::string& path) {
     const std::size_t dot = path.find_last_of("./\\");

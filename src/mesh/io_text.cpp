@@ -28,8 +28,12 @@ void append_triangle(std::string& out, const Triangle& t, int first) {
 
 }  // namespace
 
-void append_number(std::string& out, double value) { append_chars(out, value); }
-void append_number(std::string& out, long long value) { append_chars(out, value); }
+void append_number(std::string& out, double value) {
+    append_chars(out, value);
+}
+void append_number(std::string& out, long long value) {
+    append_chars(out, value);
+}
 
 void append_point_text(std::string& out, const Vec3& p) {
     for (int i = 0; i < 3; ++i) {
@@ -158,8 +162,8 @@ std::string to_msh(const TriangleMesh& mesh) {
     begin("Elements", mesh.triangles.size());
     constexpr const char* kThreeNodeTriangle = "2";
     for (const auto& [tag, surface] : surfaces) {
-        out += "2 " + std::to_string(tag) + " " + kThreeNodeTriangle + " " +
-               std::to_string(surface.triangles.size()) + "\n";
+        out += "2 " + std::to_string(tag) + " " + kThreeNodeTriangle + " " + std::to_string(surface.triangles.size()) +
+               "\n";
         for (const std::int32_t k : surface.triangles) {
             append_number(out, static_cast<long long>(k) + 1);
             append_triangle(out, mesh.triangles[k], 1);

@@ -51,8 +51,8 @@ std::string points_array(const TriangleMesh& mesh) {
             append_point<double>(bytes, p + mesh.origin);
         }
     }
-    return data_array(single ? "type=\"Float32\" NumberOfComponents=\"3\"" : "type=\"Float64\" NumberOfComponents=\"3\"",
-                      bytes);
+    return data_array(
+        single ? "type=\"Float32\" NumberOfComponents=\"3\"" : "type=\"Float64\" NumberOfComponents=\"3\"", bytes);
 }
 
 std::string cells(const TriangleMesh& mesh) {

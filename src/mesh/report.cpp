@@ -2,7 +2,6 @@
 #include "mesh/report.h"
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -47,9 +46,7 @@ struct Shape {
 };
 
 bool exactly_collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto flat = [&](int x, int y) {
-        return orient2d(Vec2(a[x], a[y]), Vec2(b[x], b[y]), Vec2(c[x], c[y])) == 0;
-    };
+    const auto flat = [&](int x, int y) { return orient2d(Vec2(a[x], a[y]), Vec2(b[x], b[y]), Vec2(c[x], c[y])) == 0; };
     return flat(0, 1) && flat(1, 2) && flat(2, 0);
 }
 
@@ -165,8 +162,8 @@ void measure_topology(const TriangleMesh& mesh, MeshReport& report) {
             ++report.border_edges;
             return;
         }
-        const auto forward = std::count_if(
-            first, last, [&](std::uint32_t c) { return mesh.triangles[c / 3][c % 3] == low; });
+        const auto forward =
+            std::count_if(first, last, [&](std::uint32_t c) { return mesh.triangles[c / 3][c % 3] == low; });
         report.nonmanifold_edges += count > 2;
         report.misoriented_edges += count != 2 || forward != 1;
         report.duplicate_triangles += duplicates_at(mesh, high, first, last, opposite);
@@ -234,7 +231,8 @@ std::string work_text(const MeshReport& r) {
     }
     if (total > 0.0 || r.queries > 0) {
         text = line("time         %.3f s (%.3f s of processor), %llu geometry queries", total, r.cpu_seconds,
-                    static_cast<unsigned long long>(r.queries)) + text;
+                    static_cast<unsigned long long>(r.queries)) +
+               text;
     }
     return text;
 }
@@ -258,8 +256,7 @@ MeshReport measure(const TriangleMesh& mesh) {
     measure_topology(mesh, report);
     report.closed = !mesh.triangles.empty() && report.border_edges == 0;
     report.oriented = report.misoriented_edges == 0;
-    report.manifold =
-        report.nonmanifold_edges == 0 && report.pinched_vertices == 0 && report.degenerate_triangles == 0;
+    report.manifold = report.nonmanifold_edges == 0 && report.pinched_vertices == 0 && report.degenerate_triangles == 0;
     report.volume = report.closed ? signed_volume(mesh, local.center()) : 0.0;
     return report;
 }

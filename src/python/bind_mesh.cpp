@@ -44,9 +44,10 @@ py::array point(const Vec3& p) {
 }
 
 /// Any mesh given as arrays; the origin stays zero. Checks everything that indexing relies on.
-SurfacePointer surface_from_arrays(const py::array_t<double, py::array::c_style | py::array::forcecast>& vertices,
-                                   const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>& triangles,
-                                   const py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>& faces) {
+SurfacePointer surface_from_arrays(
+    const py::array_t<double, py::array::c_style | py::array::forcecast>& vertices,
+    const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>& triangles,
+    const py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>& faces) {
     const auto rows = [](const py::array& array, const char* name) {
         if (array.size() != 0 && (array.ndim() != 2 || array.shape(1) != 3)) {
             throw InvalidInput(std::string(name) + " must be an array of shape (n, 3)");
@@ -131,8 +132,7 @@ void bind_report(py::module_& m) {
         .def_readonly("cpu_seconds", &MeshReport::cpu_seconds)
         .def_readonly("queries", &MeshReport::queries, "queries to the geometry engine")
         .def_readonly("predicates", &MeshReport::predicates)
-        .def_readonly("exact_predicates", &MeshReport::exact_predicates,
-                      "predicates that needed exact arithmetic")
+        .def_readonly("exact_predicates", &MeshReport::exact_predicates, "predicates that needed exact arithmetic")
         .def("__str__", &mesh::to_text);
 }
 
@@ -164,8 +164,9 @@ void bind_mesh(py::module_& m) {
                                })
         .def_property_readonly("origin", [](const Surface& self) { return point(self.mesh.origin); })
         .def_readonly("report", &Surface::report)
-        .def("write", [](const Surface& self, const std::string& path) { mesh::write(self.mesh, path); },
-             py::arg("path"), py::call_guard<py::gil_scoped_release>())
+        .def(
+            "write", [](const Surface& self, const std::string& path) { mesh::write(self.mesh, path); },
+            py::arg("path"), py::call_guard<py::gil_scoped_release>())
         .def("to_bms", [](const Surface& self) { return py::bytes(mesh::to_bms(self.mesh)); });
     m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
           py::arg("triangle_face") = py::array_t<std::int32_t>(0), "A measured Surface of arrays (V, 3) and (T, 3).");

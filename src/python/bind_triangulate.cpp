@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "geometry/occt/brep_text.h"
+#include "geometry/occt/shape_distance.h"
 #include "geometry/occt/shape_model.h"
+#include "mesh/samples.h"
 #include "python/bindings.h"
 #include "python/engine.h"
 #include "python/part_shape.h"
@@ -26,9 +28,7 @@ constexpr const char* kCopied =
 /// Wall-clock and processor seconds since it was made. Processor time is the whole process's: the work has threads.
 class Stopwatch {
   public:
-    double wall() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
+    double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
     double cpu() const { return static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC; }
 
   private:
@@ -54,6 +54,16 @@ std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& 
     });
 }
 
+mesh::MeshReport measure_against(const Result& surface, const PartShape& part, const py::object& progress) {
+    return watch(progress, [&](Progress& handle) {
+        mesh::MeshReport report = surface.report;
+        handle.stage("measuring the distance", 0.0, 1.0);
+        report.max_chord_height =
+            geometry::largest_distance_to_faces(*part.shape, mesh::deviation_samples(surface.mesh), &handle);
+        return report;
+    });
+}
+
 py::tuple shape_identity(const py::object& shape, bool copy) {
     const geometry::ShapeIdentity identity = geometry::identity_of(*part_shape(shape, copy).shape);
     return py::make_tuple(identity.tshape, identity.hash);
@@ -73,6 +83,8 @@ void bind_triangulate(py::module_& m) {
         .def_readwrite("allow_missing_faces", &Options::allow_missing_faces);
     m.def("triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),
           "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel.");
+    m.def("measure_against", &measure_against, py::arg("surface"), py::arg("shape"), py::arg("progress") = py::none(),
+          "The surface's report with its largest distance to the faces of a Part.Shape.");
     m.def("shape_identity", &shape_identity, py::arg("shape"), py::arg("copy") = false,
           "(address of the TShape, hash) of a Part.Shape as the core sees it; copy=True: of its copy by BREP text.");
 }

@@ -11,9 +11,9 @@ namespace mq::python {
 
 /// A Part.Shape as the core sees it.
 struct PartShape {
-    const TopoDS_Shape* shape = nullptr;  ///< shares its TShape with the document's shape when `live`
-    bool live = true;                     ///< false: a copy that came as BREP text
-    pybind11::object proxy;               ///< keeps a live shape alive
+    const TopoDS_Shape* shape = nullptr;       ///< shares its TShape with the document's shape when `live`
+    bool live = true;                          ///< false: a copy that came as BREP text
+    pybind11::object proxy;                    ///< keeps a live shape alive
     std::shared_ptr<const TopoDS_Shape> copy;  ///< keeps a copy alive
 };
 

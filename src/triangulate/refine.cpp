@@ -145,21 +145,30 @@ void Refiner::handle_blocked(const Bad& bad, int segment) {
 
 bool Refiner::split_instead(const Bad& bad, const std::vector<int>& segments) {
     bool any = false;
-    int corner = -1;
     for (const int s : segments) {
-        if (!segments_.refused(s) && segments_.may_split_for(s, shortest_edge(bad.triangle), corner)) {
+        if (!segments_.refused(s) && !segments_.frozen(s)) {
             segments_.request(s);
             any = true;
         }
-    }
-    if (!any && corner >= 0) {
-        exempt(bad, Cause::NarrowCluster, corner, segments.front());
-        return true;
     }
     if (any) {  // the triangle may still be there afterwards
         touched_.push_back(bad.triangle);
     }
     return any;
+}
+
+// A site that encroaches only upon segments that cannot be split may still be taken, unless it would make a triangle
+// with too large an angle over one of them.
+bool Refiner::too_flat(const Bad& bad, const std::vector<int>& segments, const Vec3& p) {
+    for (const int s : segments) {
+        int corner = -1;
+        if (segments_.in_lens(s, p)) {
+            const Cause cause = segments_.frozen(s, &corner) ? Cause::NarrowCluster : work_.too_short();
+            exempt(bad, cause, corner, s);
+            return true;
+        }
+    }
+    return false;
 }
 
 void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
@@ -179,7 +188,7 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
         return;
     }
     const Surroundings around = look_around(work_.mesh, place.triangle, p->point);
-    if (!around.encroached.empty() && split_instead(job.bad, around.encroached)) {
+    if (split_instead(job.bad, around.encroached) || too_flat(job.bad, around.encroached, p->point)) {
         return;
     }
     if (around.nearest < work_.shortest_allowed()) {
@@ -231,7 +240,11 @@ void Refiner::give_up(const Job& job, Cause cause) {
     } else if (job.attempt == 1 && segment < 0) {
         again_.push_back({job.bad, edge_middle_site(work_.mesh, h), 2});
     } else if (job.attempt != 1 || !split_instead(job.bad, {segment})) {
-        exempt(job.bad, cause, -1, segment);
+        int corner = -1;
+        if (segment >= 0 && segments_.frozen(segment, &corner)) {
+            cause = Cause::NarrowCluster;
+        }
+        exempt(job.bad, cause, corner, segment);
     }
 }
 

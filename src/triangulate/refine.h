@@ -43,6 +43,7 @@ class Refiner {
     void handle_blocked(const Bad& bad, int segment);
     void work_on(const Job& job, const std::optional<SurfacePoint>& p);
     bool split_instead(const Bad& bad, const std::vector<int>& segments);
+    bool too_flat(const Bad& bad, const std::vector<int>& segments, const Vec3& p);
     void give_up(const Job& job, Cause cause);
     bool crowded(int triangle, double nearest, int& shrinks) const;
     void remember_shrinks(int first_vertex, int shrinks);

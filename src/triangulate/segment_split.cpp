@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "base/predicates.h"
 #include "triangulate/corner_angle.h"
@@ -18,10 +20,53 @@ using mesh::SurfaceMesh;
 
 constexpr double kAcute = M_PI / 2.0;
 constexpr double kNarrow = M_PI / 3.0;
-// Shells that a narrow corner may always have, before the question of termination is asked at all.
-constexpr int kFreeShells = 5;
+// The innermost shell is this much smaller than the distance to the nearest thing that is not part of the corner.
+constexpr double kRoom = 0.25;
 
 }  // namespace
+
+SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work) {
+    measure_room();
+}
+
+// For every CAD node: the nearest vertex of S_C on a CAD edge or node that is not part of the edges meeting in it, and
+// the shortest piece that leaves it.
+void SegmentSplitter::measure_room() {
+    const SurfaceMesh& mesh = work_.mesh;
+    const int n = mesh.vertex_count();
+    innermost_.assign(n, 0.0);
+    std::map<int, std::set<int>> edges_at;
+    std::map<int, double> room;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        for (int end = 0; end < 2 && !mesh.segment(s).uses.empty(); ++end) {
+            const int v = mesh.segment(s).vertices[end];
+            if (narrowest_corner(mesh, s, end).angle < kAcute) {
+                room.emplace(v, 1e300);
+            }
+            edges_at[v].insert(mesh.segment(s).edge);
+        }
+    }
+    for (auto& [node, radius] : room) {
+        const std::set<int>& own = edges_at[node];
+        for (int v = 0; v < n; ++v) {
+            const auto& entity = mesh.vertex(v).entity;
+            const bool counts = entity[0] == 0 ? v != node : entity[0] == 1 && own.count(entity[1]) == 0;
+            if (counts) {
+                radius = std::min(radius, (mesh.vertex(v).point - mesh.vertex(node).point).norm());
+            }
+        }
+    }
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        for (const int v : mesh.segment(s).vertices) {
+            if (const auto found = room.find(v); found != room.end()) {
+                found->second = std::min(found->second, chord(s));
+            }
+        }
+    }
+    for (const auto& [node, radius] : room) {
+        innermost_[node] = kRoom * radius;
+    }
+}
 
 double SegmentSplitter::chord(int segment) const {
     const auto& v = work_.mesh.segment(segment).vertices;
@@ -48,26 +93,30 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
     return {end, std::exp2(std::round(std::log2(0.5 * chord(segment))))};
 }
 
-bool SegmentSplitter::may_split_for(int segment, double shortest_edge, int& corner_vertex) const {
-    if (work_.depth[segment] < kFreeShells) {
-        return true;
-    }
+bool SegmentSplitter::frozen(int segment, int* corner_vertex) const {
     for (int end = 0; end < 2; ++end) {
-        const NarrowCorner corner = narrowest_corner(work_.mesh, segment, end);
-        if (corner.angle < kNarrow) {
-            const double across = 2.0 * shell_of(segment).radius * std::sin(0.5 * corner.angle);
-            if (across < shortest_edge) {
-                corner_vertex = work_.mesh.segment(segment).vertices[end];
-                return false;
+        const int v = work_.mesh.segment(segment).vertices[end];
+        if (v < static_cast<int>(innermost_.size()) && chord(segment) <= innermost_[v] &&
+            narrowest_corner(work_.mesh, segment, end).angle < kNarrow) {
+            if (corner_vertex != nullptr) {
+                *corner_vertex = v;
             }
+            return true;
         }
     }
-    return true;
+    return false;
+}
+
+bool SegmentSplitter::in_lens(int segment, const Vec3& p) const {
+    const auto& v = work_.mesh.segment(segment).vertices;
+    const Vec3 a = work_.mesh.vertex(v[0]).point - p;
+    const Vec3 b = work_.mesh.vertex(v[1]).point - p;
+    return a.dot(b) < -0.5 * a.norm() * b.norm();
 }
 
 void SegmentSplitter::request(int segment) {
     waiting_.resize(std::max<std::size_t>(waiting_.size(), work_.mesh.segment_count()), 0);
-    if (!waiting_[segment] && !refused(segment)) {
+    if (!waiting_[segment] && !refused(segment) && !frozen(segment)) {
         waiting_[segment] = 1;
         pending_.push_back(segment);
     }

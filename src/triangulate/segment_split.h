@@ -13,13 +13,18 @@ namespace mq::triangulate {
 /// encroach on each other.
 class SegmentSplitter {
   public:
-    explicit SegmentSplitter(Workspace& work) : work_(work) {}
+    /// Before anything was refined: measures how much room there is around every CAD node.
+    explicit SegmentSplitter(Workspace& work);
 
     /// Φ_encroached for the apexes of the triangles beside the segment.
     bool encroached(int segment) const;
-    /// May a triangle whose shortest edge has this length cause the segment to be split? Not when the split would
-    /// make a shorter edge across a narrow corner: that could go on for ever (Shewchuk 2002, "terminator").
-    bool may_split_for(int segment, double shortest_edge, int& corner_vertex) const;
+    /// The innermost piece of a CAD edge at a narrow corner is not split any more once it is short against everything
+    /// else around the corner. Pieces on one shell could go on to encroach on each other through their neighbours for
+    /// ever (the cascade that Shewchuk 2002 calls the terminator's problem); an innermost shell ends it, and leaves one
+    /// triangle in the corner with the angle that the part has there. `corner_vertex` is the corner's node.
+    bool frozen(int segment, int* corner_vertex = nullptr) const;
+    /// p lies so near the segment that its angle over it is above 120 degrees.
+    bool in_lens(int segment, const Vec3& p) const;
 
     void request(int segment);
     /// Splits all that were requested and all that become encroached by it, in batches. Changed triangles are
@@ -42,7 +47,10 @@ class SegmentSplitter {
     void request_encroached_around(const std::vector<int>& triangles);
     void refuse(int segment);
 
+    void measure_room();
+
     Workspace& work_;
+    std::vector<double> innermost_;  // per vertex: radius of the innermost shell at a CAD node
     std::vector<int> pending_;
     std::vector<char> waiting_;  // per segment
     std::vector<char> refused_;

@@ -17,82 +17,55 @@ namespace mq::geometry {
 
 namespace {
 
+/// In the words of FreeCAD's check of a geometry.
+struct Wording {
+    BRepCheck_Status status;
+    const char* text;
+};
+constexpr Wording kWordings[] = {
+    {BRepCheck_InvalidPointOnCurve, "invalid point on curve"},
+    {BRepCheck_InvalidPointOnCurveOnSurface, "invalid point on curve on surface"},
+    {BRepCheck_InvalidPointOnSurface, "invalid point on surface"},
+    {BRepCheck_No3DCurve, "no 3D curve"},
+    {BRepCheck_Multiple3DCurve, "multiple 3D curves"},
+    {BRepCheck_Invalid3DCurve, "invalid 3D curve"},
+    {BRepCheck_NoCurveOnSurface, "no curve on surface"},
+    {BRepCheck_InvalidCurveOnSurface, "invalid curve on surface"},
+    {BRepCheck_InvalidCurveOnClosedSurface, "invalid curve on closed surface"},
+    {BRepCheck_InvalidSameRangeFlag, "invalid same-range flag"},
+    {BRepCheck_InvalidSameParameterFlag, "invalid same-parameter flag"},
+    {BRepCheck_InvalidDegeneratedFlag, "invalid degenerated flag"},
+    {BRepCheck_FreeEdge, "free edge"},
+    {BRepCheck_InvalidMultiConnexity, "invalid multi-connexity"},
+    {BRepCheck_InvalidRange, "invalid range"},
+    {BRepCheck_EmptyWire, "empty wire"},
+    {BRepCheck_RedundantEdge, "redundant edge"},
+    {BRepCheck_SelfIntersectingWire, "self-intersecting wire"},
+    {BRepCheck_NoSurface, "no surface"},
+    {BRepCheck_InvalidWire, "invalid wire"},
+    {BRepCheck_RedundantWire, "redundant wire"},
+    {BRepCheck_IntersectingWires, "intersecting wires"},
+    {BRepCheck_InvalidImbricationOfWires, "invalid imbrication of wires"},
+    {BRepCheck_EmptyShell, "empty shell"},
+    {BRepCheck_RedundantFace, "redundant face"},
+    {BRepCheck_InvalidImbricationOfShells, "invalid imbrication of shells"},
+    {BRepCheck_UnorientableShape, "unorientable shape"},
+    {BRepCheck_NotClosed, "not closed"},
+    {BRepCheck_NotConnected, "not connected"},
+    {BRepCheck_SubshapeNotInShape, "sub-shape not in shape"},
+    {BRepCheck_BadOrientation, "bad orientation"},
+    {BRepCheck_BadOrientationOfSubshape, "bad orientation of a sub-shape"},
+    {BRepCheck_InvalidPolygonOnTriangulation, "invalid polygon on triangulation"},
+    {BRepCheck_InvalidToleranceValue, "invalid tolerance value"},
+    {BRepCheck_EnclosedRegion, "enclosed region"},
+    {BRepCheck_CheckFail, "the check failed"},
+};
+
 const char* describe(BRepCheck_Status status) {
-    switch (status) {
-        case BRepCheck_NoError:
-            return "no error";
-        case BRepCheck_InvalidPointOnCurve:
-            return "invalid point on curve";
-        case BRepCheck_InvalidPointOnCurveOnSurface:
-            return "invalid point on curve on surface";
-        case BRepCheck_InvalidPointOnSurface:
-            return "invalid point on surface";
-        case BRepCheck_No3DCurve:
-            return "no 3D curve";
-        case BRepCheck_Multiple3DCurve:
-            return "multiple 3D curves";
-        case BRepCheck_Invalid3DCurve:
-            return "invalid 3D curve";
-        case BRepCheck_NoCurveOnSurface:
-            return "no curve on surface";
-        case BRepCheck_InvalidCurveOnSurface:
-            return "invalid curve on surface";
-        case BRepCheck_InvalidCurveOnClosedSurface:
-            return "invalid curve on closed surface";
-        case BRepCheck_InvalidSameRangeFlag:
-            return "invalid same-range flag";
-        case BRepCheck_InvalidSameParameterFlag:
-            return "invalid same-parameter flag";
-        case BRepCheck_InvalidDegeneratedFlag:
-            return "invalid degenerated flag";
-        case BRepCheck_FreeEdge:
-            return "free edge";
-        case BRepCheck_InvalidMultiConnexity:
-            return "invalid multi-connexity";
-        case BRepCheck_InvalidRange:
-            return "invalid range";
-        case BRepCheck_EmptyWire:
-            return "empty wire";
-        case BRepCheck_RedundantEdge:
-            return "redundant edge";
-        case BRepCheck_SelfIntersectingWire:
-            return "self-intersecting wire";
-        case BRepCheck_NoSurface:
-            return "no surface";
-        case BRepCheck_InvalidWire:
-            return "invalid wire";
-        case BRepCheck_RedundantWire:
-            return "redundant wire";
-        case BRepCheck_IntersectingWires:
-            return "intersecting wires";
-        case BRepCheck_InvalidImbricationOfWires:
-            return "invalid imbrication of wires";
-        case BRepCheck_EmptyShell:
-            return "empty shell";
-        case BRepCheck_RedundantFace:
-            return "redundant face";
-        case BRepCheck_InvalidImbricationOfShells:
-            return "invalid imbrication of shells";
-        case BRepCheck_UnorientableShape:
-            return "unorientable shape";
-        case BRepCheck_NotClosed:
-            return "not closed";
-        case BRepCheck_NotConnected:
-            return "not connected";
-        case BRepCheck_SubshapeNotInShape:
-            return "sub-shape not in shape";
-        case BRepCheck_BadOrientation:
-            return "bad orientation";
-        case BRepCheck_BadOrientationOfSubshape:
-            return "bad orientation of a sub-shape";
-        case BRepCheck_InvalidPolygonOnTriangulation:
-            return "invalid polygon on triangulation";
-        case BRepCheck_InvalidToleranceValue:
-            return "invalid tolerance value";
-        case BRepCheck_EnclosedRegion:
-            return "enclosed region";
-        case BRepCheck_CheckFail:
-            return "the check failed";
+    for (const Wording& wording : kWordings) {
+        if (wording.status == status) {
+            return wording.text;
+        }
     }
     return "unknown fault";
 }

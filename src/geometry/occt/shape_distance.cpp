@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/shape_distance.h"
+
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepExtrema_ExtPF.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <Extrema_ExtPC.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "base/error.h"
+
+namespace mq::geometry {
+
+namespace {
+
+/// One trimmed face: its inside, its edges and its vertices, each prepared once for many points.
+class FaceDistance {
+  public:
+    explicit FaceDistance(const TopoDS_Face& face) : face_(face) {
+        inside_.Initialize(face, Extrema_ExtFlag_MIN);
+        TopTools_IndexedMapOfShape edges;
+        TopExp::MapShapes(face, TopAbs_EDGE, edges);
+        for (int i = 1; i <= edges.Extent(); ++i) {
+            const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
+            if (!BRep_Tool::Degenerated(edge) && BRep_Tool::IsGeometric(edge)) {
+                curves_.push_back(std::make_unique<BRepAdaptor_Curve>(edge));
+            }
+        }
+        TopTools_IndexedMapOfShape vertices;
+        TopExp::MapShapes(face, TopAbs_VERTEX, vertices);
+        for (int i = 1; i <= vertices.Extent(); ++i) {
+            corners_.push_back(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))));
+        }
+        Bnd_Box box;
+        BRepBndLib::Add(face, box, false);
+        box.Get(low_[0], low_[1], low_[2], high_[0], high_[1], high_[2]);
+    }
+
+    /// Never more than the distance.
+    double lower_bound(const Vec3& p) const { return (low_ - p).cwiseMax(p - high_).cwiseMax(0.0).norm(); }
+    double measure(const Vec3& point) {
+        const gp_Pnt p(point.x(), point.y(), point.z());
+        double square = std::numeric_limits<double>::infinity();
+        inside_.Perform(BRepBuilderAPI_MakeVertex(p), face_);
+        for (int i = 1; inside_.IsDone() && i <= inside_.NbExt(); ++i) {
+            square = std::min(square, inside_.SquareDistance(i));
+        }
+        for (const auto& curve : curves_) {
+            const Extrema_ExtPC nearest(p, *curve, curve->FirstParameter(), curve->LastParameter());
+            for (int i = 1; nearest.IsDone() && i <= nearest.NbExt(); ++i) {
+                square = std::min(square, nearest.SquareDistance(i));
+            }
+        }
+        for (const gp_Pnt& corner : corners_) {
+            square = std::min(square, corner.SquareDistance(p));
+        }
+        return std::sqrt(square);
+    }
+
+  private:
+    TopoDS_Face face_;
+    BRepExtrema_ExtPF inside_;
+    std::vector<std::unique_ptr<BRepAdaptor_Curve>> curves_;
+    std::vector<gp_Pnt> corners_;
+    Vec3 low_;
+    Vec3 high_;
+};
+
+/// `start`: the face to try first; becomes the nearest one, which often is the next point's too.
+double nearest(std::vector<std::unique_ptr<FaceDistance>>& faces, const Vec3& point, std::size_t& start,
+               std::vector<std::pair<double, std::size_t>>& order) {
+    double best = faces[start]->measure(point);
+    order.clear();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        const double bound = faces[f]->lower_bound(point);
+        if (f != start && bound < best) {
+            order.emplace_back(bound, f);
+        }
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [bound, f] : order) {
+        if (bound >= best) {
+            break;
+        }
+        const double distance = faces[f]->measure(point);
+        if (distance < best) {
+            best = distance;
+            start = f;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+double largest_distance_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points, Progress* progress) {
+    try {
+        TopTools_IndexedMapOfShape map;
+        TopExp::MapShapes(shape, TopAbs_FACE, map);
+        std::vector<std::unique_ptr<FaceDistance>> faces;
+        for (int i = 1; i <= map.Extent(); ++i) {
+            faces.push_back(std::make_unique<FaceDistance>(TopoDS::Face(map(i))));
+        }
+        if (faces.empty()) {
+            throw InvalidInput("the shape to measure against has no faces");
+        }
+        double largest = 0.0;
+        std::size_t start = 0;
+        std::vector<std::pair<double, std::size_t>> order;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (progress != nullptr) {
+                progress->check();
+                progress->advance(static_cast<double>(i) / static_cast<double>(points.size()));
+            }
+            largest = std::max(largest, nearest(faces, points[i], start, order));
+        }
+        return largest;
+    } catch (const Standard_Failure& failure) {
+        throw GeometryError(std::string("the distance to the shape cannot be measured: ") + failure.GetMessageString());
+    }
+}
+
+}  // namespace mq::geometry

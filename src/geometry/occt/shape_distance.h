@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "base/progress.h"
+#include "base/vec.h"
+
+class TopoDS_Shape;
+
+namespace mq::geometry {
+
+/// The largest distance of any of the points from the shape's trimmed faces, mm. A point inside a solid is not at
+/// distance 0. Independent of the model and its queries, so that it can check what they led to. The shape is only read.
+/// @throws GeometryError when a face cannot be measured against; Cancelled.
+double largest_distance_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points,
+                                 Progress* progress = nullptr);
+
+}  // namespace mq::geometry
