@@ -117,7 +117,8 @@ TEST(AnalyticModel, AnswersOnUsesAsOpenCascade) {
         SCOPED_TRACE(pair.name);
         const Topology& topology = pair.analytic->topology();
         for (int u = 0; u < static_cast<int>(topology.uses.size()); ++u) {
-            const Edge& edge = topology.edges[static_cast<std::size_t>(topology.uses[static_cast<std::size_t>(u)].edge)];
+            const EdgeUse& use = topology.uses[static_cast<std::size_t>(u)];
+            const Edge& edge = topology.edges[static_cast<std::size_t>(use.edge)];
             for (int i = 0; i <= 8; ++i) {
                 const Query query = Query::use_on_face(u, edge.t0 + i * (edge.t1 - edge.t0) / 8.0);
                 expect_same(pair.analytic->answer(query), pair.occt->answer(query), "use");

@@ -99,8 +99,9 @@ void expect_continuous(Model& model, int face, double radius, double z) {
 }
 
 TEST(FaceNearest, IsContinuousAcrossSeams) {
-    const TopoDS_Shape shapes[] = {BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape(), BRepPrimAPI_MakeCone(2.0, 1.0, 5.0).Shape(),
-                                   BRepPrimAPI_MakeSphere(2.0).Shape(), BRepPrimAPI_MakeTorus(3.0, 1.0).Shape()};
+    const TopoDS_Shape shapes[] = {
+        BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape(), BRepPrimAPI_MakeCone(2.0, 1.0, 5.0).Shape(),
+        BRepPrimAPI_MakeSphere(2.0).Shape(), BRepPrimAPI_MakeTorus(3.0, 1.0).Shape()};
     for (const TopoDS_Shape& shape : shapes) {
         expect_continuous(*make_shape_model(shape), 0, 2.1, 0.5);
         expect_continuous(*make_shape_model(nurbs(shape)), 0, 2.1, 0.5);
