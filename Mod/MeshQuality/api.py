@@ -31,9 +31,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "min_edge": min_edge, "method": method, "max_triangles": max_triangles,
         "allow_missing_faces": allow_missing_faces,
     })
-    if progress is not None and not callable(progress):
-        raise InvalidInput(f"progress = {progress!r} is not callable: give a function of "
-                           "(fraction, stage)")
+    _require_callable(progress)
     live_shape = convert.shape_of(shape)
     module = core()
     core_options = module.TriangulateOptions()
@@ -43,11 +41,12 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     return SurfaceMesh(module.triangulate(live_shape, core_options, progress))
 
 
-def quality(mesh, shape=None):
+def quality(mesh, shape=None, progress=None):
     """The MeshReport of a Mesh.Mesh, a Mesh feature, a SurfaceMesh, or arrays (V, F).
 
     With `shape` (Part.Shape or document object) the report also has max_chord_height, the largest
-    distance of the triangles' corners, edge middles and centroids from the shape.
+    distance of the triangles' corners, edge middles and centroids from the shape's faces, measured
+    apart from what the mesher measures; progress as for triangulate.
     Raises InvalidInput for anything else and for indices out of range.
     """
     module = core()
@@ -62,7 +61,14 @@ def quality(mesh, shape=None):
                            f"{type(mesh).__name__}")
     if shape is None:
         return surface.report
-    return module.measure_against(surface, convert.shape_of(shape))
+    _require_callable(progress)
+    return module.measure_against(surface, convert.shape_of(shape), progress)
+
+
+def _require_callable(progress):
+    if progress is not None and not callable(progress):
+        raise InvalidInput(f"progress = {progress!r} is not callable: give a function of "
+                           "(fraction, stage)")
 
 
 def add_quality_mesh(source, **values):

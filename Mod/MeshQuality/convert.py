@@ -104,9 +104,14 @@ def mesh_of_surface(surface):
     mesh.read(Stream=io.BytesIO(surface.to_bms()), Format="BMS")
     if np.any(surface.origin):
         mesh.Placement = FreeCAD.Placement(FreeCAD.Vector(*surface.origin), FreeCAD.Rotation())
-    for triangles in face_segments(surface.triangle_face):
-        mesh.addSegment(triangles.tolist())
+    add_segments(mesh, face_segments(surface.triangle_face))
     return mesh
+
+
+def add_segments(mesh, segments):
+    """Adds index arrays of triangles as segments of a Mesh.Mesh."""
+    for triangles in segments:
+        mesh.addSegment(triangles.tolist())
 
 
 def face_segments(triangle_face):

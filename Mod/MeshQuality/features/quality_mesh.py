@@ -5,6 +5,7 @@ import hashlib
 import json
 
 import FreeCAD
+import numpy as np
 
 from .. import convert, options
 from ..api import triangulate
@@ -24,7 +25,12 @@ MEASURED = (
     ("Exempt", "App::PropertyStringList", "Triangles below the angle asked for, and why"),
     ("Notes", "App::PropertyStringList", "What else happened on the way"),
 )
-FINGERPRINT = "Fingerprint"
+# Name, type, what it says. Kept for the object's own use and hidden from the property editor.
+HIDDEN = (
+    ("Fingerprint", "App::PropertyString", "Of the shape and the options of this mesh"),
+    ("FaceRuns", "App::PropertyIntegerList",
+     "Pairs (index of a CAD face, number of successive triangles on it)"),
+)
 
 
 class QualityMesh(PlainState):
@@ -35,8 +41,16 @@ class QualityMesh(PlainState):
         add_properties(obj)
 
     def onDocumentRestored(self, obj):
-        """Documents of older versions get the properties that were added since."""
+        """Documents of older versions get the properties that were added since; the mesh gets
+        its segments back, which FreeCAD does not save.
+        """
         add_properties(obj)
+        segments = convert.face_segments(faces_of_runs(obj.FaceRuns))
+        if segments and obj.Mesh.countSegments() == 0:
+            mesh = obj.Mesh.copy()
+            convert.add_segments(mesh, segments)
+            obj.Mesh = mesh
+            obj.purgeTouched()
 
     def execute(self, obj):
         """Meshes the source anew, unless neither it nor an option has changed."""
@@ -54,12 +68,13 @@ class QualityMesh(PlainState):
         options.check(options.TRIANGULATE, values)
         shape = convert.shape_of(obj.Source)
         fingerprint = fingerprint_of(shape, values)
-        if fingerprint == getattr(obj, FINGERPRINT) and obj.Mesh.CountFacets > 0:
+        if fingerprint == obj.Fingerprint and obj.Mesh.CountFacets > 0:
             return
         mesh = triangulate(shape, **values)
         obj.Mesh = mesh.to_mesh()
         show_report(obj, mesh.report)
-        setattr(obj, FINGERPRINT, fingerprint)
+        obj.FaceRuns = runs_of_faces(mesh.triangle_face)
+        obj.Fingerprint = fingerprint
 
 
 def add_properties(obj):
@@ -84,8 +99,9 @@ def add_properties(obj):
     for name, kind, text in MEASURED:
         add(kind, name, "Quality", text)
         obj.setEditorMode(name, 1)
-    add("App::PropertyString", FINGERPRINT, "Mesh", "Of the shape and the options of this mesh")
-    obj.setEditorMode(FINGERPRINT, 2)
+    for name, kind, text in HIDDEN:
+        add(kind, name, "Mesh", text)
+        obj.setEditorMode(name, 2)
 
 
 def options_of(obj):
@@ -105,6 +121,19 @@ def fingerprint_of(shape, values):
     digest = hashlib.sha256(shape.exportBrepToString().encode())
     digest.update(json.dumps(values, sort_keys=True).encode())
     return digest.hexdigest()
+
+
+def runs_of_faces(triangle_face):
+    """triangle_face as a flat list face, count, face, count ...: short, as triangles come sorted."""
+    starts = np.flatnonzero(np.diff(triangle_face, prepend=-2))
+    counts = np.diff(starts, append=len(triangle_face))
+    return np.column_stack((triangle_face[starts], counts)).ravel().tolist()
+
+
+def faces_of_runs(runs):
+    """The inverse of runs_of_faces."""
+    pairs = np.array(runs, dtype=np.int64).reshape(-1, 2)
+    return np.repeat(pairs[:, 0], pairs[:, 1])
 
 
 def show_report(obj, report):

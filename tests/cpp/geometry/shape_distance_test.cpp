@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/shape_distance.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cmath>
+
+#include "base/error.h"
+#include "geometry/occt/brep_text.h"
+
+namespace mq::geometry {
+namespace {
+
+TEST(ShapeDistance, CountsInsideASolidAndBeyondTrimmedBorders) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(2.0, 2.0, 2.0).Shape();
+    EXPECT_NEAR(largest_distance_to_faces(box, {Vec3(1, 1, 1)}), 1.0, 1e-12);
+    EXPECT_NEAR(largest_distance_to_faces(box, {Vec3(1, 1, 2)}), 0.0, 1e-12);
+    // Beside an edge and beside a corner: the planes run on, the faces do not.
+    EXPECT_NEAR(largest_distance_to_faces(box, {Vec3(3, 3, 1)}), std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(largest_distance_to_faces(box, {Vec3(3, 3, 3), Vec3(1, 1, 2)}), std::sqrt(3.0), 1e-12);
+}
+
+TEST(ShapeDistance, SphereWithItsPolesAndCentre) {
+    const TopoDS_Shape sphere = BRepPrimAPI_MakeSphere(5.0).Shape();
+    EXPECT_NEAR(largest_distance_to_faces(sphere, {Vec3(0, 0, 6)}), 1.0, 1e-9);
+    EXPECT_NEAR(largest_distance_to_faces(sphere, {Vec3(0, 0, -4.5)}), 0.5, 1e-9);
+    EXPECT_NEAR(largest_distance_to_faces(sphere, {Vec3(3, 0, 0)}), 2.0, 1e-9);
+    EXPECT_NEAR(largest_distance_to_faces(sphere, {Vec3(0, 0, 0)}), 5.0, 1e-9);
+}
+
+TEST(ShapeDistance, StopsWhenCancelledAndRefusesAShapeWithoutFaces) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(2.0, 2.0, 2.0).Shape();
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(largest_distance_to_faces(box, {Vec3(1, 1, 1)}, &progress), Cancelled);
+    EXPECT_THROW(largest_distance_to_faces(TopoDS_Shape(), {Vec3(1, 1, 1)}), InvalidInput);
+}
+
+TEST(BrepText, JunkIsRefused) {
+    EXPECT_THROW(read_brep_text("no shape at all"), InvalidInput);
+    EXPECT_THROW(read_brep_text(""), InvalidInput);
+}
+
+}  // namespace
+}  // namespace mq::geometry
