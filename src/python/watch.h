@@ -34,7 +34,7 @@ class Watcher {
         }
     }
     void report(double fraction, const char* stage) {
-        constexpr std::chrono::milliseconds kLongestSilence(100);
+        constexpr std::chrono::milliseconds kLongestSilence(50);
         const auto now = std::chrono::steady_clock::now();
         const bool same = stage_ != nullptr && fraction == fraction_ && std::strcmp(stage, stage_) == 0;
         if (callback_.is_none() || (same && now - called_ < kLongestSilence)) {

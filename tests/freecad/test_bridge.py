@@ -3,6 +3,7 @@
 
 import resource
 import unittest
+from unittest import mock
 
 import FreeCAD
 import helpers
@@ -38,6 +39,18 @@ class SharedShape(helpers.DocumentTest):
 
     def test_the_kernels_agree(self):
         self.assertEqual(Part.OCC_VERSION.split(".")[:2], _core.occt_version.split(".")[:2])
+
+
+class Fallback(unittest.TestCase):
+    def test_a_build_that_cannot_share_gets_the_same_mesh_and_says_so(self):
+        shape = helpers.simple_parts()["cut"]
+        live = mq.triangulate(shape, chord_height=0.2)
+        with mock.patch.object(Part, "__toPythonOCC__", side_effect=RuntimeError("no SWIG")):
+            copied = mq.triangulate(shape, chord_height=0.2)
+        self.assertEqual(live.triangles.tobytes(), copied.triangles.tobytes())
+        self.assertEqual(live.triangle_face.tobytes(), copied.triangle_face.tobytes())
+        self.assertIn("BREP text", " ".join(copied.report.notes))
+        self.assertNotIn("BREP text", " ".join(live.report.notes))
 
 
 class UntouchedDocument(helpers.DocumentTest):

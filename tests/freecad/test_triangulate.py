@@ -5,6 +5,7 @@ import gc
 import math
 import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 import FreeCAD
 import helpers
@@ -32,7 +33,8 @@ class SimpleParts(unittest.TestCase):
                 mesh = self.check(shape, chord_height_relative=0.01)
                 size = max(shape.BoundBox.XLength, shape.BoundBox.YLength, shape.BoundBox.ZLength)
                 self.assertLessEqual(mesh.report.max_chord_height, 0.01 * size)
-                self.assertLess(abs(mesh.report.volume / shape.Volume - 1.0), 0.05)
+                self.assertLessEqual(abs(mesh.report.volume - shape.Volume),
+                                     mesh.report.max_chord_height * shape.Area + 1e-6)
                 self.assertEqual(sorted(set(mesh.triangle_face.tolist())),
                                  list(range(len(shape.Faces))))
                 self.assertLessEqual(max(helpers.distances_to_faces(shape, mesh)), 0.01 * size)
@@ -71,6 +73,14 @@ class SimpleParts(unittest.TestCase):
         first, second = (mq.triangulate(shape, chord_height=0.1) for _ in range(2))
         self.assertEqual(first.vertices.tobytes(), second.vertices.tobytes())
         self.assertEqual(first.triangles.tobytes(), second.triangles.tobytes())
+
+    def test_several_threads_at_once_get_what_one_gets(self):
+        shapes = list(helpers.simple_parts().values())[:4]
+        alone = [mq.triangulate(shape, chord_height=0.1).triangles.tobytes() for shape in shapes]
+        with ThreadPoolExecutor(4) as pool:
+            together = list(pool.map(
+                lambda shape: mq.triangulate(shape, chord_height=0.1).triangles.tobytes(), shapes))
+        self.assertEqual(alone, together)
 
     def test_far_from_the_origin_nothing_is_lost(self):
         shape = Part.makeCylinder(5, 10, FreeCAD.Vector(1e6, 0, 0))
