@@ -197,9 +197,6 @@ FaceBorder face_border(Session& session, const EdgeChains& chains, const SingleG
         loop_of_piece.resize(border.pieces.size(), loop);
     }
     bridge_gaps(border, loop_of_piece);
-    if (border.pieces.size() < 3) {
-        failure = "its border has fewer than three pieces";
-    }
     return border;
 }
 

@@ -22,7 +22,11 @@ const double kCosMaxTurn = std::cos(35.0 * M_PI / 180.0);
 // At the apex of a cone every triangle turns, however small; it only must not fold.
 const double kCosMaxTurnAtApex = std::cos(70.0 * M_PI / 180.0);
 constexpr double kMinDeviations = 20.0;
+constexpr double kMinHeights = 3.0;  // times the deviation
+constexpr double kTurnThatCounts = 10.0 * M_PI / 180.0;
 constexpr double kMinPart = 1e-4;
+// A surface with a kink keeps its turn however often the sides across it are halved.
+constexpr int kMaxLevel = 8;
 constexpr int kMaxRounds = 40;
 constexpr int kMaxSites = 40000;
 constexpr double kMinSteps = 16.0;  // as for edges: shorter sides have no direction on the grid
@@ -35,16 +39,19 @@ class FaceMesher {
     FaceTriangulation run();
 
   private:
+    bool long_enough();
     bool insert_border();
     bool add_constraint(int piece);
     void mark_piece(int piece);
     void mark_around(int planar_vertex);
-    void wish_halved(int piece);
+    bool wish_halved(int piece);
+    int side_to_split(int t) const;
     void find_inside();
     void check_halving();
     bool refine_round();
     int coarse_side(int t, const Vec3& normal_at_centroid) const;
     void ask_to_split(int t, std::set<std::array<int, 2>>& sides);
+    bool crowds(int a, int b, const Vec3& p) const;
     bool insert_midpoints(const std::set<std::array<int, 2>>& sides);
     void assemble();
     Link link_of(int h, const std::vector<int>& number) const;
@@ -55,6 +62,7 @@ class FaceMesher {
     const Site& site_at(int corner_vertex) const { return result_.sites[site_of_[corner_vertex]]; }
     const Site& corner_site(int h) const { return site_at(tri_->corner(h)); }
     bool same_vertex(const Site& a, const Site& b) const { return a.vertex >= 0 && a.vertex == b.vertex; }
+    int level(int planar_vertex) const { return level_[site_of_[planar_vertex]]; }
     double reach() const { return kMinSteps * grid_.resolution(); }
 
     Session& session_;
@@ -67,6 +75,7 @@ class FaceMesher {
     std::vector<int> planar_of_;             // site -> vertex of the planar triangulation
     std::vector<int> site_of_;               // and back
     std::vector<std::vector<int>> overlaps_; // further pieces on the edge of a piece: the other side of a slit
+    std::vector<int> level_;                 // per site: how many halvings led to it, 0 on the border
     std::vector<char> inside_;
     std::set<Corners> fine_;                 // triangles that passed the test once
     double smallest_ = 0.0;  // triangles smaller than this need not follow the surface: it may fold itself
@@ -75,7 +84,8 @@ class FaceMesher {
 
 FaceTriangulation FaceMesher::run() {
     border_ = face_border(session_, chains_, grid_, face_, result_.failure);
-    if (!result_.failure.empty() || !insert_border()) {
+    result_.sites = border_.sites;
+    if (!result_.failure.empty() || !long_enough() || !insert_border()) {
         return result_;
     }
     find_inside();
@@ -95,6 +105,20 @@ FaceTriangulation FaceMesher::run() {
     return result_;
 }
 
+// Two arcs can bound a face, two chords cannot.
+bool FaceMesher::long_enough() {
+    if (border_.pieces.size() >= 3) {
+        return true;
+    }
+    for (int k = 0; k < static_cast<int>(border_.pieces.size()); ++k) {
+        mark_piece(k);
+    }
+    if (result_.marks.empty()) {
+        result_.failure = "its border is too short to enclose anything";
+    }
+    return false;
+}
+
 void FaceMesher::mark_piece(int piece) {
     const FaceBorder::Piece& p = border_.pieces[piece];
     if (p.collapsed()) {
@@ -107,14 +131,17 @@ void FaceMesher::mark_piece(int piece) {
 }
 
 // Where the curves of an edge differ within its tolerance, shorter pieces follow the surface no better.
-void FaceMesher::wish_halved(int piece) {
+bool FaceMesher::wish_halved(int piece) {
     const FaceBorder::Piece& p = border_.pieces[piece];
     if (!border_may_change_ || p.collapsed()) {
-        return;
+        return false;
     }
-    if ((result_.sites[p.to].point - result_.sites[p.from].point).norm() > kMinDeviations * border_.deviation) {
-        mark_piece(piece);
+    const double length = (result_.sites[p.to].point - result_.sites[p.from].point).norm();
+    if (length <= kMinDeviations * border_.deviation || length <= 2.0 * reach()) {
+        return false;
     }
+    mark_piece(piece);
+    return true;
 }
 
 void FaceMesher::mark_around(int planar_vertex) {
@@ -138,9 +165,9 @@ bool FaceMesher::insert_border() {
         return false;
     }
     tri_ = std::make_unique<PlanarTriangulation>(low, high);
+    level_.assign(result_.sites.size(), 0);
     smallest_ = std::max({2.0 * reach(), kMinDeviations * border_.deviation,
                           kMinPart * (high - low).norm()});
-    result_.sites = border_.sites;
     site_of_.assign(PlanarTriangulation::kFrame, -1);
     for (int s = 0; s < static_cast<int>(result_.sites.size()); ++s) {
         const int v = tri_->insert(border_.scaled(result_.sites[s].uv));
@@ -299,6 +326,10 @@ int FaceMesher::coarse_side(int t, const Vec3& normal_at_centroid) const {
     if (session_.topology().faces[face_].reversed) {
         own = -own;
     }
+    const double height = own.norm() / sides[longest].norm();
+    if (height < kMinHeights * border_.deviation) {
+        return -1;
+    }
     own.normalize();
     double worst = own.dot(normal_at_centroid);
     bool singular = false;
@@ -312,28 +343,40 @@ int FaceMesher::coarse_side(int t, const Vec3& normal_at_centroid) const {
     return worst < (singular ? kCosMaxTurnAtApex : kCosMaxTurn) ? longest : -1;
 }
 
-// A long border side is the cause of the trouble itself; otherwise the triangle's longest side is cut. Lengths are those
-// in the scaled domain: a side that goes round a periodic face is long, though its ends may be near.
-void FaceMesher::ask_to_split(int t, std::set<std::array<int, 2>>& sides) {
+// The side over which the surface turns most, or the longest in the scaled domain where it hardly turns over any: there
+// a triangle is only too thin for its sag, and its long border sides are the cause.
+int FaceMesher::side_to_split(int t) const {
+    double turn[3];
     double length[3];
     for (int i = 0; i < 3; ++i) {
         const int h = 3 * t + i;
-        length[i] = (tri_->point(tri_->corner(PlanarTriangulation::next(h))) - tri_->point(tri_->corner(h))).norm();
+        const int next = PlanarTriangulation::next(h);
+        const Vec3& a = corner_site(h).normal;
+        const Vec3& b = corner_site(next).normal;
+        turn[i] = std::atan2(a.cross(b).norm(), a.dot(b));
+        length[i] = (tri_->point(tri_->corner(next)) - tri_->point(tri_->corner(h))).norm();
     }
-    const double longest = std::max({length[0], length[1], length[2]});
-    bool marked = false;
+    const int most = static_cast<int>(std::max_element(turn, turn + 3) - turn);
+    if (turn[most] > kTurnThatCounts) {
+        return most;
+    }
     for (int i = 0; i < 3; ++i) {
         const int label = tri_->label(3 * t + i);
-        if (label >= 0 && length[i] >= 0.5 * longest && !border_.pieces[label].collapsed()) {
-            wish_halved(label);
-            marked = true;
-        }
+        length[i] *= label >= 0 && !border_.pieces[label].collapsed() ? 2.0 : 1.0;
     }
-    for (int i = 0; i < 3 && !marked; ++i) {
-        const int h = 3 * t + i;
-        if (length[i] == longest && tri_->label(h) < 0) {
-            const int a = tri_->corner(h);
-            const int b = tri_->corner(PlanarTriangulation::next(h));
+    return static_cast<int>(std::max_element(length, length + 3) - length);
+}
+
+void FaceMesher::ask_to_split(int t, std::set<std::array<int, 2>>& sides) {
+    const int h = 3 * t + side_to_split(t);
+    const int label = tri_->label(h);
+    if (label >= 0 && wish_halved(label)) {
+        return;
+    }
+    for (const int side : {h, PlanarTriangulation::next(h), PlanarTriangulation::prev(h)}) {
+        const int a = tri_->corner(side);
+        const int b = tri_->corner(PlanarTriangulation::next(side));
+        if (tri_->label(side) < 0 && std::max(level(a), level(b)) < kMaxLevel) {
             sides.insert({std::min(a, b), std::max(a, b)});
             return;
         }
@@ -370,6 +413,23 @@ bool FaceMesher::refine_round() {
     return insert_midpoints(sides);
 }
 
+// Would a point on the side from a to b lie too close to the corners of the triangles beside it? Near an edge whose curve
+// lies off the surface, vertices no farther apart than that deviation make triangles that point anywhere.
+bool FaceMesher::crowds(int a, int b, const Vec3& p) const {
+    const int h = tri_->find_edge(a, b);
+    if (h < 0) {
+        return true;  // an insertion before this one flipped the side
+    }
+    const double least = std::max(reach(), kMinHeights * border_.deviation);
+    for (const int corner : {a, b, tri_->corner(PlanarTriangulation::prev(h)),
+                             tri_->corner(PlanarTriangulation::prev(tri_->twin(h)))}) {
+        if (corner >= PlanarTriangulation::kFrame && (site_at(corner).point - p).norm() < least) {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool FaceMesher::insert_midpoints(const std::set<std::array<int, 2>>& sides) {
     if (sides.empty() || tri_->vertex_count() > kMaxSites) {
         return false;
@@ -390,14 +450,14 @@ bool FaceMesher::insert_midpoints(const std::set<std::array<int, 2>>& sides) {
         site.uv = border_.unscaled(places[i++]);
         site.normal = answer.normal;
         site.point = grid_.snap(answer.point);
-        if (!answer.found() || (site.point - site_at(a).point).norm() < reach() ||
-            (site.point - site_at(b).point).norm() < reach()) {
+        if (!answer.found() || crowds(a, b, site.point)) {
             continue;
         }
         const int v = tri_->insert(places[i - 1]);
         if (v == static_cast<int>(site_of_.size())) {
             site_of_.push_back(static_cast<int>(result_.sites.size()));
             result_.sites.push_back(site);
+            level_.push_back(std::max(level(a), level(b)) + 1);
             added = true;
         }
     }
