@@ -9,6 +9,7 @@ import argparse
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -105,16 +106,31 @@ def _run_in_freecad(job):
         result_path = os.path.join(folder, "result.json")
         with open(job_path, "w", encoding="utf-8") as stream:
             json.dump({**job, "result": result_path}, stream)
-        code = subprocess.run(
+        code = _wait_for(subprocess.Popen(
             [_freecad(), "-P", os.path.dirname(package), os.path.join(package, "cli_worker.py")],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, check=False,
-            env={**os.environ, "MESHQUALITY_JOB": job_path}).returncode
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            env={**os.environ, "MESHQUALITY_JOB": job_path}))
         try:
             with open(result_path, encoding="utf-8") as stream:
                 return json.load(stream)
         except (OSError, ValueError):
             how = f"was ended by signal {-code}" if code < 0 else f"ended with status {code}"
             return {"status": FAILED, "text": f"FreeCAD {how} and left no result"}
+
+
+def _wait_for(process):
+    """The exit code of the process, which does not outlive this one when that is told to end."""
+    def end(*_):
+        raise KeyboardInterrupt
+
+    before = signal.signal(signal.SIGTERM, end)
+    try:
+        return process.wait()
+    finally:
+        if process.poll() is None:
+            process.kill()
+            process.wait()
+        signal.signal(signal.SIGTERM, before)
 
 
 def main(arguments=None):

@@ -82,16 +82,18 @@ def read_mesh(path):
 
 
 def progress_line():
-    """A progress callback for people at a terminal; None where nobody looks."""
-    if not sys.stderr.isatty():
-        return None
+    """A progress callback: a line for people at a terminal, and the end when the caller is gone."""
+    visible, parent = sys.stderr.isatty(), os.getppid()
     last = [0.0]
 
     def show(fraction, stage):
-        if time.monotonic() - last[0] > 0.2 or fraction == 1.0:
+        if os.getppid() != parent:
+            return False
+        if visible and (time.monotonic() - last[0] > 0.2 or fraction == 1.0):
             last[0] = time.monotonic()
             end = "\n" if fraction == 1.0 else ""
-            print(f"\r{stage:<24} {100 * fraction:5.1f} %", end=end, file=sys.stderr, flush=True)
+            print(f"\r{stage:<30} {100 * fraction:5.1f} %", end=end, file=sys.stderr, flush=True)
+        return True
 
     return show
 
@@ -110,7 +112,7 @@ def quality(job):
     """Returns the report and the sentence to end with."""
     mesh = read_mesh(job["input"])
     shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
-    report = mq.quality(mesh, shape)
+    report = mq.quality(mesh, shape, progress_line())
     return report, f"measured {report.triangles} triangles of {job['input']}"
 
 

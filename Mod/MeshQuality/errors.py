@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The errors of MeshQuality. Their text is a sentence that names what is at fault and the remedy."""
+"""The errors of MeshQuality. Their text is a sentence that names the fault and the remedy."""
 
 
 class Error(RuntimeError):  # noqa: N818 - the public name is MeshQuality.Error

@@ -91,7 +91,7 @@ class Option:
 
 
 def _plain_number(value, option):
-    """Takes numbers of Python and NumPy, and FreeCAD's quantities; of an int option no fractions."""
+    """Takes numbers of Python and NumPy, and quantities; of an int option no fractions."""
     if type(value).__name__ == "Quantity" and hasattr(value, "Unit"):
         expected = {"degrees": "Angle", "mm": "Length"}.get(option.unit)
         if value.Unit.Type not in (expected, ""):

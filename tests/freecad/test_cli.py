@@ -4,6 +4,7 @@
 import json
 import os
 import subprocess
+import time
 import unittest
 
 import helpers
@@ -23,6 +24,22 @@ def run(*arguments):
     done = subprocess.run([COMMAND, *map(str, arguments)], stdin=subprocess.DEVNULL, text=True,
                           capture_output=True, timeout=300, env=environment)
     return done.returncode, done.stdout, done.stderr.splitlines()
+
+
+def workers_of(pid):
+    """Process ids of FreeCADs that do a job and whose parent is `pid`."""
+    found = []
+    for entry in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open(f"/proc/{entry}/stat", encoding="utf-8", errors="replace") as stream:
+                parent = stream.read().rpartition(")")[2].split()[1]
+            with open(f"/proc/{entry}/cmdline", "rb") as stream:
+                works = b"cli_worker.py" in stream.read()
+        except OSError:
+            continue
+        if parent == str(pid) and works:
+            found.append(entry)
+    return found
 
 
 class Triangulate(helpers.DocumentTest):
@@ -97,6 +114,23 @@ class Triangulate(helpers.DocumentTest):
         status, out, err = run("triangulate", self.step, "--json", "--min-angle", "50")
         self.assertEqual(status, 2)
         self.assertIn(json.loads(out)["error"], err[-1])
+
+
+    def test_told_to_end_it_takes_freecad_with_it(self):
+        slow = subprocess.Popen(
+            [COMMAND, "triangulate", self.step, "--chord-height", "1e-5",
+             "--max-triangles", "100000000"],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        limit = time.monotonic() + 10
+        while not workers_of(slow.pid) and time.monotonic() < limit:
+            time.sleep(0.05)
+        workers = workers_of(slow.pid)
+        self.assertEqual(len(workers), 1)
+        slow.terminate()
+        _, err = slow.communicate(timeout=10)
+        self.assertEqual(slow.returncode, 1)
+        self.assertIn("interrupted", err.splitlines()[-1])
+        self.assertFalse(os.path.exists(f"/proc/{workers[0]}"))
 
 
 class Quality(helpers.DocumentTest):

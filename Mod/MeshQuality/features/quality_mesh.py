@@ -124,7 +124,7 @@ def fingerprint_of(shape, values):
 
 
 def runs_of_faces(triangle_face):
-    """triangle_face as a flat list face, count, face, count ...: short, as triangles come sorted."""
+    """triangle_face as a flat list face, count, ...: short, as triangles come sorted."""
     starts = np.flatnonzero(np.diff(triangle_face, prepend=-2))
     counts = np.diff(starts, append=len(triangle_face))
     return np.column_stack((triangle_face[starts], counts)).ravel().tolist()
