@@ -27,13 +27,27 @@ double alignment(const Corner& a, const Corner& b, const Corner& c) {
     }
     // Around the apex of a slender cone there is room for four triangles of 25 degrees or fewer, so each of them has to
     // turn far away from the surface at its other corners.
-    return singular && worst > kAlignedAtApex ? std::max(worst, kAlignedSwap) : worst;
+    return singular && worst > kAlignedAtApex ? std::max(worst, kWellAligned) : worst;
 }
 
 double alignment(const mesh::SurfaceMesh& mesh, int triangle) {
     const int h = 3 * triangle;
     return alignment(corner_of(mesh, mesh.site_of(h)), corner_of(mesh, mesh.site_of(h + 1)),
                      corner_of(mesh, mesh.site_of(h + 2)));
+}
+
+int most_turned_side(const mesh::SurfaceMesh& mesh, int triangle) {
+    int best = 3 * triangle;
+    double least = 2.0;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const Vec3& a = mesh.site(mesh.site_of(h)).normal;
+        const Vec3& b = mesh.site(mesh.site_of(mesh::SurfaceMesh::next(h))).normal;
+        if (a.dot(b) < least) {
+            least = a.dot(b);
+            best = h;
+        }
+    }
+    return best;
 }
 
 }  // namespace mq::triangulate

@@ -22,8 +22,12 @@ double alignment(const mesh::SurfaceMesh& mesh, int triangle);
 
 /// A new triangle must lie within 60 degrees of its surface, unless those that it replaces were worse.
 constexpr double kAligned = 0.5;
-/// A swap must leave room below that for the vertices to come: 40 degrees.
-constexpr double kAlignedSwap = 0.766;
+/// Triangles turned farther than 45 degrees are refined for that alone: with them around, swaps and insertions are
+/// refused that good angles need.
+constexpr double kWellAligned = 0.7071;
 constexpr double kAlignedAtApex = 0.1;
+
+/// The side of a triangle over whose ends the CAD normal turns most, as a half-edge.
+int most_turned_side(const mesh::SurfaceMesh& mesh, int triangle);
 
 }  // namespace mq::triangulate

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "triangulate/corner_angle.h"
+#include "triangulate/fold.h"
 
 namespace mq::triangulate {
 
@@ -18,6 +19,7 @@ constexpr std::size_t kPartOfQueue = 8;
 constexpr int kMaxRetries = 3;
 constexpr int kMaxShrinks = 6;
 constexpr double kMaxShrink = 0.35;
+constexpr double kNarrow = M_PI / 3.0;
 
 }  // namespace
 
@@ -26,7 +28,10 @@ Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_de
 
 void Refiner::push_if_bad(int triangle) {
     const SmallestAngle smallest = smallest_angle(work_.mesh, triangle);
-    if (smallest.angle < bound_) {
+    const double aligned = alignment(work_.mesh, triangle);
+    if (aligned < kWellAligned && turned_.count(key(triangle)) == 0) {
+        queue_.push({aligned - 2.0, triangle, work_.mesh.stamp(triangle)});
+    } else if (smallest.angle < bound_) {
         queue_.push({smallest.angle, triangle, work_.mesh.stamp(triangle)});
     }
 }
@@ -65,7 +70,8 @@ void Refiner::run() {
     while (!queue_.empty()) {
         const Bad bad = queue_.top();
         queue_.pop();
-        if (work_.mesh.stamp(bad.triangle) == bad.stamp && !narrow_corner(bad)) {
+        if (work_.mesh.stamp(bad.triangle) == bad.stamp && smallest_angle(work_.mesh, bad.triangle).angle < bound_ &&
+            !narrow_corner(bad)) {
             exempt(bad, Cause::Budget);
         }
     }
@@ -112,7 +118,14 @@ std::vector<Refiner::Job> Refiner::take_jobs() {
     while (!queue_.empty() && jobs.size() < most) {
         const Bad bad = queue_.top();
         queue_.pop();
-        if (work_.mesh.stamp(bad.triangle) != bad.stamp || narrow_corner(bad)) {
+        if (work_.mesh.stamp(bad.triangle) != bad.stamp) {
+            continue;
+        }
+        if (bad.turned()) {
+            take_turned(bad, jobs);
+            continue;
+        }
+        if (narrow_corner(bad)) {
             continue;
         }
         int segment = -1;
@@ -123,6 +136,23 @@ std::vector<Refiner::Job> Refiner::take_jobs() {
         }
     }
     return jobs;
+}
+
+// Once a triangle: where splitting is refused it stays as it is.
+void Refiner::take_turned(const Bad& bad, std::vector<Job>& jobs) {
+    turned_.insert(key(bad.triangle));
+    touched_.push_back(bad.triangle);
+    const int h = most_turned_side(work_.mesh, bad.triangle);
+    const int segment = work_.mesh.segment_of(h);
+    if (segment < 0) {
+        jobs.push_back({bad, edge_middle_site(work_.mesh, h), kLastAttempt});
+    } else if (narrowest_corner(work_.mesh, segment, 0).angle > kNarrow && narrowest_corner(work_.mesh, segment, 1).angle > kNarrow) {
+        segments_.request(segment);
+    }
+}
+
+std::uint64_t Refiner::key(int triangle) const {
+    return (static_cast<std::uint64_t>(triangle) << 32) | work_.mesh.stamp(triangle);
 }
 
 // The angle lies between two segments that meet in its corner: the part itself has it.
@@ -139,7 +169,7 @@ bool Refiner::narrow_corner(const Bad& bad) {
 // The obtuse angle faces a segment, so its corner encroaches upon it. The triangle changes when the segment is split.
 void Refiner::handle_blocked(const Bad& bad, int segment) {
     if (!split_instead(bad, {segment})) {
-        give_up({bad, {}, 2}, Cause::Fold);
+        give_up({bad, {}, kLastAttempt}, Cause::Fold);
     }
 }
 
@@ -163,6 +193,9 @@ bool Refiner::too_flat(const Bad& bad, const std::vector<int>& segments, const V
     for (const int s : segments) {
         int corner = -1;
         if (segments_.in_lens(s, p)) {
+            if (bad.turned()) {
+                return true;
+            }
             const Cause cause = segments_.frozen(s, &corner) ? Cause::NarrowCluster : work_.too_short();
             exempt(bad, cause, corner, s);
             return true;
@@ -233,12 +266,15 @@ void Refiner::remember_shrinks(int first_vertex, int shrinks) {
 }
 
 void Refiner::give_up(const Job& job, Cause cause) {
+    if (job.bad.turned()) {
+        return;
+    }
     const int h = longest_edge(job.bad.triangle);
     const int segment = work_.mesh.segment_of(h);
     if (job.attempt == 0) {
         again_.push_back({job.bad, circumcentre_site(work_.mesh, job.bad.triangle), 1});
     } else if (job.attempt == 1 && segment < 0) {
-        again_.push_back({job.bad, edge_middle_site(work_.mesh, h), 2});
+        again_.push_back({job.bad, edge_middle_site(work_.mesh, h), kLastAttempt});
     } else if (job.attempt != 1 || !split_instead(job.bad, {segment})) {
         int corner = -1;
         if (segment >= 0 && segments_.frozen(segment, &corner)) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <queue>
+#include <unordered_set>
 #include <vector>
 
 #include "triangulate/insertion.h"
@@ -23,19 +24,23 @@ class Refiner {
 
   private:
     struct Bad {
-        double angle;
+        double angle;  // radians; of a turned triangle its alignment - 2
         int triangle;
         std::uint32_t stamp;
+        bool turned() const { return angle < 0.0; }  // it lies askew on the surface
         bool operator<(const Bad& other) const {  // a max-heap: the smallest angle on top, ties by index
             return angle != other.angle ? angle > other.angle : triangle > other.triangle;
         }
     };
+    static constexpr int kLastAttempt = 2;
     struct Job {
         Bad bad;
         Candidate candidate;
         int attempt = 0;  // the paper's site; when it is refused the circumcentre, then the middle of the longest edge
     };
 
+    std::uint64_t key(int triangle) const;
+    void take_turned(const Bad& bad, std::vector<Job>& jobs);
     void push_if_bad(int triangle);
     void push_touched();
     bool refine_round();
@@ -57,6 +62,7 @@ class Refiner {
     SegmentSplitter& segments_;
     double bound_;  // radians
     std::priority_queue<Bad> queue_;
+    std::unordered_set<std::uint64_t> turned_;  // triangles that were refined for their alignment, by key
     std::vector<int> touched_;
     std::vector<Job> again_;  // fallbacks for the next round
 };
