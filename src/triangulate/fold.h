@@ -22,9 +22,9 @@ double alignment(const mesh::SurfaceMesh& mesh, int triangle);
 
 /// A new triangle must lie within 60 degrees of its surface, unless those that it replaces were worse.
 constexpr double kAligned = 0.5;
-/// Triangles turned farther than 45 degrees are refined for that alone: with them around, swaps and insertions are
+/// Triangles turned farther than 40 degrees are refined for that alone: with them around, swaps and insertions are
 /// refused that good angles need.
-constexpr double kWellAligned = 0.7071;
+constexpr double kWellAligned = 0.766;
 constexpr double kAlignedAtApex = 0.1;
 
 /// The side of a triangle over whose ends the CAD normal turns most, as a half-edge.

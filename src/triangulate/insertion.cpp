@@ -15,7 +15,7 @@ namespace {
 using geometry::Query;
 using mesh::SurfaceMesh;
 
-// A vertex nearer to an edge than this part of the triangle's height is put on the edge.
+// A vertex nearer to an edge than this part of the edge's length is put on the edge.
 constexpr double kOnEdge = 0.02;
 constexpr int kMaxWalk = 100;
 constexpr std::size_t kMaxVisit = 400;
@@ -151,18 +151,15 @@ Location locate(const SurfaceMesh& mesh, int triangle, const SurfacePoint& p) {
     for (int step = 0; step < kMaxWalk; ++step) {
         const std::array<double, 3> areas = side_areas(mesh, t, p);
         const int least = static_cast<int>(std::min_element(areas.begin(), areas.end()) - areas.begin());
-        const double total = areas[0] + areas[1] + areas[2];
         const int h = 3 * t + least;
-        const bool outside = areas[least] < 0.0;
-        const bool near = areas[least] < kOnEdge * total;
-        if (!outside && !near) {
-            return {t, -1, -1};
+        const bool on_segment = mesh.segment_of(h) >= 0;
+        if (areas[least] >= 0.0) {
+            const Vec3 edge = mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h);
+            const bool near = areas[least] < kOnEdge * edge.squaredNorm();
+            return near && !on_segment ? Location{t, h, -1} : Location{t, -1, -1};
         }
-        if (mesh.segment_of(h) >= 0) {
+        if (on_segment) {
             return {t, -1, mesh.segment_of(h)};
-        }
-        if (!outside) {
-            return {t, h, -1};
         }
         t = SurfaceMesh::triangle_of(mesh.twin(h));
     }
