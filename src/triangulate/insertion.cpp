@@ -17,8 +17,14 @@ using mesh::SurfaceMesh;
 
 // A vertex nearer to an edge than this part of the edge's length is put on the edge.
 constexpr double kOnEdge = 0.02;
+// The new triangle on the shortest edge gets an angle this much above the bound, so that rounding does not spoil it.
+constexpr double kOffCentreSlack = 1.05;
 constexpr int kMaxWalk = 100;
 constexpr std::size_t kMaxVisit = 400;
+
+double length(const SurfaceMesh& mesh, int h) {
+    return (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).norm();
+}
 
 struct Weights {
     double w[3];
@@ -112,11 +118,31 @@ std::optional<Candidate> paper_site(const SurfaceMesh& mesh, int triangle, int& 
     return weighted_site(mesh, SurfaceMesh::triangle_of(mesh.twin(opposite)), {{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}});
 }
 
-Candidate circumcentre_site(const SurfaceMesh& mesh, int triangle) {
-    const int h = 3 * triangle;
-    Candidate c = weighted_site(mesh, triangle, circumcentre(mesh.point_of(h), mesh.point_of(h + 1), mesh.point_of(h + 2)));
-    c.reach = std::max(c.reach, (c.point - mesh.point_of(h)).norm());
-    return c;
+Candidate off_centre_site(const SurfaceMesh& mesh, int triangle, double angle) {
+    int h = 3 * triangle;
+    for (int side = h + 1; side < 3 * triangle + 3; ++side) {
+        if (length(mesh, side) < length(mesh, h)) {
+            h = side;
+        }
+    }
+    const Vec3& a = mesh.point_of(h);
+    const Vec3& b = mesh.point_of(SurfaceMesh::next(h));
+    const Vec3& c = mesh.point_of(SurfaceMesh::prev(h));
+    const Vec3 along = b - a;
+    // Of the perpendicular bisector in the triangle's plane, towards the apex.
+    Vec3 up = (c - a) - along * (along.dot(c - a) / along.squaredNorm());
+    const double height = up.norm();
+    Candidate result = edge_middle_site(mesh, h);
+    if (!(height > 0.0)) {
+        return result;  // no plane: the middle of the shortest edge is refused as crowded
+    }
+    const double half = 0.5 * along.norm();
+    const double offset = along.dot(c - a) / along.squaredNorm() * along.norm() - half;
+    const double centre = (height * height + offset * offset - half * half) / (2.0 * height);
+    const double off_centre = half / std::tan(0.5 * kOffCentreSlack * angle);
+    result.point += up * (std::min(centre, off_centre) / height);
+    result.reach = std::max(result.reach, off_centre);
+    return result;
 }
 
 Candidate edge_middle_site(const SurfaceMesh& mesh, int h) {

@@ -20,8 +20,11 @@ struct Candidate {
 /// centroid of the triangle across the edge opposite the obtuse angle. No value when that edge is a segment, which
 /// is then `blocking_segment`.
 std::optional<Candidate> paper_site(const mesh::SurfaceMesh& mesh, int triangle, int& blocking_segment);
-/// The circumcentre of a triangle, obtuse or not. It may fall into another triangle: see `locate`.
-Candidate circumcentre_site(const mesh::SurfaceMesh& mesh, int triangle);
+/// The off-centre (Ungor 2004): the point on the perpendicular bisector of the shortest edge from which that edge is
+/// seen under `angle` (radians), or the circumcentre when that is nearer. It may fall into another triangle: see
+/// `locate`. Unlike the paper's centroid it never lies closer to the shortest edge than good angles allow, so rows of
+/// thin triangles along a finely split edge do not split that edge further.
+Candidate off_centre_site(const mesh::SurfaceMesh& mesh, int triangle, double angle);
 /// The middle of the edge of `h`.
 Candidate edge_middle_site(const mesh::SurfaceMesh& mesh, int h);
 

@@ -23,8 +23,8 @@ constexpr double kNarrow = M_PI / 3.0;
 
 }  // namespace
 
-Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees)
-    : work_(work), segments_(segments), bound_(min_angle_degrees * M_PI / 180.0) {}
+Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion)
+    : work_(work), segments_(segments), bound_(min_angle_degrees * M_PI / 180.0), insertion_(insertion) {}
 
 void Refiner::push_if_bad(int triangle) {
     const SmallestAngle smallest = smallest_angle(work_.mesh, triangle);
@@ -129,13 +129,20 @@ std::vector<Refiner::Job> Refiner::take_jobs() {
             continue;
         }
         int segment = -1;
-        if (const auto site = paper_site(work_.mesh, bad.triangle, segment)) {
+        if (const auto site = site_by_rule(bad.triangle, 0, segment)) {
             jobs.push_back({bad, *site, 0});
         } else {
             handle_blocked(bad, segment);
         }
     }
     return jobs;
+}
+
+std::optional<Candidate> Refiner::site_by_rule(int triangle, int attempt, int& blocking_segment) const {
+    if ((attempt == 0) == (insertion_ == Insertion::Paper)) {
+        return paper_site(work_.mesh, triangle, blocking_segment);
+    }
+    return off_centre_site(work_.mesh, triangle, bound_);
 }
 
 // Once a triangle: where splitting is refused it stays as it is.
@@ -271,11 +278,13 @@ void Refiner::give_up(const Job& job, Cause cause) {
     }
     const int h = longest_edge(job.bad.triangle);
     const int segment = work_.mesh.segment_of(h);
-    if (job.attempt == 0) {
-        again_.push_back({job.bad, circumcentre_site(work_.mesh, job.bad.triangle), 1});
-    } else if (job.attempt == 1 && segment < 0) {
+    int blocking = -1;
+    const auto other = job.attempt == 0 ? site_by_rule(job.bad.triangle, 1, blocking) : std::nullopt;
+    if (other) {
+        again_.push_back({job.bad, *other, 1});
+    } else if (job.attempt < kLastAttempt && segment < 0) {
         again_.push_back({job.bad, edge_middle_site(work_.mesh, h), kLastAttempt});
-    } else if (job.attempt != 1 || !split_instead(job.bad, {segment})) {
+    } else if (job.attempt == kLastAttempt || !split_instead(job.bad, {segment})) {
         int corner = -1;
         if (segment >= 0 && segments_.frozen(segment, &corner)) {
             cause = Cause::NarrowCluster;

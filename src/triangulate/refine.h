@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <queue>
 #include <unordered_set>
 #include <vector>
 
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
+#include "triangulate/triangulate.h"
 
 namespace mq::triangulate {
 
@@ -18,7 +20,7 @@ namespace mq::triangulate {
 /// for a bounded number of them; near narrow corners, see SegmentSplitter::may_split_for.
 class Refiner {
   public:
-    Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees);
+    Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion);
 
     void run();
 
@@ -36,7 +38,7 @@ class Refiner {
     struct Job {
         Bad bad;
         Candidate candidate;
-        int attempt = 0;  // the paper's site; when it is refused the circumcentre, then the middle of the longest edge
+        int attempt = 0;  // the chosen rule's site; when it is refused the other rule's, then the middle of the longest edge
     };
 
     std::uint64_t key(int triangle) const;
@@ -45,6 +47,7 @@ class Refiner {
     void push_touched();
     bool refine_round();
     std::vector<Job> take_jobs();
+    std::optional<Candidate> site_by_rule(int triangle, int attempt, int& blocking_segment) const;
     void handle_blocked(const Bad& bad, int segment);
     void work_on(const Job& job, const std::optional<SurfacePoint>& p);
     bool split_instead(const Bad& bad, const std::vector<int>& segments);
@@ -61,6 +64,7 @@ class Refiner {
     Workspace& work_;
     SegmentSplitter& segments_;
     double bound_;  // radians
+    Insertion insertion_;
     std::priority_queue<Bad> queue_;
     std::unordered_set<std::uint64_t> turned_;  // triangles that were refined for their alignment, by key
     std::vector<int> touched_;

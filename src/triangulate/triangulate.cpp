@@ -89,7 +89,7 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
 void refine(Workspace& work, const Options& options, double chord, StageClock& clock) {
     SegmentSplitter segments(work);
     work.progress.stage("refining angles", 0.15, chord > 0.0 || options.max_edge > 0.0 ? 0.4 : 0.9);
-    Refiner refiner(work, segments, options.min_angle);
+    Refiner refiner(work, segments, options.min_angle, options.insertion);
     refiner.run();
     clock.end("angles");
     if (!(chord > 0.0) && !(options.max_edge > 0.0)) {

@@ -12,12 +12,19 @@
 /// Quality triangulation of CAD parts: Aftosmis 1999, Algorithms M and E, behind one function.
 namespace mq::triangulate {
 
+/// Where a triangle with too small an angle gets its new vertex.
+enum class Insertion {
+    OffCentre,  ///< at the off-centre: fewer triangles, and no cascades along finely split edges
+    Paper,      ///< as Aftosmis 1999, section 3.3: circumcentre, or the centroid of the triangle across the longest edge
+};
+
 struct Options {
     double min_angle = 25.0;              ///< degrees, 0 < a <= 34
     double chord_height = 0.0;            ///< mm; 0: no bound
     double chord_height_relative = 0.0;   ///< fraction of the part's largest dimension; 0: no bound
     double max_edge = 0.0;                ///< mm; 0: no bound
     double min_edge = 0.0;                ///< mm; no edge is split into shorter ones than this; 0: no bound
+    Insertion insertion = Insertion::OffCentre;
     std::size_t max_triangles = 0;        ///< 0: 20 million
     bool allow_missing_faces = false;     ///< mesh the rest of a part whose faces fail, and name them in the report
 
