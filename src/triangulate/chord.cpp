@@ -193,7 +193,7 @@ void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>
             split_segment = true;
         }
     }
-    if (!split_segment && insert_vertex(work_, {h / 3, h, -1}, *p, touched_)) {
+    if (!split_segment && insert_vertex(work_, h / 3, *p, touched_)) {
         passed_edges_.insert(edge_key(work_.mesh, h));  // refused: it cannot be split here
     }
 }

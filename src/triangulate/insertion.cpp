@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/predicates.h"
-#include "triangulate/fold.h"
+#include "triangulate/cavity.h"
 
 namespace mq::triangulate {
 
@@ -15,8 +15,6 @@ namespace {
 using geometry::Query;
 using mesh::SurfaceMesh;
 
-// A vertex nearer to an edge than this part of the edge's length is put on the edge.
-constexpr double kOnEdge = 0.02;
 // The new triangle on the shortest edge gets an angle this much above the bound, so that rounding does not spoil it.
 constexpr double kOffCentreSlack = 1.05;
 constexpr int kMaxWalk = 100;
@@ -82,18 +80,6 @@ std::array<double, 3> side_areas(const SurfaceMesh& mesh, int triangle, const Su
 bool too_close(const Workspace& work, int triangle, const Vec3& p) {
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         if ((work.mesh.point_of(h) - p).norm() < work.shortest_allowed()) {
-            return true;
-        }
-    }
-    return false;
-}
-
-// Would the fan from p over the outer sides of these triangles fold?
-bool folds(const SurfaceMesh& mesh, const std::vector<int>& sides, const Corner& p, double before) {
-    const double least = std::min(kAligned, before);
-    for (const int h : sides) {
-        const double a = alignment(corner_of(mesh, mesh.site_of(h)), corner_of(mesh, mesh.site_of(SurfaceMesh::next(h))), p);
-        if (a < least || a <= 0.0) {
             return true;
         }
     }
@@ -180,12 +166,10 @@ Location locate(const SurfaceMesh& mesh, int triangle, const SurfacePoint& p) {
         const int h = 3 * t + least;
         const bool on_segment = mesh.segment_of(h) >= 0;
         if (areas[least] >= 0.0) {
-            const Vec3 edge = mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h);
-            const bool near = areas[least] < kOnEdge * edge.squaredNorm();
-            return near && !on_segment ? Location{t, h, -1} : Location{t, -1, -1};
+            return {t, -1};
         }
         if (on_segment) {
-            return {t, -1, mesh.segment_of(h)};
+            return {t, mesh.segment_of(h)};
         }
         t = SurfaceMesh::triangle_of(mesh.twin(h));
     }
@@ -216,44 +200,27 @@ Surroundings look_around(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
     return result;
 }
 
-std::optional<Cause> insert_vertex(Workspace& work, const Location& place, const SurfacePoint& p,
-                                   std::vector<int>& touched) {
+std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfacePoint& p, std::vector<int>& touched) {
     SurfaceMesh& mesh = work.mesh;
-    const int h = place.half_edge;
-    const Corner corner{p.point, p.normal};
-    std::vector<int> sides;
-    double before = alignment(mesh, place.triangle);
-    if (too_close(work, place.triangle, p.point)) {
+    if (too_close(work, triangle, p.point)) {
         return work.too_short();
     }
-    if (h < 0) {
-        sides = {3 * place.triangle, 3 * place.triangle + 1, 3 * place.triangle + 2};
-    } else {
-        const int g = mesh.twin(h);
-        if (too_close(work, SurfaceMesh::triangle_of(g), p.point)) {
-            return work.too_short();
-        }
-        before = std::min(before, alignment(mesh, SurfaceMesh::triangle_of(g)));
-        sides = {SurfaceMesh::next(h), SurfaceMesh::prev(h), SurfaceMesh::next(g), SurfaceMesh::prev(g)};
-    }
-    if (folds(mesh, sides, corner, before)) {
+    const double least = std::min(kAligned, alignment(mesh, triangle));
+    const Cavity cavity = grow_cavity(mesh, 3 * triangle, false, {p.point, p.normal}, least);
+    if (!cavity.complete) {
         return Cause::Fold;
     }
-    const int face = mesh.face_of(place.triangle);
+    const int face = mesh.face_of(triangle);
     const int site = mesh.add_site({mesh.add_vertex(p.point, {2, face}), p.uv, p.normal});
-    std::vector<int> changed;
-    if (h < 0) {
-        const auto three = mesh.split_triangle(place.triangle, site);
-        changed.assign(three.begin(), three.end());
-    } else {
-        work.maxmin.forget(mesh.vertex_of(h), mesh.vertex_of(SurfaceMesh::next(h)));
-        const auto four = mesh.split_edge(h, site);
-        changed.assign(four.begin(), four.end());
+    const auto three = mesh.split_triangle(triangle, site);
+    touched.insert(touched.end(), three.begin(), three.end());
+    const std::size_t before = touched.size() - 3;
+    for (const int g : cavity.outside) {
+        work.maxmin.swap(g, touched);
     }
     std::vector<int> stack;
-    for (const int t : changed) {
-        touched.push_back(t);
-        stack.insert(stack.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+    for (std::size_t i = before; i < touched.size(); ++i) {
+        stack.insert(stack.end(), {3 * touched[i], 3 * touched[i] + 1, 3 * touched[i] + 2});
     }
     work.maxmin.restore(stack, touched);
     return std::nullopt;

@@ -40,9 +40,8 @@ std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const s
 
 /// Where a surface point falls on the mesh.
 struct Location {
-    int triangle = -1;   ///< that it falls in, or -1
-    int half_edge = -1;  ///< an edge with a twin that it lies (nearly) on, or -1
-    int segment = -1;    ///< a segment that it lies on or beyond, or -1
+    int triangle = -1;  ///< that it falls in, or -1
+    int segment = -1;   ///< a segment that it lies beyond, or -1
 };
 /// Walks from `triangle`. Never crosses a segment.
 Location locate(const mesh::SurfaceMesh& mesh, int triangle, const SurfacePoint& p);
@@ -54,9 +53,9 @@ struct Surroundings {
 };
 Surroundings look_around(const mesh::SurfaceMesh& mesh, int triangle, const Vec3& p);
 
-/// Puts a vertex where `place` says and restores the maxmin property. Changes nothing, and says why, when it would lie
-/// too close to a neighbour or fold the mesh. Changed triangles are appended to `touched`.
-std::optional<Cause> insert_vertex(Workspace& work, const Location& place, const SurfacePoint& p,
-                                   std::vector<int>& touched);
+/// Puts a vertex into a triangle, takes in the neighbours that it would fold with otherwise, and restores the maxmin
+/// property. Changes nothing, and says why, when it would lie too close to a corner or fold the mesh all the same.
+/// Changed triangles are appended to `touched`.
+std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfacePoint& p, std::vector<int>& touched);
 
 }  // namespace mq::triangulate

@@ -88,6 +88,15 @@ bool Maxmin::legal(int h) const {
     return true;
 }
 
+void Maxmin::swap(int h, std::vector<int>& touched) {
+    const int t = SurfaceMesh::triangle_of(h);
+    touched.push_back(t);
+    touched.push_back(SurfaceMesh::triangle_of(mesh_.twin(h)));
+    forget(mesh_.vertex_of(h), mesh_.vertex_of(SurfaceMesh::next(h)));
+    mesh_.swap(h);
+    remember(mesh_.vertex_of(3 * t + 1), mesh_.vertex_of(3 * t + 2));
+}
+
 void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched) {
     while (!stack.empty()) {
         const int h = stack.back();
@@ -104,11 +113,7 @@ void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched) {
         }
         const int t = SurfaceMesh::triangle_of(h);
         const int o = SurfaceMesh::triangle_of(g);
-        forget(mesh_.vertex_of(h), mesh_.vertex_of(next));
-        mesh_.swap(h);
-        remember(mesh_.vertex_of(3 * t + 1), mesh_.vertex_of(3 * t + 2));
-        touched.push_back(t);
-        touched.push_back(o);
+        swap(h, touched);
         stack.insert(stack.end(), {3 * t, 3 * t + 2, 3 * o, 3 * o + 1});
     }
 }

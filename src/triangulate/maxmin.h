@@ -24,6 +24,9 @@ class Maxmin {
     /// it on the stack again. Changed triangles are appended to `touched`.
     void restore(std::vector<int>& stack, std::vector<int>& touched);
 
+    /// Swaps the edge of `h` whatever the predicate says, and keeps the books.
+    void swap(int h, std::vector<int>& touched);
+
     /// Half-edges without a segment that join two vertices that another edge joins already.
     std::vector<int> doubled_edges() const;
     /// To be called before and after a vertex is put on an edge or a segment between two border vertices.

@@ -241,7 +241,7 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
         return;
     }
     const int vertices = work_.mesh.vertex_count();
-    if (const auto refused = insert_vertex(work_, place, *p, touched_)) {
+    if (const auto refused = insert_vertex(work_, place.triangle, *p, touched_)) {
         give_up(job, *refused);
         return;
     }

@@ -22,6 +22,8 @@ constexpr double kAcute = M_PI / 2.0;
 constexpr double kNarrow = M_PI / 3.0;
 // The innermost shell is this much smaller than the distance to the nearest thing that is not part of the corner.
 constexpr double kRoom = 0.25;
+constexpr double kNotFolded = 0.1;
+constexpr int kMaxPostponed = 12;
 
 }  // namespace
 
@@ -90,7 +92,11 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
     if (corners[end].angle >= kAcute) {
         return {};
     }
-    return {end, std::exp2(std::round(std::log2(0.5 * chord(segment))))};
+    const double shell = std::exp2(std::round(std::log2(0.5 * chord(segment))));
+    // Where the other edge of a narrow corner is split more finely already, its innermost vertex sets the shell: a chord
+    // that ends farther out could cross it.
+    const double other = chord(corners[end].segment);
+    return {end, corners[end].angle < kNarrow && other < 0.7 * chord(segment) ? std::min(shell, other) : shell};
 }
 
 bool SegmentSplitter::frozen(int segment, int* corner_vertex) const {
@@ -181,93 +187,89 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
     const Answer* next = answers.data();
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const std::size_t uses = work_.mesh.segment(segments[i]).uses.size();
-        if (!places[i].found() || !split(segments[i], places[i], next, touched)) {
+        if (split(segments[i], places[i], next, touched) == Outcome::Refused) {
             refuse(segments[i]);
         }
         next += uses;
     }
 }
 
-// The new vertex must see the apex from its own side of the apex's two edges. Where it does not (a curve that bulges
-// past them), the edge in the way is swapped first.
-bool SegmentSplitter::make_room(int segment, std::size_t use, const Vec3& point, const Vec3& normal,
-                                std::vector<int>& touched) {
-    SurfaceMesh& mesh = work_.mesh;
-    for (int tries = 0; tries < 8; ++tries) {
-        const int h = mesh.segment(segment).uses[use].half_edge;
-        const Corner a = corner_of(mesh, mesh.site_of(h));
-        const Corner b = corner_of(mesh, mesh.site_of(SurfaceMesh::next(h)));
-        const Corner c = corner_of(mesh, mesh.site_of(SurfaceMesh::prev(h)));
-        const Corner p{point, normal};
-        const double before = std::min(kAligned, alignment(a, b, c));
-        const bool near_bad = alignment(a, p, c) < std::min(before, 0.1);
-        const bool far_bad = alignment(p, b, c) < std::min(before, 0.1);
-        if (!near_bad && !far_bad) {
-            return true;
-        }
-        const int blocking = near_bad ? SurfaceMesh::prev(h) : SurfaceMesh::next(h);
-        const int g = mesh.twin(blocking);
-        if ((near_bad && far_bad) || g < 0) {
-            return false;
-        }
-        const Corner d = corner_of(mesh, mesh.site_of(SurfaceMesh::prev(g)));
-        const Corner& from = near_bad ? c : b;
-        const Corner& to = near_bad ? a : c;
-        const Corner& apex = near_bad ? b : a;
-        if (mesh.vertex_of(SurfaceMesh::prev(g)) == mesh.vertex_of(SurfaceMesh::prev(blocking)) ||
-            std::min(alignment(from, d, apex), alignment(d, to, apex)) < 0.1) {
-            return false;
-        }
-        work_.maxmin.forget(mesh.vertex_of(blocking), mesh.vertex_of(SurfaceMesh::next(blocking)));
-        mesh.swap(blocking);
-        const int t = SurfaceMesh::triangle_of(blocking);
-        work_.maxmin.remember(mesh.vertex_of(3 * t + 1), mesh.vertex_of(3 * t + 2));
-        touched.push_back(t);
-        touched.push_back(SurfaceMesh::triangle_of(g));
-    }
-    return false;
+bool SegmentSplitter::good_place(int segment, const Answer& place, const Vec3& point) const {
+    const SurfaceMesh::Segment& s = work_.mesh.segment(segment);
+    const double least = work_.shortest_allowed();
+    return place.found() && place.t > std::min(s.t[0], s.t[1]) && place.t < std::max(s.t[0], s.t[1]) &&
+           (point - work_.mesh.vertex(s.vertices[0]).point).norm() >= least &&
+           (point - work_.mesh.vertex(s.vertices[1]).point).norm() >= least;
 }
 
-bool SegmentSplitter::split(int segment, const Answer& place, const Answer* on_faces, std::vector<int>& touched) {
-    SurfaceMesh& mesh = work_.mesh;
-    const SurfaceMesh::Segment old = mesh.segment(segment);
-    const Vec3 point = work_.grid.snap(place.point);
-    const double least = work_.shortest_allowed();
-    const double low = std::min(old.t[0], old.t[1]);
-    const double high = std::max(old.t[0], old.t[1]);
-    if (place.t <= low || place.t >= high || (point - mesh.vertex(old.vertices[0]).point).norm() < least ||
-        (point - mesh.vertex(old.vertices[1]).point).norm() < least) {
-        return false;
+// The new vertex lies beyond another segment: between two arcs whose chords are coarse against their distance, one has
+// to be split before the other.
+SegmentSplitter::Outcome SegmentSplitter::wait_for(int segment, int other) {
+    if (other < 0 || other == segment || refused(other) || ++postponed_[segment] > kMaxPostponed) {
+        return Outcome::Refused;
     }
-    for (std::size_t k = 0; k < old.uses.size(); ++k) {
-        if (!on_faces[k].found() || !make_room(segment, k, point, on_faces[k].normal, touched)) {
-            return false;
+    request(other);
+    request(segment);
+    return waiting_[other] != 0 ? Outcome::Later : Outcome::Refused;
+}
+
+SegmentSplitter::Outcome SegmentSplitter::split(int segment, const Answer& place, const Answer* on_faces,
+                                                std::vector<int>& touched) {
+    const Vec3 point = work_.grid.snap(place.point);
+    if (!good_place(segment, place, point)) {
+        return Outcome::Refused;
+    }
+    std::vector<Cavity> cavities;
+    std::set<int> taken;
+    for (std::size_t k = 0; k < work_.mesh.segment(segment).uses.size(); ++k) {
+        const int h = work_.mesh.segment(segment).uses[k].half_edge;
+        const double least = std::min(kNotFolded, alignment(work_.mesh, SurfaceMesh::triangle_of(h)));
+        cavities.push_back(grow_cavity(work_.mesh, h, true, {point, on_faces[k].normal}, least));
+        if (!on_faces[k].found() || !cavities.back().complete) {
+            return wait_for(segment, cavities.back().segment);
+        }
+        for (const int t : cavities.back().triangles) {
+            if (!taken.insert(t).second) {
+                return Outcome::Refused;  // both sides of a seam want the same triangle
+            }
         }
     }
+    insert(segment, place.t, point, on_faces, cavities, touched);
+    return Outcome::Split;
+}
+
+void SegmentSplitter::insert(int segment, double t, const Vec3& point, const Answer* on_faces,
+                             const std::vector<Cavity>& cavities, std::vector<int>& touched) {
+    SurfaceMesh& mesh = work_.mesh;
+    const SurfaceMesh::Segment old = mesh.segment(segment);
+    const std::size_t before = touched.size();
     const int vertex = mesh.add_vertex(point, {1, old.edge});
     std::vector<int> sites;
     for (std::size_t k = 0; k < old.uses.size(); ++k) {
         sites.push_back(mesh.add_site({vertex, Vec2(on_faces[k].u, on_faces[k].v), on_faces[k].normal}));
     }
     work_.maxmin.forget(old.vertices[0], old.vertices[1]);
-    const int far = mesh.split_segment(segment, vertex, place.t, sites);
+    const int far = mesh.split_segment(segment, vertex, t, sites);
     work_.maxmin.remember(old.vertices[0], vertex);
     work_.maxmin.remember(vertex, old.vertices[1]);
-    work_.depth[segment] += 1;
-    work_.depth.push_back(work_.depth[segment]);
-    std::vector<int> stack;
     for (const int s : {segment, far}) {
         for (const SurfaceMesh::SegmentUse& use : mesh.segment(s).uses) {
-            const int t = SurfaceMesh::triangle_of(use.half_edge);
-            touched.push_back(t);
-            stack.insert(stack.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+            touched.push_back(SurfaceMesh::triangle_of(use.half_edge));
             if (s == segment) {  // the edge from the new vertex to the apex is seen from both halves: count it once
                 work_.maxmin.remember(vertex, mesh.vertex_of(SurfaceMesh::prev(use.half_edge)));
             }
         }
     }
+    for (const Cavity& cavity : cavities) {
+        for (const int g : cavity.outside) {
+            work_.maxmin.swap(g, touched);
+        }
+    }
+    std::vector<int> stack;
+    for (std::size_t i = before; i < touched.size(); ++i) {
+        stack.insert(stack.end(), {3 * touched[i], 3 * touched[i] + 1, 3 * touched[i] + 2});
+    }
     work_.maxmin.restore(stack, touched);
-    return true;
 }
 
 }  // namespace mq::triangulate

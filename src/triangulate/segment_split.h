@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <map>
 #include <vector>
 
+#include "triangulate/cavity.h"
 #include "triangulate/workspace.h"
 
 namespace mq::triangulate {
@@ -42,8 +44,13 @@ class SegmentSplitter {
     double chord(int segment) const;
     geometry::Query place_query(int segment) const;
     void split_batch(const std::vector<int>& segments, std::vector<int>& touched);
-    bool split(int segment, const geometry::Answer& place, const geometry::Answer* on_faces, std::vector<int>& touched);
-    bool make_room(int segment, std::size_t use, const Vec3& point, const Vec3& normal, std::vector<int>& touched);
+    enum class Outcome { Split, Refused, Later };
+    Outcome split(int segment, const geometry::Answer& place, const geometry::Answer* on_faces,
+                  std::vector<int>& touched);
+    bool good_place(int segment, const geometry::Answer& place, const Vec3& point) const;
+    Outcome wait_for(int segment, int other);
+    void insert(int segment, double t, const Vec3& point, const geometry::Answer* on_faces,
+                const std::vector<Cavity>& cavities, std::vector<int>& touched);
     void request_encroached_around(const std::vector<int>& triangles);
     void refuse(int segment);
 
@@ -54,6 +61,7 @@ class SegmentSplitter {
     std::vector<int> pending_;
     std::vector<char> waiting_;  // per segment
     std::vector<char> refused_;
+    std::map<int, int> postponed_;  // how often a segment had to wait for another
 };
 
 }  // namespace mq::triangulate

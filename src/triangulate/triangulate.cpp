@@ -66,8 +66,7 @@ void separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
         const auto points = surface_points(work, candidates);
         bool changed = false;
         for (std::size_t i = 0; i < doubled.size(); ++i) {
-            const Location place{doubled[i] / 3, doubled[i], -1};
-            changed = (points[i] && !insert_vertex(work, place, *points[i], touched)) || changed;
+            changed = (points[i] && !insert_vertex(work, doubled[i] / 3, *points[i], touched)) || changed;
             if (changed) {
                 break;  // swaps may have moved the others
             }
@@ -166,7 +165,6 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     work.floor = kFloorSteps * grid.resolution();
     work.min_edge = options.min_edge;
     work.budget = options.max_triangles > 0 ? options.max_triangles : kDefaultBudget;
-    work.depth.assign(surface.segment_count(), 0);
     std::vector<int> touched;
     separate_doubled_edges(work, touched);
     maxmin.sweep(touched);

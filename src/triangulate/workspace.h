@@ -44,7 +44,6 @@ struct Workspace {
     double floor = 0.0;         ///< no two neighbours closer than this, mm
     double min_edge = 0.0;      ///< as asked; 0: none
     std::size_t budget = 0;     ///< triangles
-    std::vector<int> depth{};   ///< per segment: how often its CAD edge was halved to get here
     std::vector<std::uint8_t> shrinks{};  ///< per vertex: insertions in its ancestry that made edges shorter
     std::map<int, Exemption> exempt{};  ///< by triangle
 
