@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/output.h"
 
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 
@@ -53,23 +54,59 @@ class VolumeWriter {
     bool flipped(int h) const { return flipped_[mesh_.face_of(h / 3)] != 0; }
     int from(int h) const { return mesh_.vertex_of(flipped(h) ? SurfaceMesh::next(h) : h); }
 
-    // The half-edge on the other side within this volume; -1 at a border or where the sides are not exactly two.
+    // The half-edge on the other side within this volume; -1 at a border or where sides do not come in pairs.
     int partner(int h) const {
         const int s = mesh_.segment_of(h);
         if (s < 0) {
             return mesh_.twin(h);
         }
-        int other = -1;
+        std::vector<int> sides;
+        int balance = 0;
         for (const SurfaceMesh::SegmentUse& use : mesh_.segment(s).uses) {
-            if (use.half_edge == h || !present_[mesh_.face_of(use.half_edge / 3)]) {
+            if (present_[mesh_.face_of(use.half_edge / 3)]) {
+                sides.push_back(use.half_edge);
+                balance += from(use.half_edge) == mesh_.segment(s).vertices[0] ? 1 : -1;
+            }
+        }
+        if (balance != 0 || sides.size() < 2) {
+            return -1;
+        }
+        if (sides.size() == 2) {
+            return sides[0] == h ? sides[1] : sides[0];
+        }
+        return across_material(s, h, sides);
+    }
+
+    // Where a solid touches itself along an edge, four or more faces meet. Two of them belong together when they bound
+    // the same wedge of material.
+    int across_material(int segment, int h, const std::vector<int>& sides) const {
+        const auto& v = mesh_.segment(segment).vertices;
+        const Vec3 axis = (mesh_.vertex(v[1]).point - mesh_.vertex(v[0]).point).normalized();
+        const Vec3 own = into_face(h, axis);
+        const Vec3 turned = axis.cross(own);
+        // Outward is to the right of the face when it is walked along its border with the inside on the left.
+        const double sense = from(h) == v[0] ? -1.0 : 1.0;
+        int best = -1;
+        double least = 1e300;
+        for (const int other : sides) {
+            if (other == h || from(other) == from(h)) {
                 continue;
             }
-            if (other >= 0) {
-                return -1;
+            const Vec3 d = into_face(other, axis);
+            double angle = sense * std::atan2(turned.dot(d), own.dot(d));
+            angle = angle <= 0.0 ? angle + 2.0 * M_PI : angle;
+            if (angle < least) {
+                least = angle;
+                best = other;
             }
-            other = use.half_edge;
         }
-        return other >= 0 && from(other) != from(h) ? other : -1;
+        return best;
+    }
+
+    // The direction perpendicular to the segment in which the face of `h` leaves it.
+    Vec3 into_face(int h, const Vec3& axis) const {
+        const Vec3 d = mesh_.point_of(SurfaceMesh::prev(h)) - mesh_.point_of(h);
+        return (d - axis * axis.dot(d)).normalized();
     }
 
     bool glue(int h) {
