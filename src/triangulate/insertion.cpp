@@ -17,6 +17,8 @@ using mesh::SurfaceMesh;
 
 // The new triangle on the shortest edge gets an angle this much above the bound, so that rounding does not spoil it.
 constexpr double kOffCentreSlack = 1.05;
+// Where the surface leaves the triangle's plane by more than this part of the way, the off-centre means nothing.
+constexpr double kMaxLift = 0.5;
 constexpr int kMaxWalk = 100;
 constexpr std::size_t kMaxVisit = 400;
 
@@ -126,8 +128,10 @@ Candidate off_centre_site(const SurfaceMesh& mesh, int triangle, double angle) {
     const double offset = along.dot(c - a) / along.squaredNorm() * along.norm() - half;
     const double centre = (height * height + offset * offset - half * half) / (2.0 * height);
     const double off_centre = half / std::tan(0.5 * kOffCentreSlack * angle);
-    result.point += up * (std::min(centre, off_centre) / height);
-    result.reach = std::max(result.reach, off_centre);
+    const double way = std::min(centre, off_centre);
+    result.point += up * (way / height);
+    result.reach = kMaxLift * way;
+    result.uv_is_near = false;
     return result;
 }
 
@@ -146,8 +150,8 @@ std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const s
     geometry::Engine::Answers answers = work.session.ask(std::move(batch));
     std::vector<std::optional<SurfacePoint>> result(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        if (!answers[i].found() || answers[i].distance > candidates[i].reach) {
-            const Candidate& c = candidates[i];
+        const Candidate& c = candidates[i];
+        if (c.uv_is_near && (!answers[i].found() || answers[i].distance > c.reach)) {
             answers[i] = work.session.ask(Query::face_point(work.mesh.face_of(c.triangle), c.uv.x(), c.uv.y()));
             answers[i].distance = (answers[i].point - work.grid.to_part(c.point)).norm();
         }

@@ -13,6 +13,7 @@ struct Candidate {
     int triangle = -1;  ///< that owns it
     Vec3 point = Vec3::Zero();
     Vec2 uv = Vec2::Zero();  ///< interpolated: the guess for the engine
+    bool uv_is_near = true;  ///< the surface point at `uv` would do as well
     double reach = 0.0;      ///< a foot farther from `point` than this is on another sheet of the surface
 };
 

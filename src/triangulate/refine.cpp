@@ -20,6 +20,8 @@ constexpr int kMaxRetries = 3;
 constexpr int kMaxShrinks = 6;
 constexpr double kMaxShrink = 0.35;
 constexpr double kNarrow = M_PI / 3.0;
+// Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own sake.
+constexpr double kMinTurned = 1e-3;
 
 }  // namespace
 
@@ -150,6 +152,10 @@ void Refiner::take_turned(const Bad& bad, std::vector<Job>& jobs) {
     turned_.insert(key(bad.triangle));
     touched_.push_back(bad.triangle);
     const int h = most_turned_side(work_.mesh, bad.triangle);
+    const double side = (work_.mesh.point_of(SurfaceMesh::next(h)) - work_.mesh.point_of(h)).norm();
+    if (side < kMinTurned * work_.session.topology().box.largest_side()) {
+        return;
+    }
     const int segment = work_.mesh.segment_of(h);
     if (segment < 0) {
         jobs.push_back({bad, edge_middle_site(work_.mesh, h), kLastAttempt});
