@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <random>
 
+#include "base/cases.h"
 #include "base/exact.h"
 
 namespace mq {
@@ -49,7 +50,7 @@ void expect_valid(const Expansion& e) {
 }
 
 TEST_F(ExpansionTest, DifferenceAndProductOfNumbersAreExact) {
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < scaled_cases(100000); ++i) {
         const double a = number();
         const double b = number();
         const mpq_class difference = mpq_class(a) - mpq_class(b);
@@ -60,7 +61,7 @@ TEST_F(ExpansionTest, DifferenceAndProductOfNumbersAreExact) {
 }
 
 TEST_F(ExpansionTest, ArithmeticIsExact) {
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < scaled_cases(20000); ++i) {
         const Expansion a = expansion();
         const Expansion b = expansion();
         const double factor = number();
@@ -77,7 +78,7 @@ TEST_F(ExpansionTest, ArithmeticIsExact) {
 }
 
 TEST_F(ExpansionTest, CompressionGathersTheValueInTheLastTerm) {
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < scaled_cases(20000); ++i) {
         const Expansion e = expansion();
         const Expansion compressed = e.compressed();
         ASSERT_LE(compressed.size(), e.size());

@@ -5,14 +5,15 @@
 
 #include <cmath>
 
+#include "base/cases.h"
 #include "base/exact.h"
 #include "base/point_source.h"
 
 namespace mq {
 namespace {
 
-constexpr int kCheap = 100000;
-constexpr int kCostly = 20000;
+constexpr int kCheap = scaled_cases(100000);
+constexpr int kCostly = scaled_cases(20000);
 
 /// Every predicate against its definition in rational arithmetic, on every kind of points.
 class PredicatesTest : public testing::TestWithParam<Points> {

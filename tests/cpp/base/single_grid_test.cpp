@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "base/cases.h"
 #include "base/error.h"
 
 namespace mq {
@@ -61,7 +62,7 @@ TEST_P(SingleGridTest, SnapsToSinglePrecisionMultiplesOfTheQuantum) {
     const SingleGrid grid(box);
     const double quantum = std::ldexp(size_of(box, grid), -48);
     std::mt19937_64 random(21);
-    for (int i = 0; i < 100000; ++i) {
+    for (int i = 0; i < scaled_cases(100000); ++i) {
         const Vec3 p = random_point(box, grid, random);
         const Vec3 local = grid.snap(p);
         ASSERT_TRUE(is_single(local)) << local.transpose();
@@ -80,7 +81,7 @@ TEST_P(SingleGridTest, SnappedPointsStayWhereTheyAre) {
     std::mt19937_64 random(22);
     const Vec3 size = Vec3::Constant(size_of(GetParam(), grid));
     const SingleGrid local_grid(box_of(-size, size));
-    for (int i = 0; i < 10000; ++i) {
+    for (int i = 0; i < scaled_cases(10000); ++i) {
         const Vec3 local = grid.snap(random_point(GetParam(), grid, random));
         ASSERT_EQ(local_grid.snap(local), local);
     }
@@ -91,7 +92,7 @@ TEST_P(SingleGridTest, FindsTheNearestPointOfTheGrid) {
     const SingleGrid grid(box);
     const double quantum = std::ldexp(size_of(box, grid), -48);
     std::mt19937_64 random(23);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < scaled_cases(20000); ++i) {
         const Vec3 p = random_point(box, grid, random);
         const double exact = p.x() - grid.origin().x();
         const double snapped = grid.snap(p).x();
@@ -107,7 +108,7 @@ TEST_P(SingleGridTest, FindsTheNearestPointOfTheGrid) {
 TEST_P(SingleGridTest, DifferencesAreExact) {
     const SingleGrid grid(GetParam());
     std::mt19937_64 random(24);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < scaled_cases(20000); ++i) {
         const Vec3 a = grid.snap(random_point(GetParam(), grid, random));
         const Vec3 b = grid.snap(random_point(GetParam(), grid, random));
         const Vec3 difference = a - b;

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/surface_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include "mesh/surface_samples.h"
+
+namespace mq::mesh {
+namespace {
+
+/// V - E + F with an edge for every pair of twins and every segment.
+int euler(const SurfaceMesh& mesh) {
+    std::set<int> vertices;
+    int half_edges = 0;
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        vertices.insert(mesh.vertex_of(h));
+        half_edges += mesh.twin(h) >= 0 ? 1 : 0;
+    }
+    return static_cast<int>(vertices.size()) - half_edges / 2 - mesh.segment_count() + mesh.triangle_count();
+}
+
+/// Signed area of every face in (u, v): no operation changes it, whatever the triangles look like.
+std::map<int, double> areas(const SurfaceMesh& mesh) {
+    std::map<int, double> result;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const Vec2 a = mesh.site(mesh.site_of(3 * t)).uv;
+        const Vec2 b = mesh.site(mesh.site_of(3 * t + 1)).uv - a;
+        const Vec2 c = mesh.site(mesh.site_of(3 * t + 2)).uv - a;
+        result[mesh.face_of(t)] += 0.5 * (b.x() * c.y() - b.y() * c.x());
+    }
+    return result;
+}
+
+/// The segments of a CAD edge hang together by vertices and by parameter, and each is used as often as the first.
+void expect_chains(const SurfaceMesh& mesh) {
+    std::map<int, std::map<double, int>> by_edge;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        ASSERT_TRUE(by_edge[mesh.segment(s).edge].emplace(mesh.segment(s).t[0], s).second);
+    }
+    for (const auto& [edge, chain] : by_edge) {
+        int last = -1;
+        for (const auto& [t, s] : chain) {
+            const SurfaceMesh::Segment& here = mesh.segment(s);
+            EXPECT_LT(here.t[0], here.t[1]);
+            if (last >= 0) {
+                const SurfaceMesh::Segment& before = mesh.segment(last);
+                EXPECT_EQ(before.t[1], here.t[0]) << "edge " << edge;
+                EXPECT_EQ(before.vertices[1], here.vertices[0]) << "edge " << edge;
+                ASSERT_EQ(before.uses.size(), here.uses.size()) << "edge " << edge;
+                for (std::size_t k = 0; k < here.uses.size(); ++k) {
+                    EXPECT_EQ(before.uses[k].use, here.uses[k].use);
+                    EXPECT_EQ(mesh.face_of(before.uses[k].half_edge / 3), mesh.face_of(here.uses[k].half_edge / 3));
+                }
+            }
+            for (const SurfaceMesh::SegmentUse& use : here.uses) {
+                EXPECT_EQ(mesh.segment_of(use.half_edge), s);
+            }
+            last = s;
+        }
+    }
+}
+
+/// The star holds all half-edges that leave the site, each once, counter-clockwise.
+void expect_stars(const SurfaceMesh& mesh) {
+    std::map<int, std::size_t> leaving;
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        ++leaving[mesh.site_of(h)];
+    }
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        const std::vector<int> star = mesh.star(h);
+        ASSERT_EQ(star.size(), leaving[mesh.site_of(h)]);
+        ASSERT_EQ(std::count(star.begin(), star.end(), h), 1);
+        const bool closed = mesh.segment_of(star.front()) < 0;
+        if (closed) {
+            EXPECT_EQ(star.front(), h);
+        }
+        for (std::size_t i = 0; i < star.size(); ++i) {
+            ASSERT_EQ(mesh.site_of(star[i]), mesh.site_of(h));
+            const int after = mesh.twin(SurfaceMesh::prev(star[i]));
+            const bool last = i + 1 == star.size();
+            ASSERT_EQ(after, last ? (closed ? star.front() : -1) : star[i + 1]);
+        }
+    }
+}
+
+/// Every legal operation at random, at random places.
+class Shaker {
+  public:
+    Shaker(SurfaceMesh& mesh, std::uint64_t seed) : mesh_(mesh), random_(seed) {}
+
+    void step() {
+        const int h = pick(mesh_.half_edge_count());
+        switch (pick(4)) {
+            case 0:
+                split_triangle(h / 3);
+                break;
+            case 1:
+                if (mesh_.twin(h) >= 0) {
+                    split_edge(h);
+                }
+                break;
+            case 2:
+                split_segment(pick(mesh_.segment_count()));
+                break;
+            default:
+                if (legal_swap(h)) {
+                    mesh_.swap(h);
+                }
+        }
+    }
+
+    void split_triangle(int t) {
+        const Vec2 uv = (uv_of(3 * t) + uv_of(3 * t + 1) + uv_of(3 * t + 2)) / 3.0;
+        const Vec3 p = (mesh_.point_of(3 * t) + mesh_.point_of(3 * t + 1) + mesh_.point_of(3 * t + 2)) / 3.0;
+        mesh_.split_triangle(t, mesh_.add_site({mesh_.add_vertex(p, {2, mesh_.face_of(t)}), uv, Vec3(0, 0, 1)}));
+    }
+
+    void split_edge(int h) {
+        const int vertex = mesh_.add_vertex(middle(h), {2, mesh_.face_of(h / 3)});
+        mesh_.split_edge(h, mesh_.add_site({vertex, middle_uv(h), Vec3(0, 0, 1)}));
+    }
+
+    int split_segment(int s) {
+        const SurfaceMesh::Segment old = mesh_.segment(s);
+        const int vertex = mesh_.add_vertex(middle(old.uses.front().half_edge), {1, old.edge});
+        std::vector<int> sites;
+        for (const SurfaceMesh::SegmentUse& use : old.uses) {
+            sites.push_back(mesh_.add_site({vertex, middle_uv(use.half_edge), Vec3(0, 0, 1)}));
+        }
+        return mesh_.split_segment(s, vertex, 0.5 * (old.t[0] + old.t[1]), sites);
+    }
+
+    /// No edge from a vertex to itself, and no site inside a face with fewer than three edges afterwards.
+    bool legal_swap(int h) const {
+        const int g = mesh_.twin(h);
+        if (g < 0 || mesh_.vertex_of(SurfaceMesh::prev(h)) == mesh_.vertex_of(SurfaceMesh::prev(g))) {
+            return false;
+        }
+        for (const int end : {h, SurfaceMesh::next(h)}) {
+            const std::vector<int> star = mesh_.star(end);
+            if (star.size() <= 3 && mesh_.segment_of(star.front()) < 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+  private:
+    int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+    Vec2 uv_of(int h) const { return mesh_.site(mesh_.site_of(h)).uv; }
+    Vec2 middle_uv(int h) const { return 0.5 * (uv_of(h) + uv_of(SurfaceMesh::next(h))); }
+    Vec3 middle(int h) const { return 0.5 * (mesh_.point_of(h) + mesh_.point_of(SurfaceMesh::next(h))); }
+
+    SurfaceMesh& mesh_;
+    std::mt19937_64 random_;
+};
+
+struct Sample {
+    const char* name;
+    SurfaceMesh mesh;
+};
+
+std::vector<Sample> all_samples() {
+    return {{"sheet", samples::sheet(3, 2)},
+            {"two pages", samples::book(2, 2, 2)},
+            {"three pages", samples::book(3, 2, 1)},
+            {"tube", samples::tube(4, 2)}};
+}
+
+TEST(SurfaceMesh, SamplesAreWhatTheyShouldBe) {
+    for (const Sample& sample : all_samples()) {
+        EXPECT_EQ(sample.mesh.inconsistency(), "") << sample.name;
+        expect_stars(sample.mesh);
+    }
+    EXPECT_EQ(euler(samples::sheet(3, 2)), 1);
+    EXPECT_EQ(euler(samples::tube(4, 2)), 0);
+}
+
+TEST(SurfaceMesh, SplitTriangleKeepsItsSides) {
+    SurfaceMesh mesh = samples::sheet(3, 2);
+    for (const int t : {0, 5}) {
+        const std::array<int, 3> corners{mesh.site_of(3 * t), mesh.site_of(3 * t + 1), mesh.site_of(3 * t + 2)};
+        const int site = mesh.add_site({mesh.add_vertex(Vec3(0.3, 0.2, 0), {2, 0})});
+        const std::array<int, 3> made = mesh.split_triangle(t, site);
+        EXPECT_EQ(made[0], t);
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_EQ(mesh.site_of(3 * made[i]), corners[i]);
+            EXPECT_EQ(mesh.site_of(3 * made[i] + 1), corners[(i + 1) % 3]);
+            EXPECT_EQ(mesh.site_of(3 * made[i] + 2), site);
+        }
+        EXPECT_EQ(mesh.star(3 * t + 2).size(), 3u);
+        EXPECT_EQ(mesh.inconsistency(), "");
+    }
+}
+
+TEST(SurfaceMesh, SplitEdgePutsTheSiteBetweenItsEnds) {
+    SurfaceMesh mesh = samples::sheet(3, 2);
+    for (int h = 0; h < 12; ++h) {
+        if (mesh.twin(h) < 0) {
+            continue;
+        }
+        const std::set<int> around{mesh.site_of(h), mesh.site_of(SurfaceMesh::next(h)),
+                                   mesh.site_of(SurfaceMesh::prev(h)), mesh.site_of(SurfaceMesh::prev(mesh.twin(h)))};
+        const int site = mesh.add_site({mesh.add_vertex(Vec3(0.5, 0.5, 0), {2, 0})});
+        const std::array<int, 4> made = mesh.split_edge(h, site);
+        std::set<int> neighbours;
+        for (const int t : made) {
+            for (int k = 3 * t; k < 3 * t + 3; ++k) {
+                if (mesh.site_of(k) == site) {
+                    neighbours.insert(mesh.site_of(SurfaceMesh::next(k)));
+                }
+            }
+        }
+        EXPECT_EQ(neighbours, around);
+        EXPECT_EQ(mesh.inconsistency(), "");
+    }
+}
+
+TEST(SurfaceMesh, SplitSegmentSplitsItForEveryUse) {
+    for (const Sample& sample : all_samples()) {
+        SCOPED_TRACE(sample.name);
+        for (int s = 0; s < sample.mesh.segment_count(); ++s) {
+            SurfaceMesh mesh = sample.mesh;
+            const SurfaceMesh::Segment old = mesh.segment(s);
+            const int far = Shaker(mesh, 1).split_segment(s);
+            const SurfaceMesh::Segment& a = mesh.segment(s);
+            const SurfaceMesh::Segment& b = mesh.segment(far);
+            EXPECT_EQ(a.vertices[0], old.vertices[0]);
+            EXPECT_EQ(b.vertices[1], old.vertices[1]);
+            EXPECT_EQ(a.vertices[1], b.vertices[0]);
+            EXPECT_EQ(mesh.triangle_count(), sample.mesh.triangle_count() + static_cast<int>(old.uses.size()));
+            EXPECT_EQ(mesh.inconsistency(), "");
+            expect_chains(mesh);
+            expect_stars(mesh);
+        }
+    }
+}
+
+TEST(SurfaceMesh, SegmentsHaveOneTwoAndThreeUses) {
+    const auto most_uses = [](const SurfaceMesh& mesh) {
+        std::size_t most = 0;
+        for (int s = 0; s < mesh.segment_count(); ++s) {
+            most = std::max(most, mesh.segment(s).uses.size());
+        }
+        return most;
+    };
+    EXPECT_EQ(most_uses(samples::sheet(3, 2)), 1u);
+    EXPECT_EQ(most_uses(samples::book(2, 2, 2)), 2u);
+    EXPECT_EQ(most_uses(samples::book(3, 2, 1)), 3u);
+    EXPECT_EQ(most_uses(samples::tube(4, 2)), 2u);
+}
+
+TEST(SurfaceMesh, ASecondSwapRestoresTheEdge) {
+    for (const Sample& sample : all_samples()) {
+        SurfaceMesh mesh = sample.mesh;
+        for (int h = 0; h < mesh.half_edge_count(); ++h) {
+            if (!Shaker(mesh, 1).legal_swap(h)) {
+                continue;
+            }
+            const int g = mesh.twin(h);
+            const int t = h / 3;
+            const int o = g / 3;
+            const auto undirected = [&](int k) -> std::pair<int, int> {
+                return std::minmax(mesh.site_of(k), mesh.site_of(SurfaceMesh::next(k)));
+            };
+            const std::pair<int, int> before = undirected(h);
+            const std::pair<int, int> opposite =
+                std::minmax(mesh.site_of(SurfaceMesh::prev(h)), mesh.site_of(SurfaceMesh::prev(g)));
+            const auto shared = [&] {
+                int found = -1;
+                for (int k = 3 * t; k < 3 * t + 3; ++k) {
+                    found = mesh.twin(k) >= 0 && mesh.twin(k) / 3 == o ? k : found;
+                }
+                return found;
+            };
+            mesh.swap(h);
+            ASSERT_GE(shared(), 0);
+            EXPECT_EQ(undirected(shared()), opposite);
+            EXPECT_EQ(mesh.inconsistency(), "");
+            mesh.swap(shared());
+            EXPECT_EQ(undirected(shared()), before);
+            EXPECT_EQ(mesh.inconsistency(), "");
+        }
+    }
+}
+
+TEST(SurfaceMesh, StaysConsistentUnderLongRandomSequences) {
+    for (const Sample& sample : all_samples()) {
+        SCOPED_TRACE(sample.name);
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            SurfaceMesh mesh = sample.mesh;
+            const int characteristic = euler(mesh);
+            const std::map<int, double> area = areas(mesh);
+            Shaker shaker(mesh, seed);
+            for (int i = 0; i < 300; ++i) {
+                shaker.step();
+                ASSERT_EQ(mesh.inconsistency(), "") << "seed " << seed << ", step " << i;
+            }
+            EXPECT_EQ(euler(mesh), characteristic);
+            expect_chains(mesh);
+            expect_stars(mesh);
+            for (const auto& [face, value] : areas(mesh)) {
+                EXPECT_NEAR(value, area.at(face), 1e-9);
+            }
+        }
+    }
+}
+
+/// Queues remember triangles by index and stamp: an unchanged stamp must mean unchanged corners, and a triangle far
+/// from an operation must keep its stamp.
+TEST(SurfaceMesh, StampsChangeWithTheCorners) {
+    SurfaceMesh mesh = samples::tube(5, 3);
+    Shaker shaker(mesh, 7);
+    for (int i = 0; i < 200; ++i) {
+        std::vector<std::array<int, 3>> corners;
+        std::vector<std::uint32_t> stamps;
+        for (int t = 0; t < mesh.triangle_count(); ++t) {
+            corners.push_back({mesh.site_of(3 * t), mesh.site_of(3 * t + 1), mesh.site_of(3 * t + 2)});
+            stamps.push_back(mesh.stamp(t));
+        }
+        shaker.step();
+        int restamped = 0;
+        for (int t = 0; t < static_cast<int>(corners.size()); ++t) {
+            if (mesh.stamp(t) != stamps[t]) {
+                ++restamped;
+                continue;
+            }
+            const std::array<int, 3> now{mesh.site_of(3 * t), mesh.site_of(3 * t + 1), mesh.site_of(3 * t + 2)};
+            ASSERT_EQ(now, corners[t]);
+        }
+        EXPECT_LE(restamped, 2);
+    }
+}
+
+TEST(SurfaceMesh, InconsistencyNamesLooseAndWrongHalfEdges) {
+    SurfaceMesh mesh;
+    std::array<int, 4> sites{};
+    for (int i = 0; i < 4; ++i) {
+        sites[i] = mesh.add_site({mesh.add_vertex(Vec3(i % 2, i / 2, 0), {2, 0})});
+    }
+    mesh.add_triangle({sites[0], sites[1], sites[2]}, 0);
+    EXPECT_NE(mesh.inconsistency().find("half-edge 0"), std::string::npos);
+    mesh.add_triangle({sites[1], sites[3], sites[2]}, 0);
+    mesh.link(1, 5);
+    for (const int h : {0, 2, 3, 4}) {
+        const int s = mesh.add_segment(h, {mesh.vertex_of(h), mesh.vertex_of(SurfaceMesh::next(h))}, {0.0, 1.0});
+        mesh.bind(h, s, h);
+    }
+    EXPECT_EQ(mesh.inconsistency(), "");
+    mesh.link(0, 3);
+    EXPECT_NE(mesh.inconsistency(), "");
+}
+
+}  // namespace
+}  // namespace mq::mesh
