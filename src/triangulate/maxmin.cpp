@@ -72,7 +72,7 @@ bool Maxmin::legal(int h) const {
     const Corner cc = corner_of(mesh_, c);
     const Corner cd = corner_of(mesh_, d);
     const double after = std::min(alignment(ca, cd, cc), alignment(cd, cb, cc));
-    if (after < kAligned) {
+    if (after < 0.4) {
         const double before = std::min(alignment(ca, cb, cc), alignment(cb, ca, cd));
         if (after < before || after <= -1.0) {
             return false;

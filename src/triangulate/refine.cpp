@@ -20,6 +20,7 @@ constexpr int kMaxRetries = 3;
 constexpr int kMaxShrinks = 6;
 constexpr double kMaxShrink = 0.35;
 constexpr double kNarrow = M_PI / 3.0;
+constexpr double kWorthSplitting = 2.0;
 // Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own sake.
 constexpr double kMinTurned = 1e-3;
 
@@ -200,21 +201,27 @@ bool Refiner::split_instead(const Bad& bad, const std::vector<int>& segments) {
     return any;
 }
 
-// A site that encroaches only upon segments that cannot be split may still be taken, unless it would make a triangle
-// with too large an angle over one of them.
-bool Refiner::too_flat(const Bad& bad, const std::vector<int>& segments, const Vec3& p) {
+// A second choice of site may lie anywhere near the triangle. It does not justify splitting segments that are as short as
+// the triangle's own edges: a row of thin triangles on a finely split edge would split that edge again and again.
+std::vector<int> Refiner::worth_splitting(const Job& job, const std::vector<int>& segments) const {
+    if (job.attempt == 0) {
+        return segments;
+    }
+    const double least = kWorthSplitting * shortest_edge(job.bad.triangle);
+    std::vector<int> result;
     for (const int s : segments) {
-        int corner = -1;
-        if (segments_.in_lens(s, p)) {
-            if (bad.turned()) {
-                return true;
-            }
-            const Cause cause = segments_.frozen(s, &corner) ? Cause::NarrowCluster : work_.too_short();
-            exempt(bad, cause, corner, s);
-            return true;
+        const auto& v = work_.mesh.segment(s).vertices;
+        if ((work_.mesh.vertex(v[1]).point - work_.mesh.vertex(v[0]).point).norm() > least) {
+            result.push_back(s);
         }
     }
-    return false;
+    return result;
+}
+
+// A site that encroaches only upon segments that cannot be split may still be taken, unless it would make a triangle
+// with too large an angle over one of them.
+bool Refiner::too_flat(const std::vector<int>& segments, const Vec3& p) const {
+    return std::any_of(segments.begin(), segments.end(), [&](int s) { return segments_.in_lens(s, p); });
 }
 
 void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
@@ -234,7 +241,11 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
         return;
     }
     const Surroundings around = look_around(work_.mesh, place.triangle, p->point);
-    if (split_instead(job.bad, around.encroached) || too_flat(job.bad, around.encroached, p->point)) {
+    if (split_instead(job.bad, worth_splitting(job, around.encroached))) {
+        return;
+    }
+    if (too_flat(around.encroached, p->point)) {
+        give_up(job, Cause::Crowded, around.encroached);
         return;
     }
     if (around.nearest < work_.shortest_allowed()) {
@@ -278,7 +289,7 @@ void Refiner::remember_shrinks(int first_vertex, int shrinks) {
     std::fill(work_.shrinks.begin() + first_vertex, work_.shrinks.end(), static_cast<std::uint8_t>(shrinks));
 }
 
-void Refiner::give_up(const Job& job, Cause cause) {
+void Refiner::give_up(const Job& job, Cause cause, const std::vector<int>& segments) {
     if (job.bad.turned()) {
         return;
     }
@@ -291,12 +302,24 @@ void Refiner::give_up(const Job& job, Cause cause) {
     } else if (job.attempt < kLastAttempt && segment < 0) {
         again_.push_back({job.bad, edge_middle_site(work_.mesh, h), kLastAttempt});
     } else if (job.attempt == kLastAttempt || !split_instead(job.bad, {segment})) {
-        int corner = -1;
-        if (segment >= 0 && segments_.frozen(segment, &corner)) {
-            cause = Cause::NarrowCluster;
-        }
-        exempt(job.bad, cause, corner, segment);
+        exempt_for(job.bad, cause, segments.empty() && segment >= 0 ? std::vector<int>{segment} : segments);
     }
+}
+
+// Names the segments in the way, and the narrow corner where one of them must not be split for it.
+void Refiner::exempt_for(const Bad& bad, Cause cause, const std::vector<int>& segments) {
+    for (const int s : segments) {
+        int corner = -1;
+        if (segments_.frozen(s, &corner)) {
+            exempt(bad, Cause::NarrowCluster, corner, s);
+            return;
+        }
+        if (segments_.refused(s)) {
+            exempt(bad, work_.too_short(), -1, s);
+            return;
+        }
+    }
+    exempt(bad, cause, -1, segments.empty() ? -1 : segments.front());
 }
 
 void Refiner::exempt(const Bad& bad, Cause cause, int vertex, int segment) {

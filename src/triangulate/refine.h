@@ -51,8 +51,10 @@ class Refiner {
     void handle_blocked(const Bad& bad, int segment);
     void work_on(const Job& job, const std::optional<SurfacePoint>& p);
     bool split_instead(const Bad& bad, const std::vector<int>& segments);
-    bool too_flat(const Bad& bad, const std::vector<int>& segments, const Vec3& p);
-    void give_up(const Job& job, Cause cause);
+    std::vector<int> worth_splitting(const Job& job, const std::vector<int>& segments) const;
+    bool too_flat(const std::vector<int>& segments, const Vec3& p) const;
+    void give_up(const Job& job, Cause cause, const std::vector<int>& segments = {});
+    void exempt_for(const Bad& bad, Cause cause, const std::vector<int>& segments);
     bool crowded(int triangle, double nearest, int& shrinks) const;
     void remember_shrinks(int first_vertex, int shrinks);
     void exempt(const Bad& bad, Cause cause, int vertex = -1, int segment = -1);
