@@ -22,6 +22,10 @@ double alignment(const mesh::SurfaceMesh& mesh, int triangle);
 
 /// A new triangle must lie within 60 degrees of its surface, unless those that it replaces were worse.
 constexpr double kAligned = 0.5;
+/// Swaps may go as far as 73 degrees: they undo each other, and refinement turns the triangles back.
+constexpr double kAlignedSwap = 0.3;
+/// For triangles that would have to be exempted otherwise.
+constexpr double kAlignedAtLast = 0.1;
 /// Triangles turned farther than 40 degrees are refined for that alone: with them around, swaps and insertions are
 /// refused that good angles need.
 constexpr double kWellAligned = 0.766;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/predicates.h"
-#include "triangulate/fold.h"
 
 namespace mq::triangulate {
 
@@ -56,7 +55,7 @@ std::vector<int> Maxmin::doubled_edges() const {
     return result;
 }
 
-bool Maxmin::legal(int h) const {
+bool Maxmin::legal(int h, double least) const {
     const int g = mesh_.twin(h);
     const int a = mesh_.site_of(h);
     const int b = mesh_.site_of(SurfaceMesh::next(h));
@@ -72,7 +71,7 @@ bool Maxmin::legal(int h) const {
     const Corner cc = corner_of(mesh_, c);
     const Corner cd = corner_of(mesh_, d);
     const double after = std::min(alignment(ca, cd, cc), alignment(cd, cb, cc));
-    if (after < 0.4) {
+    if (after < least) {
         const double before = std::min(alignment(ca, cb, cc), alignment(cb, ca, cd));
         if (after < before || after <= -1.0) {
             return false;
@@ -97,7 +96,7 @@ void Maxmin::swap(int h, std::vector<int>& touched) {
     remember(mesh_.vertex_of(3 * t + 1), mesh_.vertex_of(3 * t + 2));
 }
 
-void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched) {
+void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched, double least) {
     while (!stack.empty()) {
         const int h = stack.back();
         stack.pop_back();
@@ -108,7 +107,7 @@ void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched) {
         const int next = SurfaceMesh::next(h);
         if (locally_maxmin(mesh_.point_of(h), mesh_.point_of(next), mesh_.point_of(SurfaceMesh::prev(h)),
                            mesh_.point_of(SurfaceMesh::prev(g))) ||
-            !legal(h)) {
+            !legal(h, least)) {
             continue;
         }
         const int t = SurfaceMesh::triangle_of(h);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/surface_mesh.h"
+#include "triangulate/fold.h"
 
 namespace mq::triangulate {
 
@@ -21,8 +22,9 @@ class Maxmin {
     /// Swaps until no edge of the whole mesh violates the predicate.
     void sweep(std::vector<int>& touched);
     /// Swaps until no edge reachable from `stack` violates it, forward and back: every swap puts the four edges around
-    /// it on the stack again. Changed triangles are appended to `touched`.
-    void restore(std::vector<int>& stack, std::vector<int>& touched);
+    /// it on the stack again. Changed triangles are appended to `touched`. New triangles less aligned with their
+    /// surface than `least` make a swap illegal, unless the old ones were worse.
+    void restore(std::vector<int>& stack, std::vector<int>& touched, double least = kAlignedSwap);
 
     /// Swaps the edge of `h` whatever the predicate says, and keeps the books.
     void swap(int h, std::vector<int>& touched);
@@ -34,7 +36,7 @@ class Maxmin {
     void remember(int a, int b);
 
   private:
-    bool legal(int h) const;
+    bool legal(int h, double least) const;
     bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
 
     mesh::SurfaceMesh& mesh_;

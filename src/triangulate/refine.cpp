@@ -16,11 +16,10 @@ using mesh::SurfaceMesh;
 // Sites asked of the engine in one round: a part of the queue, so that the worst still come first.
 constexpr std::size_t kMaxRound = 512;
 constexpr std::size_t kPartOfQueue = 8;
-constexpr int kMaxRetries = 3;
+constexpr int kMaxRetries = 6;
 constexpr int kMaxShrinks = 6;
 constexpr double kMaxShrink = 0.35;
 constexpr double kNarrow = M_PI / 3.0;
-constexpr double kWorthSplitting = 2.0;
 // Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own sake.
 constexpr double kMinTurned = 1e-3;
 
@@ -80,18 +79,22 @@ void Refiner::run() {
     }
 }
 
-// A triangle that was given up may have a better neighbourhood by now.
+// A triangle that was given up may have a better neighbourhood by now, and swaps that turn triangles far away from the
+// surface are better than a small angle.
 bool Refiner::retry_exempted() {
-    bool any = false;
+    std::vector<int> stack;
     for (auto it = work_.exempt.begin(); it != work_.exempt.end();) {
         if (it->second.cause == Cause::NarrowCorner && it->second.stamp == work_.mesh.stamp(it->first)) {
             ++it;
             continue;
         }
-        touched_.push_back(it->first);
+        const int t = it->first;
+        touched_.push_back(t);
+        stack.insert(stack.end(), {3 * t, 3 * t + 1, 3 * t + 2});
         it = work_.exempt.erase(it);
-        any = true;
     }
+    const bool any = !stack.empty();
+    work_.maxmin.restore(stack, touched_, kAlignedAtLast);
     return any;
 }
 
@@ -201,23 +204,6 @@ bool Refiner::split_instead(const Bad& bad, const std::vector<int>& segments) {
     return any;
 }
 
-// A second choice of site may lie anywhere near the triangle. It does not justify splitting segments that are as short as
-// the triangle's own edges: a row of thin triangles on a finely split edge would split that edge again and again.
-std::vector<int> Refiner::worth_splitting(const Job& job, const std::vector<int>& segments) const {
-    if (job.attempt == 0) {
-        return segments;
-    }
-    const double least = kWorthSplitting * shortest_edge(job.bad.triangle);
-    std::vector<int> result;
-    for (const int s : segments) {
-        const auto& v = work_.mesh.segment(s).vertices;
-        if ((work_.mesh.vertex(v[1]).point - work_.mesh.vertex(v[0]).point).norm() > least) {
-            result.push_back(s);
-        }
-    }
-    return result;
-}
-
 // A site that encroaches only upon segments that cannot be split may still be taken, unless it would make a triangle
 // with too large an angle over one of them.
 bool Refiner::too_flat(const std::vector<int>& segments, const Vec3& p) const {
@@ -241,7 +227,7 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
         return;
     }
     const Surroundings around = look_around(work_.mesh, place.triangle, p->point);
-    if (split_instead(job.bad, worth_splitting(job, around.encroached))) {
+    if (split_instead(job.bad, around.encroached)) {
         return;
     }
     if (too_flat(around.encroached, p->point)) {

@@ -51,7 +51,6 @@ class Refiner {
     void handle_blocked(const Bad& bad, int segment);
     void work_on(const Job& job, const std::optional<SurfacePoint>& p);
     bool split_instead(const Bad& bad, const std::vector<int>& segments);
-    std::vector<int> worth_splitting(const Job& job, const std::vector<int>& segments) const;
     bool too_flat(const std::vector<int>& segments, const Vec3& p) const;
     void give_up(const Job& job, Cause cause, const std::vector<int>& segments = {});
     void exempt_for(const Bad& bad, Cause cause, const std::vector<int>& segments);
