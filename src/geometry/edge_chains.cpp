@@ -87,7 +87,8 @@ void EdgeChains::sample(Session& session) {
         for (std::size_t i = 0; i < open.size(); ++i) {
             const Interval& piece = open[i];
             const Answer* samples = &answers[5 * i];
-            const double chord = (samples[4].point - samples[0].point).norm() + (samples[2].point - samples[0].point).norm();
+            const double chord =
+                (samples[4].point - samples[0].point).norm() + (samples[2].point - samples[0].point).norm();
             found[piece.edge][piece.from] = samples[0].point;
             found[piece.edge][piece.to] = samples[4].point;
             if (piece.depth < kMaxDepth && chord > kMinSteps * grid_.resolution() && turns_too_much(samples)) {
@@ -116,7 +117,8 @@ void EdgeChains::collapse_short_edges(const Topology& topology) {
         double limit = kMinSteps * grid_.resolution();
         if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1]) {
             // Nodes whose tolerance balls hold each other are one point to the modeler.
-            limit = std::max(limit, std::min(topology.nodes[edge.nodes[0]].tolerance, topology.nodes[edge.nodes[1]].tolerance));
+            limit = std::max(
+                limit, std::min(topology.nodes[edge.nodes[0]].tolerance, topology.nodes[edge.nodes[1]].tolerance));
         }
         if (edge.degenerate || length < limit) {
             chains_[e].collapsed = true;

@@ -123,8 +123,7 @@ class SiteMerger {
 double end_reach(const FaceBorder& border, const Run& run) {
     double shortest = 1e300;
     for (std::size_t i = 1; i < run.points.size(); ++i) {
-        shortest = std::min(shortest,
-                            (border.scaled(run.points[i].uv) - border.scaled(run.points[i - 1].uv)).norm());
+        shortest = std::min(shortest, (border.scaled(run.points[i].uv) - border.scaled(run.points[i - 1].uv)).norm());
     }
     return shortest;
 }

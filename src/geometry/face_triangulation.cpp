@@ -72,13 +72,13 @@ class FaceMesher {
     bool border_may_change_;  // to make triangles follow the surface, not only to keep the border from crossing itself
     FaceBorder border_;
     std::unique_ptr<PlanarTriangulation> tri_;
-    std::vector<int> planar_of_;             // site -> vertex of the planar triangulation
-    std::vector<int> site_of_;               // and back
-    std::vector<std::vector<int>> overlaps_; // further pieces on the edge of a piece: the other side of a slit
-    std::vector<int> level_;                 // per site: how many halvings led to it, 0 on the border
+    std::vector<int> planar_of_;              // site -> vertex of the planar triangulation
+    std::vector<int> site_of_;                // and back
+    std::vector<std::vector<int>> overlaps_;  // further pieces on the edge of a piece: the other side of a slit
+    std::vector<int> level_;                  // per site: how many halvings led to it, 0 on the border
     std::vector<char> inside_;
-    std::set<Corners> fine_;                 // triangles that passed the test once
-    double smallest_ = 0.0;  // triangles smaller than this need not follow the surface: it may fold itself
+    std::set<Corners> fine_;  // triangles that passed the test once
+    double smallest_ = 0.0;   // triangles smaller than this need not follow the surface: it may fold itself
     FaceTriangulation result_;
 };
 
@@ -166,8 +166,7 @@ bool FaceMesher::insert_border() {
     }
     tri_ = std::make_unique<PlanarTriangulation>(low, high);
     level_.assign(result_.sites.size(), 0);
-    smallest_ = std::max({2.0 * reach(), kMinDeviations * border_.deviation,
-                          kMinPart * (high - low).norm()});
+    smallest_ = std::max({2.0 * reach(), kMinDeviations * border_.deviation, kMinPart * (high - low).norm()});
     site_of_.assign(PlanarTriangulation::kFrame, -1);
     for (int s = 0; s < static_cast<int>(result_.sites.size()); ++s) {
         const int v = tri_->insert(border_.scaled(result_.sites[s].uv));
@@ -413,16 +412,16 @@ bool FaceMesher::refine_round() {
     return insert_midpoints(sides);
 }
 
-// Would a point on the side from a to b lie too close to the corners of the triangles beside it? Near an edge whose curve
-// lies off the surface, vertices no farther apart than that deviation make triangles that point anywhere.
+// Would a point on the side from a to b lie too close to the corners of the triangles beside it? Near an edge whose
+// curve lies off the surface, vertices no farther apart than that deviation make triangles that point anywhere.
 bool FaceMesher::crowds(int a, int b, const Vec3& p) const {
     const int h = tri_->find_edge(a, b);
     if (h < 0) {
         return true;  // an insertion before this one flipped the side
     }
     const double least = std::max(reach(), kMinHeights * border_.deviation);
-    for (const int corner : {a, b, tri_->corner(PlanarTriangulation::prev(h)),
-                             tri_->corner(PlanarTriangulation::prev(tri_->twin(h)))}) {
+    for (const int corner :
+         {a, b, tri_->corner(PlanarTriangulation::prev(h)), tri_->corner(PlanarTriangulation::prev(tri_->twin(h)))}) {
         if (corner >= PlanarTriangulation::kFrame && (site_at(corner).point - p).norm() < least) {
             return true;
         }
@@ -492,7 +491,8 @@ void FaceMesher::assemble() {
     std::vector<Corners> triangles;
     std::vector<std::array<Link, 3>> links;
     for (const int t : kept) {
-        triangles.push_back({site_of_[tri_->corner(3 * t)], site_of_[tri_->corner(3 * t + 1)], site_of_[tri_->corner(3 * t + 2)]});
+        triangles.push_back(
+            {site_of_[tri_->corner(3 * t)], site_of_[tri_->corner(3 * t + 1)], site_of_[tri_->corner(3 * t + 2)]});
         links.push_back({link_of(3 * t, number), link_of(3 * t + 1, number), link_of(3 * t + 2, number)});
     }
     for (const FaceBorder::Piece& p : border_.pieces) {

@@ -35,9 +35,9 @@ struct FaceTriangulation {
     std::vector<std::array<int, 3>> triangles;  ///< sites, counter-clockwise seen from outside
     std::vector<std::array<Link, 3>> links;     ///< of the side from corner i to corner i + 1
     std::vector<Border> borders;
-    std::string failure;                  ///< why there is no triangulation; empty when there is one
-    std::set<EdgeChains::Mark> marks;     ///< pieces of CAD edges that must be halved before the face can be done
-    int unresolved = 0;                   ///< triangles that still turn away from the surface
+    std::string failure;               ///< why there is no triangulation; empty when there is one
+    std::set<EdgeChains::Mark> marks;  ///< pieces of CAD edges that must be halved before the face can be done
+    int unresolved = 0;                ///< triangles that still turn away from the surface
 };
 
 /// Triangulates a face over the present chains. When `marks` is not empty in the result, halve them and call again.

@@ -54,7 +54,8 @@ InitialTriangulation triangulate_initially(Session& session, const SingleGrid& g
         if (!face.failure.empty()) {
             result.failures.emplace_back(f, face.failure);
         } else if (!face.marks.empty()) {
-            result.failures.emplace_back(f, "its border cannot be resolved: pieces cross or fold however short they are");
+            result.failures.emplace_back(f,
+                                         "its border cannot be resolved: pieces cross or fold however short they are");
         }
     }
     return result;

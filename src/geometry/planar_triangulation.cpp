@@ -167,10 +167,10 @@ void PlanarTriangulation::insert_on_edge(int h, int v, std::vector<int>& stack) 
     attach(3 * n, bc, labels[0]);
     attach(3 * o, db, labels[3]);
     attach(3 * n + 3, ad, labels[2]);
-    attach(3 * n + 1, 3 * t + 2, -1);      // c-v
-    attach(3 * o + 2, 3 * n + 4, -1);      // v-d
-    attach(3 * t + 1, 3 * n + 5, label);   // a-v
-    attach(3 * o + 1, 3 * n + 2, label);   // b-v
+    attach(3 * n + 1, 3 * t + 2, -1);     // c-v
+    attach(3 * o + 2, 3 * n + 4, -1);     // v-d
+    attach(3 * t + 1, 3 * n + 5, label);  // a-v
+    attach(3 * o + 1, 3 * n + 2, label);  // b-v
     stack.insert(stack.end(), {3 * t, 3 * n, 3 * o, 3 * n + 3});
 }
 
@@ -286,8 +286,8 @@ void PlanarTriangulation::remove_crossings(int a, int b, std::vector<std::array<
         const int g = twin_[h];
         const int e = corner_[prev(h)];
         const int f = corner_[prev(g)];
-        const bool convex = orient2d(points_[f], points_[d], points_[e]) > 0 &&
-                            orient2d(points_[f], points_[e], points_[c]) > 0;
+        const bool convex =
+            orient2d(points_[f], points_[d], points_[e]) > 0 && orient2d(points_[f], points_[e], points_[c]) > 0;
         if (!convex) {
             queue.push_back({c, d});
             continue;

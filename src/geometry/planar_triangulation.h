@@ -34,7 +34,7 @@ class PlanarTriangulation {
     int vertex_count() const { return static_cast<int>(points_.size()); }
     const Vec2& point(int v) const { return points_[v]; }
     int corner(int h) const { return corner_[h]; }
-    int twin(int h) const { return twin_[h]; }  ///< -1 on the frame
+    int twin(int h) const { return twin_[h]; }    ///< -1 on the frame
     int label(int h) const { return label_[h]; }  ///< of the constraint on the edge, or -1
     static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static int prev(int h) { return h % 3 == 0 ? h + 2 : h - 1; }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
+#include "base/progress.h"
 #include "geometry/engine.h"
 
 namespace mq::geometry {
@@ -11,16 +14,43 @@ namespace mq::geometry {
 /// One model on one engine: what an algorithm holds while it works on a part.
 class Session {
   public:
-    Session(Engine& engine, std::shared_ptr<Model> model) : engine_(engine), model_(std::move(model)) {}
+    Session(Engine& engine, std::shared_ptr<Model> model, const Progress* progress = nullptr)
+        : engine_(engine), model_(std::move(model)), progress_(progress) {}
 
     const Topology& topology() const { return model_->topology(); }
-    Engine::Answers ask(Engine::Batch batch) { return engine_.ask(model_, std::move(batch)); }
+    /// Answers in the batch's order. Large batches go to the engine in pieces, so that a cancelled operation ends soon
+    /// and the engine stays open to others.
+    /// @throws Cancelled.
+    Engine::Answers ask(Engine::Batch batch) {
+        check();
+        if (batch.size() <= kPiece) {
+            return engine_.ask(model_, std::move(batch));
+        }
+        Engine::Answers all;
+        all.reserve(batch.size());
+        for (std::size_t from = 0; from < batch.size(); from += kPiece) {
+            check();
+            const auto first = batch.begin() + static_cast<std::ptrdiff_t>(from);
+            const auto last = batch.begin() + static_cast<std::ptrdiff_t>(std::min(from + kPiece, batch.size()));
+            Engine::Answers some = engine_.ask(model_, Engine::Batch(first, last));
+            std::move(some.begin(), some.end(), std::back_inserter(all));
+        }
+        return all;
+    }
     Answer ask(const Query& query) { return engine_.ask(model_, query); }
-    std::future<Engine::Answers> submit(Engine::Batch batch) { return engine_.submit(model_, std::move(batch)); }
 
   private:
+    void check() const {
+        if (progress_ != nullptr) {
+            progress_->check();
+        }
+    }
+
+    static constexpr std::size_t kPiece = 2048;  // about 10 ms of B-spline projections
+
     Engine& engine_;
     std::shared_ptr<Model> model_;
+    const Progress* progress_;
 };
 
 }  // namespace mq::geometry

@@ -122,8 +122,8 @@ std::array<int, 4> SurfaceMesh::split_edge(int h, int site) {
 }
 
 int SurfaceMesh::split_segment(int segment, int vertex, double t, const std::vector<int>& sites) {
-    const int far = add_segment(segments_[segment].edge, {vertex, segments_[segment].vertices[1]},
-                                {t, segments_[segment].t[1]});
+    const int far =
+        add_segment(segments_[segment].edge, {vertex, segments_[segment].vertices[1]}, {t, segments_[segment].t[1]});
     const int start = segments_[segment].vertices[0];
     segments_[segment].vertices[1] = vertex;
     segments_[segment].t[1] = t;
@@ -206,7 +206,8 @@ std::string SurfaceMesh::inconsistency() const {
             continue;
         }
         const Segment& s = segments_[~twin_[h]];
-        const bool same = (s.vertices[0] == from && s.vertices[1] == to) || (s.vertices[0] == to && s.vertices[1] == from);
+        const bool same =
+            (s.vertices[0] == from && s.vertices[1] == to) || (s.vertices[0] == to && s.vertices[1] == from);
         if (!same || take(h).slot < 0) {
             return name + " does not match its segment";
         }

@@ -38,8 +38,8 @@ class SurfaceMesh {
         int use = -1;  ///< which appearance of the CAD edge on the face (index into the CAD topology's uses)
     };
     struct Segment {
-        int edge = -1;                    ///< CAD edge
-        std::array<int, 2> vertices{};    ///< at t[0] and t[1]
+        int edge = -1;                  ///< CAD edge
+        std::array<int, 2> vertices{};  ///< at t[0] and t[1]
         std::array<double, 2> t{};
         std::vector<SegmentUse> uses;
     };

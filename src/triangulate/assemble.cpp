@@ -15,8 +15,8 @@ std::vector<std::vector<int>> add_segments(SurfaceMesh& mesh, const geometry::In
     for (int e = 0; e < static_cast<int>(topology.edges.size()); ++e) {
         const geometry::EdgeChain& chain = initial.chains.chain(e);
         for (std::size_t i = 0; !chain.collapsed && i + 1 < chain.t.size(); ++i) {
-            segments[e].push_back(mesh.add_segment(e, {chain.vertices[i], chain.vertices[i + 1]},
-                                                   {chain.t[i], chain.t[i + 1]}));
+            segments[e].push_back(
+                mesh.add_segment(e, {chain.vertices[i], chain.vertices[i + 1]}, {chain.t[i], chain.t[i + 1]}));
         }
     }
     return segments;

@@ -12,7 +12,8 @@ using mesh::SurfaceMesh;
 constexpr std::size_t kMaxTriangles = 40;
 
 bool aligned(const SurfaceMesh& mesh, int side, const Corner& p, double least) {
-    const double a = alignment(corner_of(mesh, mesh.site_of(side)), corner_of(mesh, mesh.site_of(SurfaceMesh::next(side))), p);
+    const double a =
+        alignment(corner_of(mesh, mesh.site_of(side)), corner_of(mesh, mesh.site_of(SurfaceMesh::next(side))), p);
     return a >= least && a > 0.0;
 }
 
@@ -42,7 +43,8 @@ Cavity grow_cavity(const SurfaceMesh& mesh, int half_edge, bool split, const Cor
         }
         const int apex = mesh.vertex_of(SurfaceMesh::prev(g));
         // An apex met before would be shut in: the cavity would close around it.
-        if (c.triangles.size() >= kMaxTriangles || std::find(vertices.begin(), vertices.end(), apex) != vertices.end()) {
+        if (c.triangles.size() >= kMaxTriangles ||
+            std::find(vertices.begin(), vertices.end(), apex) != vertices.end()) {
             return c;
         }
         vertices.push_back(apex);

@@ -71,7 +71,8 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
     std::vector<int> sides;
     for (int s = 0; s < work_.mesh.segment_count(); ++s) {
         const auto& uses = work_.mesh.segment(s).uses;
-        if (!uses.empty() && !segments_.refused(s) && passed_edges_.count(edge_key(work_.mesh, uses[0].half_edge)) == 0) {
+        if (!uses.empty() && !segments_.refused(s) &&
+            passed_edges_.count(edge_key(work_.mesh, uses[0].half_edge)) == 0) {
             batch.push_back(nearest_on_curve(work_, s));
             sides.push_back(uses[0].half_edge);
         }

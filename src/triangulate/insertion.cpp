@@ -145,7 +145,8 @@ Candidate edge_middle_site(const SurfaceMesh& mesh, int h) {
 std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const std::vector<Candidate>& candidates) {
     geometry::Engine::Batch batch;
     for (const Candidate& c : candidates) {
-        batch.push_back(Query::face_nearest(work.mesh.face_of(c.triangle), work.grid.to_part(c.point), c.uv.x(), c.uv.y()));
+        batch.push_back(
+            Query::face_nearest(work.mesh.face_of(c.triangle), work.grid.to_part(c.point), c.uv.x(), c.uv.y()));
     }
     geometry::Engine::Answers answers = work.session.ask(std::move(batch));
     std::vector<std::optional<SurfacePoint>> result(candidates.size());
@@ -156,7 +157,8 @@ std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const s
             answers[i].distance = (answers[i].point - work.grid.to_part(c.point)).norm();
         }
         if (answers[i].found() && answers[i].distance <= candidates[i].reach) {
-            result[i] = SurfacePoint{work.grid.snap(answers[i].point), Vec2(answers[i].u, answers[i].v), answers[i].normal};
+            result[i] =
+                SurfacePoint{work.grid.snap(answers[i].point), Vec2(answers[i].u, answers[i].v), answers[i].normal};
         }
     }
     return result;

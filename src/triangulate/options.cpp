@@ -10,7 +10,8 @@ namespace {
 
 void check_length(const char* name, double value) {
     if (!std::isfinite(value) || value < 0.0) {
-        throw InvalidInput(std::string(name) + " is " + std::to_string(value) + ": it must be a number of at least 0 mm");
+        throw InvalidInput(std::string(name) + " is " + std::to_string(value) +
+                           ": it must be a number of at least 0 mm");
     }
 }
 

@@ -162,7 +162,7 @@ class VolumeWriter {
     const geometry::Volume& volume_;
     std::vector<char>& flipped_;  // by face, of this volume
     std::vector<char>& present_;
-    std::vector<int>& parent_;    // by corner
+    std::vector<int>& parent_;  // by corner
 };
 
 }  // namespace

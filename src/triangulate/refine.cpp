@@ -15,12 +15,14 @@ using mesh::SurfaceMesh;
 
 // Sites asked of the engine in one round: a part of the queue, so that the worst still come first.
 constexpr std::size_t kMaxRound = 512;
+constexpr std::size_t kMinRound = 32;
 constexpr std::size_t kPartOfQueue = 8;
 constexpr int kMaxRetries = 6;
 constexpr int kMaxShrinks = 6;
 constexpr double kMaxShrink = 0.35;
 constexpr double kNarrow = M_PI / 3.0;
-// Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own sake.
+// Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own
+// sake.
 constexpr double kMinTurned = 1e-3;
 
 }  // namespace
@@ -120,7 +122,7 @@ bool Refiner::refine_round() {
 std::vector<Refiner::Job> Refiner::take_jobs() {
     std::vector<Job> jobs;
     jobs.swap(again_);
-    const std::size_t most = std::clamp<std::size_t>(queue_.size() / kPartOfQueue, 1, kMaxRound);
+    const std::size_t most = std::clamp<std::size_t>(queue_.size() / kPartOfQueue, kMinRound, kMaxRound);
     while (!queue_.empty() && jobs.size() < most) {
         const Bad bad = queue_.top();
         queue_.pop();
@@ -163,7 +165,8 @@ void Refiner::take_turned(const Bad& bad, std::vector<Job>& jobs) {
     const int segment = work_.mesh.segment_of(h);
     if (segment < 0) {
         jobs.push_back({bad, edge_middle_site(work_.mesh, h), kLastAttempt});
-    } else if (narrowest_corner(work_.mesh, segment, 0).angle > kNarrow && narrowest_corner(work_.mesh, segment, 1).angle > kNarrow) {
+    } else if (narrowest_corner(work_.mesh, segment, 0).angle > kNarrow &&
+               narrowest_corner(work_.mesh, segment, 1).angle > kNarrow) {
         segments_.request(segment);
     }
 }

@@ -30,7 +30,7 @@ class Refiner {
         int triangle;
         std::uint32_t stamp;
         bool turned() const { return angle < 0.0; }  // it lies askew on the surface
-        bool operator<(const Bad& other) const {  // a max-heap: the smallest angle on top, ties by index
+        bool operator<(const Bad& other) const {     // a max-heap: the smallest angle on top, ties by index
             return angle != other.angle ? angle > other.angle : triangle > other.triangle;
         }
     };
@@ -38,7 +38,8 @@ class Refiner {
     struct Job {
         Bad bad;
         Candidate candidate;
-        int attempt = 0;  // the chosen rule's site; when it is refused the other rule's, then the middle of the longest edge
+        int attempt =
+            0;  // the chosen rule's site; when it is refused the other rule's, then the middle of the longest edge
     };
 
     std::uint64_t key(int triangle) const;

@@ -87,14 +87,15 @@ bool SegmentSplitter::encroached(int segment) const {
 }
 
 SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
-    const NarrowCorner corners[2] = {narrowest_corner(work_.mesh, segment, 0), narrowest_corner(work_.mesh, segment, 1)};
+    const NarrowCorner corners[2] = {narrowest_corner(work_.mesh, segment, 0),
+                                     narrowest_corner(work_.mesh, segment, 1)};
     const int end = corners[1].angle < corners[0].angle ? 1 : 0;
     if (corners[end].angle >= kAcute) {
         return {};
     }
     const double shell = std::exp2(std::round(std::log2(0.5 * chord(segment))));
-    // Where the other edge of a narrow corner is split more finely already, its innermost vertex sets the shell: a chord
-    // that ends farther out could cross it.
+    // Where the other edge of a narrow corner is split more finely already, its innermost vertex sets the shell: a
+    // chord that ends farther out could cross it.
     const double other = chord(corners[end].segment);
     return {end, corners[end].angle < kNarrow && other < 0.7 * chord(segment) ? std::min(shell, other) : shell};
 }

@@ -49,9 +49,8 @@ void check_against_part(const Options& options, const geometry::Topology& topolo
     }
     const double chord = chord_height(options, topology.box);
     if (chord > 0.0 && chord < 4.0 * grid.resolution()) {
-        throw InvalidInput("chord_height is " + std::to_string(chord) +
-                           " mm: single precision holds this part to " + std::to_string(4.0 * grid.resolution()) +
-                           " mm only; ask for more than that");
+        throw InvalidInput("chord_height is " + std::to_string(chord) + " mm: single precision holds this part to " +
+                           std::to_string(4.0 * grid.resolution()) + " mm only; ask for more than that");
     }
 }
 
@@ -145,7 +144,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     const std::uint64_t queries_before = engine.queries();
     predicate_count() = {};
 
-    geometry::Session session(engine, model);
+    geometry::Session session(engine, model, &watched);
     const geometry::Topology& topology = session.topology();
     const SingleGrid grid(topology.box);
     check_against_part(options, topology, grid);
@@ -153,7 +152,8 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
 
     watched.stage("initial triangulation", 0.0, 0.15);
     const geometry::InitialTriangulation initial = geometry::triangulate_initially(session, grid, watched);
-    if (!initial.failures.empty() && (!options.allow_missing_faces || initial.failures.size() == initial.faces.size())) {
+    if (!initial.failures.empty() &&
+        (!options.allow_missing_faces || initial.failures.size() == initial.faces.size())) {
         throw TopologyError("no triangulation of " + failed_faces(initial) +
                             ". Repair the shape, or allow missing faces to mesh the rest");
     }

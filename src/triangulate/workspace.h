@@ -17,20 +17,20 @@ namespace mq::triangulate {
 
 /// Why a triangle keeps an angle below the bound.
 enum class Cause {
-    NarrowCorner,   ///< the angle lies between two CAD edges that meet in its corner
-    NarrowCluster,  ///< splitting further would shrink edges towards a narrow corner for ever
-    Resolution,     ///< a further vertex would lie closer than single precision tells apart
-    MinEdge,        ///< a further vertex would make an edge shorter than min_edge
-    Crowded,        ///< a further vertex would lie closer to another one than the triangle's shortest edge
-    Fold,           ///< a further vertex would fold the mesh over the surface
-    NoSurfacePoint, ///< the engine finds no point of the surface there
-    Budget,         ///< max_triangles is reached
+    NarrowCorner,    ///< the angle lies between two CAD edges that meet in its corner
+    NarrowCluster,   ///< splitting further would shrink edges towards a narrow corner for ever
+    Resolution,      ///< a further vertex would lie closer than single precision tells apart
+    MinEdge,         ///< a further vertex would make an edge shorter than min_edge
+    Crowded,         ///< a further vertex would lie closer to another one than the triangle's shortest edge
+    Fold,            ///< a further vertex would fold the mesh over the surface
+    NoSurfacePoint,  ///< the engine finds no point of the surface there
+    Budget,          ///< max_triangles is reached
 };
 
 struct Exemption {
     Cause cause = Cause::Fold;
-    int vertex = -1;   ///< the corner at fault, or -1
-    int segment = -1;  ///< the segment at fault, or -1
+    int vertex = -1;          ///< the corner at fault, or -1
+    int segment = -1;         ///< the segment at fault, or -1
     std::uint32_t stamp = 0;  ///< of the triangle when it was exempted
 };
 
@@ -41,11 +41,11 @@ struct Workspace {
     mesh::SurfaceMesh& mesh;
     Maxmin& maxmin;
     Progress& progress;
-    double floor = 0.0;         ///< no two neighbours closer than this, mm
-    double min_edge = 0.0;      ///< as asked; 0: none
-    std::size_t budget = 0;     ///< triangles
+    double floor = 0.0;                   ///< no two neighbours closer than this, mm
+    double min_edge = 0.0;                ///< as asked; 0: none
+    std::size_t budget = 0;               ///< triangles
     std::vector<std::uint8_t> shrinks{};  ///< per vertex: insertions in its ancestry that made edges shorter
-    std::map<int, Exemption> exempt{};  ///< by triangle
+    std::map<int, Exemption> exempt{};    ///< by triangle
 
     bool over_budget() const { return static_cast<std::size_t>(mesh.triangle_count()) >= budget; }
     double shortest_allowed() const { return min_edge > floor ? min_edge : floor; }
