@@ -137,6 +137,13 @@ TEST(PlanarTriangulation, HoldsGridsLinesAndCircles) {
     }
 }
 
+TEST(PlanarTriangulation, TakesABoxWithoutExtentFarFromTheOrigin) {
+    const Vec2 p(1e9, 0.0);
+    Planar planar(p, p);
+    EXPECT_EQ(planar.insert(p), Planar::kFrame);
+    expect_valid(planar);
+}
+
 TEST(PlanarTriangulation, FindsDuplicates) {
     std::vector<Vec2> points = PointSource(Points::kGrid, 5).take_plane(60);
     std::vector<int> first;

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/initial_triangulation.h"
+
+#include <cmath>
+#include <map>
+
+#include "base/error.h"
+#include "geometry/parts.h"
+
+namespace mq::geometry {
+namespace {
+
+constexpr double kTolerance = 1e-6;  // mm: of the parts' own edges against their surfaces
+
+/// A part with its structure S_C.
+struct Case {
+    explicit Case(const Part& part)
+        : model(*part.model),
+          session(engine, part.model),
+          grid(part.model->topology().box),
+          initial(triangulate_initially(session, grid, progress)) {}
+
+    const Topology& topology() const { return model.topology(); }
+    /// In the part's coordinates.
+    Vec3 point_of(const FaceTriangulation::Site& site) const {
+        return grid.to_part(site.vertex >= 0 ? initial.chains.vertices()[site.vertex].point : site.point);
+    }
+
+    Model& model;
+    Engine engine{Engine::Mode::Direct};
+    Session session;
+    SingleGrid grid;
+    Progress progress;
+    InitialTriangulation initial;
+};
+
+void expect_chains_follow_curves(const Case& c) {
+    const double slack = c.grid.resolution() + kTolerance;
+    for (int e = 0; e < static_cast<int>(c.topology().edges.size()); ++e) {
+        const EdgeChain& chain = c.initial.chains.chain(e);
+        const Edge& edge = c.topology().edges[e];
+        ASSERT_EQ(chain.t.size(), chain.vertices.size());
+        ASSERT_GE(chain.t.size(), 2u);
+        EXPECT_EQ(chain.t.front(), edge.t0);
+        EXPECT_EQ(chain.t.back(), edge.t1);
+        EXPECT_EQ(chain.collapsed, edge.degenerate);
+        EXPECT_EQ(chain.vertices.front(), c.initial.chains.vertex_of_node(edge.nodes[0]));
+        EXPECT_EQ(chain.vertices.back(), c.initial.chains.vertex_of_node(edge.nodes[1]));
+        for (std::size_t i = 0; !chain.collapsed && i < chain.t.size(); ++i) {
+            const Answer here = c.model.answer(Query::edge_point(e, chain.t[i]));
+            const Vec3 vertex = c.grid.to_part(c.initial.chains.vertices()[chain.vertices[i]].point);
+            EXPECT_LE((vertex - here.point).norm(), slack) << "edge " << e;
+            if (i > 0) {
+                EXPECT_LT(chain.t[i - 1], chain.t[i]);
+                const Answer before = c.model.answer(Query::edge_point(e, chain.t[i - 1]));
+                EXPECT_GE(before.normal.normalized().dot(here.normal.normalized()), std::cos(M_PI / 4.0) - 1e-9)
+                    << "edge " << e << " turns by more than 45 degrees";
+            }
+        }
+    }
+}
+
+/// Every side leads to one that leads back, and runs the other way there (by other sites of the same vertex where the
+/// face has a pole); every piece of the border is used once.
+void expect_links(const Case& c, int f) {
+    const FaceTriangulation& face = c.initial.faces[f];
+    std::map<std::pair<int, int>, int> met;
+    const auto same = [&](int a, int b) {
+        return a == b || (face.sites[a].vertex >= 0 && face.sites[a].vertex == face.sites[b].vertex);
+    };
+    for (int h = 0; h < 3 * static_cast<int>(face.triangles.size()); ++h) {
+        const auto site = [&](int k, int step) { return face.triangles[k / 3][(k % 3 + step) % 3]; };
+        const FaceTriangulation::Link& link = face.links[h / 3][h % 3];
+        ASSERT_NE(link.half_edge >= 0, link.border >= 0);
+        if (link.half_edge >= 0) {
+            const int g = link.half_edge;
+            ASSERT_EQ(face.links[g / 3][g % 3].half_edge, h);
+            ASSERT_TRUE(same(site(h, 0), site(g, 1)));
+            ASSERT_TRUE(same(site(h, 1), site(g, 0)));
+            continue;
+        }
+        const FaceTriangulation::Border& border = face.borders[link.border];
+        const EdgeUse& use = c.topology().uses[border.use];
+        const EdgeChain& chain = c.initial.chains.chain(use.edge);
+        ASSERT_EQ(use.face, f);
+        ++met[{border.use, border.index}];
+        const std::pair<int, int> piece{chain.vertices[border.index], chain.vertices[border.index + 1]};
+        const std::pair<int, int> side{face.sites[site(h, 0)].vertex, face.sites[site(h, 1)].vertex};
+        EXPECT_TRUE(side == piece || side == std::make_pair(piece.second, piece.first));
+    }
+    for (int u = 0; u < static_cast<int>(c.topology().uses.size()); ++u) {
+        const EdgeChain& chain = c.initial.chains.chain(c.topology().uses[u].edge);
+        for (int i = 0; c.topology().uses[u].face == f && !chain.collapsed && i + 1 < int(chain.t.size()); ++i) {
+            EXPECT_EQ((met[{u, i}]), 1) << "piece " << i << " of use " << u;
+        }
+    }
+}
+
+void expect_sites_on_surface(const Case& c, int f) {
+    for (const FaceTriangulation::Site& site : c.initial.faces[f].sites) {
+        const Answer there = c.model.answer(Query::face_point(f, site.uv.x(), site.uv.y()));
+        ASSERT_TRUE(there.found());
+        EXPECT_LE((there.point - c.point_of(site)).norm(), c.grid.resolution() + kTolerance);
+        if (there.status == Status::Ok && site.normal.squaredNorm() > 0.0) {
+            EXPECT_LT((there.normal - site.normal).norm(), 1e-6);
+        }
+    }
+}
+
+void expect_normals(const Case& c, int f) {
+    const FaceTriangulation& face = c.initial.faces[f];
+    for (const auto& t : face.triangles) {
+        const Vec3 a = c.point_of(face.sites[t[0]]);
+        const Vec3 normal = (c.point_of(face.sites[t[1]]) - a).cross(c.point_of(face.sites[t[2]]) - a);
+        ASSERT_GT(normal.norm(), 0.0);
+        bool at_apex = false;
+        double least = 1.0;
+        for (const int s : t) {
+            const Answer there = c.model.answer(Query::face_point(f, face.sites[s].uv.x(), face.sites[s].uv.y()));
+            at_apex = at_apex || there.status != Status::Ok;
+            least = there.status == Status::Ok ? std::min(least, normal.normalized().dot(there.normal)) : least;
+        }
+        // Four triangles around the apex of a slender cone turn away from it further; none of them faces inwards.
+        EXPECT_GT(least, at_apex ? 0.0 : 0.5);
+    }
+}
+
+TEST(InitialTriangulation, CoversEveryFaceOfEveryPart) {
+    for (const Part& part : all_parts()) {
+        SCOPED_TRACE(part.name);
+        const Case c(part);
+        for (const auto& [face, why] : c.initial.failures) {
+            ADD_FAILURE() << name_of({2, face}) << ": " << why;
+        }
+        ASSERT_EQ(c.initial.faces.size(), c.topology().faces.size());
+        expect_chains_follow_curves(c);
+        for (int f = 0; f < static_cast<int>(c.initial.faces.size()); ++f) {
+            SCOPED_TRACE(name_of({2, f}));
+            const FaceTriangulation& face = c.initial.faces[f];
+            ASSERT_FALSE(face.triangles.empty());
+            EXPECT_TRUE(face.failure.empty());
+            EXPECT_TRUE(face.marks.empty());
+            ASSERT_NO_FATAL_FAILURE(expect_links(c, f));
+            ASSERT_NO_FATAL_FAILURE(expect_sites_on_surface(c, f));
+            ASSERT_NO_FATAL_FAILURE(expect_normals(c, f));
+        }
+    }
+}
+
+TEST(InitialTriangulation, IsTheSameEveryTime) {
+    for (const Part& part : shape_parts()) {
+        const Case a(part);
+        const Case b(part);
+        ASSERT_EQ(a.initial.faces.size(), b.initial.faces.size());
+        for (std::size_t f = 0; f < a.initial.faces.size(); ++f) {
+            EXPECT_EQ(a.initial.faces[f].triangles, b.initial.faces[f].triangles) << part.name;
+        }
+    }
+}
+
+TEST(InitialTriangulation, StopsWhenCancelled) {
+    const auto model = make_torus(5.0, 1.5);
+    Engine engine;
+    Session session(engine, model);
+    const SingleGrid grid(model->topology().box);
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(triangulate_initially(session, grid, progress), Cancelled);
+}
+
+TEST(EdgeChains, HalvesMarkedPiecesOnTheirCurve) {
+    const auto model = make_shape_model(BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape());
+    Engine engine(Engine::Mode::Direct);
+    Session session(engine, model);
+    const SingleGrid grid(model->topology().box);
+    EdgeChains chains(session, grid);
+    for (int e = 0; e < static_cast<int>(model->topology().edges.size()); ++e) {
+        const EdgeChain before = chains.chain(e);
+        EXPECT_EQ(chains.halve(session, {{e, 0}}), std::set<int>{e});
+        const EdgeChain& after = chains.chain(e);
+        ASSERT_EQ(after.t.size(), before.t.size() + 1);
+        EXPECT_NEAR(after.t[1], 0.5 * (before.t[0] + before.t[1]), 1e-9);  // of a line and of circles
+        const Vec3 added = grid.to_part(chains.vertices()[after.vertices[1]].point);
+        EXPECT_LE((added - model->answer(Query::edge_point(e, after.t[1])).point).norm(), grid.resolution());
+        EXPECT_EQ(after.vertices.front(), before.vertices.front());
+        EXPECT_EQ(after.vertices.back(), before.vertices.back());
+    }
+}
+
+/// Ever shorter pieces: the grid ends it, and says so by changing nothing more.
+TEST(EdgeChains, StopsWhereTheGridCannotHalve) {
+    const auto model = make_box(1.0, 2.0, 3.0);
+    Engine engine(Engine::Mode::Direct);
+    Session session(engine, model);
+    const SingleGrid grid(model->topology().box);
+    EdgeChains chains(session, grid);
+    int rounds = 0;
+    while (rounds < 200 && !chains.halve(session, {{0, 0}}).empty()) {
+        ++rounds;
+    }
+    EXPECT_GT(rounds, 10);
+    EXPECT_LT(rounds, 100);
+    const EdgeChain& chain = chains.chain(0);
+    for (std::size_t i = 1; i < chain.vertices.size(); ++i) {
+        EXPECT_NE(chains.vertices()[chain.vertices[i - 1]].point, chains.vertices()[chain.vertices[i]].point);
+    }
+}
+
+}  // namespace
+}  // namespace mq::geometry
