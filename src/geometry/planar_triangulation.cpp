@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/planar_triangulation.h"
 
+#include <algorithm>
 #include <deque>
 
 #include "base/predicates.h"
@@ -8,7 +9,8 @@
 namespace mq::geometry {
 
 PlanarTriangulation::PlanarTriangulation(const Vec2& low, const Vec2& high) {
-    const Vec2 margin = Vec2::Constant(10.0 * (high - low).maxCoeff() + 1e-9);
+    const double reach = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+    const Vec2 margin = Vec2::Constant(10.0 * (high - low).maxCoeff() + 1e-9 * std::max(1.0, reach));
     const Vec2 a = low - margin;
     const Vec2 c = high + margin;
     points_ = {a, Vec2(c.x(), a.y()), c, Vec2(a.x(), c.y())};
