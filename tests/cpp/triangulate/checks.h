@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "geometry/initial_triangulation.h"
+#include "geometry/parts.h"
+#include "mesh/report.h"
+#include "triangulate/assemble.h"
+#include "triangulate/refine.h"
+#include "triangulate/triangulate.h"
+
+/// What every mesh must be, measured without the code that made it.
+namespace mq::triangulate {
+
+/// The steps of `triangulate` one by one, to look in between.
+class Pipeline {
+  public:
+    explicit Pipeline(const std::shared_ptr<geometry::Model>& model)
+        : session(engine, model),
+          grid(model->topology().box),
+          initial(geometry::triangulate_initially(session, grid, progress)),
+          surface(assemble(initial, model->topology())),
+          maxmin(surface),
+          work{session, grid, surface, maxmin, progress} {
+        work.floor = 16.0 * grid.resolution();
+        work.budget = 1'000'000;
+    }
+
+    void refine(double min_angle, Insertion insertion = Insertion::OffCentre) {
+        std::vector<int> touched;
+        maxmin.sweep(touched);
+        SegmentSplitter segments(work);
+        Refiner(work, segments, min_angle, insertion).run();
+    }
+
+    geometry::Engine engine{geometry::Engine::Mode::Direct};
+    geometry::Session session;
+    SingleGrid grid;
+    Progress progress;
+    geometry::InitialTriangulation initial;
+    mesh::SurfaceMesh surface;
+    Maxmin maxmin;
+    Workspace work;
+};
+
+inline Result mesh_of(const std::shared_ptr<geometry::Model>& model, const Options& options = {},
+                      geometry::Engine::Mode mode = geometry::Engine::Mode::Direct) {
+    geometry::Engine engine(mode);
+    return triangulate(engine, model, options);
+}
+
+inline double smallest_angle(const std::array<Vec3, 3>& p) {
+    double smallest = 180.0;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 a = p[(i + 1) % 3] - p[i];
+        const Vec3 b = p[(i + 2) % 3] - p[i];
+        smallest = std::min(smallest, std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / M_PI);
+    }
+    return smallest;
+}
+
+inline std::array<Vec3, 3> corners_of(const mesh::TriangleMesh& mesh, std::size_t t) {
+    const mesh::Triangle& v = mesh.triangles[t];
+    return {mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]};
+}
+
+inline bool single_precision(const Vec3& p) {
+    return p.allFinite() && p == p.cast<float>().cast<double>();
+}
+
+/// Single-precision vertices, all in use; a manifold, oriented outwards, of the part's topology.
+inline void expect_sound(const Result& result, long euler, bool closed) {
+    const mesh::MeshReport measured = mesh::measure(result.mesh);
+    EXPECT_EQ(measured.closed, closed);
+    EXPECT_TRUE(measured.oriented);
+    EXPECT_TRUE(measured.manifold);
+    EXPECT_EQ(measured.degenerate_triangles, 0u);
+    EXPECT_EQ(measured.duplicate_triangles, 0u);
+    EXPECT_EQ(measured.euler, euler);
+    if (closed) {
+        EXPECT_GT(measured.volume, 0.0);
+    }
+    std::vector<char> used(result.mesh.vertices.size(), 0);
+    for (const mesh::Triangle& t : result.mesh.triangles) {
+        for (const int v : t) {
+            used[v] = 1;
+        }
+    }
+    EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
+    EXPECT_TRUE(single_precision(result.mesh.origin));
+    EXPECT_TRUE(std::all_of(result.mesh.vertices.begin(), result.mesh.vertices.end(), single_precision));
+    EXPECT_EQ(result.mesh.triangle_face.size(), result.mesh.triangles.size());
+    EXPECT_EQ(result.mesh.vertex_entity.size(), result.mesh.vertices.size());
+}
+
+/// Every triangle keeps the bound or is listed with a reason; none is listed that keeps it.
+inline void expect_angles(const Result& result, double bound) {
+    constexpr double kRounding = 1e-6;  // degrees
+    std::set<int> exempt;
+    for (const auto& [t, why] : result.report.exempt) {
+        ASSERT_GE(t, 0);
+        ASSERT_LT(static_cast<std::size_t>(t), result.mesh.triangles.size());
+        EXPECT_TRUE(exempt.insert(t).second) << "listed twice";
+        EXPECT_NE(why.find("Face"), std::string::npos) << why;
+        EXPECT_LT(smallest_angle(corners_of(result.mesh, t)), bound + kRounding) << why;
+    }
+    double least = 180.0;
+    for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+        if (exempt.count(static_cast<int>(t)) == 0) {
+            least = std::min(least, smallest_angle(corners_of(result.mesh, t)));
+        }
+    }
+    EXPECT_GE(least, bound - kRounding);
+    EXPECT_NEAR(least, result.report.min_angle_unexempted, kRounding);
+    EXPECT_EQ(result.report.min_angle_asked, bound);
+}
+
+}  // namespace mq::triangulate

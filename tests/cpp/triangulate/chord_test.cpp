@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/chord.h"
+
+#include <functional>
+
+#include "base/error.h"
+#include "geometry/occt/shape_distance.h"
+#include "mesh/samples.h"
+#include "triangulate/checks.h"
+
+namespace mq::triangulate {
+namespace {
+
+using Distance = std::function<double(const Vec3&)>;
+
+struct Solid {
+    const char* name;
+    std::shared_ptr<geometry::Model> model;
+    Distance distance;  ///< from the round face, which is face 0
+    double size;        ///< largest dimension
+    long euler;
+};
+
+std::vector<Solid> solids() {
+    return {{"sphere", geometry::make_sphere(2.0), [](const Vec3& p) { return std::abs(p.norm() - 2.0); }, 4.0, 2},
+            {"cylinder", geometry::make_cylinder(2.0, 5.0),
+             [](const Vec3& p) { return std::abs(p.head<2>().norm() - 2.0); }, 5.0, 2},
+            {"torus", geometry::make_torus(5.0, 1.5),
+             [](const Vec3& p) { return std::abs(std::hypot(p.head<2>().norm() - 5.0, p.z()) - 1.5); }, 13.0, 0}};
+}
+
+/// The largest distance over the corners of an even subdivision of every triangle of face 0.
+double deviation(const mesh::TriangleMesh& mesh, const Distance& distance, int parts) {
+    double worst = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::array<Vec3, 3> p = corners_of(mesh, t);
+        for (int i = 0; mesh.triangle_face[t] == 0 && i <= parts; ++i) {
+            for (int j = 0; i + j <= parts; ++j) {
+                const Vec3 sample = (i * p[0] + j * p[1] + (parts - i - j) * p[2]) / parts + mesh.origin;
+                worst = std::max(worst, distance(sample));
+            }
+        }
+    }
+    return worst;
+}
+
+// Bounded are the middles of edges and the centroids. On a sphere a triangle of 25 degrees or more is farthest at its
+// circumcentre, at most 1.08 times as far as in its centroid.
+constexpr double kBetweenSamples = 1.1;
+
+void expect_chord(const Solid& solid, const Options& options, double bound) {
+    SCOPED_TRACE(std::string(solid.name) + " to " + std::to_string(bound));
+    const Result result = mesh_of(solid.model, options);
+    expect_sound(result, solid.euler, true);
+    expect_angles(result, options.min_angle);
+    const double resolution = SingleGrid(solid.model->topology().box).resolution();
+    EXPECT_DOUBLE_EQ(result.report.chord_height_asked, bound);
+    EXPECT_LE(result.report.max_chord_height, bound + resolution);
+    EXPECT_LE(deviation(result.mesh, solid.distance, 2), bound + resolution);
+    const double dense = deviation(result.mesh, solid.distance, 12);
+    EXPECT_LE(dense, kBetweenSamples * bound + resolution);
+    EXPECT_GE(dense, 0.05 * bound) << "far finer than asked";
+    EXPECT_NEAR(std::max(deviation(result.mesh, solid.distance, 2), deviation(result.mesh, solid.distance, 3)),
+                result.report.max_chord_height, 1e-6 + 0.05 * bound);
+}
+
+TEST(Chord, AbsoluteBoundHoldsOnDenseSamples) {
+    for (const Solid& solid : solids()) {
+        for (const double bound : {0.2, 0.05, 0.01}) {
+            Options options;
+            options.chord_height = bound;
+            expect_chord(solid, options, bound);
+        }
+    }
+}
+
+TEST(Chord, RelativeBoundIsAFractionOfTheLargestDimension) {
+    for (const Solid& solid : solids()) {
+        Options options;
+        options.min_angle = 30.0;
+        options.chord_height_relative = 0.004;
+        const double bound = 0.004 * solid.model->topology().box.largest_side();
+        EXPECT_NEAR(bound, 0.004 * solid.size, 0.02 * bound);
+        expect_chord(solid, options, bound);
+    }
+}
+
+TEST(Chord, HoldsOnShapes) {
+    for (const char* name : {"filleted_box", "fused", "blade"}) {
+        SCOPED_TRACE(name);
+        const TopoDS_Shape shape = geometry::stored(name);
+        Options options;
+        options.chord_height = 0.02;
+        const Result result = mesh_of(geometry::make_shape_model(shape), options);
+        expect_sound(result, 2, true);
+        expect_angles(result, options.min_angle);
+        EXPECT_LE(result.report.max_chord_height, 0.02 + 1e-6);
+        EXPECT_LE(geometry::largest_distance_to_faces(shape, mesh::deviation_samples(result.mesh)), 0.02 + 1e-6);
+    }
+}
+
+TEST(Chord, FlatPartsStayAsTheyAre) {
+    Options options;
+    const Result coarse = mesh_of(geometry::make_box(1.0, 2.0, 3.0), options);
+    options.chord_height = 1e-4;
+    const Result fine = mesh_of(geometry::make_box(1.0, 2.0, 3.0), options);
+    EXPECT_EQ(coarse.mesh.triangles, fine.mesh.triangles);
+    EXPECT_LE(fine.report.max_chord_height, 1e-6);
+}
+
+TEST(Chord, FinerBoundsTakeMoreTriangles) {
+    std::size_t before = 0;
+    for (const double bound : {0.1, 0.03, 0.01}) {
+        Options options;
+        options.chord_height = bound;
+        const std::size_t now = mesh_of(geometry::make_torus(5.0, 1.5), options).mesh.triangles.size();
+        EXPECT_GT(now, before);
+        before = now;
+    }
+    // n triangles of side a: a^2 / 8 r is the height over each, and all of them have the area of the torus.
+    const double side = std::sqrt(8.0 * 1.5 * 0.01);
+    const double ideal = 4.0 * M_PI * M_PI * 5.0 * 1.5 / (0.433 * side * side);
+    EXPECT_LT(before, 6.0 * ideal);
+}
+
+TEST(Chord, RefusesABoundBelowTheGrid) {
+    for (const double scale : {1e-3, 1.0, 1e6}) {
+        Options options;
+        options.chord_height = 1e-9 * scale;
+        try {
+            mesh_of(geometry::make_sphere(2.0 * scale), options);
+            ADD_FAILURE() << "taken at scale " << scale;
+        } catch (const InvalidInput& error) {
+            EXPECT_NE(std::string(error.what()).find("chord_height"), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(Chord, MaxEdgeBoundsEveryEdge) {
+    for (const Solid& solid : solids()) {
+        SCOPED_TRACE(solid.name);
+        Options options;
+        options.max_edge = 0.7;
+        const Result result = mesh_of(solid.model, options);
+        expect_sound(result, solid.euler, true);
+        expect_angles(result, options.min_angle);
+        for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+            const std::array<Vec3, 3> p = corners_of(result.mesh, t);
+            EXPECT_LE((p[1] - p[0]).norm(), 0.7);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace mq::triangulate

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/maxmin.h"
+
+#include <map>
+
+#include "base/predicates.h"
+#include "triangulate/checks.h"
+#include "triangulate/fold.h"
+
+namespace mq::triangulate {
+namespace {
+
+using geometry::Part;
+using mesh::SurfaceMesh;
+
+/// How many edges and segments join each pair of vertices.
+std::map<std::pair<int, int>, int> joined_pairs(const SurfaceMesh& mesh) {
+    std::map<std::pair<int, int>, int> pairs;
+    const auto add = [&](int a, int b) { ++pairs[std::minmax(a, b)]; };
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        if (mesh.twin(h) > h) {
+            add(mesh.vertex_of(h), mesh.vertex_of(SurfaceMesh::next(h)));
+        }
+    }
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        add(mesh.segment(s).vertices[0], mesh.segment(s).vertices[1]);
+    }
+    return pairs;
+}
+
+bool swap_folds(const SurfaceMesh& mesh, int h) {
+    const int g = mesh.twin(h);
+    const Corner a = corner_of(mesh, mesh.site_of(h));
+    const Corner b = corner_of(mesh, mesh.site_of(SurfaceMesh::next(h)));
+    const Corner c = corner_of(mesh, mesh.site_of(SurfaceMesh::prev(h)));
+    const Corner d = corner_of(mesh, mesh.site_of(SurfaceMesh::prev(g)));
+    const double after = std::min(alignment(a, d, c), alignment(d, b, c));
+    const double before = std::min(alignment(a, b, c), alignment(b, a, d));
+    return after < kAlignedSwap && (after < before || after <= -1.0);
+}
+
+/// No legal swap makes the smallest angle beside an edge larger.
+void expect_maxmin(const SurfaceMesh& mesh) {
+    const auto pairs = joined_pairs(mesh);
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        const int g = mesh.twin(h);
+        if (g < h) {
+            continue;
+        }
+        const int c = mesh.vertex_of(SurfaceMesh::prev(h));
+        const int d = mesh.vertex_of(SurfaceMesh::prev(g));
+        const bool doubles = c == d || pairs.count(std::minmax(c, d)) > 0;
+        EXPECT_TRUE(doubles || swap_folds(mesh, h) ||
+                    locally_maxmin(mesh.point_of(h), mesh.point_of(SurfaceMesh::next(h)),
+                                   mesh.point_of(SurfaceMesh::prev(h)), mesh.point_of(SurfaceMesh::prev(g))))
+            << "edge " << mesh.vertex_of(h) << "-" << mesh.vertex_of(g);
+    }
+}
+
+void expect_no_doubled_edges(const SurfaceMesh& mesh) {
+    for (const auto& [ends, count] : joined_pairs(mesh)) {
+        EXPECT_EQ(count, 1) << "edge " << ends.first << "-" << ends.second;
+    }
+}
+
+TEST(Maxmin, HoldsAfterASweep) {
+    for (const Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        const auto before = joined_pairs(pipeline.surface);
+        std::vector<int> touched;
+        pipeline.maxmin.sweep(touched);
+        EXPECT_EQ(pipeline.surface.inconsistency(), "");
+        expect_maxmin(pipeline.surface);
+        const auto doubled = [](const auto& pairs) {
+            return std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.second > 1; });
+        };
+        EXPECT_LE(doubled(joined_pairs(pipeline.surface)), doubled(before));
+        touched.clear();
+        pipeline.maxmin.sweep(touched);
+        EXPECT_TRUE(touched.empty()) << "a second sweep finds more to swap";
+    }
+}
+
+TEST(Maxmin, HoldsAfterRefinement) {
+    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Paper}) {
+        for (const Part& part : geometry::all_parts()) {
+            SCOPED_TRACE(part.name);
+            Pipeline pipeline(part.model);
+            ASSERT_TRUE(pipeline.maxmin.doubled_edges().empty());
+            pipeline.refine(28.0, insertion);
+            EXPECT_EQ(pipeline.surface.inconsistency(), "");
+            expect_maxmin(pipeline.surface);
+            expect_no_doubled_edges(pipeline.surface);
+        }
+    }
+}
+
+TEST(Maxmin, ListsTheTrianglesThatASweepChanges) {
+    Pipeline pipeline(geometry::make_torus(5.0, 1.5));
+    SurfaceMesh& mesh = pipeline.surface;
+    std::vector<std::uint32_t> stamps;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        stamps.push_back(mesh.stamp(t));
+    }
+    std::vector<int> touched;
+    pipeline.maxmin.sweep(touched);
+    const std::set<int> listed(touched.begin(), touched.end());
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        EXPECT_EQ(listed.count(t) > 0, mesh.stamp(t) != stamps[t]) << t;
+    }
+}
+
+}  // namespace
+}  // namespace mq::triangulate

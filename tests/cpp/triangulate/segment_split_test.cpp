@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/segment_split.h"
+
+#include <cmath>
+
+#include "triangulate/checks.h"
+#include "triangulate/corner_angle.h"
+
+namespace mq::triangulate {
+namespace {
+
+using geometry::Part;
+using mesh::SurfaceMesh;
+
+double length_of(const SurfaceMesh& mesh, int segment) {
+    const auto& v = mesh.segment(segment).vertices;
+    return (mesh.vertex(v[1]).point - mesh.vertex(v[0]).point).norm();
+}
+
+/// Every segment is split once more in every round.
+void split_all(Pipeline& pipeline, SegmentSplitter& segments, int rounds) {
+    for (int round = 0; round < rounds; ++round) {
+        const int count = pipeline.surface.segment_count();
+        for (int s = 0; s < count; ++s) {
+            segments.request(s);
+        }
+        std::vector<int> touched;
+        segments.run(touched);
+        EXPECT_TRUE(segments.idle());
+    }
+}
+
+void expect_on_curves(Pipeline& pipeline) {
+    const SurfaceMesh& mesh = pipeline.surface;
+    const double slack = pipeline.grid.resolution() + 1e-6;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        const SurfaceMesh::Segment& segment = mesh.segment(s);
+        for (int end = 0; end < 2; ++end) {
+            const Vec3& local = mesh.vertex(segment.vertices[end]).point;
+            EXPECT_TRUE(single_precision(local));
+            const Vec3 point = pipeline.grid.to_part(local);
+            const auto curve = pipeline.session.ask(geometry::Query::edge_point(segment.edge, segment.t[end]));
+            EXPECT_LE((point - curve.point).norm(), slack);
+            for (const SurfaceMesh::SegmentUse& use : segment.uses) {
+                const int h = mesh.vertex_of(use.half_edge) == segment.vertices[end] ? use.half_edge
+                                                                                     : SurfaceMesh::next(use.half_edge);
+                const Vec2& uv = mesh.site(mesh.site_of(h)).uv;
+                const int face = mesh.face_of(h / 3);
+                const auto surface = pipeline.session.ask(geometry::Query::face_point(face, uv.x(), uv.y()));
+                EXPECT_LE((point - surface.point).norm(), slack);
+            }
+        }
+    }
+}
+
+TEST(SegmentSplitter, PutsVerticesOnTheCurveAndOnEveryFace) {
+    for (const Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        const int before = pipeline.surface.segment_count();
+        SegmentSplitter segments(pipeline.work);
+        split_all(pipeline, segments, 2);
+        EXPECT_GE(pipeline.surface.segment_count(), before);
+        EXPECT_EQ(pipeline.surface.inconsistency(), "");
+        expect_on_curves(pipeline);
+    }
+}
+
+TEST(SegmentSplitter, LeavesNoSegmentEncroachedThatItCouldSplit) {
+    for (const Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        SegmentSplitter segments(pipeline.work);
+        split_all(pipeline, segments, 1);
+        for (int s = 0; s < pipeline.surface.segment_count(); ++s) {
+            EXPECT_TRUE(!segments.encroached(s) || segments.refused(s) || segments.frozen(s)) << "segment " << s;
+        }
+    }
+}
+
+/// The innermost pieces at an acute corner end on spheres about its node whose radii are powers of two, in mm.
+TEST(SegmentSplitter, SplitsOnShellsNearAcuteCorners) {
+    for (const double angle : {5.0, 15.0, 40.0, 80.0}) {
+        SCOPED_TRACE(angle);
+        Pipeline pipeline(geometry::make_shape_model(geometry::wedge(angle, 10.0, 6.0)));
+        SegmentSplitter segments(pipeline.work);
+        split_all(pipeline, segments, 3);
+        const SurfaceMesh& mesh = pipeline.surface;
+        int shells = 0;
+        for (int s = 0; s < mesh.segment_count(); ++s) {
+            const SurfaceMesh::Segment& segment = mesh.segment(s);
+            for (int end = 0; end < 2; ++end) {
+                const Vec3& node = mesh.vertex(segment.vertices[end]).point;
+                const bool in_corner =
+                    mesh.vertex(segment.vertices[end]).entity[0] == 0 && node.head<2>().norm() < 1e-6;
+                const bool across = std::abs(mesh.vertex(segment.vertices[1 - end]).point.z() - node.z()) < 1e-6;
+                if (in_corner && across) {
+                    const double exponent = std::log2(length_of(mesh, s));
+                    EXPECT_NEAR(exponent, std::round(exponent), 1e-5);
+                    ++shells;
+                }
+            }
+        }
+        EXPECT_EQ(shells, 4);  // two edges at either end of the wedge
+    }
+}
+
+/// Pieces of equal length at one corner: neither encroaches upon the other.
+TEST(SegmentSplitter, PiecesOfACornerGetEqualLengths) {
+    Pipeline pipeline(geometry::make_shape_model(geometry::wedge(30.0, 9.0, 4.0)));
+    SegmentSplitter segments(pipeline.work);
+    split_all(pipeline, segments, 3);
+    std::set<long> lengths;
+    for (int s = 0; s < pipeline.surface.segment_count(); ++s) {
+        for (int end = 0; end < 2; ++end) {
+            if (narrowest_corner(pipeline.surface, s, end).angle < 0.6) {
+                lengths.insert(std::lround(1e4 * length_of(pipeline.surface, s)));
+            }
+        }
+    }
+    EXPECT_EQ(lengths.size(), 1u);
+}
+
+TEST(SegmentSplitter, RefusesWhatWouldBeShorterThanTheFloor) {
+    Pipeline pipeline(geometry::make_box(1.0, 2.0, 3.0));
+    pipeline.work.min_edge = 0.3;
+    SegmentSplitter segments(pipeline.work);
+    split_all(pipeline, segments, 8);
+    for (int s = 0; s < pipeline.surface.segment_count(); ++s) {
+        EXPECT_GE(length_of(pipeline.surface, s), 0.3);
+        EXPECT_TRUE(segments.refused(s));
+    }
+}
+
+}  // namespace
+}  // namespace mq::triangulate

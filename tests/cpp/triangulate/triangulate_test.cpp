@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/triangulate.h"
+
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+#include "base/error.h"
+#include "triangulate/checks.h"
+
+namespace mq::triangulate {
+namespace {
+
+using geometry::Engine;
+using geometry::Part;
+
+template <typename T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+void expect_same(const Result& a, const Result& b) {
+    EXPECT_EQ(a.mesh.origin, b.mesh.origin);
+    EXPECT_TRUE(same_bytes(a.mesh.vertices, b.mesh.vertices));
+    EXPECT_TRUE(same_bytes(a.mesh.triangles, b.mesh.triangles));
+    EXPECT_TRUE(same_bytes(a.mesh.triangle_face, b.mesh.triangle_face));
+    EXPECT_TRUE(same_bytes(a.mesh.vertex_entity, b.mesh.vertex_entity));
+    EXPECT_EQ(a.report.exempt, b.report.exempt);
+}
+
+TEST(Triangulate, GivesTheSameBytesOnEveryRunAndEngine) {
+    for (const Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Options options;
+        options.chord_height_relative = 0.01;
+        const Result first = mesh_of(part.model, options, Engine::Mode::Direct);
+        expect_same(first, mesh_of(part.model, options, Engine::Mode::Direct));
+        expect_same(first, mesh_of(part.model, options, Engine::Mode::Threaded));
+    }
+}
+
+TEST(Triangulate, ReportsWhatTheMeshIs) {
+    for (const Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        const Result result = mesh_of(part.model);
+        const mesh::MeshReport measured = mesh::measure(result.mesh);
+        EXPECT_EQ(result.report.triangles, result.mesh.triangles.size());
+        EXPECT_EQ(result.report.vertices, result.mesh.vertices.size());
+        EXPECT_EQ(result.report.min_angle, measured.min_angle);
+        EXPECT_EQ(result.report.closed, part.closed);
+        EXPECT_EQ(result.report.euler, part.euler);
+        EXPECT_GT(result.report.queries, 0u);
+        EXPECT_GT(result.report.predicates, 0u);
+        EXPECT_GE(result.report.max_chord_height, 0.0);
+        EXPECT_EQ(result.report.notes, part.model->topology().faults);
+        EXPECT_FALSE(result.report.seconds.empty());
+    }
+}
+
+/// Vertices lie where they are said to lie.
+TEST(Triangulate, VerticesLieOnTheirEntities) {
+    for (const Part& part : geometry::shape_parts()) {
+        SCOPED_TRACE(part.name);
+        const Result result = mesh_of(part.model);
+        const geometry::Topology& topology = part.model->topology();
+        const double slack = SingleGrid(topology.box).resolution() + 1e-6;
+        for (std::size_t v = 0; v < result.mesh.vertices.size(); ++v) {
+            const Vec3 p = result.mesh.vertices[v] + result.mesh.origin;
+            const auto [dimension, index] = result.mesh.vertex_entity[v];
+            double distance = 1e300;
+            if (dimension == 0) {
+                distance = (topology.nodes[index].point - p).norm();
+            } else if (dimension == 1) {
+                const geometry::Edge& edge = topology.edges[index];
+                const double middle = 0.5 * (edge.t0 + edge.t1);
+                distance =
+                    part.model->answer(geometry::Query::edge_nearest(index, p, middle, edge.t0, edge.t1)).distance;
+            } else {
+                distance = part.model->answer(geometry::Query::face_nearest_global(index, p)).distance;
+            }
+            EXPECT_LE(distance, slack) << dimension << ", " << index;
+        }
+    }
+}
+
+TEST(Triangulate, StopsAtTheBudgetWithAConsistentMesh) {
+    for (const std::size_t budget : {1u, 50u, 200u, 2000u}) {
+        for (const Part& part : geometry::analytic_parts()) {
+            SCOPED_TRACE(part.name + " " + std::to_string(budget));
+            Options options;
+            options.chord_height_relative = 1e-4;
+            options.max_triangles = budget;
+            const Result result = mesh_of(part.model, options);
+            expect_sound(result, part.euler, part.closed);
+            expect_angles(result, options.min_angle);
+            if (part.name == "analytic box" && budget >= 50) {
+                EXPECT_TRUE(result.report.complete);
+                continue;
+            }
+            EXPECT_FALSE(result.report.complete);
+            ASSERT_FALSE(result.report.notes.empty());
+            EXPECT_NE(result.report.notes.back().find("max_triangles"), std::string::npos);
+            EXPECT_LT(result.mesh.triangles.size(), budget + 1000);
+        }
+    }
+}
+
+TEST(Triangulate, IsCancelledFromAnotherThread) {
+    const auto model = geometry::make_torus(5.0, 1.5);
+    Options options;
+    options.chord_height = 1e-5;
+    for (const Engine::Mode mode : {Engine::Mode::Threaded, Engine::Mode::Direct}) {
+        Engine engine(mode);
+        Progress progress;
+        std::thread watcher([&] {
+            while (progress.fraction() < 0.4) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+            progress.cancel();
+        });
+        EXPECT_THROW(triangulate(engine, model, options, &progress), Cancelled);
+        watcher.join();
+        const Result after = triangulate(engine, geometry::make_box(1.0, 2.0, 3.0));
+        expect_sound(after, 2, true);
+    }
+}
+
+TEST(Triangulate, CancelledBeforeItStartsItDoesNothing) {
+    Engine engine;
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(triangulate(engine, geometry::make_sphere(1.0), {}, &progress), Cancelled);
+}
+
+TEST(Triangulate, EndsItsProgressAtOne) {
+    Engine engine;
+    Progress progress;
+    triangulate(engine, geometry::make_sphere(1.0), {}, &progress);
+    EXPECT_GE(progress.fraction(), 0.9);
+    EXPECT_LE(progress.fraction(), 1.0);
+}
+
+TEST(Triangulate, AStoppedEngineIsAnErrorNotACrash) {
+    Engine engine;
+    engine.shut_down();
+    EXPECT_THROW(triangulate(engine, geometry::make_sphere(1.0)), Error);
+}
+
+TEST(Triangulate, KeepsItsAnglesFarFromTheOrigin) {
+    for (const TopoDS_Shape& shape : {BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape(), geometry::stored("filleted_box"),
+                                      BRepPrimAPI_MakeTorus(5.0, 1.5).Shape()}) {
+        const auto near = mesh::measure(mesh_of(geometry::make_shape_model(shape)).mesh);
+        const Result result = mesh_of(geometry::make_shape_model(geometry::moved_to(shape, 1e6, -1e6, 1e6)));
+        EXPECT_GT(result.mesh.origin.norm(), 1e6);
+        expect_sound(result, near.euler, true);
+        expect_angles(result, 25.0);
+        EXPECT_TRUE(result.report.exempt.empty());
+        EXPECT_NEAR(result.report.volume, near.volume, 0.1 * near.volume);
+    }
+}
+
+TEST(Triangulate, WorksAtEverySize) {
+    for (const double scale : {1e-3, 1e3, 1e6}) {
+        SCOPED_TRACE(scale);
+        const std::vector<Part> parts{{"sphere", geometry::make_sphere(2.0 * scale), 2, true},
+                                      {"cylinder", geometry::make_cylinder(2.0 * scale, 5.0 * scale), 2, true},
+                                      {"torus", geometry::make_torus(5.0 * scale, 1.5 * scale), 0, true},
+                                      {"box", geometry::make_box(1.0 * scale, 2.0 * scale, 3.0 * scale), 2, true}};
+        for (const Part& part : parts) {
+            SCOPED_TRACE(part.name);
+            Options options;
+            options.chord_height_relative = 0.005;
+            const Result result = mesh_of(part.model, options);
+            expect_sound(result, part.euler, true);
+            expect_angles(result, options.min_angle);
+            EXPECT_TRUE(result.report.exempt.empty());
+            EXPECT_LE(result.report.max_chord_height, 0.006 * part.model->topology().box.largest_side());
+        }
+    }
+}
+
+/// OpenCASCADE's own tolerance is 1e-7 mm: such parts are as small as a shape can be, or as large.
+TEST(Triangulate, WorksOnTinyAndHugeShapes) {
+    for (const double scale : {1e-3, 1e5}) {
+        SCOPED_TRACE(scale);
+        for (const char* name : {"fused", "bored"}) {
+            SCOPED_TRACE(name);
+            const Result result = mesh_of(geometry::make_shape_model(geometry::scaled(geometry::stored(name), scale)));
+            expect_sound(result, std::string(name) == "bored" ? 0 : 2, true);
+            expect_angles(result, 25.0);
+        }
+    }
+}
+
+/// Several threads may mesh at once on one engine.
+TEST(Triangulate, SharesAnEngineBetweenThreads) {
+    Engine engine;
+    const auto model = geometry::make_torus(5.0, 1.5);
+    const Result expected = mesh_of(model);
+    std::vector<Result> results(3);
+    std::vector<std::thread> threads;
+    for (Result& result : results) {
+        threads.emplace_back([&engine, &model, &result] { result = triangulate(engine, model); });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    for (const Result& result : results) {
+        expect_same(expected, result);
+    }
+}
+
+}  // namespace
+}  // namespace mq::triangulate
