@@ -25,6 +25,16 @@ SmallestAngle smallest_angle(const SurfaceMesh& mesh, int triangle) {
     return best;
 }
 
+int narrow_corner_of(const SurfaceMesh& mesh, int triangle) {
+    constexpr double kLargestBound = 34.0 * M_PI / 180.0;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        if (mesh.segment_of(h) >= 0 && mesh.segment_of(SurfaceMesh::prev(h)) >= 0 && angle_at(mesh, h) < kLargestBound) {
+            return h;
+        }
+    }
+    return -1;
+}
+
 NarrowCorner narrowest_corner(const SurfaceMesh& mesh, int segment, int end) {
     NarrowCorner best;
     const SurfaceMesh::Segment& s = mesh.segment(segment);

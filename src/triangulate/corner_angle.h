@@ -17,6 +17,10 @@ NarrowCorner narrowest_corner(const mesh::SurfaceMesh& mesh, int segment, int en
 /// The angle at the origin of `h` in its triangle, radians.
 double angle_at(const mesh::SurfaceMesh& mesh, int h);
 
+/// The corner of a triangle that fills a narrow corner of the part: two segments meet in it at less than 34 degrees,
+/// the largest bound there is. A vertex in such a triangle would cut the angle into smaller ones. -1: there is none.
+int narrow_corner_of(const mesh::SurfaceMesh& mesh, int triangle);
+
 /// The corner of the triangle with the smallest angle as a half-edge, and that angle in radians.
 struct SmallestAngle {
     int half_edge;

@@ -229,6 +229,10 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
         give_up(job, Cause::Fold);
         return;
     }
+    if (const int corner = narrow_corner_of(work_.mesh, place.triangle); corner >= 0) {
+        give_up(job, Cause::NarrowCluster, {work_.mesh.segment_of(corner)});
+        return;
+    }
     const Surroundings around = look_around(work_.mesh, place.triangle, p->point);
     if (split_instead(job.bad, around.encroached)) {
         return;
@@ -307,6 +311,9 @@ void Refiner::exempt_for(const Bad& bad, Cause cause, const std::vector<int>& se
             exempt(bad, work_.too_short(), -1, s);
             return;
         }
+    }
+    if (cause == Cause::NarrowCluster) {  // in the way of a corner that may still be split
+        cause = Cause::Crowded;
     }
     exempt(bad, cause, -1, segments.empty() ? -1 : segments.front());
 }
