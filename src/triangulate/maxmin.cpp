@@ -11,6 +11,8 @@ namespace {
 
 using mesh::SurfaceMesh;
 
+constexpr int kMaxSweeps = 20;
+
 std::uint64_t key(int a, int b) {
     return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
 }
@@ -118,13 +120,20 @@ void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched, double 
 }
 
 void Maxmin::sweep(std::vector<int>& touched) {
-    std::vector<int> stack;
-    for (int h = mesh_.half_edge_count() - 1; h >= 0; --h) {
-        if (mesh_.twin(h) > h) {
-            stack.push_back(h);
+    // A swap far away can free a pair of vertices that made another swap illegal, so one sweep may leave some behind.
+    for (int round = 0; round < kMaxSweeps; ++round) {
+        std::vector<int> stack;
+        for (int h = mesh_.half_edge_count() - 1; h >= 0; --h) {
+            if (mesh_.twin(h) > h) {
+                stack.push_back(h);
+            }
+        }
+        const std::size_t before = touched.size();
+        restore(stack, touched);
+        if (touched.size() == before) {
+            return;
         }
     }
-    restore(stack, touched);
 }
 
 }  // namespace mq::triangulate

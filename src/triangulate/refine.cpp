@@ -71,11 +71,20 @@ void Refiner::run() {
             break;
         }
     }
-    while (!queue_.empty()) {
-        const Bad bad = queue_.top();
-        queue_.pop();
-        if (work_.mesh.stamp(bad.triangle) == bad.stamp && smallest_angle(work_.mesh, bad.triangle).angle < bound_ &&
-            !narrow_corner(bad)) {
+    queue_ = {};
+    again_.clear();
+    if (work_.over_budget()) {
+        exempt_the_rest();
+    }
+}
+
+// What the budget left undone.
+void Refiner::exempt_the_rest() {
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        const Bad bad{smallest_angle(work_.mesh, t).angle, t, work_.mesh.stamp(t)};
+        const auto found = work_.exempt.find(t);
+        const bool known = found != work_.exempt.end() && found->second.stamp == bad.stamp;
+        if (bad.angle < bound_ && !known && !narrow_corner(bad)) {
             exempt(bad, Cause::Budget);
         }
     }

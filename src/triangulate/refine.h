@@ -60,6 +60,7 @@ class Refiner {
     void exempt(const Bad& bad, Cause cause, int vertex = -1, int segment = -1);
     bool narrow_corner(const Bad& bad);
     bool retry_exempted();
+    void exempt_the_rest();
     double shortest_edge(int triangle) const;
     int longest_edge(int triangle) const;
 

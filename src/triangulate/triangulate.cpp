@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kDefaultBudget = 20'000'000;
 // Neighbours closer than this many grid steps make triangles whose angles are mostly rounding.
 constexpr double kFloorSteps = 16.0;
-constexpr int kMaxChordRounds = 6;
+constexpr int kMaxChordRounds = 12;
 
 class StageClock {
   public:
@@ -123,6 +123,11 @@ mesh::MeshReport final_report(Workspace& work, const Output& out, const Options&
     report.max_chord_height = measure_chord_height(work);
     report_exemptions(work, out, options.min_angle, report);
     report.notes = work.session.topology().faults;
+    if (chord > 0.0 && report.max_chord_height > chord) {
+        report.notes.push_back("chord height " + std::to_string(report.max_chord_height) + " mm instead of the " +
+                               std::to_string(chord) +
+                               " mm asked for: some edges cannot be split without folding or crowding the mesh");
+    }
     report.complete = !work.over_budget();
     if (work.over_budget()) {
         report.notes.push_back("stopped at max_triangles = " + std::to_string(work.budget) +
