@@ -535,7 +535,7 @@ std::shared_ptr<Model> make_box(double a, double b, double c) {
         model->add_line(edge[0], edge[1]);
     }
     // Every face runs backward, forward, forward, backward along its four edges.
-    static constexpr int kFaces[6][4] = {{0, 3, 2, 1}, {4, 7, 6, 5}, {8, 0, 9, 4},
+    static constexpr int kFaces[6][4] = {{0, 3, 2, 1},   {4, 7, 6, 5},  {8, 0, 9, 4},
                                          {10, 2, 11, 6}, {3, 8, 7, 10}, {1, 9, 5, 11}};
     const Vec3 x_directions[3] = {Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitX()};
     const Vec3 y_directions[3] = {-Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitY()};

@@ -19,9 +19,7 @@ struct Curve {
     Vector at(double t) const {
         return round ? Vector(origin + radius * (std::cos(t) * x + std::sin(t) * y)) : Vector(origin + t * x);
     }
-    Vector derivative(double t) const {
-        return round ? Vector(radius * (std::cos(t) * y - std::sin(t) * x)) : x;
-    }
+    Vector derivative(double t) const { return round ? Vector(radius * (std::cos(t) * y - std::sin(t) * x)) : x; }
 };
 using Curve3 = Curve<Vec3>;
 using Curve2 = Curve<Vec2>;

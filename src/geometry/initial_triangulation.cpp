@@ -2,7 +2,6 @@
 #include "geometry/initial_triangulation.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace mq::geometry {
 
@@ -29,8 +28,12 @@ InitialTriangulation triangulate_initially(Session& session, const SingleGrid& g
     const Topology& topology = session.topology();
     InitialTriangulation result{EdgeChains(session, grid), {}, {}};
     result.faces.resize(topology.faces.size());
-    std::vector<int> open(topology.faces.size());
-    std::iota(open.begin(), open.end(), 0);
+    std::vector<int> open;
+    for (int f = 0; f < static_cast<int>(topology.faces.size()); ++f) {
+        if (!topology.faces[f].no_area) {  // the others are left out; the part's faults name them
+            open.push_back(f);
+        }
+    }
     for (int round = 0; round < kMaxRounds && !open.empty(); ++round) {
         std::set<EdgeChains::Mark> marks;
         for (std::size_t i = 0; i < open.size(); ++i) {

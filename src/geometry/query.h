@@ -10,19 +10,19 @@ namespace mq::geometry {
 
 struct Query {
     enum class Kind {
-        EdgePoint,         ///< index = edge, t: point; normal = the (unnormalised) derivative dC/dt
-        EdgeMiddle,        ///< index = edge, t, t2: the t that halves the arc between them; point
-        EdgeAtDistance,    ///< index = edge, t, t2, distance: t between them at that straight distance from C(t); point
-        EdgeNearest,       ///< index = edge, t = a guess, t and u, v = range [u, v]; point: nearest t; point, distance
-        EdgeLength,        ///< index = edge, t, t2: arc length in `distance`
-        UseOnFace,         ///< index = use, t: (u, v) on the use's face; point of the surface there, outward unit normal
-        FacePoint,         ///< index = face, u, v: point, outward unit normal
-        FaceDerivatives,   ///< index = face, u, v: as FacePoint, and derivatives
-        FaceCurvatures,    ///< index = face, u, v: as FacePoint, principal curvatures in u, v (1/mm, |u| >= |v|)
-        FaceNearest,       ///< index = face, point, u, v = a guess: local Newton, global search when it fails
-        FaceNearestGlobal, ///< index = face, point: nearest point of the (untrimmed) surface within the face's bounds
-        FaceContains,      ///< index = face, u, v: `side` 1 inside the trimmed face, 0 on its border, -1 outside
-        VolumeContains,    ///< index = volume, point: `side` likewise
+        EdgePoint,        ///< index = edge, t: point; normal = the (unnormalised) derivative dC/dt
+        EdgeMiddle,       ///< index = edge, t, t2: the t that halves the arc between them; point
+        EdgeAtDistance,   ///< index = edge, t, t2, distance: t between them at that straight distance from C(t); point
+        EdgeNearest,      ///< index = edge, t = a guess, t and u, v = range [u, v]; point: nearest t; point, distance
+        EdgeLength,       ///< index = edge, t, t2: arc length in `distance`
+        UseOnFace,        ///< index = use, t: (u, v) on the use's face; point of the surface there, outward unit normal
+        FacePoint,        ///< index = face, u, v: point, outward unit normal
+        FaceDerivatives,  ///< index = face, u, v: as FacePoint, and derivatives
+        FaceCurvatures,   ///< index = face, u, v: as FacePoint, principal curvatures in u, v (1/mm, |u| >= |v|)
+        FaceNearest,      ///< index = face, point, u, v = a guess: local Newton, global search when it fails
+        FaceNearestGlobal,  ///< index = face, point: nearest point of the (untrimmed) surface within the face's bounds
+        FaceContains,       ///< index = face, u, v: `side` 1 inside the trimmed face, 0 on its border, -1 outside
+        VolumeContains,     ///< index = volume, point: `side` likewise
     };
     Kind kind = Kind::FacePoint;
     int index = -1;
@@ -51,11 +51,11 @@ struct Query {
 /// A failed query is a value too. Whoever asks decides what a failure means.
 enum class Status {
     Ok,
-    NotFound,      ///< no such point: the search did not converge, or the range holds none
-    Singular,      ///< the point is right, but the surface has no normal there (pole, apex, cusp); normal is zero
-    BadQuery,      ///< an index or a parameter out of range, or not a number
-    KernelFailure, ///< the modeler raised an exception
-    Stopped,       ///< the engine was shut down or the batch cancelled before the query was answered
+    NotFound,       ///< no such point: the search did not converge, or the range holds none
+    Singular,       ///< the point is right, but the surface has no normal there (pole, apex, cusp); normal is zero
+    BadQuery,       ///< an index or a parameter out of range, or not a number
+    KernelFailure,  ///< the modeler raised an exception
+    Stopped,        ///< the engine was shut down or the batch cancelled before the query was answered
 };
 
 const char* to_string(Status status);
@@ -70,7 +70,7 @@ struct Answer {
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::Zero();
     std::array<Vec3, 5> derivatives{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-                                     ///< Su, Sv, Suu, Suv, Svv
+    ///< Su, Sv, Suu, Suv, Svv
 
     /// The point can be used; the normal too unless the surface is singular there.
     bool found() const { return status == Status::Ok || status == Status::Singular; }

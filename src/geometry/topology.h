@@ -54,8 +54,9 @@ struct Loop {
 struct Face {
     std::vector<Loop> loops;
     bool reversed = false;  ///< the outward normal is -(Su x Sv)
+    bool no_area = false;   ///< the surface is collapsed to a curve: there is nothing to mesh
     double tolerance = 0.0;
-    std::array<double, 2> low{0.0, 0.0};   ///< bounds of (u, v) on the trimmed face
+    std::array<double, 2> low{0.0, 0.0};  ///< bounds of (u, v) on the trimmed face
     std::array<double, 2> high{0.0, 0.0};
     std::array<double, 2> period{0.0, 0.0};  ///< 0 where the surface is not periodic (or closed) in u, v
     const char* surface = "other";           ///< "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
@@ -78,8 +79,8 @@ struct Topology {
     std::vector<Face> faces;
     std::vector<EdgeUse> uses;
     std::vector<Volume> volumes;
-    Box box;                             ///< of the whole part, mm; never smaller than the part
-    std::vector<std::string> faults;     ///< what is wrong with the part by the kernel's own checks, naming entities
+    Box box;                          ///< of the whole part, mm; never smaller than the part
+    std::vector<std::string> faults;  ///< what is wrong with the part by the kernel's own checks, naming entities
 };
 
 }  // namespace mq::geometry

@@ -28,8 +28,8 @@ struct MeshReport {
     long euler = 0;  ///< V - E + F
     double min_angle = 0.0;
     double max_angle = 0.0;
-    double mean_min_angle = 0.0;  ///< mean over the triangles of their smallest angle
-    double max_aspect = 0.0;      ///< longest edge / shortest edge of one triangle
+    double mean_min_angle = 0.0;                    ///< mean over the triangles of their smallest angle
+    double max_aspect = 0.0;                        ///< longest edge / shortest edge of one triangle
     std::array<std::size_t, 60> angle_histogram{};  ///< smallest angle of each triangle, one bin a degree
     double area = 0.0;
     double volume = 0.0;  ///< signed; of closed meshes only
@@ -40,8 +40,8 @@ struct MeshReport {
     double max_chord_height = -1.0;     ///< largest measured distance to the CAD; -1 when there is no CAD
     double chord_height_asked = 0.0;    ///< 0: none
     std::vector<std::pair<std::int32_t, std::string>> exempt;  ///< triangle, why and by which entities
-    std::vector<std::string> notes;     ///< what the reader must know: faults of the part, budget reached, ...
-    bool complete = true;               ///< false when a budget ended the work early
+    std::vector<std::string> notes;  ///< what the reader must know: faults of the part, budget reached, ...
+    bool complete = true;            ///< false when a budget ended the work early
 
     std::vector<std::pair<std::string, double>> seconds;  ///< stage, wall-clock seconds
     double cpu_seconds = 0.0;

@@ -16,11 +16,11 @@ using VertexEntity = std::array<std::int32_t, 2>;
 
 /// A plain indexed triangle mesh: the product of every algorithm, and the input of every check.
 struct TriangleMesh {
-    Vec3 origin = Vec3::Zero();                ///< of the local frame, mm
-    std::vector<Vec3> vertices;                ///< relative to origin; every value is a single-precision number
-    std::vector<Triangle> triangles;           ///< outward orientation
-    std::vector<std::int32_t> triangle_face;   ///< CAD face of each triangle; empty when the mesh has no CAD
-    std::vector<VertexEntity> vertex_entity;   ///< empty when the mesh has no CAD
+    Vec3 origin = Vec3::Zero();               ///< of the local frame, mm
+    std::vector<Vec3> vertices;               ///< relative to origin; every value is a single-precision number
+    std::vector<Triangle> triangles;          ///< outward orientation
+    std::vector<std::int32_t> triangle_face;  ///< CAD face of each triangle; empty when the mesh has no CAD
+    std::vector<VertexEntity> vertex_entity;  ///< empty when the mesh has no CAD
 };
 
 }  // namespace mq::mesh

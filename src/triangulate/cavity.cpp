@@ -45,7 +45,8 @@ Cavity grow_cavity(const SurfaceMesh& mesh, int half_edge, bool split, const Cor
         }
         const int apex = mesh.vertex_of(SurfaceMesh::prev(g));
         // An apex met before would be shut in: the cavity would close around it.
-        if (c.triangles.size() >= kMaxTriangles || (!split && narrow_corner_of(mesh, SurfaceMesh::triangle_of(g)) >= 0) ||
+        if (c.triangles.size() >= kMaxTriangles ||
+            (!split && narrow_corner_of(mesh, SurfaceMesh::triangle_of(g)) >= 0) ||
             std::find(vertices.begin(), vertices.end(), apex) != vertices.end()) {
             return c;
         }

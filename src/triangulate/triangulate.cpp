@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/triangulate.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 
@@ -44,8 +45,9 @@ double chord_height(const Options& options, const Box& box) {
 }
 
 void check_against_part(const Options& options, const geometry::Topology& topology, const SingleGrid& grid) {
-    if (topology.faces.empty()) {
-        throw InvalidInput("the shape has no faces: give a solid, a shell or faces");
+    const auto something = [](const geometry::Face& face) { return !face.no_area; };
+    if (std::none_of(topology.faces.begin(), topology.faces.end(), something)) {
+        throw InvalidInput("the shape has no faces with an area: give a solid, a shell or faces");
     }
     const double chord = chord_height(options, topology.box);
     if (chord > 0.0 && chord < 4.0 * grid.resolution()) {

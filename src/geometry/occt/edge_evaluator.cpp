@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/edge_evaluator.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Curve.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "geometry/occt/conversion.h"
 

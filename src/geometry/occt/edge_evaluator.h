@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <vector>
-
 #include <Adaptor3d_Curve.hxx>
 #include <TopoDS_Edge.hxx>
 #include <gp_Trsf.hxx>
+#include <vector>
 
 #include "geometry/query.h"
 #include "geometry/topology.h"
@@ -45,8 +44,8 @@ class EdgeEvaluator {
     Kind kind_ = Kind::Other;
     double t0_;
     double t1_;
-    double slack_;              ///< how far t may lie out of the range by rounding
-    double size_ = 0.0;         ///< of the curve, to judge lengths by
+    double slack_;                      ///< how far t may lie out of the range by rounding
+    double size_ = 0.0;                 ///< of the curve, to judge lengths by
     std::vector<double> knots_;         ///< where the curve is less than smooth, and the ends
     mutable std::vector<double> sums_;  ///< arc lengths up to the knots, once they were asked for
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
-
 #include <gp_Circ.hxx>
 #include <gp_Lin.hxx>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/face_evaluator.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include <BRep_Tool.hxx>
 #include <Precision.hxx>
+#include <algorithm>
+#include <cmath>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>

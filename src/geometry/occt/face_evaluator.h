@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <GeomAdaptor_Surface.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Trsf.hxx>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "geometry/elementary_surface.h"
 #include "geometry/query.h"
@@ -80,14 +79,14 @@ class FaceEvaluator {
     gp_Trsf location_;
     gp_Trsf inverse_;
     bool located_ = false;
-    double sign_ = 1.0;              ///< of the outward normal against Su x Sv
+    double sign_ = 1.0;  ///< of the outward normal against Su x Sv
     double tolerance_;
     std::array<double, 2> period_;
-    ParameterBox natural_;           ///< of the surface
-    ParameterBox trimmed_;           ///< of the face, made finite
-    double su_ = 0.0;                ///< usual size of Su, Sv on the face
+    ParameterBox natural_;  ///< of the surface
+    ParameterBox trimmed_;  ///< of the face, made finite
+    double su_ = 0.0;       ///< usual size of Su, Sv on the face
     double sv_ = 0.0;
-    double size_ = 0.0;              ///< of the face in space, in its own coordinates
+    double size_ = 0.0;  ///< of the face in space, in its own coordinates
     std::optional<ElementarySurface> elementary_;
     std::array<int, 2> samples_{0, 0};
     std::vector<Vec3> grid_;

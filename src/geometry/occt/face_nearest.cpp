@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Precision.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include <Precision.hxx>
 
 #include "geometry/occt/conversion.h"
 #include "geometry/occt/face_evaluator.h"
@@ -86,14 +85,15 @@ FaceEvaluator::Step FaceEvaluator::newton_step(const SurfacePoint& s, const Vec3
         step.minimum = hessian.x() > 0.0 && det > 1e-6 * squares.x() * squares.y();
         if (step.minimum) {
             step.move = Vec2(full * gradient.y() - hessian.y() * gradient.x(),
-                             full * gradient.x() - hessian.x() * gradient.y()) / det;
+                             full * gradient.x() - hessian.x() * gradient.y()) /
+                        det;
         } else {
             // Towards the foot on the tangent plane, as far as that has a direction.
             const double mixed = s.su.dot(s.sv);
-            const double gauss = std::max(squares.x() * squares.y() - mixed * mixed,
-                                          1e-6 * squares.x() * squares.y());
+            const double gauss = std::max(squares.x() * squares.y() - mixed * mixed, 1e-6 * squares.x() * squares.y());
             step.move = Vec2(mixed * gradient.y() - squares.y() * gradient.x(),
-                             mixed * gradient.x() - squares.x() * gradient.y()) / gauss;
+                             mixed * gradient.x() - squares.x() * gradient.y()) /
+                        gauss;
         }
         return step;
     }

@@ -38,8 +38,7 @@ Box inner_box(const LiveShape& live, const Topology& topology) {
 
 bool much_larger(const Box& box, const Box& inner) {
     constexpr double kMuch = 0.05;
-    return inner.empty() ||
-           ((box.high - box.low) - (inner.high - inner.low)).maxCoeff() > kMuch * inner.largest_side();
+    return inner.empty() || ((box.high - box.low) - (inner.high - inner.low)).maxCoeff() > kMuch * inner.largest_side();
 }
 
 }  // namespace

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <set>
-#include <utility>
-
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepCheck_ListOfStatus.hxx>
 #include <BRepCheck_Result.hxx>
@@ -10,6 +7,8 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <set>
+#include <utility>
 
 #include "geometry/occt/live_shape.h"
 
@@ -74,9 +73,9 @@ const char* describe(BRepCheck_Status status) {
 class FaultList {
   public:
     FaultList(const TopoDS_Shape& shape, const BRepCheck_Analyzer& analyzer) : analyzer_(analyzer) {
-        const std::pair<TopAbs_ShapeEnum, const char*> kinds[] = {
-            {TopAbs_VERTEX, "Vertex"}, {TopAbs_EDGE, "Edge"},   {TopAbs_WIRE, "Wire"},
-            {TopAbs_FACE, "Face"},     {TopAbs_SHELL, "Shell"}, {TopAbs_SOLID, "Solid"}};
+        const std::pair<TopAbs_ShapeEnum, const char*> kinds[] = {{TopAbs_VERTEX, "Vertex"}, {TopAbs_EDGE, "Edge"},
+                                                                  {TopAbs_WIRE, "Wire"},     {TopAbs_FACE, "Face"},
+                                                                  {TopAbs_SHELL, "Shell"},   {TopAbs_SOLID, "Solid"}};
         for (const auto& [kind, name] : kinds) {
             kinds_.push_back(Kind{name, {}});
             TopExp::MapShapes(shape, kind, kinds_.back().map);

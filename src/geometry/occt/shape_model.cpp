@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/shape_model.h"
 
-#include <algorithm>
-#include <cmath>
-#include <exception>
-#include <vector>
-
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRep_Tool.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_Version.hxx>
 #include <TopAbs.hxx>
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <vector>
 
 #include "base/error.h"
 #include "geometry/occt/conversion.h"
@@ -194,8 +193,7 @@ Answer ShapeModel::volume_contains(int index, const Vec3& point) {
     // In the part's own coordinates: OpenCASCADE's classifier goes wrong in mirrored and scaled locations.
     const TopLoc_Location& location = live_.volumes[i].Location();
     if (!classifiers_[i]) {
-        classifiers_[i] =
-            std::make_unique<BRepClass3d_SolidClassifier>(live_.volumes[i].Located(TopLoc_Location()));
+        classifiers_[i] = std::make_unique<BRepClass3d_SolidClassifier>(live_.volumes[i].Located(TopLoc_Location()));
     }
     constexpr double kOn = 1e-7;
     classifiers_[i]->Perform(to_pnt(point).Transformed(location.Transformation().Inverted()), kOn);

@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <utility>
-
 #include <BRepTools.hxx>
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
@@ -15,6 +10,10 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "geometry/occt/conversion.h"
@@ -197,7 +196,8 @@ void TopologyBuilder::add_face(int index) {
     if (data.loops.empty()) {
         fault(Entity{2, index}, "has no wire");
     }
-    if (has_no_area(adaptor, data)) {
+    data.no_area = has_no_area(adaptor, data);
+    if (data.no_area) {
         fault(Entity{2, index}, "has no area");
     }
     const double bounds = std::max(std::max(std::abs(data.low[0]), std::abs(data.high[0])),
