@@ -321,6 +321,10 @@ void Refiner::exempt_for(const Bad& bad, Cause cause, const std::vector<int>& se
             return;
         }
     }
+    if (const int corner = segments_.narrow_corner_near(work_.mesh.point_of(3 * bad.triangle)); corner >= 0) {
+        exempt(bad, Cause::NarrowCluster, corner, segments.empty() ? -1 : segments.front());
+        return;
+    }
     if (cause == Cause::NarrowCluster) {  // in the way of a corner that may still be split
         cause = Cause::Crowded;
     }

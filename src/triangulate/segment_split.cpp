@@ -22,6 +22,8 @@ constexpr double kAcute = M_PI / 2.0;
 constexpr double kNarrow = M_PI / 3.0;
 // The innermost shell is this much smaller than the distance to the nearest thing that is not part of the corner.
 constexpr double kRoom = 0.25;
+// Vertices that a piece of that length leaves no room for lie this near, in lengths of the piece.
+constexpr double kBesideShell = 1.5;
 constexpr double kNotFolded = 0.1;
 constexpr int kMaxPostponed = 12;
 
@@ -39,11 +41,16 @@ void SegmentSplitter::measure_room() {
     innermost_.assign(n, 0.0);
     std::map<int, std::set<int>> edges_at;
     std::map<int, double> room;
+    std::set<int> narrow;
     for (int s = 0; s < mesh.segment_count(); ++s) {
         for (int end = 0; end < 2 && !mesh.segment(s).uses.empty(); ++end) {
             const int v = mesh.segment(s).vertices[end];
-            if (narrowest_corner(mesh, s, end).angle < kAcute) {
+            const double angle = narrowest_corner(mesh, s, end).angle;
+            if (angle < kAcute) {
                 room.emplace(v, 1e300);
+            }
+            if (angle < kNarrow) {
+                narrow.insert(v);
             }
             edges_at[v].insert(mesh.segment(s).edge);
         }
@@ -68,6 +75,7 @@ void SegmentSplitter::measure_room() {
     for (const auto& [node, radius] : room) {
         innermost_[node] = kRoom * radius;
     }
+    narrow_nodes_.assign(narrow.begin(), narrow.end());
 }
 
 double SegmentSplitter::chord(int segment) const {
@@ -112,6 +120,15 @@ bool SegmentSplitter::frozen(int segment, int* corner_vertex) const {
         }
     }
     return false;
+}
+
+int SegmentSplitter::narrow_corner_near(const Vec3& p) const {
+    for (const int v : narrow_nodes_) {
+        if ((work_.mesh.vertex(v).point - p).norm() <= kBesideShell * innermost_[v]) {
+            return v;
+        }
+    }
+    return -1;
 }
 
 bool SegmentSplitter::in_lens(int segment, const Vec3& p) const {

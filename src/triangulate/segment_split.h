@@ -25,6 +25,8 @@ class SegmentSplitter {
     /// ever (the cascade that Shewchuk 2002 calls the terminator's problem); an innermost shell ends it, and leaves one
     /// triangle in the corner with the angle that the part has there. `corner_vertex` is the corner's node.
     bool frozen(int segment, int* corner_vertex = nullptr) const;
+    /// The CAD node with a narrow corner whose innermost shell p lies within or beside, as a vertex; -1: none.
+    int narrow_corner_near(const Vec3& p) const;
     /// p lies so near the segment that its angle over it is above 120 degrees.
     bool in_lens(int segment, const Vec3& p) const;
 
@@ -58,6 +60,7 @@ class SegmentSplitter {
 
     Workspace& work_;
     std::vector<double> innermost_;  // per vertex: radius of the innermost shell at a CAD node
+    std::vector<int> narrow_nodes_;  // vertices
     std::vector<int> pending_;
     std::vector<char> waiting_;  // per segment
     std::vector<char> refused_;
