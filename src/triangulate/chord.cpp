@@ -168,7 +168,7 @@ void ChordRefiner::split(const std::vector<Site>& sites) {
     for (const Site& site : sites) {
         const int s = work_.mesh.segment_of(site.half_edge);
         if (s >= 0) {
-            segments_.request(s);
+            segments_.request(s, true);
         } else {
             candidates.push_back(site.candidate);
             inner.push_back(&site);
@@ -189,12 +189,12 @@ void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>
     }
     bool split_segment = false;
     for (const int s : look_around(work_.mesh, h / 3, p->point).encroached) {
-        if (!segments_.refused(s)) {
+        if (!segments_.refused(s) && !segments_.frozen(s)) {
             segments_.request(s);
             split_segment = true;
         }
     }
-    if (!split_segment && insert_vertex(work_, h / 3, *p, touched_)) {
+    if (!split_segment && insert_vertex(work_, h / 3, *p, touched_, kAlignedAtLast)) {
         passed_edges_.insert(edge_key(work_.mesh, h));  // refused: it cannot be split here
     }
 }

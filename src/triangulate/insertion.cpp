@@ -206,12 +206,13 @@ Surroundings look_around(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
     return result;
 }
 
-std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfacePoint& p, std::vector<int>& touched) {
+std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfacePoint& p, std::vector<int>& touched,
+                                   double aligned) {
     SurfaceMesh& mesh = work.mesh;
     if (too_close(work, triangle, p.point)) {
         return work.too_short();
     }
-    const double least = std::min(kAligned, alignment(mesh, triangle));
+    const double least = std::min(aligned, alignment(mesh, triangle));
     const Cavity cavity = grow_cavity(mesh, 3 * triangle, false, {p.point, p.normal}, least);
     if (!cavity.complete) {
         return Cause::Fold;

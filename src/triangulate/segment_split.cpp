@@ -24,6 +24,7 @@ constexpr double kNarrow = M_PI / 3.0;
 constexpr double kRoom = 0.25;
 // Vertices that a piece of that length leaves no room for lie this near, in lengths of the piece.
 constexpr double kBesideShell = 1.5;
+constexpr double kSameShell = 1.1;
 constexpr double kNotFolded = 0.1;
 constexpr int kMaxPostponed = 12;
 
@@ -138,9 +139,9 @@ bool SegmentSplitter::in_lens(int segment, const Vec3& p) const {
     return a.dot(b) < -0.5 * a.norm() * b.norm();
 }
 
-void SegmentSplitter::request(int segment) {
+void SegmentSplitter::request(int segment, bool force) {
     waiting_.resize(std::max<std::size_t>(waiting_.size(), work_.mesh.segment_count()), 0);
-    if (!waiting_[segment] && !refused(segment) && !frozen(segment)) {
+    if (!waiting_[segment] && !refused(segment) && (force || !frozen(segment))) {
         waiting_[segment] = 1;
         pending_.push_back(segment);
     }
@@ -205,10 +206,23 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
     const Answer* next = answers.data();
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const std::size_t uses = work_.mesh.segment(segments[i]).uses.size();
-        if (split(segments[i], places[i], next, touched) == Outcome::Refused) {
+        const bool was_frozen = frozen(segments[i]);
+        const Outcome outcome = split(segments[i], places[i], next, touched);
+        if (outcome == Outcome::Refused) {
             refuse(segments[i]);
+        } else if (outcome == Outcome::Split && was_frozen) {
+            force_mates(segments[i]);
         }
         next += uses;
+    }
+}
+
+void SegmentSplitter::force_mates(int segment) {
+    for (int end = 0; end < 2; ++end) {
+        const NarrowCorner corner = narrowest_corner(work_.mesh, segment, end);
+        if (corner.angle < kNarrow && chord(corner.segment) > kSameShell * chord(segment)) {
+            request(corner.segment, true);
+        }
     }
 }
 
@@ -226,8 +240,8 @@ SegmentSplitter::Outcome SegmentSplitter::wait_for(int segment, int other) {
     if (other < 0 || other == segment || refused(other) || ++postponed_[segment] > kMaxPostponed) {
         return Outcome::Refused;
     }
-    request(other);
-    request(segment);
+    request(other, frozen(segment));
+    request(segment, frozen(segment));
     return waiting_[other] != 0 ? Outcome::Later : Outcome::Refused;
 }
 

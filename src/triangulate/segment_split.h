@@ -30,7 +30,9 @@ class SegmentSplitter {
     /// p lies so near the segment that its angle over it is above 120 degrees.
     bool in_lens(int segment, const Vec3& p) const;
 
-    void request(int segment);
+    /// With `force` also when it is frozen: for bounds on lengths and chord heights, which end by themselves. The other
+    /// edge of its narrow corner follows to the same shell.
+    void request(int segment, bool force = false);
     /// Splits all that were requested and all that become encroached by it, in batches. Changed triangles are
     /// appended to `touched`.
     void run(std::vector<int>& touched);
@@ -57,6 +59,7 @@ class SegmentSplitter {
     void refuse(int segment);
 
     void measure_room();
+    void force_mates(int segment);
 
     Workspace& work_;
     std::vector<double> innermost_;  // per vertex: radius of the innermost shell at a CAD node
