@@ -188,8 +188,8 @@ inline std::vector<Part> shape_parts() {
             solid("scaled cylinder", scaled(cylinder, 12.5)),
             solid("twin solids", twin_solids(), 4),
             {"open shell", make_shape_model(shell_of(box, 5)), 1, false},
-            {"loose face", make_shape_model(shell_of(cylinder, 1)), 0, false},
-            {"loose round face", make_shape_model(cusp()), 1, false}};
+            {"loose round face", make_shape_model(shell_of(cylinder, 1)), 0, false},
+            {"cusp", make_shape_model(cusp()), 1, false}};
 }
 
 inline std::vector<Part> all_parts() {

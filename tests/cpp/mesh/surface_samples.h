@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -10,15 +12,15 @@
 /// Small classified meshes: everything that a part can do at its edges, without a part.
 namespace mq::mesh::samples {
 
-/// Puts faces together. A vertex is a point of the plane sheet it was made for, so (u, v) are set by the caller.
+/// Puts faces together.
 class SurfaceBuilder {
   public:
     SurfaceMesh mesh;
 
     int vertex(const Vec3& point) { return mesh.add_vertex(point, {0, mesh.vertex_count()}); }
 
-    /// A face of (columns x rows) squares, two triangles each. `vertices` run row by row. Sides within the face are
-    /// linked; the others become segments, shared with every face that has the same two vertices.
+    /// A face of (columns x rows) squares of (u, v), two triangles each. `vertices` run row by row. Sides within the
+    /// face are linked; the others become segments, shared with every face that has the same two vertices.
     void grid(int face, int columns, int rows, const std::vector<int>& vertices) {
         std::vector<int> sites;
         for (int j = 0; j <= rows; ++j) {

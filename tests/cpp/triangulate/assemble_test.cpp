@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/assemble.h"
 
+#include <map>
+
 #include "triangulate/checks.h"
 #include "triangulate/output.h"
 

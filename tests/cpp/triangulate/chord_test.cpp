@@ -85,6 +85,24 @@ TEST(Chord, RelativeBoundIsAFractionOfTheLargestDimension) {
     }
 }
 
+TEST(Chord, HoldsOnEveryPart) {
+    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Paper}) {
+        for (const geometry::Part& part : geometry::all_parts()) {
+            for (const double bound : {0.02, 0.002}) {
+                SCOPED_TRACE(part.name + " to " + std::to_string(bound));
+                Options options;
+                options.insertion = insertion;
+                options.chord_height_relative = bound;
+                const Result result = mesh_of(part.model, options);
+                expect_sound(result, part.euler, part.closed);
+                expect_angles(result, options.min_angle);
+                const double resolution = SingleGrid(part.model->topology().box).resolution();
+                EXPECT_LE(result.report.max_chord_height, result.report.chord_height_asked + resolution + 1e-7);
+            }
+        }
+    }
+}
+
 TEST(Chord, HoldsOnShapes) {
     for (const char* name : {"filleted_box", "fused", "blade"}) {
         SCOPED_TRACE(name);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/triangulate.h"
 
+#include <atomic>
 #include <chrono>
 #include <cstring>
 #include <thread>
@@ -112,13 +113,15 @@ TEST(Triangulate, IsCancelledFromAnotherThread) {
     for (const Engine::Mode mode : {Engine::Mode::Threaded, Engine::Mode::Direct}) {
         Engine engine(mode);
         Progress progress;
+        std::atomic<bool> ended{false};
         std::thread watcher([&] {
-            while (progress.fraction() < 0.4) {
+            while (progress.fraction() < 0.4 && !ended) {
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             }
             progress.cancel();
         });
         EXPECT_THROW(triangulate(engine, model, options, &progress), Cancelled);
+        ended = true;
         watcher.join();
         const Result after = triangulate(engine, geometry::make_box(1.0, 2.0, 3.0));
         expect_sound(after, 2, true);

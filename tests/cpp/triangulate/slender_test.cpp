@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/checks.h"
+
+/// Wires, rods and needles: smooth surfaces that are far longer than they are wide. Nothing about them is narrow but
+/// the apex of a needle.
+namespace mq::triangulate {
+namespace {
+
+Options with(Insertion insertion) {
+    Options options;
+    options.insertion = insertion;
+    return options;
+}
+
+TEST(Slender, RodsNeedNoExemptions) {
+    for (const Insertion insertion : {Insertion::OffCentre, Insertion::Paper}) {
+        for (const double length : {5.0, 20.0, 100.0}) {
+            SCOPED_TRACE(length);
+            const Result result = mesh_of(geometry::make_cylinder(1.0, length), with(insertion));
+            expect_sound(result, 2, true);
+            expect_angles(result, 25.0);
+            EXPECT_TRUE(result.report.exempt.empty());
+            EXPECT_LT(result.mesh.triangles.size(), 200 + 40 * length);
+        }
+    }
+}
+
+TEST(Slender, RingsNeedNoExemptions) {
+    for (const double radius : {5.0, 20.0, 50.0}) {
+        SCOPED_TRACE(radius);
+        const Result result = mesh_of(geometry::make_torus(radius, 1.0));
+        expect_sound(result, 0, true);
+        expect_angles(result, 25.0);
+        EXPECT_TRUE(result.report.exempt.empty());
+        EXPECT_LT(result.mesh.triangles.size(), 500 + 160 * radius);
+    }
+}
+
+/// Three triangles are the least around an apex: each has a third of the angle that the unrolled cone has there. Only
+/// towards the apex, and not far below that, may angles be missed.
+TEST(Slender, NeedlesAreExemptAtTheirApexOnly) {
+    for (const double length : {3.0, 5.0, 20.0}) {
+        SCOPED_TRACE(length);
+        const Result result = mesh_of(geometry::make_cone(1.0, length));
+        expect_sound(result, 2, true);
+        expect_angles(result, 25.0);
+        const double at_apex = 360.0 / std::hypot(1.0, length) / 3.0;
+        EXPECT_GT(result.report.min_angle, std::min(25.0, 0.3 * at_apex));
+        for (const auto& [t, why] : result.report.exempt) {
+            double highest = 0.0;
+            for (const Vec3& p : corners_of(result.mesh, t)) {
+                highest = std::max(highest, p.z());
+            }
+            EXPECT_GT(highest, 0.5 * length) << why;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace mq::triangulate
