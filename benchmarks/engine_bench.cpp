@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <cmath>
-#include <memory>
+#include <benchmark/benchmark.h>
 
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
-#include <benchmark/benchmark.h>
+#include <cmath>
+#include <memory>
 
 #include "geometry/engine.h"
 #include "geometry/occt/shape_model.h"

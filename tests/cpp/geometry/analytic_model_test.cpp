@@ -33,8 +33,8 @@ void expect_same(const Answer& a, const Answer& b, const char* what) {
     EXPECT_NEAR(a.v, b.v, kSame) << what;
     EXPECT_NEAR(a.t, b.t, kSame) << what;
     EXPECT_LT((a.point - b.point).norm(), kSame) << what;
-    EXPECT_LT((a.normal - b.normal).norm(), kSame) << what << " " << a.normal.transpose() << " / "
-                                                   << b.normal.transpose();
+    EXPECT_LT((a.normal - b.normal).norm(), kSame)
+        << what << " " << a.normal.transpose() << " / " << b.normal.transpose();
     for (std::size_t i = 0; i < 5; ++i) {
         EXPECT_LT((a.derivatives[i] - b.derivatives[i]).norm(), kSame) << what << " derivative " << i;
     }

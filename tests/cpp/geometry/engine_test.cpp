@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/engine.h"
 
+#include <gtest/gtest.h>
+
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
-
-#include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "geometry/analytic_model.h"
@@ -196,9 +196,8 @@ TEST(Engine, ShutDownFreesWaitingAskers) {
     std::vector<std::thread> askers;
     std::atomic<int> stopped{0};
     for (int i = 0; i < 3; ++i) {
-        askers.emplace_back([&] {
-            stopped += engine.ask(model, numbered(1)).front().status == Status::Stopped ? 1 : 0;
-        });
+        askers.emplace_back(
+            [&] { stopped += engine.ask(model, numbered(1)).front().status == Status::Stopped ? 1 : 0; });
     }
     std::this_thread::sleep_for(10ms);
     std::thread closer([&] { engine.shut_down(); });
@@ -224,9 +223,7 @@ TEST(Engine, WorkMayAskTheEngineItself) {
     Engine engine;
     const auto model = std::make_shared<EchoModel>();
     Answer answer;
-    engine.run([&] {
-        engine.run([&] { answer = engine.ask(model, Query::edge_point(0, 3.0)); });
-    });
+    engine.run([&] { engine.run([&] { answer = engine.ask(model, Query::edge_point(0, 3.0)); }); });
     EXPECT_EQ(answer.t, 3.0);
 }
 

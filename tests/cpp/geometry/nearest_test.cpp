@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <cmath>
-#include <random>
-
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TopoDS_Compound.hxx>
+#include <cmath>
+#include <random>
 
 #include "geometry/shapes.h"
 
@@ -35,8 +34,8 @@ TopoDS_Shape patch() {
         knots(i) = i - 1.0;
         multiplicities(i) = i == 1 || i == 6 ? 4 : 1;
     }
-    return BRepBuilderAPI_MakeFace(
-               new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 3, 3), 1e-7)
+    return BRepBuilderAPI_MakeFace(new Geom_BSplineSurface(poles, knots, knots, multiplicities, multiplicities, 3, 3),
+                                   1e-7)
         .Shape();
 }
 
@@ -54,8 +53,8 @@ TEST(FaceNearest, FindsTheFootOnASplinePatch) {
         const Answer here = model->answer(Query::face_point(0, u, v));
         const double height = 0.4 * (part(random) - 0.5);
         const Vec3 p = here.point + height * here.normal;
-        const Answer foot = model->answer(
-            Query::face_nearest(0, p, u + 0.4 * (part(random) - 0.5), v + 0.4 * (part(random) - 0.5)));
+        const Answer foot =
+            model->answer(Query::face_nearest(0, p, u + 0.4 * (part(random) - 0.5), v + 0.4 * (part(random) - 0.5)));
         ASSERT_EQ(foot.status, Status::Ok);
         EXPECT_NEAR(foot.u, u, 1e-8);
         EXPECT_NEAR(foot.v, v, 1e-8);
@@ -87,8 +86,8 @@ void expect_continuous(Model& model, int face, double radius, double z) {
     constexpr int kSteps = 200;
     for (int i = 1; i <= 2 * kSteps; ++i) {
         const double angle = kTwoPi * i / kSteps;
-        const Answer next = model.answer(
-            Query::face_nearest(face, Vec3(radius * std::cos(angle), radius * std::sin(angle), z), u, v));
+        const Answer next =
+            model.answer(Query::face_nearest(face, Vec3(radius * std::cos(angle), radius * std::sin(angle), z), u, v));
         ASSERT_TRUE(next.found());
         ASSERT_LT(std::abs(next.u - u), 0.05 * period) << "at step " << i;
         u = next.u;
@@ -99,9 +98,9 @@ void expect_continuous(Model& model, int face, double radius, double z) {
 }
 
 TEST(FaceNearest, IsContinuousAcrossSeams) {
-    const TopoDS_Shape shapes[] = {
-        BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape(), BRepPrimAPI_MakeCone(2.0, 1.0, 5.0).Shape(),
-        BRepPrimAPI_MakeSphere(2.0).Shape(), BRepPrimAPI_MakeTorus(3.0, 1.0).Shape()};
+    const TopoDS_Shape shapes[] = {BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape(),
+                                   BRepPrimAPI_MakeCone(2.0, 1.0, 5.0).Shape(), BRepPrimAPI_MakeSphere(2.0).Shape(),
+                                   BRepPrimAPI_MakeTorus(3.0, 1.0).Shape()};
     for (const TopoDS_Shape& shape : shapes) {
         expect_continuous(*make_shape_model(shape), 0, 2.1, 0.5);
         expect_continuous(*make_shape_model(nurbs(shape)), 0, 2.1, 0.5);

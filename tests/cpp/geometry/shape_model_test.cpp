@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-
 #include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -18,8 +14,11 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Pln.hxx>
+#include <sstream>
 
 #include "base/error.h"
 #include "geometry/shapes.h"
@@ -107,8 +106,8 @@ TEST(ShapeModel, WalksFacesWithTheInteriorOnTheLeft) {
     for (const TopoDS_Shape& shape :
          {box123(), BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape(), BRepPrimAPI_MakeCone(2.0, 0.0, 5.0).Shape(),
           BRepPrimAPI_MakeSphere(2.0).Shape(), BRepPrimAPI_MakeTorus(5.0, 1.0).Shape()}) {
-        for (const TopoDS_Shape& placed : {shape, shape.Reversed(), located(shape, mirror()),
-                                           BRepBuilderAPI_Transform(shape, mirror()).Shape()}) {
+        for (const TopoDS_Shape& placed :
+             {shape, shape.Reversed(), located(shape, mirror()), BRepBuilderAPI_Transform(shape, mirror()).Shape()}) {
             expect_uses_run_left(*make_shape_model(placed));
         }
     }
@@ -283,8 +282,8 @@ TEST(ShapeModel, MarksEdgesInsideAFace) {
 TEST(ShapeModel, NamesMissingCurvesAndAnswersWithoutThem) {
     BRep_Builder builder;
     const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape();
-    TopoDS_Face face = BRepBuilderAPI_MakeFace(BRep_Tool::Surface(TopoDS::Face(first_of(cylinder, TopAbs_FACE))),
-                                               1e-7).Face();
+    TopoDS_Face face =
+        BRepBuilderAPI_MakeFace(BRep_Tool::Surface(TopoDS::Face(first_of(cylinder, TopAbs_FACE))), 1e-7).Face();
     TopoDS_Wire wire;
     builder.MakeWire(wire);
     builder.Add(wire, BRepBuilderAPI_MakeEdge(gp_Pnt(2.0, 0.0, 1.0), gp_Pnt(2.0, 0.0, 3.0)).Edge());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <memory>
+#include <gtest/gtest.h>
 
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -9,7 +9,7 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <TopoDS_Shape.hxx>
-#include <gtest/gtest.h>
+#include <memory>
 
 #include "geometry/occt/shape_model.h"
 
@@ -18,8 +18,8 @@ namespace mq::geometry {
 
 inline Vec3 middle_normal(Model& model, int face, Vec3* point = nullptr) {
     const Face& data = model.topology().faces[static_cast<std::size_t>(face)];
-    const Answer answer = model.answer(
-        Query::face_point(face, 0.5 * (data.low[0] + data.high[0]), 0.5 * (data.low[1] + data.high[1])));
+    const Answer answer =
+        model.answer(Query::face_point(face, 0.5 * (data.low[0] + data.high[0]), 0.5 * (data.low[1] + data.high[1])));
     EXPECT_EQ(answer.status, Status::Ok);
     if (point != nullptr) {
         *point = answer.point;
