@@ -23,6 +23,8 @@ const double kCosMaxTurn = std::cos(35.0 * M_PI / 180.0);
 const double kCosMaxTurnAtApex = std::cos(70.0 * M_PI / 180.0);
 constexpr double kMinDeviations = 20.0;
 constexpr double kMinHeights = 3.0;  // times the deviation
+// Of a triangle's height: one whose surface bulges more cuts through a slender part and out on its other side.
+constexpr double kMaxSag = 0.5;
 constexpr double kTurnThatCounts = 10.0 * M_PI / 180.0;
 constexpr double kMinPart = 1e-4;
 // A surface with a kink keeps its turn however often the sides across it are halved.
@@ -45,12 +47,13 @@ class FaceMesher {
     void mark_piece(int piece);
     void mark_around(int planar_vertex);
     bool wish_halved(int piece);
-    int side_to_split(int t) const;
     void find_inside();
     void check_halving();
     bool refine_round();
-    int coarse_side(int t, const Vec3& normal_at_centroid) const;
-    void ask_to_split(int t, std::set<std::array<int, 2>>& sides);
+    enum class Fault { None, Turned, Sagging };
+    int side_to_split(int t, Fault fault) const;
+    Fault fault_of(int t, const Answer& at_centroid) const;
+    void ask_to_split(int t, Fault fault, std::set<std::array<int, 2>>& sides);
     bool crowds(int a, int b, const Vec3& p) const;
     bool insert_midpoints(const std::set<std::array<int, 2>>& sides);
     void assemble();
@@ -299,52 +302,53 @@ void FaceMesher::check_halving() {
     }
 }
 
-// The side to split of a triangle that is too coarse: 0..2; -1 when it is fine.
-int FaceMesher::coarse_side(int t, const Vec3& normal_at_centroid) const {
+// What keeps a triangle from standing for its piece of the surface.
+FaceMesher::Fault FaceMesher::fault_of(int t, const Answer& at_centroid) const {
     const Site* s[3] = {&corner_site(3 * t), &corner_site(3 * t + 1), &corner_site(3 * t + 2)};
     Vec3 sides[3];
-    int longest = 0;
+    double longest = 0.0;
     for (int i = 0; i < 3; ++i) {
         const int h = 3 * t + i;
         sides[i] = s[(i + 1) % 3]->point - s[i]->point;
+        longest = std::max(longest, sides[i].norm());
         if (same_vertex(*s[i], *s[(i + 1) % 3])) {
+            // At a pole it will be dropped. Otherwise it meets one vertex twice around the face.
             const int label = tri_->label(h);
-            if (label >= 0 && border_.pieces[label].collapsed()) {
-                return -1;  // a triangle at a pole: it will be dropped
-            }
-            return (i + 1) % 3;  // one vertex met twice around the face: cut the way round
-        }
-        if (sides[i].squaredNorm() > sides[longest].squaredNorm()) {
-            longest = i;
+            return label >= 0 && border_.pieces[label].collapsed() ? Fault::None : Fault::Sagging;
         }
     }
-    if (border_.plane || sides[longest].norm() < smallest_) {
-        return -1;
+    if (border_.plane || longest < smallest_) {
+        return Fault::None;
     }
     Vec3 own = sides[0].cross(sides[1]);
     if (session_.topology().faces[face_].reversed) {
         own = -own;
     }
-    const double height = own.norm() / sides[longest].norm();
+    const double height = own.norm() / longest;
     if (height < kMinHeights * border_.deviation) {
-        return -1;
+        return Fault::None;
     }
     own.normalize();
-    double worst = own.dot(normal_at_centroid);
+    double worst = own.dot(at_centroid.normal);
     bool singular = false;
     for (const Site* corner : s) {
         if (corner->normal.squaredNorm() > 0.0) {
-            worst = std::min({worst, own.dot(corner->normal), normal_at_centroid.dot(corner->normal)});
+            worst = std::min({worst, own.dot(corner->normal), at_centroid.normal.dot(corner->normal)});
         } else {
             singular = true;
         }
     }
-    return worst < (singular ? kCosMaxTurnAtApex : kCosMaxTurn) ? longest : -1;
+    const Vec3 centroid = (s[0]->point + s[1]->point + s[2]->point) / 3.0;
+    const double sag = std::abs(own.dot(at_centroid.point - grid_.to_part(centroid)));
+    if (!singular && sag > kMaxSag * height && sag > reach()) {
+        return Fault::Sagging;
+    }
+    return worst < (singular ? kCosMaxTurnAtApex : kCosMaxTurn) ? Fault::Turned : Fault::None;
 }
 
-// The side over which the surface turns most, or the longest in the scaled domain where it hardly turns over any: there
-// a triangle is only too thin for its sag, and its long border sides are the cause.
-int FaceMesher::side_to_split(int t) const {
+// The side over which the surface turns most, or the longest in the scaled domain where the triangle is only too thin
+// for its sag; long border sides are the first cause of that.
+int FaceMesher::side_to_split(int t, Fault fault) const {
     double turn[3];
     double length[3];
     for (int i = 0; i < 3; ++i) {
@@ -356,7 +360,7 @@ int FaceMesher::side_to_split(int t) const {
         length[i] = (tri_->point(tri_->corner(next)) - tri_->point(tri_->corner(h))).norm();
     }
     const int most = static_cast<int>(std::max_element(turn, turn + 3) - turn);
-    if (turn[most] > kTurnThatCounts) {
+    if (fault == Fault::Turned && turn[most] > kTurnThatCounts) {
         return most;
     }
     for (int i = 0; i < 3; ++i) {
@@ -366,8 +370,8 @@ int FaceMesher::side_to_split(int t) const {
     return static_cast<int>(std::max_element(length, length + 3) - length);
 }
 
-void FaceMesher::ask_to_split(int t, std::set<std::array<int, 2>>& sides) {
-    const int h = 3 * t + side_to_split(t);
+void FaceMesher::ask_to_split(int t, Fault fault, std::set<std::array<int, 2>>& sides) {
+    const int h = 3 * t + side_to_split(t, fault);
     const int label = tri_->label(h);
     if (label >= 0 && wish_halved(label)) {
         return;
@@ -402,11 +406,12 @@ bool FaceMesher::refine_round() {
     result_.unresolved = 0;
     for (std::size_t i = 0; i < untested.size(); ++i) {
         const int t = untested[i];
-        if (coarse_side(t, answers[i].normal) < 0) {
+        const Fault fault = fault_of(t, answers[i]);
+        if (fault == Fault::None) {
             fine_.insert({tri_->corner(3 * t), tri_->corner(3 * t + 1), tri_->corner(3 * t + 2)});
         } else {
             ++result_.unresolved;
-            ask_to_split(t, sides);
+            ask_to_split(t, fault, sides);
         }
     }
     return insert_midpoints(sides);

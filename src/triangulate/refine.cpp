@@ -18,8 +18,8 @@ constexpr std::size_t kMaxRound = 512;
 constexpr std::size_t kMinRound = 32;
 constexpr std::size_t kPartOfQueue = 8;
 constexpr int kMaxRetries = 6;
-constexpr int kMaxShrinks = 6;
-constexpr double kMaxShrink = 0.35;
+constexpr int kMaxShrinks = 24;
+constexpr double kMaxShrink = 0.5;
 constexpr double kNarrow = M_PI / 3.0;
 // Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own
 // sake.
