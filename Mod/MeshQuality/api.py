@@ -9,7 +9,7 @@ from .surface_mesh import SurfaceMesh
 
 def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None,
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
-                allow_missing_faces=False, progress=None):
+                progress=None, insertion="off-centre", allow_missing_faces=False):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -19,8 +19,10 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     max_edge, min_edge     mm; None: no bound
     method                 "refine"
     max_triangles          the work ends incomplete at this number; None: 20 million
-    allow_missing_faces    mesh the rest of a part whose faces fail, and name them in the report
     progress               callable(fraction 0..1, stage); returning False cancels
+    insertion              where a triangle with a small angle gets its new point: "off-centre" needs
+                           fewer triangles, "paper" is the rule of Aftosmis 1999
+    allow_missing_faces    mesh the rest of a part whose faces fail, and name them in the report
 
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -28,8 +30,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     values = options.check(options.TRIANGULATE, {
         "min_angle": min_angle, "chord_height": chord_height,
         "chord_height_relative": chord_height_relative, "max_edge": max_edge,
-        "min_edge": min_edge, "method": method, "max_triangles": max_triangles,
-        "allow_missing_faces": allow_missing_faces,
+        "min_edge": min_edge, "method": method, "insertion": insertion,
+        "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
     })
     _require_callable(progress)
     live_shape = convert.shape_of(shape)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from .errors import Error, InvalidInput
 
 METHODS = ("refine", "star", "sprinkle")
+INSERTIONS = ("off-centre", "paper")
 
 
 @dataclass(frozen=True)
@@ -119,6 +120,9 @@ TRIANGULATE = (
            help="No edge is split into shorter ones than this"),
     Option("method", str, "refine", choices=METHODS,
            help="Algorithm: refine inserts points until every angle and chord fits"),
+    Option("insertion", str, "off-centre", choices=INSERTIONS,
+           help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
+                "triangles, paper is the rule of Aftosmis 1999"),
     Option("max_triangles", int, None, low=1, above=False, group="Size",
            help="Work ends with an incomplete mesh at this number; 20 million unless given"),
     Option("allow_missing_faces", bool, False,

@@ -9,6 +9,7 @@
 
 #include "base/predicates.h"
 #include "mesh/edge_table.h"
+#include "mesh/exemptions.h"
 
 namespace mq::mesh {
 
@@ -208,18 +209,6 @@ std::string faults_text(const MeshReport& r) {
     fault(r.degenerate_triangles, "degenerate triangles");
     fault(r.duplicate_triangles, "duplicate triangles");
     return text.empty() ? "none" : text;
-}
-
-std::string exemptions_text(const MeshReport& r) {
-    constexpr std::size_t kShown = 10;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(r.exempt.size(), kShown); ++i) {
-        text += "  triangle " + std::to_string(r.exempt[i].first) + ": " + r.exempt[i].second + "\n";
-    }
-    if (r.exempt.size() > kShown) {
-        text += "  and " + std::to_string(r.exempt.size() - kShown) + " more\n";
-    }
-    return text;
 }
 
 std::string work_text(const MeshReport& r) {

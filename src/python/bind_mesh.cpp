@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/error.h"
+#include "mesh/exemptions.h"
 #include "mesh/io.h"
 #include "mesh/report.h"
 #include "python/bindings.h"
@@ -85,6 +86,14 @@ py::dict seconds_of(const MeshReport& report) {
     return seconds;
 }
 
+std::vector<std::pair<std::string, std::size_t>> causes_of(const MeshReport& report) {
+    std::vector<std::pair<std::string, std::size_t>> causes;
+    for (const mesh::ExemptCause& cause : mesh::exempt_causes(report)) {
+        causes.emplace_back(cause.cause, cause.count);
+    }
+    return causes;
+}
+
 py::object box_of(const MeshReport& report) {
     if (report.box.empty()) {
         return py::none();
@@ -126,6 +135,8 @@ void bind_report(py::module_& m) {
                       "largest measured distance to the CAD, mm; -1 when there is no CAD")
         .def_readonly("chord_height_asked", &MeshReport::chord_height_asked, "mm; 0: none")
         .def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
+        .def_property_readonly("exempt_causes", &causes_of,
+                               "[(cause with # for numbers, triangles), ...], most frequent first")
         .def_readonly("notes", &MeshReport::notes)
         .def_readonly("complete", &MeshReport::complete, "False when a limit ended the work early")
         .def_property_readonly("seconds", &seconds_of, "{stage: wall-clock seconds}")

@@ -3,6 +3,7 @@
 #include <ctime>
 #include <memory>
 
+#include "base/error.h"
 #include "geometry/occt/brep_text.h"
 #include "geometry/occt/shape_distance.h"
 #include "geometry/occt/shape_model.h"
@@ -64,6 +65,20 @@ mesh::MeshReport measure_against(const Result& surface, const PartShape& part, c
     });
 }
 
+constexpr const char* kOffCentre = "off-centre";
+constexpr const char* kPaper = "paper";
+
+std::string insertion_of(const Options& options) {
+    return options.insertion == triangulate::Insertion::Paper ? kPaper : kOffCentre;
+}
+
+void set_insertion(Options& options, const std::string& name) {
+    if (name != kOffCentre && name != kPaper) {
+        throw InvalidInput("insertion is '" + name + "': it must be '" + kOffCentre + "' or '" + kPaper + "'");
+    }
+    options.insertion = name == kPaper ? triangulate::Insertion::Paper : triangulate::Insertion::OffCentre;
+}
+
 py::tuple shape_identity(const py::object& shape, bool copy) {
     const geometry::ShapeIdentity identity = geometry::identity_of(*part_shape(shape, copy).shape);
     return py::make_tuple(identity.tshape, identity.hash);
@@ -79,6 +94,7 @@ void bind_triangulate(py::module_& m) {
         .def_readwrite("chord_height_relative", &Options::chord_height_relative)
         .def_readwrite("max_edge", &Options::max_edge)
         .def_readwrite("min_edge", &Options::min_edge)
+        .def_property("insertion", &insertion_of, &set_insertion, "'off-centre' or 'paper'")
         .def_readwrite("max_triangles", &Options::max_triangles)
         .def_readwrite("allow_missing_faces", &Options::allow_missing_faces);
     m.def("triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),

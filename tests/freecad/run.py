@@ -22,7 +22,10 @@ def main():
     # A test with several failed sub-tests counts once.
     faults = [test for test, _ in result.failures + result.errors] + result.unexpectedSuccesses
     failed = len({getattr(test, "test_case", test).id() for test in faults})
-    print(f"{result.testsRun - failed} passed, {failed} failed", flush=True)
+    for test, why in result.skipped:
+        print(f"skipped: {test.id()}: {why}")
+    passed = result.testsRun - failed - len(result.skipped)
+    print(f"{passed} passed, {failed} failed", flush=True)
     return 1 if failed or result.testsRun == 0 else 0
 
 

@@ -126,7 +126,46 @@ class Views(unittest.TestCase):
         for word in ("triangles", "closed", "angles", "chord height"):
             self.assertIn(word, text)
         self.assertEqual(sum(report.angle_histogram), report.triangles)
+        self.assertEqual(report.exempt_causes, [])
         self.assertTrue(all(isinstance(s, float) for s in report.seconds.values()))
+
+
+class Exemptions(unittest.TestCase):
+    def test_a_narrow_wedge_keeps_its_angle_and_says_so(self):
+        corners = [FreeCAD.Vector(0, 0, 0), FreeCAD.Vector(20, 0, 0), FreeCAD.Vector(20, 3, 0)]
+        wedge = Part.Face(Part.makePolygon([*corners, corners[0]])).extrude(
+            FreeCAD.Vector(0, 0, 10))
+        report = mq.triangulate(wedge).report
+        self.assertTrue(report.closed and report.oriented and report.manifold)
+        self.assertGreaterEqual(report.min_angle_unexempted, 25.0)
+        self.assertAlmostEqual(report.min_angle, math.degrees(math.atan2(3, 20)), places=3)
+        cause, count = report.exempt_causes[0]
+        self.assertEqual(cause, "corner of # degrees between Edge# and Edge# at Vertex# on Face#")
+        self.assertEqual(sum(n for _, n in report.exempt_causes), len(report.exempt))
+        self.assertIn(f"{count} exempted of one kind", str(report))
+
+
+class MissingFaces(unittest.TestCase):
+    """A shape one of whose faces cannot be meshed: a bow tie, whose border crosses itself."""
+
+    def setUp(self):
+        corners = [FreeCAD.Vector(*p) for p in ((0, 0, 0), (9, 9, 0), (9, 0, 0), (0, 9, 0))]
+        bow_tie = Part.Face(Part.makePolygon([*corners, corners[0]]))
+        self.shape = Part.makeCompound([Part.makePlane(5, 4, FreeCAD.Vector(20, 0, 0)), bow_tie])
+
+    def test_they_are_an_error_that_names_them(self):
+        with self.assertRaisesRegex(mq.TopologyError, "no triangulation of Face2: "):
+            mq.triangulate(self.shape)
+
+    def test_when_allowed_the_rest_is_meshed_and_they_are_noted(self):
+        mesh = mq.triangulate(self.shape, allow_missing_faces=True)
+        self.assertAlmostEqual(mesh.report.area, 20.0, places=6)
+        self.assertEqual(set(mesh.triangle_face.tolist()), {0})
+        self.assertTrue(any("Face2 is missing" in note for note in mesh.report.notes))
+
+    def test_a_shape_of_nothing_else_stays_an_error(self):
+        with self.assertRaises(mq.TopologyError):
+            mq.triangulate(self.shape.Faces[1], allow_missing_faces=True)
 
 
 class Options(unittest.TestCase):
@@ -164,6 +203,17 @@ class Options(unittest.TestCase):
         self.refused("method", "'foo'", "refine", method="foo")
         with self.assertRaises(TypeError):
             mq.triangulate(Part.makeBox(1, 1, 1), min_angel=3)
+
+    def test_insertion(self):
+        self.refused("insertion", "'foo'", "off-centre, paper", insertion="foo")
+        self.refused("insertion", "None", insertion=None)
+        shape = Part.makeTorus(10, 3)
+        default, chosen, paper = (
+            mq.triangulate(shape, **options) for options in
+            ({}, {"insertion": "off-centre"}, {"insertion": "paper"}))
+        self.assertEqual(default.vertices.tobytes(), chosen.vertices.tobytes())
+        self.assertNotEqual(default.vertices.tobytes(), paper.vertices.tobytes())
+        self.assertGreaterEqual(paper.report.min_angle_unexempted, 25.0)
 
     def test_numpy_numbers_and_quantities(self):
         for angle in (np.float32(20), np.int64(20), FreeCAD.Units.Quantity("20 deg")):

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "mesh/exemptions.h"
 #include "mesh/sample_meshes.h"
 
 namespace mq::mesh {
@@ -154,6 +155,40 @@ TEST(Report, FaultyInputIsNamed) {
     mesh = tetrahedron();
     mesh.triangle_face.pop_back();
     EXPECT_THROW(measure(mesh), InvalidInput);
+}
+
+TEST(Report, ExemptionsAreSummedUpByCause) {
+    MeshReport r = measure(tetrahedron());
+    r.exempt = {{0, "a further vertex would fold the mesh on Face1"},
+                {1, "corner of 7.25 degrees between Edge1 and Edge12 at Vertex3 on Face2"},
+                {2, "corner of 10.00 degrees between Edge4 and Edge5 at Vertex6 on Face10"},
+                {3, "corner of 9 degrees between Edge4 and Edge6 at Vertex6 on Face2"}};
+    const auto causes = exempt_causes(r);
+    ASSERT_EQ(causes.size(), 2u);
+    EXPECT_EQ(causes[0].cause, "corner of # degrees between Edge# and Edge# at Vertex# on Face#");
+    EXPECT_EQ(causes[0].count, 3u);
+    EXPECT_EQ(causes[0].first, 1u);
+    EXPECT_EQ(causes[0].faces, (std::vector<std::string>{"Face2", "Face10"}));
+    EXPECT_EQ(causes[1].cause, "a further vertex would fold the mesh on Face#");
+    EXPECT_EQ(causes[1].count, 1u);
+
+    const std::string text = to_text(r);
+    for (const char* words : {"1 exempted, triangle 0: a further vertex",
+                              "3 exempted of one kind, the first is triangle 1:", "Edge12", "on Face2, Face10"}) {
+        EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
+    }
+    EXPECT_EQ(text.find("triangle 3"), std::string::npos) << text;
+}
+
+TEST(Report, ManyExemptionsMakeAShortText) {
+    MeshReport r = measure(tetrahedron());
+    for (int i = 0; i < 1000; ++i) {
+        r.exempt.emplace_back(i, "max_triangles is reached on Face" + std::to_string(i + 1));
+    }
+    const std::string text = exemptions_text(r);
+    EXPECT_LT(text.size(), 300u) << text;
+    EXPECT_NE(text.find("and 992 more"), std::string::npos) << text;
+    EXPECT_TRUE(exemptions_text(measure(tetrahedron())).empty());
 }
 
 TEST(Report, TextNamesWhatMatters) {

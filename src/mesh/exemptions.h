@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "mesh/report.h"
+
+namespace mq::mesh {
+
+/// Exempted triangles whose reasons differ in numbers only.
+struct ExemptCause {
+    std::string cause;      ///< the reason with '#' for every number: "corner of # degrees between Edge# and Edge# ..."
+    std::size_t count = 0;  ///< triangles
+    std::size_t first = 0;  ///< index into MeshReport::exempt
+    std::vector<std::string> faces;  ///< names of the faces that they lie on, in the order met
+};
+
+/// The causes of all exemptions, most frequent first; of two equally frequent ones that which was met first.
+std::vector<ExemptCause> exempt_causes(const MeshReport& report);
+
+/// A line or two a cause, for people; empty without exemptions.
+std::string exemptions_text(const MeshReport& report);
+
+}  // namespace mq::mesh

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Parts like those of Aftosmis 1999, section 4, at 25 degrees by Algorithm M alone."""
+
+import re
+import unittest
+
+import numpy as np
+import parts
+
+import MeshQuality as mq
+
+MIN_ANGLE = 25.0
+PARTS = ("die", "wing_main", "flap")
+INSERTIONS = ("off-centre", "paper")
+
+
+def smallest_angles(mesh):
+    """The smallest angle of each triangle in degrees, by the law of cosines."""
+    corners = mesh.vertices[mesh.triangles]
+    sides = np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, -2, axis=1), axis=2)
+    a, b, c = np.sort(sides, axis=1).T
+    return np.degrees(np.arccos(np.clip((b * b + c * c - a * a) / (2.0 * b * c), -1.0, 1.0)))
+
+
+def edge_counts(triangles):
+    """How often each edge is run, in either direction, {(from, to): count}."""
+    runs = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    edges, counts = np.unique(runs, axis=0, return_counts=True)
+    return {tuple(edge): count for edge, count in zip(edges.tolist(), counts.tolist())}
+
+
+class PaperParts(unittest.TestCase):
+    """Everything is counted here once more, apart from what the report says."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.shapes = {name: parts.ALL[name]() for name in PARTS}
+        cls.meshes = {
+            (name, insertion): mq.triangulate(shape, min_angle=MIN_ANGLE, insertion=insertion)
+            for name, shape in cls.shapes.items() for insertion in INSERTIONS}
+
+    def check_each(self, check):
+        """Calls check(shape, mesh) for every part and insertion, each as a test of its own."""
+        for (name, insertion), mesh in self.meshes.items():
+            with self.subTest(part=name, insertion=insertion):
+                check(self.shapes[name], mesh)
+
+    def test_closed_oriented_manifold(self):
+        def check(_, mesh):
+            report = mesh.report
+            self.assertTrue(report.closed and report.oriented and report.manifold, str(report))
+            self.assertTrue(report.complete)
+            counts = edge_counts(mesh.triangles)
+            self.assertEqual(set(counts.values()), {1}, "an edge is run twice the same way")
+            self.assertTrue(all((b, a) in counts for a, b in counts), "an edge has no other side")
+
+        self.check_each(check)
+
+    def test_euler_number_of_a_ball(self):
+        def check(shape, mesh):
+            self.assertEqual(len(shape.Shells), 1)
+            edges = len(edge_counts(mesh.triangles)) // 2
+            self.assertEqual(len(mesh.vertices) - edges + len(mesh.triangles), 2)
+            self.assertEqual(mesh.report.euler, 2)
+
+        self.check_each(check)
+
+    def test_angles(self):
+        def check(_, mesh):
+            angles = smallest_angles(mesh)
+            exempt = [triangle for triangle, _ in mesh.report.exempt]
+            self.assertLess(len(exempt), 0.002 * len(angles))
+            self.assertTrue((angles[exempt] < MIN_ANGLE).all(), "exempted without need")
+            self.assertGreaterEqual(np.delete(angles, exempt).min(), MIN_ANGLE - 1e-9)
+            self.assertAlmostEqual(angles.min(), mesh.report.min_angle, places=6)
+
+        self.check_each(check)
+
+    def test_exemptions_name_their_entities(self):
+        def check(shape, mesh):
+            counts = {"Face": len(shape.Faces), "Edge": len(shape.Edges),
+                      "Vertex": len(shape.Vertexes)}
+            for triangle, why in mesh.report.exempt:
+                named = re.findall(r"(Face|Edge|Vertex)(\d+)", why)
+                self.assertIn(("Face", str(mesh.triangle_face[triangle] + 1)), named, why)
+                self.assertTrue({"Edge", "Vertex"} & {kind for kind, _ in named}, why)
+                for kind, number in named:
+                    self.assertTrue(1 <= int(number) <= counts[kind], why)
+
+        self.check_each(check)
+
+    def test_the_die_needs_no_exemption(self):
+        for insertion in INSERTIONS:
+            self.assertEqual(self.meshes["die", insertion].report.exempt, [])
+
+    def test_every_face_is_there_and_the_volume_is_near(self):
+        def check(shape, mesh):
+            self.assertEqual(np.unique(mesh.triangle_face).tolist(), list(range(len(shape.Faces))))
+            # No chord height is asked for: a coarse mesh of a thin flap may miss a few percent.
+            self.assertLess(abs(mesh.report.volume / shape.Volume - 1.0), 0.05)
+
+        self.check_each(check)
+
+    def test_off_centres_need_fewer_triangles(self):
+        for name in PARTS:
+            self.assertLessEqual(len(self.meshes[name, "off-centre"].triangles),
+                                 len(self.meshes[name, "paper"].triangles), name)
