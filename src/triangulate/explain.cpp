@@ -42,6 +42,9 @@ std::string explain(const Workspace& work, int triangle, const Exemption& exempt
     switch (exemption.cause) {
         case Cause::NarrowCorner:
             return narrow_corner(work, triangle) + where;
+        case Cause::Apex:
+            return "the surface comes to a point at " + entity_name(work.mesh.vertex(exemption.vertex).entity) +
+                   " with too little angle around it" + where;
         case Cause::NarrowCluster:
             return "edges near the narrow corner at " + entity_name(work.mesh.vertex(exemption.vertex).entity) +
                    " would shrink without end" + at_edge + where;

@@ -187,12 +187,30 @@ std::uint64_t Refiner::key(int triangle) const {
 // The angle lies between two segments that meet in its corner: the part itself has it.
 bool Refiner::narrow_corner(const Bad& bad) {
     const int h = smallest_angle(work_.mesh, bad.triangle).half_edge;
+    if (slender_apex(h)) {
+        exempt(bad, Cause::Apex, work_.mesh.vertex_of(h));
+        return true;
+    }
     const int segment = work_.mesh.segment_of(h);
     if (segment < 0 || work_.mesh.segment_of(SurfaceMesh::prev(h)) < 0) {
         return false;
     }
     exempt(bad, Cause::NarrowCorner, work_.mesh.vertex_of(h), segment);
     return true;
+}
+
+// At the apex of a slender cone three triangles are the least there can be, and share less than three times the bound.
+// An apex has no normal, or several sites: one for each of its images in the parameter domain.
+bool Refiner::slender_apex(int h) const {
+    const int site = work_.mesh.site_of(h);
+    bool apex = !(work_.mesh.site(site).normal.squaredNorm() > 0.0);
+    double sum = 0.0;
+    const std::vector<int> star = work_.mesh.star(h);
+    for (const int spoke : star) {
+        apex = apex || work_.mesh.site_of(spoke) != site;
+        sum += angle_at(work_.mesh, spoke);
+    }
+    return apex && star.size() <= 3 && sum < 3.0 * bound_;
 }
 
 // The obtuse angle faces a segment, so its corner encroaches upon it. The triangle changes when the segment is split.

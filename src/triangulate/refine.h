@@ -59,6 +59,7 @@ class Refiner {
     void remember_shrinks(int first_vertex, int shrinks);
     void exempt(const Bad& bad, Cause cause, int vertex = -1, int segment = -1);
     bool narrow_corner(const Bad& bad);
+    bool slender_apex(int h) const;
     bool retry_exempted();
     void exempt_the_rest();
     double shortest_edge(int triangle) const;

@@ -18,6 +18,7 @@ namespace mq::triangulate {
 /// Why a triangle keeps an angle below the bound.
 enum class Cause {
     NarrowCorner,    ///< the angle lies between two CAD edges that meet in its corner
+    Apex,            ///< the surface comes to a point there, with too little angle around it for three triangles
     NarrowCluster,   ///< splitting further would shrink edges towards a narrow corner for ever
     Resolution,      ///< a further vertex would lie closer than single precision tells apart
     MinEdge,         ///< a further vertex would make an edge shorter than min_edge
