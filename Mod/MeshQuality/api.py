@@ -18,7 +18,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     chord_height_relative  the same as a fraction of the largest dimension; give one of the two
     max_edge, min_edge     mm; None: no bound
     method                 "refine"
-    max_triangles          the work ends incomplete at this number; None: 20 million
+    max_triangles          the work ends incomplete at this number; None: 5 million
     progress               callable(fraction 0..1, stage); returning False cancels
     insertion              where a triangle with a small angle gets its new point: "off-centre" needs
                            fewer triangles, "paper" is the rule of Aftosmis 1999

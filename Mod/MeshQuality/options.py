@@ -124,7 +124,7 @@ TRIANGULATE = (
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, paper is the rule of Aftosmis 1999"),
     Option("max_triangles", int, None, low=1, above=False, group="Size",
-           help="Work ends with an incomplete mesh at this number; 20 million unless given"),
+           help="Work ends with an incomplete mesh at this number; 5 million unless given"),
     Option("allow_missing_faces", bool, False,
            help="Mesh the rest of a part whose faces fail, and name those in the report"),
 )

@@ -17,7 +17,7 @@ namespace mq::triangulate {
 
 namespace {
 
-constexpr std::size_t kDefaultBudget = 20'000'000;
+constexpr std::size_t kDefaultBudget = 5'000'000;
 // Neighbours closer than this many grid steps make triangles whose angles are mostly rounding.
 constexpr double kFloorSteps = 16.0;
 constexpr int kMaxChordRounds = 12;

@@ -25,7 +25,7 @@ struct Options {
     double max_edge = 0.0;               ///< mm; 0: no bound
     double min_edge = 0.0;               ///< mm; no edge is split into shorter ones than this; 0: no bound
     Insertion insertion = Insertion::OffCentre;
-    std::size_t max_triangles = 0;     ///< 0: 20 million
+    std::size_t max_triangles = 0;     ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the rest of a part whose faces fail, and name them in the report
 
     /// @throws InvalidInput naming the option, its value and its range.
