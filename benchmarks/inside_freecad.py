@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lets a benchmark be started by any Python: its work is done by a headless FreeCAD.
+
+A benchmark calls `start(__file__, parser, work)`. `work(arguments)` runs inside FreeCAD with
+MeshQuality and tests/parts on the path; what it returns goes to --out as JSON.
+"""
+
+import argparse
+import json
+import os
+import platform
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+VARIABLE = "MESHQUALITY_BENCHMARK"
+
+
+def start(script, parser, work):
+    """Parses the command line and goes on in FreeCAD; inside it, does the work and ends."""
+    inside = VARIABLE in os.environ
+    if not inside:
+        name = Path(script).stem
+        parser.add_argument("--out", type=Path, default=ROOT / "out" / f"{name}.json",
+                            help="JSON file to write")
+        arguments = vars(parser.parse_args())
+        arguments["out"] = str(arguments["out"].resolve())
+        sys.exit(_run(script, arguments))
+    status = 1
+    try:
+        arguments = argparse.Namespace(**json.loads(os.environ[VARIABLE]))
+        _write(Path(arguments.out), {"machine": machine(), **work(arguments)})
+        status = 0
+    except Exception:
+        import traceback
+
+        traceback.print_exc()
+    # FreeCAD would go on to its prompt.
+    sys.exit(status)
+
+
+def _run(script, arguments):
+    program = os.environ.get("MESHQUALITY_FREECADCMD") or shutil.which("freecadcmd") \
+        or shutil.which("FreeCADCmd")
+    if not program:
+        return "freecadcmd is not found: put it on PATH or name it in MESHQUALITY_FREECADCMD"
+    paths = [ROOT / "tests", ROOT / "benchmarks"]
+    environment = {**os.environ, VARIABLE: json.dumps(arguments),
+                   "PYTHONPATH": os.pathsep.join(map(str, paths))}
+    command = [program, "-P", str(ROOT / "Mod"), "-P", str(ROOT / "tests"),
+               "-P", str(ROOT / "benchmarks"), str(Path(script).resolve())]
+    return subprocess.run(command, stdin=subprocess.DEVNULL, env=environment).returncode
+
+
+def _write(path, results):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(results, indent=1), encoding="utf-8")
+    print(f"written: {path}", flush=True)
+
+
+def machine():
+    """What the figures depend on."""
+    import FreeCAD
+    import Part
+
+    return {"processor": _processor(), "cores": os.cpu_count(), "system": platform.platform(),
+            "freecad": ".".join(FreeCAD.Version()[:3]), "opencascade": Part.OCC_VERSION}
+
+
+def _processor():
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        return platform.processor()
+    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.processor()
