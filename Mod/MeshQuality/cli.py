@@ -30,8 +30,14 @@ def _add_options(parser, table):
             continue
         default = "" if option.default is None else f" (default: {option.default})"
         text = f"{option.help}; {option.range_text}{default}"
-        parser.add_argument(option.flag, type=option.kind, metavar=option.unit.upper() or "X",
+        parser.add_argument(option.flag, type=option.kind, metavar=_metavar(option),
                             default=option.default, help=text.replace("%", "%%"))
+
+
+def _metavar(option):
+    if option.unit:
+        return option.unit.upper()
+    return "NAME" if option.choices else {int: "N", float: "FRACTION"}[option.kind]
 
 
 def parser():

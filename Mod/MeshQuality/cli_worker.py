@@ -33,7 +33,7 @@ def report_fields(report):
 
 
 def read_shape(path, name=None):
-    """The shape of a CAD file; of an FCStd file that of one object, or of all at its top level."""
+    """The shape of a CAD file; of an FCStd file that of one object, or of all final ones."""
     import Part
 
     if path.lower().endswith(".fcstd"):
@@ -61,11 +61,26 @@ def _read_document(path, name):
         if not found:
             raise mq.InvalidInput(f"'{path}' has no object named '{name}'")
         return convert.shape_of(found[0])
-    shapes = [Part.getShape(obj) for obj in document.RootObjects]
-    shapes = [shape for shape in shapes if not shape.isNull() and shape.Faces]
+    shapes = final_shapes(document)
     if not shapes:
         raise mq.InvalidInput(f"'{path}' has no object with faces")
     return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
+
+
+def final_shapes(document):
+    """The shapes with faces of those objects that no other object with faces is made of or holds.
+
+    Meshes, drawings and analyses may refer to them all the same.
+    """
+    import Part
+
+    shapes = {}
+    for obj in document.Objects:
+        shape = Part.getShape(obj)
+        if not shape.isNull() and shape.Faces and not obj.isDerivedFrom("App::OriginFeature"):
+            shapes[obj] = shape
+    return [shape for obj, shape in shapes.items()
+            if not any(user in shapes for user in obj.InListRecursive)]
 
 
 def read_mesh(path):
@@ -105,7 +120,10 @@ def triangulate(job):
     if job.get("output"):
         mesh.write(job["output"])
     where = f" in {job['output']}" if job.get("output") else ""
-    return mesh.report, f"{mesh.report.triangles} triangles{where}"
+    report = mesh.report
+    exempt = f", {len(report.exempt)} of them exempted" if report.exempt else ""
+    limit = "" if report.complete else "; incomplete: max_triangles ended the work early"
+    return report, f"{report.triangles} triangles{where}{exempt}{limit}"
 
 
 def quality(job):

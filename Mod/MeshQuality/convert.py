@@ -43,7 +43,8 @@ def shape_of(source):
         raise InvalidInput("a Part.Shape or a document object with a shape is needed, not "
                            f"{type(source).__name__}")
     if shape.isNull():
-        raise InvalidInput(f"{label_of(source)} is null: it has no geometry")
+        remedy = "" if isinstance(obj, Part.Shape) else "; recompute the document, if it is new"
+        raise InvalidInput(f"{label_of(source)} is null: it has no geometry{remedy}")
     if not shape.Faces:
         raise InvalidInput(f"{label_of(source)} has no faces (its type is {shape.ShapeType}): "
                            "give a solid, a shell or faces")

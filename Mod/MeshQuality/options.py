@@ -119,7 +119,8 @@ TRIANGULATE = (
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size",
            help="No edge is split into shorter ones than this"),
     Option("method", str, "refine", choices=METHODS,
-           help="Algorithm: refine inserts points until every angle and chord fits"),
+           help="Algorithm: refine inserts points until every angle and chord fits; star and "
+                "sprinkle are not available yet"),
     Option("insertion", str, "off-centre", choices=INSERTIONS,
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, paper is the rule of Aftosmis 1999"),

@@ -86,6 +86,42 @@ class Triangulate(helpers.DocumentTest):
         status, out, err = run("triangulate", path, "--object", "my cylinder", "--json")
         self.assertEqual((status, json.loads(out)["components"]), (0, 1), err)
 
+    def test_of_a_document_its_final_shapes_are_meshed(self):
+        """Not the operands of a Boolean; and a mesh that refers to a shape does not hide it."""
+        box = self.box()
+        tool = self.document.addObject("Part::Cylinder", "Tool")
+        cut = self.document.addObject("Part::Cut", "Cut")
+        cut.Base, cut.Tool = box, tool
+        alone = self.document.addObject("Part::Sphere", "Sphere")
+        alone.Placement.Base.x = 100
+        self.document.recompute()
+        mq.add_quality_mesh(cut)
+        mq.add_quality_mesh(alone)
+        path = os.path.join(self.folder, "part.FCStd")
+        self.document.saveAs(path)
+        status, out, err = run("triangulate", path, "--json")
+        self.assertEqual(status, 0, err)
+        report = json.loads(out)
+        self.assertEqual(report["components"], 2)
+        low, high = report["box"]
+        self.assertAlmostEqual(high[0] - low[0], 105.0, places=3)
+
+    def test_a_limit_is_said_in_the_last_line(self):
+        status, out, err = run("triangulate", self.step, "--max-triangles", 5, "--json")
+        self.assertEqual(status, 0, err)
+        self.assertFalse(json.loads(out)["complete"])
+        self.assertIn("incomplete", err[-1])
+        self.assertIn("exempted", err[-1])
+
+    def test_insertion(self):
+        counts = []
+        for rule in ("off-centre", "paper"):
+            status, out, err = run("triangulate", self.step, "--json", "--insertion", rule,
+                                   "--min-angle", 30)
+            self.assertEqual(status, 0, err)
+            counts.append(json.loads(out)["queries"])
+        self.assertNotEqual(*counts)
+
     def test_bad_input_ends_with_2_and_says_why(self):
         junk = os.path.join(self.folder, "junk.step")
         with open(junk, "w", encoding="ascii") as stream:
@@ -98,6 +134,8 @@ class Triangulate(helpers.DocumentTest):
                 (("triangulate", self.step, "--min-angle", "foo"), "--min-angle"),
                 (("triangulate", self.step, "--min-angle", "50"), "34 degrees"),
                 (("triangulate", self.step, "--min-angle", "nan"), "nan"),
+                (("triangulate", self.step, "--insertion", "foo"), "off-centre, paper"),
+                (("triangulate", self.step, "--chord-height", "1e-12"), "single precision"),
                 (("triangulate", os.path.join(self.folder, "none.step")), "none.step"),
                 (("triangulate", self.folder + "/part.xyz"), "part.xyz"),
                 (("triangulate", junk), "junk.step"),
@@ -114,7 +152,6 @@ class Triangulate(helpers.DocumentTest):
         status, out, err = run("triangulate", self.step, "--json", "--min-angle", "50")
         self.assertEqual(status, 2)
         self.assertIn(json.loads(out)["error"], err[-1])
-
 
     def test_told_to_end_it_takes_freecad_with_it(self):
         slow = subprocess.Popen(

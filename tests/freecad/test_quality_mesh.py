@@ -50,6 +50,21 @@ class Recompute(helpers.DocumentTest):
         self.document.recompute()
         self.assertGreater(obj.Triangles, few)
 
+    def test_insertion_is_a_choice(self):
+        cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
+        with self.assertRaisesRegex(mq.InvalidInput, "recompute"):
+            mq.add_quality_mesh(cylinder)
+        self.document.recompute()
+        obj = mq.add_quality_mesh(cylinder, insertion="paper")
+        self.assertEqual(obj.Insertion, "paper")
+        self.assertEqual(obj.getEnumerationsOfProperty("Insertion"), ["off-centre", "paper"])
+        expected = mq.triangulate(cylinder, insertion="paper")
+        self.assertEqual(obj.Triangles, len(expected.triangles))
+        fingerprint = obj.Fingerprint
+        obj.Insertion = "off-centre"
+        self.document.recompute()
+        self.assertNotEqual(obj.Fingerprint, fingerprint)
+
     def test_nothing_is_done_when_nothing_changed(self):
         box = self.box()
         obj = mq.add_quality_mesh(box)
