@@ -47,7 +47,7 @@ def make_sources(document):
 
 
 def standard_tessellation(shape):
-    """What FreeCAD makes of the shape with the same chord height: vertices, triangles, faces."""
+    """What FreeCAD makes of the shape with the same chord height, as a mesh of the picture."""
     box = shape.BoundBox
     deflection = OPTIONS["chord_height_relative"] * max(box.XLength, box.YLength, box.ZLength)
     mesh = MeshPart.meshFromShape(
@@ -58,7 +58,9 @@ def standard_tessellation(shape):
     faces = np.zeros(len(triangles), dtype=int)
     for i in range(mesh.countSegments()):
         faces[list(mesh.getSegment(i))] = i
-    return np.array([tuple(p) for p in points]), np.array(triangles), faces
+    measured = mq.quality(mesh, shape)
+    return picture.Mesh(np.array([tuple(p) for p in points]), np.array(triangles), faces,
+                        measured.max_chord_height)
 
 
 def mesh_part(source):
@@ -69,7 +71,9 @@ def mesh_part(source):
         raise RuntimeError(f"{source.Label}: the document's mesh differs from the scripted one")
     mesh.write(str(OUT / f"{source.Label.lower()}.ply"))
     print(f"\n{source.Label}: {len(source.Shape.Faces)} CAD faces\n{mesh.report}")
-    after = tuple(np.asarray(a) for a in (mesh.vertices, mesh.triangles, mesh.triangle_face))
+    # The two are measured by the same ruler.
+    after = picture.Mesh(mesh.vertices, mesh.triangles, mesh.triangle_face,
+                         mq.quality(mesh, source.Shape).max_chord_height)
     return picture.Row(source.Label, standard_tessellation(source.Shape), after)
 
 

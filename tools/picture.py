@@ -12,12 +12,22 @@ TITLES = ("FreeCAD's standard tessellation", "MeshQuality")
 
 
 @dataclass
+class Mesh:
+    """What is drawn and said of one mesh."""
+
+    vertices: np.ndarray
+    triangles: np.ndarray
+    faces: np.ndarray  # CAD face of each triangle
+    distance: float  # largest, to the part, in mm
+
+
+@dataclass
 class Row:
-    """One part: a mesh is (vertices, triangles, CAD face of each triangle)."""
+    """One part."""
 
     name: str
-    before: tuple
-    after: tuple
+    before: Mesh
+    after: Mesh
 
 
 def save(rows, path, min_angle):
@@ -30,24 +40,25 @@ def save(rows, path, min_angle):
     )
     for i, row in enumerate(rows):
         grid = bands[i].subgridspec(2, 2, height_ratios=[4.4, 1.0], hspace=0.02, wspace=0.10)
+        histogram = None  # both of a row share their scale
         for j, mesh in enumerate((row.before, row.after)):
             _mesh_axes(figure.add_subplot(grid[0, j]), f"{row.name}: {TITLES[j]}", mesh)
-            _histogram_axes(figure.add_subplot(grid[1, j]), mesh, min_angle)
+            histogram = figure.add_subplot(grid[1, j], sharey=histogram)
+            _histogram_axes(histogram, mesh, min_angle)
     figure.savefig(str(path), facecolor="white")
 
 
 def _mesh_axes(axes, title, mesh):
-    vertices, triangles, faces = mesh
-    axes.imshow(np.clip(render.render(vertices, triangles, faces), 0.0, 1.0))
+    axes.imshow(np.clip(render.render(mesh.vertices, mesh.triangles, mesh.faces), 0.0, 1.0))
     axes.set_axis_off()
-    worst = render.smallest_angles(vertices, triangles).min()
-    figures = f"{len(triangles):,} triangles, smallest angle {worst:.2f}°"
+    worst = render.smallest_angles(mesh.vertices, mesh.triangles).min()
+    figures = (f"{len(mesh.triangles):,} triangles, smallest angle {worst:.2f}°, "
+               f"{mesh.distance:.2g} mm from the part at most")
     axes.set_title(f"{title}\n{figures}", fontsize=11)
 
 
 def _histogram_axes(axes, mesh, min_angle):
-    vertices, triangles, _ = mesh
-    angles = render.smallest_angles(vertices, triangles)
+    angles = render.smallest_angles(mesh.vertices, mesh.triangles)
     counts, edges = np.histogram(angles, bins=np.arange(0.0, 61.0, 1.0))
     shares = 100.0 * counts / max(len(angles), 1)
     axes.bar(
