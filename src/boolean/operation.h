@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+namespace mq::boolean {
+
+/// The four operations on two solids.
+enum class Operation { Union, Intersection, Difference, SymmetricDifference };
+
+/// The name in the public API: "union", "intersection", "difference", "symmetric_difference".
+const char* name(Operation operation);
+
+/// The operation of that name.
+/// @throws InvalidInput naming the operations there are.
+Operation operation_from(const std::string& name);
+
+/// Whether a point of space belongs to the result, given whether it lies in the operands.
+bool in_result(Operation operation, bool in_a, bool in_b);
+
+}  // namespace mq::boolean
