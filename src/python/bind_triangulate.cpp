@@ -43,7 +43,8 @@ std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& 
     return watch(progress, [&](Progress& handle) {
         const Stopwatch watch_all;
         std::shared_ptr<geometry::Model> model;
-        engine.run([&] { model = geometry::make_shape_model(*part.shape); });
+        handle.stage("reading the shape", 0.0, 0.0);
+        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
         const double reading = watch_all.wall();
         auto result = std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle));
         result->report.seconds.insert(result->report.seconds.begin(), {"read the shape", reading});

@@ -8,6 +8,7 @@
 #include <TopoDS_Shape.hxx>
 #include <vector>
 
+#include "base/progress.h"
 #include "geometry/topology.h"
 
 namespace mq::geometry {
@@ -36,9 +37,10 @@ Topology build_topology(const TopoDS_Shape& shape, LiveShape& live);
 std::array<double, 2> periods_of(const GeomAdaptor_Surface& surface, double tolerance);
 
 /// What OpenCASCADE's own checks find, one line each, with the entity's name.
-std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology);
+std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology,
+                                       const Progress* progress);
 
 /// Bounds the shape, whether or not a display triangulation hangs on it.
-Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology);
+Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology, const Progress* progress);
 
 }  // namespace mq::geometry

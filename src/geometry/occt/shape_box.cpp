@@ -45,7 +45,7 @@ bool much_larger(const Box& box, const Box& inner) {
 
 /// The quick box is that of the poles and can be several times too large; the close one takes up to a second for a
 /// part of many free-form faces, and is only looked for where the quick one is loose.
-Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology) {
+Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology, const Progress* progress) {
     constexpr std::size_t kManyFaces = 300;
     // The close box is right to a part of its size, not to the last digit.
     constexpr double kMargin = 1e-6;
@@ -55,7 +55,12 @@ Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topolog
     const Box inner = inner_box(live, topology);
     if (live.faces.size() < kManyFaces && !quick.IsVoid() && much_larger(box, inner)) {
         Bnd_Box close;
-        BRepBndLib::AddOptimal(shape, close, Standard_False, Standard_False);
+        for (const TopoDS_Face& face : live.faces) {
+            if (progress != nullptr) {
+                progress->check();
+            }
+            BRepBndLib::AddOptimal(face, close, Standard_False, Standard_False);
+        }
         if (!close.IsVoid()) {
             box = to_box(close);
             const Vec3 margin = Vec3::Constant(kMargin * box.largest_side());

@@ -2,11 +2,17 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepCheck_ListOfStatus.hxx>
 #include <BRepCheck_Result.hxx>
+#include <BRepCheck_Shell.hxx>
+#include <BRepCheck_Solid.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <set>
 #include <utility>
 
@@ -70,22 +76,27 @@ const char* describe(BRepCheck_Status status) {
 }
 
 /// Collects the statuses of every sub-shape once. What is wrong with an edge on a face names both.
+///
+/// The faces are checked one by one: the check of a whole shape cannot be cancelled, and takes twice as long.
 class FaultList {
   public:
-    FaultList(const TopoDS_Shape& shape, const BRepCheck_Analyzer& analyzer) : analyzer_(analyzer) {
+    explicit FaultList(const TopoDS_Shape& shape) {
         const std::pair<TopAbs_ShapeEnum, const char*> kinds[] = {{TopAbs_VERTEX, "Vertex"}, {TopAbs_EDGE, "Edge"},
                                                                   {TopAbs_WIRE, "Wire"},     {TopAbs_FACE, "Face"},
                                                                   {TopAbs_SHELL, "Shell"},   {TopAbs_SOLID, "Solid"}};
         for (const auto& [kind, name] : kinds) {
-            kinds_.push_back(Kind{name, {}});
+            kinds_.push_back(Kind{kind, name, {}});
             TopExp::MapShapes(shape, kind, kinds_.back().map);
         }
     }
 
-    std::vector<std::string> collect() {
+    std::vector<std::string> collect(const Progress* progress) {
         for (const Kind& kind : kinds_) {
             for (int i = 1; i <= kind.map.Extent(); ++i) {
-                add(kind.map(i));
+                if (progress != nullptr) {
+                    progress->check();
+                }
+                check(kind, kind.map(i));
             }
         }
         return std::move(faults_);
@@ -93,6 +104,7 @@ class FaultList {
 
   private:
     struct Kind {
+        TopAbs_ShapeEnum kind;
         const char* name;
         TopTools_IndexedMapOfShape map;
     };
@@ -106,8 +118,45 @@ class FaultList {
         return std::string();
     }
 
-    void add(const TopoDS_Shape& shape) {
-        const Handle(BRepCheck_Result)& result = analyzer_.Result(shape);
+    /// Wires, edges and vertices are looked at with their faces, shells with their solids.
+    void check(const Kind& kind, const TopoDS_Shape& shape) {
+        try {
+            if (kind.kind == TopAbs_FACE) {
+                check_face(shape);
+            } else if (kind.kind == TopAbs_SOLID) {
+                check_solid(TopoDS::Solid(shape));
+            }
+        } catch (const Standard_Failure& failure) {
+            const char* text = failure.GetMessageString();
+            add_line(name(shape) + ": OpenCASCADE's check ended with an exception: " +
+                     (text != nullptr && *text != '\0' ? text : failure.DynamicType()->Name()));
+        }
+    }
+
+    void check_face(const TopoDS_Shape& face) {
+        const BRepCheck_Analyzer analyzer(face);
+        for (const TopAbs_ShapeEnum part : {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_WIRE, TopAbs_FACE}) {
+            TopTools_IndexedMapOfShape parts;
+            TopExp::MapShapes(face, part, parts);
+            for (int i = 1; i <= parts.Extent(); ++i) {
+                add(parts(i), analyzer.Result(parts(i)));
+            }
+        }
+    }
+
+    void check_solid(const TopoDS_Solid& solid) {
+        const Handle(BRepCheck_Solid) result = new BRepCheck_Solid(solid);
+        result->Blind();
+        add(solid, result);
+        for (TopExp_Explorer shells(solid, TopAbs_SHELL); shells.More(); shells.Next()) {
+            const Handle(BRepCheck_Shell) shell = new BRepCheck_Shell(TopoDS::Shell(shells.Current()));
+            shell->Blind();
+            shell->InContext(solid);
+            add(shells.Current(), shell);
+        }
+    }
+
+    void add(const TopoDS_Shape& shape, const Handle(BRepCheck_Result) & result) {
         if (result.IsNull()) {
             return;
         }
@@ -122,22 +171,30 @@ class FaultList {
 
     void add(const BRepCheck_ListOfStatus& statuses, const std::string& whose) {
         for (const BRepCheck_Status status : statuses) {
-            const std::string line = whose + ": " + describe(status);
-            if (status != BRepCheck_NoError && seen_.insert(line).second) {
-                faults_.push_back(line);
+            if (status != BRepCheck_NoError) {
+                add_line(whose + ": " + describe(status));
             }
         }
     }
 
-    const BRepCheck_Analyzer& analyzer_;
+    void add_line(const std::string& line) {
+        if (seen_.insert(line).second) {
+            faults_.push_back(line);
+        }
+    }
+
     std::vector<Kind> kinds_;
     std::set<std::string> seen_;
     std::vector<std::string> faults_;
 };
 
 /// Solids whose faces look inward. The check of the shape takes them for holes in infinite space.
-void add_inverted_solids(const LiveShape& live, const Topology& topology, std::vector<std::string>& faults) {
+void add_inverted_solids(const LiveShape& live, const Topology& topology, std::vector<std::string>& faults,
+                         const Progress* progress) {
     for (std::size_t i = 0; i < live.volumes.size(); ++i) {
+        if (progress != nullptr) {
+            progress->check();
+        }
         if (topology.volumes[i].kind != Volume::Kind::Solid) {
             continue;
         }
@@ -151,17 +208,11 @@ void add_inverted_solids(const LiveShape& live, const Topology& topology, std::v
 
 }  // namespace
 
-std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology) {
-    try {
-        const BRepCheck_Analyzer analyzer(shape);
-        std::vector<std::string> faults = FaultList(shape, analyzer).collect();
-        add_inverted_solids(live, topology, faults);
-        return faults;
-    } catch (const Standard_Failure& failure) {
-        const char* text = failure.GetMessageString();
-        return {std::string("OpenCASCADE's check of the shape ended with an exception: ") +
-                (text != nullptr && *text != '\0' ? text : failure.DynamicType()->Name())};
-    }
+std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology,
+                                       const Progress* progress) {
+    std::vector<std::string> faults = FaultList(shape).collect(progress);
+    add_inverted_solids(live, topology, faults, progress);
+    return faults;
 }
 
 }  // namespace mq::geometry

@@ -34,7 +34,7 @@ bool finite(const Query& query) {
 
 class ShapeModel final : public Model {
   public:
-    explicit ShapeModel(const TopoDS_Shape& shape);
+    ShapeModel(const TopoDS_Shape& shape, const Progress* progress);
     Answer answer(const Query& query) noexcept override;
 
   private:
@@ -52,10 +52,10 @@ class ShapeModel final : public Model {
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
 };
 
-ShapeModel::ShapeModel(const TopoDS_Shape& shape) {
+ShapeModel::ShapeModel(const TopoDS_Shape& shape, const Progress* progress) {
     topology_ = build_topology(shape, live_);
-    topology_.box = bounding_box(shape, live_, topology_);
-    const std::vector<std::string> faults = kernel_faults(shape, live_, topology_);
+    topology_.box = bounding_box(shape, live_, topology_, progress);
+    const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);
     topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());
     edges_.resize(live_.edges.size());
     faces_.resize(live_.faces.size());
@@ -206,12 +206,12 @@ Answer ShapeModel::volume_contains(int index, const Vec3& point) {
 
 }  // namespace
 
-std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape) {
+std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress) {
     if (shape.IsNull()) {
         throw InvalidInput("The shape is null. Recompute the object, or select one that has a shape.");
     }
     try {
-        auto model = std::make_shared<ShapeModel>(shape);
+        auto model = std::make_shared<ShapeModel>(shape, progress);
         if (model->topology().faces.empty()) {
             throw InvalidInput(std::string("The shape is a ") + TopAbs::ShapeTypeToString(shape.ShapeType()) +
                                " without faces. Select a part that has at least one face.");

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "base/progress.h"
 #include "geometry/model.h"
 
 class TopoDS_Shape;
@@ -13,7 +14,8 @@ namespace mq::geometry {
 /// display triangulation changes. Call it on the engine's thread (Engine::run).
 /// @throws InvalidInput for a null shape or one without faces, naming what was given.
 /// @throws GeometryError for a face without a surface, naming the face.
-std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape);
+/// @throws Cancelled when `progress` says so.
+std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress = nullptr);
 
 /// The version of OpenCASCADE that this was built with, "7.6.3".
 const char* occt_version();
