@@ -284,6 +284,45 @@ int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 namespace {
 
+int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const ExactVec da = exact_difference(a, d);
+    const ExactVec db = exact_difference(b, d);
+    const ExactVec dc = exact_difference(c, d);
+    Expansion sum;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const int k = (i + 2) % 3;
+        sum = sum + da[i] * (db[j] * dc[k] - db[k] * dc[j]).compressed();
+    }
+    return -sum.sign();
+}
+
+}  // namespace
+
+// Minus the determinant of the rows a - d, b - d, c - d. A monomial takes three differences, the product and the
+// difference of the minor, one product, and two sums: 8.
+int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const Vec3 da = a - d;
+    const Vec3 db = b - d;
+    const Vec3 dc = c - d;
+    const double bc = db.y() * dc.z();
+    const double cb = db.z() * dc.y();
+    const double ca = db.z() * dc.x();
+    const double ac = db.x() * dc.z();
+    const double ab = db.x() * dc.y();
+    const double ba = db.y() * dc.x();
+    const double value = da.x() * (bc - cb) + da.y() * (ca - ac) + da.z() * (ab - ba);
+    const double magnitude = std::abs(da.x()) * (std::abs(bc) + std::abs(cb)) +
+                             std::abs(da.y()) * (std::abs(ca) + std::abs(ac)) +
+                             std::abs(da.z()) * (std::abs(ab) + std::abs(ba));
+    if (settled(std::abs(value) >= rounding_bound(8) * magnitude)) {
+        return -sign_of(value);
+    }
+    return exact_orient3d(a, b, c, d);
+}
+
+namespace {
+
 int exact_in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     std::array<Expansion, 3> x;
     std::array<Expansion, 3> y;

@@ -43,6 +43,11 @@ int smallest_angle_vertex(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Sign of the area of (a, b, c) in the plane: positive when counter-clockwise. Exact.
 int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 
+/// Sign of ((b - a) x (c - a)) . (d - a): positive when d lies on the side of the plane to which the normal of the
+/// triangle (a, b, c) points, that is, from where the triangle is seen counter-clockwise; 0 when all four are coplanar
+/// or (a, b, c) is degenerate. Exact.
+int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
 /// Positive when d lies inside the circle through a, b, c, which run counter-clockwise. Exact.
 int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 

@@ -107,6 +107,31 @@ TEST_P(PredicatesTest, InCircleIsExactAndAntisymmetric) {
     }
 }
 
+TEST_P(PredicatesTest, Orient3dIsExactAndAntisymmetric) {
+    PointSource points = source(9);
+    for (int i = 0; i < kCheap; ++i) {
+        std::vector<Vec3> v = points.take(4);
+        if (i % 4 == 0) {
+            v[3] = 0.5 * (v[0] + v[1] + v[2] - v[i / 4 % 3]);  // in the plane, or nearly so
+        }
+        const int sign = orient3d(v[0], v[1], v[2], v[3]);
+        ASSERT_EQ(sign, exact::orient3d(v[0], v[1], v[2], v[3])) << "case " << i;
+        ASSERT_EQ(orient3d(v[1], v[2], v[0], v[3]), sign) << "case " << i;
+        ASSERT_EQ(orient3d(v[1], v[0], v[2], v[3]), -sign) << "case " << i;
+        ASSERT_EQ(orient3d(v[3], v[1], v[2], v[0]), -sign) << "case " << i;
+    }
+}
+
+TEST(Predicates, Orient3dIsPositiveOnTheSideOfTheNormal) {
+    const Vec3 a(0, 0, 1);
+    const Vec3 b(1, 0, 1);
+    const Vec3 c(0, 1, 1);
+    EXPECT_EQ(orient3d(a, b, c, Vec3(0.3, 0.3, 1.5)), 1);
+    EXPECT_EQ(orient3d(a, b, c, Vec3(0.3, 0.3, 0.5)), -1);
+    EXPECT_EQ(orient3d(a, b, c, Vec3(7, -3, 1)), 0);
+    EXPECT_EQ(orient3d(a, b, a, Vec3(0.3, 0.3, 1.5)), 0);
+}
+
 TEST(Predicates, AnArmWithoutLengthMakesAnAngleOfZero) {
     const Vec3 o(1, 2, 3);
     const Vec3 x(2, 2, 3);

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace mq::mesh {
+namespace {
+
+constexpr std::size_t kLeafSize = 4;
+
+/// The next single-precision number toward minus infinity; std::nextafter, but inlined.
+float next_below(float x) {
+    if (x == 0.0f) {
+        return -std::numeric_limits<float>::denorm_min();
+    }
+    std::int32_t bits = 0;
+    std::memcpy(&bits, &x, sizeof bits);
+    bits += x > 0.0f ? -1 : 1;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+float round_down(double x) {
+    const auto rounded = static_cast<float>(x);
+    return static_cast<double>(rounded) <= x ? rounded : next_below(rounded);
+}
+
+float round_up(double x) {
+    return -round_down(-x);
+}
+
+/// The ten lowest bits, each followed by two zeros.
+std::uint32_t spread(std::uint32_t x) {
+    x = (x | (x << 16)) & 0x030000ffu;
+    x = (x | (x << 8)) & 0x0300f00fu;
+    x = (x | (x << 4)) & 0x030c30c3u;
+    return (x | (x << 2)) & 0x09249249u;
+}
+
+constexpr std::uint32_t kCells = 1024;  ///< a side of the Morton grid
+
+}  // namespace
+
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const double d1 = ab.dot(p - a);
+    const double d2 = ac.dot(p - a);
+    if (d1 <= 0.0 && d2 <= 0.0) {
+        return a;
+    }
+    const double d3 = ab.dot(p - b);
+    const double d4 = ac.dot(p - b);
+    if (d3 >= 0.0 && d4 <= d3) {
+        return b;
+    }
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+        return a + d1 / (d1 - d3) * ab;
+    }
+    const double d5 = ab.dot(p - c);
+    const double d6 = ac.dot(p - c);
+    if (d6 >= 0.0 && d5 <= d6) {
+        return c;
+    }
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+        return a + d2 / (d2 - d6) * ac;
+    }
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6) {
+        return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    }
+    return a + vb / (va + vb + vc) * ab + vc / (va + vb + vc) * ac;
+}
+
+void TriangleTree::Bounds::add(const Bounds& o) {
+    for (int i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], o.low[i]);
+        high[i] = std::max(high[i], o.high[i]);
+    }
+}
+
+double TriangleTree::Bounds::half_area() const {
+    const double x = double(high[0]) - low[0];
+    const double y = double(high[1]) - low[1];
+    const double z = double(high[2]) - low[2];
+    return x * y + y * z + z * x;
+}
+
+TriangleTree::Bounds TriangleTree::outward(const Box& box) {
+    return {{round_down(box.low.x()), round_down(box.low.y()), round_down(box.low.z())},
+            {round_up(box.high.x()), round_up(box.high.y()), round_up(box.high.z())}};
+}
+
+TriangleTree::Bounds TriangleTree::bounds_of(std::int32_t triangle) const {
+    const Triangle& t = (*triangles_)[triangle];
+    const Vec3& a = (*vertices_)[t[0]];
+    const Vec3& b = (*vertices_)[t[1]];
+    const Vec3& c = (*vertices_)[t[2]];
+    Bounds bounds;
+    for (int i = 0; i < 3; ++i) {
+        bounds.low[i] = round_down(std::min(a[i], std::min(b[i], c[i])));
+        bounds.high[i] = round_up(std::max(a[i], std::max(b[i], c[i])));
+    }
+    return bounds;
+}
+
+TriangleTree::TriangleTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles)
+    : vertices_(&vertices), triangles_(&triangles), items_(triangles.size()) {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        items_[i].triangle = static_cast<std::int32_t>(i);
+    }
+    build();
+}
+
+TriangleTree::TriangleTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                           const std::vector<std::int32_t>& subset)
+    : vertices_(&vertices), triangles_(&triangles), items_(subset.size()) {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        items_[i].triangle = subset[i];
+    }
+    build();
+}
+
+Box TriangleTree::box() const {
+    Box box;
+    if (!nodes_.empty()) {
+        const Bounds& bounds = nodes_[0].bounds;
+        box.low = Vec3(bounds.low[0], bounds.low[1], bounds.low[2]);
+        box.high = Vec3(bounds.high[0], bounds.high[1], bounds.high[2]);
+    }
+    return box;
+}
+
+void TriangleTree::build() {
+    if (items_.empty()) {
+        return;
+    }
+    sort_items();
+    nodes_.reserve(items_.size());
+    nodes_.push_back({});
+    build_node(0, 0, items_.size());
+}
+
+/// Morton order of the middles of the boxes, in cubic cells, by a radix sort (ties: by position in the input).
+void TriangleTree::sort_items() {
+    Bounds all = bounds_of(items_[0].triangle);
+    for (Item& item : items_) {
+        item.bounds = bounds_of(item.triangle);
+        all.add(item.bounds);
+    }
+    double side = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        side = std::max(side, double(all.high[i]) - double(all.low[i]));
+    }
+    const double scale = side > 0.0 ? 0.5 * (kCells - 1) / side : 0.0;
+    constexpr int kBits = 10;
+    constexpr std::size_t kBuckets = std::size_t{1} << kBits;
+    std::array<std::array<std::uint32_t, kBuckets + 1>, 3> begin{};
+    struct Key {
+        std::uint32_t code;
+        std::uint32_t item;
+    };
+    std::vector<Key> keys(items_.size());
+    for (std::size_t k = 0; k < items_.size(); ++k) {
+        const Bounds& bounds = items_[k].bounds;
+        std::uint32_t code = 0;
+        for (int i = 0; i < 3; ++i) {
+            const double twice_middle = double(bounds.low[i]) + double(bounds.high[i]) - 2.0 * double(all.low[i]);
+            code = (code << 1) | spread(static_cast<std::uint32_t>(twice_middle * scale));
+        }
+        items_[k].code = code;
+        keys[k] = {code, static_cast<std::uint32_t>(k)};
+        for (int pass = 0; pass < 3; ++pass) {
+            ++begin[pass][((code >> (kBits * pass)) & (kBuckets - 1)) + 1];
+        }
+    }
+    std::vector<Key> sorted(keys.size());
+    for (int pass = 0; pass < 3; ++pass) {
+        std::partial_sum(begin[pass].begin(), begin[pass].end(), begin[pass].begin());
+        for (const Key& key : keys) {
+            sorted[begin[pass][(key.code >> (kBits * pass)) & (kBuckets - 1)]++] = key;
+        }
+        keys.swap(sorted);
+    }
+    std::vector<Item> items(items_.size());
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        items[k] = items_[keys[k].item];
+    }
+    items_.swap(items);
+}
+
+void TriangleTree::build_node(std::int32_t node, std::size_t begin, std::size_t end) {
+    if (end - begin <= kLeafSize) {
+        Bounds bounds = items_[begin].bounds;
+        for (std::size_t i = begin + 1; i < end; ++i) {
+            bounds.add(items_[i].bounds);
+        }
+        nodes_[node] = {bounds, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end - begin)};
+        return;
+    }
+    const std::size_t middle = split(begin, end);
+    const auto child = static_cast<std::int32_t>(nodes_.size());
+    nodes_.resize(nodes_.size() + 2);
+    build_node(child, begin, middle);
+    build_node(child + 1, middle, end);
+    Bounds bounds = nodes_[child].bounds;
+    bounds.add(nodes_[child + 1].bounds);
+    nodes_[node] = {bounds, child, 0};
+}
+
+/// Where the second half begins: at the highest bit in which the codes differ; within one cell of the Morton grid at
+/// the median along the longest side of the middles' box.
+std::size_t TriangleTree::split(std::size_t begin, std::size_t end) {
+    const std::uint32_t differing = items_[begin].code ^ items_[end - 1].code;
+    if (differing != 0) {
+        std::uint32_t bit = differing;
+        while ((bit & (bit - 1)) != 0) {
+            bit &= bit - 1;
+        }
+        const auto second = std::partition_point(items_.begin() + begin, items_.begin() + end,
+                                                 [bit](const Item& item) { return (item.code & bit) == 0; });
+        return second - items_.begin();
+    }
+    const auto middle_of = [](const Item& item, int i) {
+        return double(item.bounds.low[i]) + double(item.bounds.high[i]);
+    };
+    Box middles;
+    for (std::size_t k = begin; k < end; ++k) {
+        middles.add(Vec3(middle_of(items_[k], 0), middle_of(items_[k], 1), middle_of(items_[k], 2)));
+    }
+    int axis = 0;
+    (middles.high - middles.low).maxCoeff(&axis);
+    const std::size_t median = begin + (end - begin) / 2;
+    std::nth_element(items_.begin() + begin, items_.begin() + median, items_.begin() + end,
+                     [&](const Item& a, const Item& b) {
+                         const double x = middle_of(a, axis);
+                         const double y = middle_of(b, axis);
+                         return x != y ? x < y : a.triangle < b.triangle;
+                     });
+    return median;
+}
+
+void TriangleTree::refit() {
+    for (Item& item : items_) {
+        item.bounds = bounds_of(item.triangle);
+    }
+    for (std::size_t k = nodes_.size(); k-- > 0;) {
+        Node& node = nodes_[k];
+        if (node.count == 0) {
+            node.bounds = nodes_[node.first].bounds;
+            node.bounds.add(nodes_[node.first + 1].bounds);
+            continue;
+        }
+        node.bounds = items_[node.first].bounds;
+        for (std::int32_t i = node.first + 1; i < node.first + node.count; ++i) {
+            node.bounds.add(items_[i].bounds);
+        }
+    }
+}
+
+namespace {
+
+/// Divides tasks, breadth first and in place, until there are `count` or none can be divided.
+template <typename Divide>
+std::vector<TriangleTree::Task> divided(std::size_t count, const Divide& divide) {
+    std::vector<TriangleTree::Task> tasks{{0, 0}};
+    bool changed = true;
+    while (changed && tasks.size() < count) {
+        changed = false;
+        std::vector<TriangleTree::Task> next;
+        for (const TriangleTree::Task& task : tasks) {
+            const std::size_t before = next.size();
+            divide(task, next);
+            const bool same = next.size() == before + 1 && next[before].a == task.a && next[before].b == task.b;
+            changed = changed || !same;
+        }
+        tasks.swap(next);
+    }
+    return tasks;
+}
+
+}  // namespace
+
+std::vector<TriangleTree::Task> TriangleTree::pair_tasks(const TriangleTree& other, std::size_t count) const {
+    if (size() == 0 || other.size() == 0) {
+        return {};
+    }
+    return divided(count, [&](const Task& task, std::vector<Task>& next) {
+        const Node& a = nodes_[task.a];
+        const Node& b = other.nodes_[task.b];
+        if (!a.bounds.meets(b.bounds)) {
+            return;
+        }
+        if (a.count > 0 && b.count > 0) {
+            next.push_back(task);
+        } else if (divide_first(a, b)) {
+            next.push_back({a.first, task.b});
+            next.push_back({a.first + 1, task.b});
+        } else {
+            next.push_back({task.a, b.first});
+            next.push_back({task.a, b.first + 1});
+        }
+    });
+}
+
+std::vector<TriangleTree::Task> TriangleTree::own_pair_tasks(std::size_t count) const {
+    if (size() == 0) {
+        return {};
+    }
+    return divided(count, [&](const Task& task, std::vector<Task>& next) {
+        const Node& a = nodes_[task.a];
+        const Node& b = nodes_[task.b];
+        if (task.a == task.b && a.count == 0) {
+            next.push_back({a.first, a.first});
+            next.push_back({a.first + 1, a.first + 1});
+            next.push_back({a.first, a.first + 1});
+        } else if (task.a == task.b || (a.count > 0 && b.count > 0)) {
+            next.push_back(task);
+        } else if (a.bounds.meets(b.bounds) && divide_first(a, b)) {
+            next.push_back({a.first, task.b});
+            next.push_back({a.first + 1, task.b});
+        } else if (a.bounds.meets(b.bounds)) {
+            next.push_back({task.a, b.first});
+            next.push_back({task.a, b.first + 1});
+        }
+    });
+}
+
+Nearest TriangleTree::nearest(const Vec3& p, double bound) const {
+    Nearest best;
+    double best_squared = bound * bound;
+    // Squared distance of a box, a rounding too small rather than too large.
+    const auto distance = [&p](const Bounds& bounds) {
+        double sum = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            const double gap = std::max(0.0, std::max(double(bounds.low[i]) - p[i], p[i] - double(bounds.high[i])));
+            sum += gap * gap;
+        }
+        return sum * (1.0 - 8.0 * std::numeric_limits<double>::epsilon());
+    };
+    struct Entry {
+        double distance;
+        std::int32_t node;
+    };
+    std::vector<Entry> stack;
+    if (!nodes_.empty()) {
+        stack.push_back({distance(nodes_[0].bounds), 0});
+    }
+    while (!stack.empty()) {
+        const Entry top = stack.back();
+        stack.pop_back();
+        if (top.distance > best_squared) {
+            continue;
+        }
+        const Node& node = nodes_[top.node];
+        if (node.count == 0) {
+            Entry near{distance(nodes_[node.first].bounds), node.first};
+            Entry far{distance(nodes_[node.first + 1].bounds), node.first + 1};
+            if (far.distance < near.distance) {
+                std::swap(near, far);
+            }
+            stack.push_back(far);
+            stack.push_back(near);
+            continue;
+        }
+        for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+            const std::int32_t triangle = items_[i].triangle;
+            const Triangle& t = (*triangles_)[triangle];
+            const Vec3 q = nearest_on_triangle(p, (*vertices_)[t[0]], (*vertices_)[t[1]], (*vertices_)[t[2]]);
+            const double squared = (q - p).squaredNorm();
+            const bool lower = best.triangle < 0 || triangle < best.triangle;
+            if (squared < best_squared || (squared == best_squared && lower)) {
+                best_squared = squared;
+                best = {triangle, q, std::sqrt(squared)};
+            }
+        }
+    }
+    return best;
+}
+
+}  // namespace mq::mesh
