@@ -78,12 +78,22 @@ Shape shape_of(const std::array<Vec3, 3>& p, double& twice_area) {
     return shape;
 }
 
-void measure_shapes(const TriangleMesh& mesh, MeshReport& report) {
+void check(const Progress* progress) {
+    if (progress != nullptr) {
+        progress->check();
+    }
+}
+
+void measure_shapes(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
+    constexpr std::size_t kBetweenChecks = 4096;
     report.min_angle = mesh.triangles.empty() ? 0.0 : 180.0;
     double sum = 0.0;
     double area = 0.0;
     for (const Triangle& t : mesh.triangles) {
         double twice_area = 0.0;
+        if ((&t - mesh.triangles.data()) % kBetweenChecks == 0) {
+            check(progress);
+        }
         const Shape shape = shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, twice_area);
         report.degenerate_triangles += shape.degenerate;
         report.min_angle = std::min(report.min_angle, shape.min_angle);
@@ -150,14 +160,18 @@ void measure_fans(const TriangleMesh& mesh, std::size_t edges, DisjointSets& fan
     report.euler = used - static_cast<long>(edges) + faces;
 }
 
-void measure_topology(const TriangleMesh& mesh, MeshReport& report) {
+void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
+    constexpr std::size_t kBetweenChecks = 4096;
     const EdgeTable table(mesh.triangles, mesh.vertices.size());
+    check(progress);
     DisjointSets fans(3 * mesh.triangles.size());
     DisjointSets bodies(mesh.triangles.size());
     std::vector<std::int32_t> opposite;
     std::size_t edges = 0;
     table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
-        ++edges;
+        if (++edges % kBetweenChecks == 0) {
+            check(progress);
+        }
         const auto count = last - first;
         if (count == 1) {
             ++report.border_edges;
@@ -173,6 +187,7 @@ void measure_topology(const TriangleMesh& mesh, MeshReport& report) {
         }
         unite_fans(mesh, low, first, last, fans);
     });
+    check(progress);
     measure_fans(mesh, edges, fans, bodies, report);
 }
 
@@ -228,7 +243,7 @@ std::string work_text(const MeshReport& r) {
 
 }  // namespace
 
-MeshReport measure(const TriangleMesh& mesh) {
+MeshReport measure(const TriangleMesh& mesh, const Progress* progress) {
     require_valid(mesh);
     MeshReport report;
     report.triangles = mesh.triangles.size();
@@ -241,8 +256,8 @@ MeshReport measure(const TriangleMesh& mesh) {
         report.box.low = local.low + mesh.origin;
         report.box.high = local.high + mesh.origin;
     }
-    measure_shapes(mesh, report);
-    measure_topology(mesh, report);
+    measure_shapes(mesh, report, progress);
+    measure_topology(mesh, report, progress);
     report.closed = !mesh.triangles.empty() && report.border_edges == 0;
     report.oriented = report.misoriented_edges == 0;
     report.manifold = report.nonmanifold_edges == 0 && report.pinched_vertices == 0 && report.degenerate_triangles == 0;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/progress.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
@@ -52,7 +53,8 @@ struct MeshReport {
 
 /// Measures everything that a mesh tells by itself (all fields up to `box`). Time O(n log n).
 /// @throws InvalidInput for a triangle that names a vertex out of range or a coordinate that is not a number.
-MeshReport measure(const TriangleMesh& mesh);
+/// @throws Cancelled when `progress` says so.
+MeshReport measure(const TriangleMesh& mesh, const Progress* progress = nullptr);
 
 /// A text of a dozen lines for people.
 std::string to_text(const MeshReport& report);

@@ -150,6 +150,7 @@ bool ChordRefiner::run() {
         work_.progress.check();
         const int before = work_.mesh.triangle_count();
         const std::vector<Site> sites = violations();
+        work_.progress.check();
         if (sites.empty()) {
             break;
         }
@@ -175,7 +176,11 @@ void ChordRefiner::split(const std::vector<Site>& sites) {
         }
     }
     const auto points = surface_points(work_, candidates);
+    constexpr std::size_t kBetweenChecks = 1024;
     for (std::size_t i = 0; i < inner.size() && !work_.over_budget(); ++i) {
+        if (i % kBetweenChecks == 0) {
+            work_.progress.check();
+        }
         split_one(*inner[i], points[i]);
     }
     segments_.run(touched_);

@@ -106,7 +106,11 @@ void refine(Workspace& work, const Options& options, double chord, StageClock& c
 
 void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
     report.min_angle_unexempted = 180.0;
+    constexpr std::size_t kBetweenChecks = 4096;
     for (std::size_t i = 0; i < out.source.size(); ++i) {
+        if (i % kBetweenChecks == 0) {
+            work.progress.check();
+        }
         const int t = out.source[i];
         const double angle = smallest_angle(work.mesh, t).angle * 180.0 / M_PI;
         const auto found = work.exempt.find(t);
@@ -119,7 +123,7 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
 }
 
 mesh::MeshReport final_report(Workspace& work, const Output& out, const Options& options, double chord) {
-    mesh::MeshReport report = mesh::measure(out.mesh);
+    mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
     report.min_angle_asked = options.min_angle;
     report.chord_height_asked = chord;
     report.max_chord_height = measure_chord_height(work);
@@ -178,7 +182,9 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     refine(work, options, chord, clock);
 
     watched.stage("checking", 0.9, 1.0);
+    watched.check();
     Output out = write_out(surface, topology, grid.origin());
+    watched.check();
     Result result;
     result.report = final_report(work, out, options, chord);
     result.mesh = std::move(out.mesh);

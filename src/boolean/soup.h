@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vec.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+using mesh::Triangle;
+
+/// Where a triangle comes from: the operand, and its index there.
+struct Source {
+    std::int32_t operand = -1;
+    std::int32_t triangle = -1;
+};
+
+/// The triangles of all operands in one list. Operands are closed and oriented; they may cross themselves.
+struct Soup {
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    std::vector<Source> source;  ///< of each triangle
+    int operands = 0;
+};
+
+/// A triangle that lies on another one with the same vertices, turned the same way (+1) or the other (-1).
+struct Twin {
+    std::int32_t triangle = -1;
+    std::int32_t of = -1;
+    int turn = 1;
+};
+
+/// Gives vertices in the same place the same index (the lowest), wherever boxes of operands meet.
+void merge_vertices(Soup& soup);
+
+/// Triangles with the same three vertices, whatever their order: all but the first of each set.
+std::vector<Twin> find_twins(const Soup& soup);
+
+}  // namespace mq::boolean
