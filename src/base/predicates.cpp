@@ -282,6 +282,11 @@ int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
         .sign();
 }
 
+bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto flat = [&](int x, int y) { return orient2d(Vec2(a[x], a[y]), Vec2(b[x], b[y]), Vec2(c[x], c[y])) == 0; };
+    return flat(0, 1) && flat(1, 2) && flat(2, 0);
+}
+
 namespace {
 
 int exact_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {

@@ -43,6 +43,9 @@ int smallest_angle_vertex(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Sign of the area of (a, b, c) in the plane: positive when counter-clockwise. Exact.
 int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 
+/// a, b and c lie on one line, or some of them coincide: the triangle has no area. Exact.
+bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
+
 /// Sign of ((b - a) x (c - a)) . (d - a): positive when d lies on the side of the plane to which the normal of the
 /// triangle (a, b, c) points, that is, from where the triangle is seen counter-clockwise; 0 when all four are coplanar
 /// or (a, b, c) is degenerate. Exact.

@@ -46,11 +46,6 @@ struct Shape {
     bool degenerate = false;
 };
 
-bool exactly_collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto flat = [&](int x, int y) { return orient2d(Vec2(a[x], a[y]), Vec2(b[x], b[y]), Vec2(c[x], c[y])) == 0; };
-    return flat(0, 1) && flat(1, 2) && flat(2, 0);
-}
-
 /// The cross product is taken between the two shortest sides, where it loses least in a sliver.
 Shape shape_of(const std::array<Vec3, 3>& p, double& twice_area) {
     const std::array<Vec3, 3> side{p[2] - p[1], p[0] - p[2], p[1] - p[0]};
@@ -62,7 +57,7 @@ Shape shape_of(const std::array<Vec3, 3>& p, double& twice_area) {
     Shape shape;
     shape.aspect = shortest > 0.0 ? length[longest] / shortest : HUGE_VAL;
     const double scale = length[(longest + 1) % 3] * length[(longest + 2) % 3];
-    shape.degenerate = shortest == 0.0 || (twice_area <= 1e-10 * scale && exactly_collinear(p[0], p[1], p[2]));
+    shape.degenerate = shortest == 0.0 || (twice_area <= 1e-10 * scale && collinear(p[0], p[1], p[2]));
     if (shape.degenerate) {
         twice_area = 0.0;
         shape.max_angle = 180.0;

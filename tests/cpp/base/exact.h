@@ -79,13 +79,18 @@ inline int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
     return sgn(determinant(a.x() - x, a.y() - y, b.x() - x, b.y() - y));
 }
 
+inline Vector cross(const Vector& u, const Vector& v) {
+    return {determinant(u[1], u[2], v[1], v[2]), determinant(u[2], u[0], v[2], v[0]),
+            determinant(u[0], u[1], v[0], v[1])};
+}
+
+inline bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return cross(difference(b, a), difference(c, a)) == Vector{0, 0, 0};
+}
+
 /// Sign of ((b - a) x (c - a)) . (d - a).
 inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    const Vector u = difference(b, a);
-    const Vector v = difference(c, a);
-    const Vector cross{determinant(u[1], u[2], v[1], v[2]), determinant(u[2], u[0], v[2], v[0]),
-                       determinant(u[0], u[1], v[0], v[1])};
-    return sgn(dot(cross, difference(d, a)));
+    return sgn(dot(cross(difference(b, a), difference(c, a)), difference(d, a)));
 }
 
 inline int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {

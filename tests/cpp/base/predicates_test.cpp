@@ -122,6 +122,14 @@ TEST_P(PredicatesTest, Orient3dIsExactAndAntisymmetric) {
     }
 }
 
+TEST_P(PredicatesTest, CollinearIsExact) {
+    PointSource points = source(10);
+    for (int i = 0; i < kCheap; ++i) {
+        const std::vector<Vec3> v = points.take(3);
+        ASSERT_EQ(collinear(v[0], v[1], v[2]), exact::collinear(v[0], v[1], v[2])) << "case " << i;
+    }
+}
+
 TEST(Predicates, Orient3dIsPositiveOnTheSideOfTheNormal) {
     const Vec3 a(0, 0, 1);
     const Vec3 b(1, 0, 1);
