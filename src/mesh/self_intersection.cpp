@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/self_intersection.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mesh/embedded_star.h"
+#include "mesh/triangle_tree.h"
+#include "mesh/vertex_stars.h"
+
+namespace mq::mesh {
+namespace {
+
+/// Takes pairs whose boxes meet, and keeps those that are in contact.
+class Collector {
+  public:
+    /// `embedded`: for each vertex whether no two triangles of its star are in contact.
+    Collector(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+              const std::vector<char>& embedded, std::size_t limit, const Progress* progress)
+        : vertices_(vertices), triangles_(triangles), embedded_(embedded), limit_(limit), progress_(progress) {}
+
+    void operator()(std::int32_t i, std::int32_t j) {
+        constexpr std::uint32_t kPairsBetweenChecks = 1u << 16;
+        if (progress_ != nullptr && ++asked_ % kPairsBetweenChecks == 0) {
+            progress_->check();
+        }
+        if (found_.size() >= limit_ || settled(triangles_[i], triangles_[j])) {
+            return;
+        }
+        const auto [a, b] = std::minmax(i, j);
+        const Contact how = contact(vertices_, triangles_[a], triangles_[b]);
+        if (how != Contact::None) {
+            found_.push_back({a, b, how});
+        }
+    }
+
+    std::vector<ContactPair> take() {
+        std::sort(found_.begin(), found_.end(),
+                  [](const ContactPair& p, const ContactPair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+        return std::move(found_);
+    }
+
+  private:
+    bool settled(const Triangle& t, const Triangle& s) const {
+        for (const std::int32_t v : t) {
+            if ((v == s[0] || v == s[1] || v == s[2]) && embedded_[v] != 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const std::vector<Vec3>& vertices_;
+    const std::vector<Triangle>& triangles_;
+    const std::vector<char>& embedded_;
+    std::size_t limit_;
+    const Progress* progress_;
+    std::uint32_t asked_ = 0;
+    std::vector<ContactPair> found_;
+};
+
+bool meets(const Box& a, const Box& b) {
+    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+}  // namespace
+
+std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                            std::size_t limit, const Progress* progress) {
+    std::vector<char> embedded(vertices.size(), 0);
+    {
+        const VertexStars stars(triangles, vertices.size());
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            embedded[v] = static_cast<char>(embedded_star(vertices, triangles, stars[v]));
+        }
+    }
+    const TriangleTree tree(vertices, triangles);
+    Collector collector(vertices, triangles, embedded, limit, progress);
+    tree.for_each_own_pair(collector);
+    return collector.take();
+}
+
+std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertices,
+                                                 const std::vector<Triangle>& triangles,
+                                                 const std::vector<std::int32_t>& subset, std::size_t limit,
+                                                 const Progress* progress) {
+    const TriangleTree part(vertices, triangles, subset);
+    const Box part_box = part.box();
+    std::vector<char> in_subset(triangles.size(), 0);
+    for (const std::int32_t t : subset) {
+        in_subset[t] = 1;
+    }
+    std::vector<std::int32_t> near;
+    std::vector<Triangle> near_triangles;
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        Box box;
+        for (const std::int32_t v : triangles[k]) {
+            box.add(vertices[v]);
+        }
+        if (meets(box, part_box)) {
+            near.push_back(static_cast<std::int32_t>(k));
+            near_triangles.push_back(triangles[k]);
+        }
+    }
+    // A star of which only a part is near is not closed there, and its pairs are tested one by one.
+    std::vector<char> embedded(vertices.size(), 0);
+    {
+        const VertexStars stars(near_triangles, vertices.size());
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            embedded[v] = static_cast<char>(embedded_star(vertices, near_triangles, stars[v]));
+        }
+    }
+    const TriangleTree whole(vertices, triangles, near);
+    Collector collector(vertices, triangles, embedded, limit, progress);
+    part.for_each_pair(whole, [&](std::int32_t i, std::int32_t j) {
+        if (i != j && !(in_subset[j] != 0 && j < i)) {
+            collector(i, j);
+        }
+    });
+    return collector.take();
+}
+
+}  // namespace mq::mesh
