@@ -51,4 +51,12 @@ bool in_result(Operation operation, bool in_a, bool in_b) {
     return in_a != in_b;
 }
 
+bool in_result(Operation operation, const std::int32_t* winding, int operands) {
+    bool in = winding[0] > 0;
+    for (int k = 1; k < operands; ++k) {
+        in = in_result(operation, in, winding[k] > 0);
+    }
+    return in;
+}
+
 }  // namespace mq::boolean

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/arrangement.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "base/error.h"
+#include "boolean/face_division.h"
+#include "boolean/triangle_pair.h"
+
+namespace mq::boolean {
+
+namespace {
+
+/// Union of triangles by their overlaps in common planes.
+class Clusters {
+  public:
+    explicit Clusters(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {
+        for (const auto& [a, b] : pairs) {
+            const std::int32_t one = root(a);
+            const std::int32_t two = root(b);
+            parent_[std::max(one, two)] = std::min(one, two);
+        }
+    }
+    /// Each cluster's triangles, ascending.
+    std::vector<std::vector<std::int32_t>> lists() {
+        std::map<std::int32_t, std::vector<std::int32_t>> by_root;
+        for (const auto& entry : parent_) {
+            by_root[root(entry.first)].push_back(entry.first);
+        }
+        std::vector<std::vector<std::int32_t>> result;
+        for (auto& entry : by_root) {
+            result.push_back(std::move(entry.second));
+        }
+        return result;
+    }
+
+  private:
+    std::int32_t root(std::int32_t t) {
+        parent_.emplace(t, t);
+        while (parent_[t] != t) {
+            t = parent_[t] = parent_[parent_[t]];
+        }
+        return t;
+    }
+    std::map<std::int32_t, std::int32_t> parent_;
+};
+
+/// Replaces points in the same place by one of them.
+void make_canonical(const std::vector<std::int32_t>& canonical, Incidences& found) {
+    const auto clean = [&](std::vector<std::int32_t>& list) {
+        for (std::int32_t& p : list) {
+            p = canonical[static_cast<std::size_t>(p)];
+        }
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    };
+    for (auto& entry : found.on_edge) {
+        clean(entry.second);
+    }
+    for (auto& entry : found.in_face) {
+        clean(entry.second);
+    }
+    for (auto& entry : found.segments) {
+        for (Segment& s : entry.second) {
+            s.from = canonical[static_cast<std::size_t>(s.from)];
+            s.to = canonical[static_cast<std::size_t>(s.to)];
+        }
+    }
+}
+
+/// Which triangles are divided: those with points or segments in them or on their edges.
+std::vector<char> divided_triangles(const Soup& soup, const Incidences& found) {
+    std::vector<char> end_of_edge(soup.vertices.size(), 0);
+    for (const auto& entry : found.on_edge) {
+        for (const std::int32_t v : entry.first) {
+            end_of_edge[static_cast<std::size_t>(v)] = 1;
+        }
+    }
+    std::vector<char> divided(soup.triangles.size(), 0);
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+        const Triangle& t = soup.triangles[i];
+        for (std::size_t k = 0; k < 3 && divided[i] == 0; ++k) {
+            const std::int32_t a = t[k];
+            const std::int32_t b = t[(k + 1) % 3];
+            divided[i] = end_of_edge[static_cast<std::size_t>(a)] != 0 &&
+                         end_of_edge[static_cast<std::size_t>(b)] != 0 && found.on_edge.count(edge_key(a, b)) > 0;
+        }
+    }
+    for (const auto& entry : found.in_face) {
+        divided[static_cast<std::size_t>(entry.first)] = 1;
+    }
+    for (const auto& entry : found.segments) {
+        divided[static_cast<std::size_t>(entry.first)] = 1;
+    }
+    return divided;
+}
+
+/// The pieces of all divided triangles and clusters, and the triangles that stay whole.
+class Divider {
+  public:
+    Divider(const Soup& soup, const Incidences& found, Arrangement& result, const Progress& progress)
+        : soup_(soup), found_(found), result_(result), progress_(progress) {}
+
+    void run(std::vector<char> gone, std::vector<std::vector<std::int32_t>> clusters) {
+        std::vector<char> divided = divided_triangles(soup_, found_);
+        for (const std::vector<std::int32_t>& cluster : clusters) {
+            for (const std::int32_t t : cluster) {
+                gone[static_cast<std::size_t>(t)] = 1;
+            }
+        }
+        result_.faces.reserve(soup_.triangles.size());
+        for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+            if (gone[t] == 0 && divided[t] == 0) {
+                result_.faces.push_back({soup_.triangles[t], static_cast<std::int32_t>(t), -1, true});
+            }
+        }
+        for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+            if (gone[t] == 0 && divided[t] != 0) {
+                check();
+                take(divide_triangle(soup_, static_cast<std::int32_t>(t), found_, result_.points));
+            }
+        }
+        for (const std::vector<std::int32_t>& cluster : clusters) {
+            check();
+            take(divide_cluster(soup_, cluster, found_, result_.points));
+        }
+    }
+
+  private:
+    void check() {
+        constexpr int kBetweenChecks = 64;
+        if (++done_ % kBetweenChecks == 0) {
+            progress_.check();
+        }
+    }
+
+    void take(FaceDivision&& division) {
+        for (ExactPoint& p : division.crossings) {
+            result_.points.add(std::move(p));
+        }
+        for (DividedFace& f : division.faces) {
+            Face face{f.points, f.covers.front().triangle, -1, false};
+            if (f.covers.front().turn < 0) {
+                std::swap(face.points[1], face.points[2]);
+                for (Cover& cover : f.covers) {
+                    cover.turn = -cover.turn;
+                }
+            }
+            if (f.covers.size() > 1) {
+                face.stack = static_cast<std::int32_t>(result_.stacks.size());
+                result_.stacks.push_back(std::move(f.covers));
+            }
+            result_.faces.push_back(face);
+        }
+    }
+
+    const Soup& soup_;
+    const Incidences& found_;
+    Arrangement& result_;
+    const Progress& progress_;
+    int done_ = 0;
+};
+
+/// Twins share the faces of the triangle on which they lie.
+void add_twins(const std::vector<Twin>& twins, Arrangement& result) {
+    std::map<std::int32_t, std::vector<Cover>> on;
+    for (const Twin& twin : twins) {
+        on[twin.of].push_back({twin.triangle, twin.turn});
+    }
+    if (on.empty()) {
+        return;
+    }
+    for (Face& face : result.faces) {
+        std::vector<Cover> covers{{face.source, 1}};
+        if (face.stack >= 0) {
+            covers = result.stacks[static_cast<std::size_t>(face.stack)];
+        }
+        const std::size_t before = covers.size();
+        for (std::size_t i = 0; i < before; ++i) {
+            const auto found = on.find(covers[i].triangle);
+            if (found != on.end()) {
+                for (const Cover& twin : found->second) {
+                    covers.push_back({twin.triangle, twin.turn * covers[i].turn});
+                }
+            }
+        }
+        if (covers.size() > before) {
+            face.stack = face.stack >= 0 ? face.stack : static_cast<std::int32_t>(result.stacks.size());
+            result.stacks.resize(std::max(result.stacks.size(), static_cast<std::size_t>(face.stack) + 1));
+            result.stacks[static_cast<std::size_t>(face.stack)] = std::move(covers);
+        }
+    }
+}
+
+}  // namespace
+
+Arrangement arrange(const Soup& soup, const std::vector<Twin>& twins,
+                    const std::vector<std::array<std::int32_t, 2>>& crossing, const Progress& progress) {
+    constexpr std::size_t kBetweenChecks = 1024;
+    Arrangement result{PointTable(soup), {}, {}, crossing.size()};
+    std::vector<char> gone(soup.triangles.size(), 0);
+    for (const Twin& twin : twins) {
+        gone[static_cast<std::size_t>(twin.triangle)] = 1;
+    }
+    Incidences found;
+    for (std::size_t i = 0; i < crossing.size(); ++i) {
+        if (i % kBetweenChecks == 0) {
+            progress.check();
+        }
+        intersect(soup, crossing[i][0], crossing[i][1], result.points, found);
+    }
+    make_canonical(result.points.canonical(), found);
+    Divider(soup, found, result, progress).run(std::move(gone), Clusters(found.overlapping).lists());
+    const std::vector<std::int32_t> canonical = result.points.canonical();
+    for (Face& face : result.faces) {
+        for (std::int32_t& p : face.points) {
+            p = canonical[static_cast<std::size_t>(p)];
+        }
+    }
+    add_twins(twins, result);
+    return result;
+}
+
+}  // namespace mq::boolean

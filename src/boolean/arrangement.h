@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.h"
+#include "boolean/point_table.h"
+#include "boolean/soup.h"
+
+namespace mq::boolean {
+
+/// A piece of the operands' surfaces that no other piece crosses.
+struct Face {
+    std::array<std::int32_t, 3> points{};  ///< of the point table, running as the source does
+    std::int32_t source = -1;              ///< triangle of the soup
+    std::int32_t stack = -1;               ///< index into Arrangement::stacks where several triangles lie here
+    bool whole = true;                     ///< the source itself, not a part of it
+};
+
+/// A triangle of the soup that covers a face, turned as the face is (+1) or the other way (-1).
+struct Cover {
+    std::int32_t triangle = -1;
+    int turn = 1;
+};
+
+/// All operands' triangles divided along their common lines and points (mesh arrangement: Zhou, Grinspun, Zorin,
+/// Jacobson 2016, section 3): faces meet in common edges and vertices only, exactly.
+struct Arrangement {
+    PointTable points;
+    std::vector<Face> faces;
+    std::vector<std::vector<Cover>> stacks;
+    std::size_t crossing_pairs = 0;
+};
+
+/// @param crossing  pairs of triangles that may cross; pairs that only share vertices or edges do no harm
+/// @throws Cancelled when `progress` says so
+Arrangement arrange(const Soup& soup, const std::vector<Twin>& twins,
+                    const std::vector<std::array<std::int32_t, 2>>& crossing, const Progress& progress);
+
+}  // namespace mq::boolean
