@@ -49,4 +49,22 @@ class Progress {
     std::atomic<bool> cancelled_{false};
 };
 
+/// Looks for a cancellation at every 4096th step of a long loop.
+class Pace {
+  public:
+    explicit Pace(const Progress* progress) : progress_(progress) {}
+    explicit Pace(const Progress& progress) : progress_(&progress) {}
+    /// @throws Cancelled
+    void step() {
+        constexpr unsigned kBetweenChecks = 4096;
+        if (progress_ != nullptr && ++steps_ % kBetweenChecks == 0) {
+            progress_->check();
+        }
+    }
+
+  private:
+    const Progress* progress_;
+    unsigned steps_ = 0;
+};
+
 }  // namespace mq

@@ -80,15 +80,13 @@ void check(const Progress* progress) {
 }
 
 void measure_shapes(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
-    constexpr std::size_t kBetweenChecks = 4096;
+    Pace pace(progress);
     report.min_angle = mesh.triangles.empty() ? 0.0 : 180.0;
     double sum = 0.0;
     double area = 0.0;
     for (const Triangle& t : mesh.triangles) {
         double twice_area = 0.0;
-        if ((&t - mesh.triangles.data()) % kBetweenChecks == 0) {
-            check(progress);
-        }
+        pace.step();
         const Shape shape = shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, twice_area);
         report.degenerate_triangles += shape.degenerate;
         report.min_angle = std::min(report.min_angle, shape.min_angle);
@@ -156,7 +154,7 @@ void measure_fans(const TriangleMesh& mesh, std::size_t edges, DisjointSets& fan
 }
 
 void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
-    constexpr std::size_t kBetweenChecks = 4096;
+    Pace pace(progress);
     const EdgeTable table(mesh.triangles, mesh.vertices.size());
     check(progress);
     DisjointSets fans(3 * mesh.triangles.size());
@@ -164,9 +162,8 @@ void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progre
     std::vector<std::int32_t> opposite;
     std::size_t edges = 0;
     table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
-        if (++edges % kBetweenChecks == 0) {
-            check(progress);
-        }
+        ++edges;
+        pace.step();
         const auto count = last - first;
         if (count == 1) {
             ++report.border_edges;

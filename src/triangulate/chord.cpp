@@ -78,7 +78,9 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
         }
     }
     const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
+    Pace pace(work_.progress);
     for (std::size_t i = 0; i < sides.size(); ++i) {
+        pace.step();
         const double chord = answers[i].found() ? answers[i].distance : 0.0;
         const double e = excess(chord, length_of(work_.mesh, sides[i]));
         if (e > 1.0) {
@@ -92,7 +94,9 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
 void ChordRefiner::measure_edges(std::vector<Site>& found) {
     geometry::Engine::Batch batch;
     std::vector<Site> sites;
+    Pace pace(work_.progress);
     for (int h = 0; h < work_.mesh.half_edge_count(); ++h) {
+        pace.step();
         if (work_.mesh.twin(h) > h && passed_edges_.count(edge_key(work_.mesh, h)) == 0) {
             sites.push_back({h, work_.mesh.stamp(h / 3), 0.0, edge_middle_site(work_.mesh, h)});
             batch.push_back(nearest_on_surface(work_, sites.back().candidate));
@@ -100,6 +104,7 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
     }
     const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
     for (std::size_t i = 0; i < sites.size(); ++i) {
+        pace.step();
         const double chord = answers[i].found() ? answers[i].distance : 0.0;
         sites[i].excess = excess(chord, length_of(work_.mesh, sites[i].half_edge));
         if (sites[i].excess > 1.0) {
@@ -113,7 +118,9 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
 void ChordRefiner::measure_triangles(std::vector<Site>& found) {
     geometry::Engine::Batch batch;
     std::vector<int> triangles;
+    Pace pace(work_.progress);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        pace.step();
         if (passed_triangles_.count(triangle_key(work_.mesh, t)) == 0) {
             triangles.push_back(t);
             batch.push_back(nearest_on_surface(work_, centroid_site(work_.mesh, t)));
@@ -121,6 +128,7 @@ void ChordRefiner::measure_triangles(std::vector<Site>& found) {
     }
     const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
     for (std::size_t i = 0; i < triangles.size(); ++i) {
+        pace.step();
         const int t = triangles[i];
         const double e = excess(answers[i].found() ? answers[i].distance : 0.0, 0.0);
         passed_triangles_.insert(triangle_key(work_.mesh, t));
@@ -176,11 +184,9 @@ void ChordRefiner::split(const std::vector<Site>& sites) {
         }
     }
     const auto points = surface_points(work_, candidates);
-    constexpr std::size_t kBetweenChecks = 1024;
+    Pace pace(work_.progress);
     for (std::size_t i = 0; i < inner.size() && !work_.over_budget(); ++i) {
-        if (i % kBetweenChecks == 0) {
-            work_.progress.check();
-        }
+        pace.step();
         split_one(*inner[i], points[i]);
     }
     segments_.run(touched_);

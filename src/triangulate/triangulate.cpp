@@ -106,11 +106,9 @@ void refine(Workspace& work, const Options& options, double chord, StageClock& c
 
 void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
     report.min_angle_unexempted = 180.0;
-    constexpr std::size_t kBetweenChecks = 4096;
+    Pace pace(work.progress);
     for (std::size_t i = 0; i < out.source.size(); ++i) {
-        if (i % kBetweenChecks == 0) {
-            work.progress.check();
-        }
+        pace.step();
         const int t = out.source[i];
         const double angle = smallest_angle(work.mesh, t).angle * 180.0 / M_PI;
         const auto found = work.exempt.find(t);
