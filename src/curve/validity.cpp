@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/validity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace mq::curve {
+
+namespace {
+
+struct Piece {
+    double low = 0.0;
+    int serial = 0;  // ties go to the older piece, so that the order is fixed
+    std::vector<double> coefficients;
+    std::array<Barycentric, 4> corners{};
+
+    bool operator<(const Piece& other) const { return low != other.low ? low > other.low : serial > other.serial; }
+};
+
+class Search {
+  public:
+    explicit Search(const JacobianForm& form) : form_(form), dimension_(form.lattice->dimension()) {
+        Piece whole;
+        whole.coefficients = form.coefficients;
+        for (std::size_t k = 0; k <= static_cast<std::size_t>(dimension_); ++k) {
+            whole.corners[k][k] = 1.0;
+        }
+        best_.high = std::numeric_limits<double>::infinity();
+        push(std::move(whole));
+    }
+
+    double low() const { return queue_.top().low - form_.rounding; }
+    double high() const { return best_.high; }
+    int pieces() const { return serial_; }
+
+    /// Halves the piece with the lowest bound across its longest edge.
+    void step() {
+        Piece piece = queue_.top();
+        queue_.pop();
+        const auto [a, b] = longest_edge(piece);
+        auto [first, second] = halve(*form_.lattice, piece.coefficients, a, b);
+        Barycentric middle{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            middle[k] =
+                0.5 * (piece.corners[static_cast<std::size_t>(a)][k] + piece.corners[static_cast<std::size_t>(b)][k]);
+        }
+        Piece other = piece;
+        piece.coefficients = std::move(first);
+        piece.corners[static_cast<std::size_t>(b)] = middle;
+        other.coefficients = std::move(second);
+        other.corners[static_cast<std::size_t>(a)] = middle;
+        push(std::move(piece));
+        push(std::move(other));
+    }
+
+    Minimum result() const {
+        Minimum minimum = best_;
+        minimum.low = low();
+        minimum.pieces = serial_;
+        return minimum;
+    }
+
+  private:
+    void push(Piece piece) {
+        piece.serial = serial_++;
+        piece.low = *std::min_element(piece.coefficients.begin(), piece.coefficients.end());
+        for (int k = 0; k <= dimension_; ++k) {
+            const double at_corner = piece.coefficients[static_cast<std::size_t>(form_.lattice->corner(k))];
+            if (at_corner < best_.high) {
+                best_.high = at_corner;
+                best_.at = piece.corners[static_cast<std::size_t>(k)];
+            }
+        }
+        queue_.push(std::move(piece));
+    }
+
+    std::pair<int, int> longest_edge(const Piece& piece) const {
+        std::pair<int, int> longest{0, 1};
+        double most = -1.0;
+        for (int a = 0; a <= dimension_; ++a) {
+            for (int b = a + 1; b <= dimension_; ++b) {
+                double square = 0.0;
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const double d =
+                        piece.corners[static_cast<std::size_t>(a)][k] - piece.corners[static_cast<std::size_t>(b)][k];
+                    square += d * d;
+                }
+                if (square > most * (1.0 + 1e-9)) {
+                    most = square;
+                    longest = {a, b};
+                }
+            }
+        }
+        return longest;
+    }
+
+    const JacobianForm& form_;
+    int dimension_;
+    int serial_ = 0;
+    Minimum best_;
+    std::priority_queue<Piece> queue_;
+};
+
+/// Where every coefficient says enough there is nothing to halve; most elements of a mesh end here.
+bool at_once(const JacobianForm& form, double accuracy, Minimum& minimum) {
+    const auto least = std::min_element(form.coefficients.begin(), form.coefficients.end());
+    minimum.low = *least - form.rounding;
+    minimum.high = std::numeric_limits<double>::infinity();
+    for (int k = 0; k <= form.lattice->dimension(); ++k) {
+        const double at_corner = form.coefficients[static_cast<std::size_t>(form.lattice->corner(k))];
+        if (at_corner < minimum.high) {
+            minimum.high = at_corner;
+            minimum.at = {};
+            minimum.at[static_cast<std::size_t>(k)] = 1.0;
+        }
+    }
+    return minimum.high - minimum.low <= accuracy;
+}
+
+double largest(const JacobianForm& form) {
+    double most = 0.0;
+    for (const double c : form.coefficients) {
+        most = std::max(most, std::abs(c));
+    }
+    return most;
+}
+
+}  // namespace
+
+Minimum bound_minimum(const JacobianForm& form, double accuracy, int max_pieces) {
+    Minimum minimum;
+    const double least = std::max(accuracy, 4.0 * form.rounding);
+    if (at_once(form, least, minimum)) {
+        return minimum;
+    }
+    Search search(form);
+    while (search.high() - search.low() > least && search.pieces() < max_pieces) {
+        search.step();
+    }
+    return search.result();
+}
+
+Validity check_positive(const JacobianForm& form) {
+    constexpr int kMaxPieces = 40000;
+    Validity validity;
+    at_once(form, 0.0, validity.minimum);
+    if (validity.minimum.low > 0.0) {
+        validity.valid = true;
+        return validity;
+    }
+    // A NaN is a corner value that is not positive.
+    if (!(validity.minimum.high > form.rounding)) {
+        return validity;
+    }
+    const double tolerance = kValidityTolerance * largest(form);
+    Search search(form);
+    while (search.low() <= 0.0 && search.high() > form.rounding && search.pieces() < kMaxPieces &&
+           search.high() > tolerance) {
+        search.step();
+    }
+    validity.minimum = search.result();
+    validity.valid = validity.minimum.low > 0.0;
+    validity.proven = validity.valid || validity.minimum.high <= form.rounding;
+    return validity;
+}
+
+Quality quality_of(const JacobianForm& form, double straight) {
+    const double scale = largest(form);
+    JacobianForm negative = form;
+    for (double& c : negative.coefficients) {
+        c = -c;
+    }
+    const double low = bound_minimum(form, kQualityAccuracy * scale).low;
+    const double high = -bound_minimum(negative, kQualityAccuracy * scale).low;
+    Quality quality;
+    quality.distortion = high > 0.0 ? low / high : low / std::max(scale, 1e-300);
+    quality.scaled_jacobian = straight != 0.0 ? low / std::abs(straight) : -1.0;
+    return quality;
+}
+
+}  // namespace mq::curve
