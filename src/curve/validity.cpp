@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 namespace mq::curve {
@@ -163,6 +164,21 @@ Validity check_positive(const JacobianForm& form) {
     validity.valid = validity.minimum.low > 0.0;
     validity.proven = validity.valid || validity.minimum.high <= form.rounding;
     return validity;
+}
+
+double certified_ratio(const JacobianForm& form) {
+    constexpr double kAccuracy = 0.02;
+    const double scale = largest(form);
+    if (!(scale > 0.0)) {
+        return -1.0;
+    }
+    const Minimum minimum = bound_minimum(form, kAccuracy * scale);
+    if (minimum.low > 0.0) {
+        return minimum.low / scale;
+    }
+    const Validity verdict = check_positive(form);
+    const double least = std::numeric_limits<double>::min();
+    return verdict.valid ? std::max(verdict.minimum.low / scale, least) : std::min(minimum.high / scale, -least);
 }
 
 Quality quality_of(const JacobianForm& form, double straight) {

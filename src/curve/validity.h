@@ -30,6 +30,9 @@ constexpr double kValidityTolerance = 1e-7;
 
 Validity check_positive(const JacobianForm& form);
 
+/// A lower bound of min / max of the form, within 0.02; positive exactly when `check_positive` says valid.
+double certified_ratio(const JacobianForm& form);
+
 /// Quality of an element from its Jacobian: distortion I = min J / max J (equation (3)) and scaled Jacobian
 /// min J / J of the straight element. Both are lower bounds, within `kQualityAccuracy`.
 struct Quality {

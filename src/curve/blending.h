@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "curve/bernstein.h"
+
+/// Inner control points of faces and regions from those of their boundary: what an entity gets that is not on the CAD.
+/// Takes the place of the centroid rule of Dey, O'Bara, Shephard 1999, section 5.4.3, which it equals for cubics.
+namespace mq::curve {
+
+/// Sets the inner control points of a Bezier triangle by blending its edges: the linear map plus, for every edge, its
+/// offset from straight carried inwards (Szabo and Babuska). Reproduces quadratics; straight edges give a straight
+/// face.
+void blend_triangle(const Lattice& lattice, std::vector<Vec3>& control);
+
+/// The same at the nodes of a triangle instead of its control points.
+void blend_triangle_nodes(const Lattice& lattice, std::vector<Vec3>& nodes);
+
+/// Sets the inner control points of a Bezier tetrahedron from all others, so that polynomials of one degree less are
+/// reproduced: the solution of least weights.
+void blend_tetrahedron(const Lattice& lattice, std::vector<Vec3>& control);
+
+/// Derivative by all control points, of which the inner ones follow from the others: hands theirs on, and sets it zero.
+void spread_inner_gradient(const Lattice& lattice, std::vector<Vec3>& by_control);
+
+}  // namespace mq::curve

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/curve.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <numeric>
+
+#include "base/error.h"
+#include "curve/surface_repair.h"
+#include "curve/validity.h"
+#include "curve/volume_repair.h"
+
+namespace mq::curve {
+
+namespace {
+
+class StageClock {
+  public:
+    explicit StageClock(CurveReport& report) : report_(report) {}
+    void end(const char* stage) {
+        const auto now = std::chrono::steady_clock::now();
+        report_.seconds.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+        last_ = now;
+    }
+
+  private:
+    CurveReport& report_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::vector<int> living(const Surface& surface) {
+    std::vector<int> result;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        if (surface.triangles[t].alive) {
+            result.push_back(static_cast<int>(t));
+        }
+    }
+    return result;
+}
+
+/// Surface figures. `invalid` counts on in what is there already.
+void measure_surface(SurfaceEditor& editor, CurveReport& report) {
+    const std::vector<int> triangles = living(editor.surface);
+    double sum = 0.0;
+    report.min_distortion = 1.0;
+    for (const int t : triangles) {
+        const SurfaceTriangle& triangle = editor.triangle(t);
+        sum += triangle.quality;
+        report.min_distortion = std::min(report.min_distortion, triangle.quality);
+        if (!(triangle.quality > 0.0)) {
+            ++report.invalid;
+            report.invalid_elements.push_back("a triangle on " + geometry::name_of({2, triangle.face}));
+        }
+    }
+    report.elements = triangles.size();
+    report.mean_distortion = triangles.empty() ? 0.0 : sum / static_cast<double>(triangles.size());
+    report.min_scaled_jacobian = report.min_distortion;
+    const std::vector<double> distances = editor.placement.deviations(triangles);
+    double squares = 0.0;
+    for (const double d : distances) {
+        report.max_deviation = std::max(report.max_deviation, d);
+        squares += d * d;
+    }
+    report.rms_deviation = distances.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(distances.size()));
+}
+
+void note(const SurfaceRepairs& repairs, CurveReport& report) {
+    report.invalid_before += static_cast<std::size_t>(repairs.invalid_before);
+    const auto add = [&](const char* name, int count) {
+        report.repairs.emplace_back(name, static_cast<std::size_t>(count));
+    };
+    add("surface edges split for turning too far", repairs.bulge_splits);
+    add("surface edge swaps", repairs.swaps);
+    add("surface edge collapses", repairs.collapses);
+    add("edges curved on model faces", repairs.curved_edges);
+    add("surface edges split in repair", repairs.splits);
+}
+
+void note(const VolumeRepairs& repairs, CurveReport& report) {
+    report.invalid_before += static_cast<std::size_t>(repairs.invalid_before);
+    report.repairs.emplace_back("patches of tetrahedra curved inside", repairs.patches);
+}
+
+/// Volume figures take the place of those of the surface; invalid triangles stay counted.
+void measure_volume(const Volume& volume, CurveReport& report) {
+    const Lattice& lattice = Lattice::of(3, volume.shapes().order());
+    std::vector<Vec3> control;
+    report.elements = 0;
+    report.min_distortion = 1.0;
+    report.min_scaled_jacobian = 1.0;
+    double sum = 0.0;
+    for (const int t : volume.living()) {
+        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
+        volume.shapes().tetrahedron(tetrahedron.corners, control);
+        const JacobianForm form = jacobian_of(lattice, control);
+        const double straight = volume.straight_jacobian(tetrahedron.corners);
+        const Quality quality = quality_of(form, straight);
+        report.min_distortion = std::min(report.min_distortion, quality.distortion);
+        report.min_scaled_jacobian = std::min(report.min_scaled_jacobian, quality.scaled_jacobian);
+        sum += quality.distortion;
+        // The mean of the coefficients is the mean of the polynomial; a simplex has a sixth of the cube.
+        report.volume += std::accumulate(form.coefficients.begin(), form.coefficients.end(), 0.0) /
+                         (6.0 * static_cast<double>(form.coefficients.size()));
+        ++report.elements;
+        if (!(tetrahedron.quality > 0.0)) {
+            ++report.invalid;
+            report.invalid_elements.push_back("a tetrahedron of Solid" + std::to_string(tetrahedron.volume + 1));
+        }
+    }
+    report.mean_distortion = report.elements == 0 ? 0.0 : sum / static_cast<double>(report.elements);
+}
+
+}  // namespace
+
+void Options::validate() const {
+    const int most = volume ? kMaxOrder - 1 : kMaxOrder;
+    if (order < 1 || order > most) {
+        throw InvalidInput("order is " + std::to_string(order) + ": it goes from 1 to " + std::to_string(most) +
+                           (volume ? " for volumes" : " for surfaces"));
+    }
+}
+
+CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
+                 const mesh::TriangleMesh& straight, const Options& options, Progress* progress) {
+    options.validate();
+    Progress unwatched;
+    Progress& watched = progress != nullptr ? *progress : unwatched;
+    CurveReport report;
+    StageClock clock(report);
+    const std::clock_t start = std::clock();
+
+    geometry::Session session(engine, model, &watched);
+    watched.stage("classifying", 0.0, 0.1);
+    Surface surface = classify(session, straight, options.order);
+    clock.end("classifying");
+    watched.stage("curving the surface", 0.1, 0.3);
+    SurfaceEditor editor(session, surface);
+    editor.placement.place(living(surface));
+    clock.end("curving the surface");
+    watched.stage("repairing the surface", 0.3, 0.5);
+    note(repair_surface(editor, watched), report);
+    clock.end("repairing the surface");
+    measure_surface(editor, report);
+    std::vector<Region> regions;
+    if (options.volume) {
+        watched.stage("filling", 0.5, 0.6);
+        Volume volume = fill_solids(surface, session.topology(), watched);
+        clock.end("filling");
+        watched.stage("repairing the volume", 0.6, 0.95);
+        note(repair_volume(volume, watched), report);
+        clock.end("repairing the volume");
+        measure_volume(volume, report);
+        for (const int t : volume.living()) {
+            const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
+            regions.push_back({tetrahedron.corners, tetrahedron.volume});
+        }
+    }
+    clock.end("measuring");
+    CurvedMesh result = assemble(surface, regions);
+    report.vertices = static_cast<std::size_t>(
+        std::count_if(result.nodes.begin(), result.nodes.end(), [](const Vec3&) { return true; }));
+    report.cpu_seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    result.report = std::move(report);
+    return result;
+}
+
+}  // namespace mq::curve

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <memory>
+
+#include "base/progress.h"
+#include "curve/curved_mesh.h"
+#include "geometry/engine.h"
+
+/// Curvilinear meshes that are proven valid, after Dey, O'Bara, Shephard 1999.
+namespace mq::curve {
+
+struct Options {
+    int order = 2;            ///< 1 to 5 for surfaces, 1 to 4 for volumes
+    bool volume = false;      ///< fill the solids with tetrahedra
+    bool straighten = false;  ///< make elements straight that stay invalid after all repairs
+
+    /// @throws InvalidInput naming the option, its value and its range.
+    void validate() const;
+};
+
+/// Curves a straight mesh of the part, made by triangulate(), to the part's geometry.
+/// @throws InvalidInput, TopologyError, GeometryError naming the entity; Cancelled.
+CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
+                 const mesh::TriangleMesh& straight, const Options& options = {}, Progress* progress = nullptr);
+
+}  // namespace mq::curve

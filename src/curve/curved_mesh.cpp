@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/curved_mesh.h"
+
+#include <algorithm>
+
+#include "curve/gmsh_order.h"
+
+namespace mq::curve {
+
+namespace {
+
+class Assembler {
+  public:
+    Assembler(const Surface& surface, const std::vector<Region>& regions) : surface_(surface), regions_(regions) {
+        mesh_.order = surface.shapes.order();
+    }
+
+    CurvedMesh run() {
+        number_vertices();
+        for (const SurfaceTriangle& t : surface_.triangles) {
+            if (t.alive) {
+                append<3>(t.corners, mesh_.triangles, {2, t.face});
+                mesh_.triangle_face.push_back(t.face);
+            }
+        }
+        append_edges();
+        for (const Region& region : regions_) {
+            append<4>(region.corners, mesh_.tetrahedra, {3, region.volume});
+            mesh_.tetrahedron_volume.push_back(region.volume);
+        }
+        return std::move(mesh_);
+    }
+
+  private:
+    void number_vertices() {
+        number_.assign(surface_.shapes.vertices.size(), -1);
+        std::vector<char> used(number_.size(), 0);
+        for (const SurfaceTriangle& t : surface_.triangles) {
+            for (const int v : t.corners) {
+                used[static_cast<std::size_t>(v)] |= t.alive ? 1 : 0;
+            }
+        }
+        for (const Region& region : regions_) {
+            for (const int v : region.corners) {
+                used[static_cast<std::size_t>(v)] = 1;
+            }
+        }
+        for (std::size_t v = 0; v < used.size(); ++v) {
+            if (used[v]) {
+                number_[v] = static_cast<int>(mesh_.nodes.size());
+                mesh_.nodes.push_back(surface_.shapes.vertices[v].point);
+                mesh_.node_entity.push_back(surface_.shapes.vertices[v].entity);
+            }
+        }
+    }
+
+    void append_edges() {
+        std::map<EdgeKey, int> ordered;
+        for (const auto& [key, segment] : surface_.segments) {
+            const int a = static_cast<int>(key >> 32);
+            const int b = static_cast<int>(key & 0xffffffffu);
+            if (surface_.has_edge(a, b)) {
+                ordered[key] = segment.edge;
+            }
+        }
+        const std::vector<int> order = gmsh_order(Lattice::of(1, mesh_.order));
+        for (const auto& [key, edge] : ordered) {
+            const int a = static_cast<int>(key >> 32);
+            const int b = static_cast<int>(key & 0xffffffffu);
+            const auto nodes = edge_nodes(a, b, {1, edge});
+            for (const int i : order) {
+                const int last = mesh_.order;
+                const int node = i == 0      ? number_[static_cast<std::size_t>(a)]
+                                 : i == last ? number_[static_cast<std::size_t>(b)]
+                                             : nodes[static_cast<std::size_t>(i - 1)];
+                mesh_.edges.push_back(node);
+                if (i != 0 && i != last) {
+                    mesh_.node_entity[static_cast<std::size_t>(node)] = {1, edge};
+                }
+            }
+            mesh_.edge_entity.push_back(edge);
+        }
+    }
+
+    int add_node(const Vec3& point, mesh::VertexEntity entity) {
+        mesh_.nodes.push_back(point);
+        mesh_.node_entity.push_back(entity);
+        return static_cast<int>(mesh_.nodes.size()) - 1;
+    }
+
+    /// Inner nodes from a to b.
+    std::vector<int> edge_nodes(int a, int b, mesh::VertexEntity entity) {
+        auto [found, fresh] = edges_.try_emplace(edge_key(a, b));
+        if (fresh) {
+            const int low = std::min(a, b);
+            const int high = std::max(a, b);
+            std::vector<Vec3> control{surface_.shapes.vertices[static_cast<std::size_t>(low)].point};
+            for (const Vec3& p : surface_.shapes.edge_inner(low, high)) {
+                control.push_back(p);
+            }
+            control.push_back(surface_.shapes.vertices[static_cast<std::size_t>(high)].point);
+            const std::vector<Vec3> nodes = bezier_to_nodes(Lattice::of(1, mesh_.order), control);
+            for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+                found->second.push_back(add_node(nodes[i], entity));
+            }
+        }
+        std::vector<int> nodes = found->second;
+        if (a > b) {
+            std::reverse(nodes.begin(), nodes.end());
+        }
+        return nodes;
+    }
+
+    /// Node at the point of the triangle's lattice; -1 unless it is an inner one.
+    int face_node(const std::array<int, 3>& corners, const Exponents& e, mesh::VertexEntity entity) {
+        const Lattice& lattice = Lattice::of(2, mesh_.order);
+        std::array<std::size_t, 3> order{0, 1, 2};
+        std::sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) { return corners[x] < corners[y]; });
+        const std::array<int, 3> sorted{corners[order[0]], corners[order[1]], corners[order[2]]};
+        auto [found, fresh] = faces_.try_emplace(sorted);
+        if (fresh) {
+            std::vector<Vec3> control;
+            surface_.shapes.triangle(sorted, control);
+            const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
+            found->second.assign(nodes.size(), -1);
+            for (int i = 0; i < lattice.size(); ++i) {
+                if (lattice.carriers(i) == 3) {
+                    found->second[static_cast<std::size_t>(i)] = add_node(nodes[static_cast<std::size_t>(i)], entity);
+                }
+            }
+        }
+        const Exponents turned{e[order[0]], e[order[1]], e[order[2]], 0};
+        return found->second[static_cast<std::size_t>(lattice.index(turned))];
+    }
+
+    template <std::size_t N>
+    void append(const std::array<int, N>& corners, std::vector<std::int32_t>& list, mesh::VertexEntity entity) {
+        const Lattice& lattice = Lattice::of(static_cast<int>(N) - 1, mesh_.order);
+        std::vector<Vec3> inside;
+        for (const int i : gmsh_order(lattice)) {
+            const Exponents& e = lattice.exponents(i);
+            std::vector<std::size_t> on;
+            for (std::size_t k = 0; k < N; ++k) {
+                if (e[k] > 0) {
+                    on.push_back(k);
+                }
+            }
+            int node = -1;
+            if (on.size() == 1) {
+                node = number_[static_cast<std::size_t>(corners[on[0]])];
+            } else if (on.size() == 2) {
+                node = edge_nodes(corners[on[0]], corners[on[1]], entity)[static_cast<std::size_t>(e[on[1]] - 1)];
+            } else if (on.size() == 3) {
+                node = face_node({corners[on[0]], corners[on[1]], corners[on[2]]}, {e[on[0]], e[on[1]], e[on[2]], 0},
+                                 entity);
+            } else {
+                node = add_node(region_point(corners, lattice.node(i), inside), entity);
+            }
+            list.push_back(node);
+        }
+    }
+
+    template <std::size_t N>
+    Vec3 region_point(const std::array<int, N>& corners, const Barycentric& at, std::vector<Vec3>& control) const {
+        if constexpr (N == 4) {
+            if (control.empty()) {
+                surface_.shapes.tetrahedron(corners, control);
+            }
+            return value(Lattice::of(3, mesh_.order), control, at);
+        } else {
+            return Vec3::Zero();  // a triangle has no point with four carriers
+        }
+    }
+
+    const Surface& surface_;
+    const std::vector<Region>& regions_;
+    CurvedMesh mesh_;
+    std::vector<int> number_;
+    std::map<EdgeKey, std::vector<int>> edges_;
+    std::map<FaceKey, std::vector<int>> faces_;
+};
+
+}  // namespace
+
+CurvedMesh assemble(const Surface& surface, const std::vector<Region>& regions) {
+    return Assembler(surface, regions).run();
+}
+
+}  // namespace mq::curve

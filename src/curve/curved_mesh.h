@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "curve/surface.h"
+
+namespace mq::curve {
+
+/// What was measured on the curved mesh, and what was repaired on the way.
+struct CurveReport {
+    std::size_t elements = 0;
+    std::size_t vertices = 0;
+    std::size_t invalid_before = 0;  ///< elements invalid right after curving, before any repair
+    std::size_t invalid = 0;         ///< of the final mesh, tetrahedra and boundary triangles
+    std::vector<std::string> invalid_elements;
+    double min_scaled_jacobian = 0.0;  ///< min over the elements of min J / J of the straight element
+    double min_distortion = 0.0;       ///< min over the elements of I = min J / max J, equation (3)
+    double mean_distortion = 0.0;
+    double max_deviation = 0.0;  ///< of boundary triangles from their CAD faces, mm
+    double rms_deviation = 0.0;
+    double volume = 0.0;             ///< of the curved elements, mm^3; 0 without a volume mesh
+    std::size_t moved_vertices = 0;  ///< corner vertices that left the place they had when the mesh was straight
+    std::vector<std::pair<std::string, std::size_t>> repairs;
+    std::vector<std::string> notes;
+    std::vector<std::pair<std::string, double>> seconds;
+    double cpu_seconds = 0.0;
+};
+
+/// The product: nodes, and elements of one order in Gmsh's node order.
+struct CurvedMesh {
+    int order = 1;
+    std::vector<Vec3> nodes;                      ///< the corner vertices come first
+    std::vector<mesh::VertexEntity> node_entity;  ///< dimension 0 to 3 and index
+    /// Flat lists, so many nodes an element.
+    std::vector<std::int32_t> edges;  ///< mesh edges on CAD edges
+    std::vector<std::int32_t> edge_entity;
+    std::vector<std::int32_t> triangles;  ///< on CAD faces
+    std::vector<std::int32_t> triangle_face;
+    std::vector<std::int32_t> tetrahedra;  ///< empty unless the volume was asked for
+    std::vector<std::int32_t> tetrahedron_volume;
+    CurveReport report;
+
+    int nodes_per_edge() const { return Lattice::of(1, order).size(); }
+    int nodes_per_triangle() const { return Lattice::of(2, order).size(); }
+    int nodes_per_tetrahedron() const { return Lattice::of(3, order).size(); }
+};
+
+/// A tetrahedron of a volume of the part.
+struct Region {
+    std::array<int, 4> corners{};
+    int volume = -1;
+};
+
+/// Numbers the nodes of a surface and of the tetrahedra in it, and lists all elements. Vertices no element uses are
+/// left out.
+CurvedMesh assemble(const Surface& surface, const std::vector<Region>& regions);
+
+/// Text of a Gmsh .msh file, 4.1 ASCII, with a physical group for each CAD edge, face and volume by FreeCAD's names.
+std::string to_msh(const CurvedMesh& mesh);
+
+/// Text of a VTK .vtu file with Lagrange cells: tetrahedra where there are any, triangles otherwise.
+std::string to_vtu(const CurvedMesh& mesh);
+
+/// A text of a dozen lines for people.
+std::string to_text(const CurveReport& report);
+
+}  // namespace mq::curve

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/patch.h"
+
+#include <algorithm>
+
+#include "curve/blending.h"
+
+namespace mq::curve {
+
+namespace {
+
+constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
+
+}  // namespace
+
+Patch::Patch(Volume& volume, const std::vector<int>& tetrahedra)
+    : volume_(volume),
+      lattice_(Lattice::of(3, volume.shapes().order())),
+      members_(tetrahedra),
+      is_member_(volume.tetrahedra.size(), 0) {
+    for (const int t : members_) {
+        is_member_[static_cast<std::size_t>(t)] = 1;
+    }
+    for (const int t : members_) {
+        take_element(t);
+    }
+}
+
+int Patch::add_point(const Vec3& p, bool free) {
+    points_.push_back(p);
+    slot_.push_back(free ? static_cast<int>(free_.size()) : -1);
+    const int index = static_cast<int>(points_.size()) - 1;
+    if (free) {
+        free_.push_back(index);
+    }
+    return index;
+}
+
+bool Patch::inside_edge(int a, int b) const {
+    const std::vector<int> around = volume_.of_edge(a, b);
+    return !volume_.fixed_edge(a, b) && std::all_of(around.begin(), around.end(), [&](int t) {
+        return is_member_[static_cast<std::size_t>(t)] != 0;
+    });
+}
+
+bool Patch::inside_face(int a, int b, int c) const {
+    const std::vector<int> beside = volume_.of_face(a, b, c);
+    return !volume_.fixed_face(a, b, c) && std::all_of(beside.begin(), beside.end(), [&](int t) {
+        return is_member_[static_cast<std::size_t>(t)] != 0;
+    });
+}
+
+void Patch::take_element(int t) {
+    const std::array<int, 4>& v = volume_.tetrahedra[static_cast<std::size_t>(t)].corners;
+    const int q = lattice_.degree();
+    std::vector<int> index(static_cast<std::size_t>(lattice_.size()), -1);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto [found, fresh] = points_of_vertex_.emplace(v[k], -1);
+        if (fresh) {
+            found->second = add_point(volume_.point(v[k]), false);
+        }
+        index[static_cast<std::size_t>(lattice_.corner(static_cast<int>(k)))] = found->second;
+    }
+    for (const auto& edge : kEdges) {
+        const std::size_t low = v[edge[0]] < v[edge[1]] ? edge[0] : edge[1];
+        const std::size_t high = low == edge[0] ? edge[1] : edge[0];
+        const auto [found, fresh] = points_of_edge_.try_emplace(edge_key(v[low], v[high]));
+        if (fresh) {
+            const bool free = inside_edge(v[low], v[high]);
+            for (const Vec3& p : volume_.shapes().edge_inner(v[low], v[high])) {
+                found->second.push_back(add_point(p, free));
+            }
+            if (free) {
+                edges_.push_back({v[low], v[high], found->second});
+            }
+        }
+        for (int m = 1; m < q; ++m) {
+            Exponents e{0, 0, 0, 0};
+            e[low] = q - m;
+            e[high] = m;
+            index[static_cast<std::size_t>(lattice_.index(e))] = found->second[static_cast<std::size_t>(m - 1)];
+        }
+    }
+    for (std::size_t f = 0; f < kFaces.size() && q > 2; ++f) {
+        take_face(v, kFaces[f], index);
+    }
+    points_of_.push_back(std::move(index));
+    straight_.push_back(volume_.straight_jacobian(v));
+}
+
+void Patch::take_face(const std::array<int, 4>& v, const std::array<std::size_t, 3>& face, std::vector<int>& index) {
+    const Lattice& face_lattice = Lattice::of(2, lattice_.degree());
+    std::array<std::size_t, 3> local = face;
+    std::sort(local.begin(), local.end(), [&](std::size_t x, std::size_t y) { return v[x] < v[y]; });
+    const std::array<int, 3> corners{v[local[0]], v[local[1]], v[local[2]]};
+    const auto [found, fresh] = points_of_face_.try_emplace(corners);
+    const bool free = fresh && inside_face(corners[0], corners[1], corners[2]);
+    std::vector<Vec3> control;
+    if (fresh) {
+        volume_.shapes().triangle(corners, control);
+    }
+    std::size_t next = 0;
+    for (int i = 0; i < face_lattice.size(); ++i) {
+        if (face_lattice.carriers(i) < 3) {
+            continue;
+        }
+        if (fresh) {
+            found->second.push_back(add_point(control[static_cast<std::size_t>(i)], free));
+        }
+        Exponents e{0, 0, 0, 0};
+        for (std::size_t k = 0; k < 3; ++k) {
+            e[local[k]] = face_lattice.exponents(i)[k];
+        }
+        index[static_cast<std::size_t>(lattice_.index(e))] = found->second[next++];
+    }
+    if (free) {
+        faces_.push_back({corners, found->second});
+    }
+}
+
+Eigen::VectorXd Patch::state() const {
+    Eigen::VectorXd state(static_cast<Eigen::Index>(3 * free_.size()));
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+        state.segment<3>(static_cast<Eigen::Index>(3 * i)) = points_[static_cast<std::size_t>(free_[i])];
+    }
+    return state;
+}
+
+void Patch::set_state(const Eigen::VectorXd& state) {
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+        points_[static_cast<std::size_t>(free_[i])] = state.segment<3>(static_cast<Eigen::Index>(3 * i));
+    }
+}
+
+bool Patch::is_free(std::size_t i, int p) const {
+    const auto free = [&](int point) { return point >= 0 && slot_[static_cast<std::size_t>(point)] >= 0; };
+    const std::vector<int>& index = points_of_[i];
+    const int point = index[static_cast<std::size_t>(p)];
+    return point < 0 ? std::any_of(index.begin(), index.end(), free) : free(point);
+}
+
+void Patch::gather(std::size_t i, std::vector<Vec3>& control) const {
+    const std::vector<int>& index = points_of_[i];
+    control.resize(index.size());
+    bool blended = false;
+    for (std::size_t k = 0; k < index.size(); ++k) {
+        if (index[k] >= 0) {
+            control[k] = points_[static_cast<std::size_t>(index[k])];
+        } else {
+            blended = true;
+        }
+    }
+    if (blended) {
+        blend_tetrahedron(lattice_, control);
+    }
+}
+
+void Patch::scatter(std::size_t i, const std::vector<Vec3>& by_control, Eigen::VectorXd& gradient) const {
+    const std::vector<int>& index = points_of_[i];
+    for (std::size_t k = 0; k < index.size(); ++k) {
+        const int slot = index[k] < 0 ? -1 : slot_[static_cast<std::size_t>(index[k])];
+        if (slot >= 0) {
+            gradient.segment<3>(3 * slot) += by_control[k];
+        }
+    }
+}
+
+void Patch::spread_bulges(int sweeps) {
+    const int q = lattice_.degree();
+    if (edges_.empty() || q < 2) {
+        return;
+    }
+    // Bulge of an edge: its middle less that of its ends.
+    std::unordered_map<EdgeKey, Vec3> bulge;
+    const std::vector<double> middle = bernstein_values(Lattice::of(1, q), {0.5, 0.5, 0.0, 0.0});
+    for (const auto& [key, points] : points_of_edge_) {
+        const Vec3& a = volume_.point(static_cast<int>(key >> 32));
+        const Vec3& b = volume_.point(static_cast<int>(key & 0xffffffffu));
+        Vec3 at = (middle.front() - 0.5) * a + (middle.back() - 0.5) * b;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            at += middle[k + 1] * points_[static_cast<std::size_t>(points[k])];
+        }
+        bulge[key] = at;
+    }
+    std::vector<std::vector<EdgeKey>> around(edges_.size());
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        for (const int t : volume_.of_edge(edges_[i].a, edges_[i].b)) {
+            for (const int c : volume_.tetrahedra[static_cast<std::size_t>(t)].corners) {
+                if (c != edges_[i].a && c != edges_[i].b) {
+                    around[i].push_back(edge_key(edges_[i].a, c));
+                    around[i].push_back(edge_key(edges_[i].b, c));
+                }
+            }
+        }
+    }
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        for (std::size_t i = 0; i < edges_.size(); ++i) {
+            Vec3 sum = Vec3::Zero();
+            for (const EdgeKey key : around[i]) {
+                sum += bulge.at(key);
+            }
+            bulge[edge_key(edges_[i].a, edges_[i].b)] = sum / static_cast<double>(around[i].size());
+        }
+    }
+    for (const FreeEdge& edge : edges_) {
+        const Vec3& a = volume_.point(edge.a);
+        const Vec3& b = volume_.point(edge.b);
+        const Vec3& m = bulge.at(edge_key(edge.a, edge.b));
+        for (int k = 1; k < q; ++k) {
+            const double s = static_cast<double>(k) / q;
+            points_[static_cast<std::size_t>(edge.points[static_cast<std::size_t>(k - 1)])] =
+                a + s * (b - a) + m * (4.0 * k * (q - k) / (q * (q - 1.0)));
+        }
+    }
+    reblend_faces();
+}
+
+void Patch::reblend_faces() {
+    const int q = lattice_.degree();
+    const Lattice& lattice = Lattice::of(2, q);
+    for (const FreeFace& face : faces_) {
+        std::vector<Vec3> control(static_cast<std::size_t>(lattice.size()), Vec3::Zero());
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t k = (i + 1) % 3;
+            control[static_cast<std::size_t>(lattice.corner(static_cast<int>(i)))] = volume_.point(face.corners[i]);
+            const std::vector<int>& points = points_of_edge_.at(edge_key(face.corners[i], face.corners[k]));
+            for (int m = 1; m < q; ++m) {
+                Exponents e{0, 0, 0, 0};
+                e[i] = face.corners[i] < face.corners[k] ? q - m : m;
+                e[k] = q - e[i];
+                control[static_cast<std::size_t>(lattice.index(e))] =
+                    points_[static_cast<std::size_t>(points[static_cast<std::size_t>(m - 1)])];
+            }
+        }
+        blend_triangle(lattice, control);
+        std::size_t next = 0;
+        for (int i = 0; i < lattice.size(); ++i) {
+            if (lattice.carriers(i) == 3) {
+                points_[static_cast<std::size_t>(face.points[next++])] = control[static_cast<std::size_t>(i)];
+            }
+        }
+    }
+}
+
+void Patch::store() {
+    const auto positions = [&](const std::vector<int>& points) {
+        std::vector<Vec3> result;
+        for (const int p : points) {
+            result.push_back(points_[static_cast<std::size_t>(p)]);
+        }
+        return result;
+    };
+    for (const FreeEdge& edge : edges_) {
+        volume_.shapes().set_edge(edge.a, edge.b, positions(edge.points));
+    }
+    for (const FreeFace& face : faces_) {
+        volume_.shapes().set_face(face.corners, positions(face.points));
+    }
+    volume_.measure(members_);
+}
+
+}  // namespace mq::curve

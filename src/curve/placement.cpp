@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/placement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "base/error.h"
+#include "curve/blending.h"
+#include "curve/validity.h"
+
+namespace mq::curve {
+
+namespace {
+
+using geometry::Answer;
+using geometry::Query;
+
+/// Below this quality the other way to place the nodes of a triangle is tried too.
+constexpr double kWorthComparing = 0.3;
+constexpr int kArcRounds = 3;
+/// Samples of the deviation lie on a lattice of this degree: no order up to five has nodes there.
+constexpr int kSampleDegree = 7;
+
+/// Sum of squared steps, 1 when all are equal and on a line: grows with length and with unevenness.
+double unevenness(const Vec3& from, const std::vector<Vec3>& inner, const Vec3& to) {
+    double sum = 0.0;
+    Vec3 last = from;
+    for (const Vec3& p : inner) {
+        sum += (p - last).squaredNorm();
+        last = p;
+    }
+    sum += (to - last).squaredNorm();
+    return sum * static_cast<double>(inner.size() + 1) / (to - from).squaredNorm();
+}
+
+}  // namespace
+
+Placement::Placement(geometry::Session& session, Surface& surface)
+    : session_(session), surface_(surface), plane_normals_(session.topology().faces.size(), Vec3::Zero()) {}
+
+bool Placement::planar(int face) const {
+    return std::strcmp(session_.topology().faces[static_cast<std::size_t>(face)].surface, "plane") == 0;
+}
+
+void Placement::place(const std::vector<int>& triangles) {
+    std::set<EdgeKey> seen;
+    std::vector<EdgeTask> segments;
+    std::vector<EdgeTask> inner;
+    for (const int t : triangles) {
+        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = std::min(triangle.corners[k], triangle.corners[(k + 1) % 3]);
+            const int b = std::max(triangle.corners[k], triangle.corners[(k + 1) % 3]);
+            if (surface_.shapes.has_edge(a, b) || !seen.insert(edge_key(a, b)).second) {
+                continue;
+            }
+            if (surface_.segment(a, b) != nullptr) {
+                segments.push_back({a, b, triangle.face});
+            } else if (!planar(triangle.face)) {
+                inner.push_back({a, b, triangle.face});
+            }
+        }
+    }
+    if (surface_.shapes.order() > 1) {
+        place_segments(segments);
+        place_inner_edges(inner);
+    }
+    if (surface_.shapes.order() > 2) {
+        place_faces(triangles, false);
+    }
+    measure(triangles);
+    if (surface_.shapes.order() > 2) {
+        improve_faces(triangles);
+    }
+}
+
+void Placement::set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes) {
+    std::vector<Vec3> all{surface_.shapes.vertices[static_cast<std::size_t>(a)].point};
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    all.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
+    const std::vector<Vec3> control = nodes_to_bezier(Lattice::of(1, surface_.shapes.order()), all);
+    surface_.shapes.set_edge(a, b, {control.begin() + 1, control.end() - 1});
+}
+
+void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
+    const int q = surface_.shapes.order();
+    std::vector<Query> points;
+    for (const EdgeTask& task : tasks) {
+        const Segment& s = *surface_.segment(task.a, task.b);
+        for (int k = 1; k < q; ++k) {
+            points.push_back(Query::edge_point(s.edge, s.t_low + (s.t_high - s.t_low) * k / q));  // equation (5)
+        }
+    }
+    auto at = session_.ask(points);
+    for (int round = 0; round < kArcRounds; ++round) {
+        std::vector<Query> lengths;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
+            const Segment& s = *surface_.segment(task.a, task.b);
+            lengths.push_back(Query::edge_length(s.edge, s.t_low, points[i].t));
+            lengths.push_back(Query::edge_length(s.edge, points[i].t, s.t_high));
+        }
+        const auto length = session_.ask(std::move(lengths));
+        double worst = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
+            const Segment& s = *surface_.segment(task.a, task.b);
+            const double whole = length[2 * i].distance + length[2 * i + 1].distance;
+            const double wanted = whole * static_cast<double>(i % static_cast<std::size_t>(q - 1) + 1) / q;
+            const double speed = at[i].normal.norm();
+            const double sense = s.t_high > s.t_low ? 1.0 : -1.0;
+            const double t = points[i].t + (speed > 0.0 ? sense * (wanted - length[2 * i].distance) / speed : 0.0);
+            // Where the curve stands nearly still a step may leave the segment: the parameter as it is serves too.
+            if ((t - s.t_low) * sense > 0.0 && (s.t_high - t) * sense > 0.0) {
+                worst = std::max(worst, std::abs(t - points[i].t) / std::abs(s.t_high - s.t_low));
+                points[i].t = t;
+            }
+        }
+        if (worst < 1e-9) {
+            break;
+        }
+        at = session_.ask(points);
+    }
+    std::vector<Vec3> nodes;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
+        if (!at[i].found()) {
+            throw GeometryError("no point on " + geometry::name_of({1, points[i].index}) + " at parameter " +
+                                std::to_string(points[i].t) + ": repair the edge");
+        }
+        nodes.push_back(at[i].point);
+        if (nodes.size() == static_cast<std::size_t>(q - 1)) {
+            set_edge_nodes(task.a, task.b, nodes);
+            nodes.clear();
+        }
+    }
+}
+
+/// The branch of the vertex' (u, v) nearest to `near`.
+Vec2 Placement::unwrapped(int vertex, int face, const Vec2& near) const {
+    Vec2 uv = *surface_.uv_of(vertex, face);
+    const auto& period = session_.topology().faces[static_cast<std::size_t>(face)].period;
+    for (Eigen::Index i = 0; i < 2; ++i) {
+        const double p = period[static_cast<std::size_t>(i)];
+        if (p > 0.0) {
+            uv[i] += p * std::round((near[i] - uv[i]) / p);
+        }
+    }
+    return uv;
+}
+
+void Placement::resolve_free(int vertex, int face, const Vec2& other, Vec2& uv) const {
+    const auto found = surface_.free_parameter.find(Surface::key(vertex, face));
+    if (found != surface_.free_parameter.end()) {
+        uv[found->second] = other[found->second];
+    }
+}
+
+std::array<Vec2, 3> Placement::corner_uv(const SurfaceTriangle& triangle) const {
+    const auto free = [&](int v) { return surface_.free_parameter.count(Surface::key(v, triangle.face)) > 0; };
+    std::size_t first = 0;
+    while (first < 2 && free(triangle.corners[first])) {
+        ++first;
+    }
+    std::array<Vec2, 3> uv;
+    uv[first] = *surface_.uv_of(triangle.corners[first], triangle.face);
+    for (std::size_t k = 0; k < 3; ++k) {
+        uv[k] = k == first ? uv[k] : unwrapped(triangle.corners[k], triangle.face, uv[first]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t a = (k + 1) % 3;
+        const std::size_t b = (k + 2) % 3;
+        const Vec2 other = free(triangle.corners[a])   ? uv[b]
+                           : free(triangle.corners[b]) ? uv[a]
+                                                       : 0.5 * (uv[a] + uv[b]);
+        resolve_free(triangle.corners[k], triangle.face, other, uv[k]);
+    }
+    return uv;
+}
+
+void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
+    const int q = surface_.shapes.order();
+    std::vector<Query> batch;
+    for (const EdgeTask& task : tasks) {
+        Vec2 from = *surface_.uv_of(task.a, task.face);
+        Vec2 to = unwrapped(task.b, task.face, from);
+        resolve_free(task.a, task.face, to, from);
+        resolve_free(task.b, task.face, from, to);
+        const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(task.a)].point;
+        const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(task.b)].point;
+        for (int k = 1; k < q; ++k) {
+            const double s = static_cast<double>(k) / q;
+            const Vec2 uv = from + s * (to - from);
+            batch.push_back(Query::face_nearest(task.face, a + s * (b - a), uv.x(), uv.y()));
+            batch.push_back(Query::face_point(task.face, uv.x(), uv.y()));
+        }
+    }
+    const auto answers = session_.ask(std::move(batch));
+    std::size_t next = 0;
+    for (const EdgeTask& task : tasks) {
+        std::array<std::vector<Vec3>, 2> ways;
+        std::array<bool, 2> found{true, true};
+        for (int k = 1; k < q; ++k) {
+            for (std::size_t way = 0; way < 2; ++way, ++next) {
+                ways[way].push_back(answers[next].point);
+                found[way] = found[way] && answers[next].found();
+            }
+        }
+        const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(task.a)].point;
+        const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(task.b)].point;
+        if (!found[0] && !found[1]) {
+            throw GeometryError("no points of " + geometry::name_of({2, task.face}) + " for a mesh edge on it");
+        }
+        const bool project =
+            found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
+        set_edge_nodes(task.a, task.b, ways[project ? 0 : 1]);
+    }
+}
+
+void Placement::place_faces(const std::vector<int>& triangles, bool by_parameters) {
+    const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
+    std::vector<Query> batch;
+    std::vector<std::vector<Vec3>> all;
+    std::vector<int> tasks;
+    for (const int t : triangles) {
+        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+        if (planar(triangle.face)) {
+            continue;  // blended from its edges it lies in the plane
+        }
+        surface_.shapes.forget_face(triangle.corners);
+        std::vector<Vec3> control;
+        surface_.shapes.triangle(triangle.corners, control);
+        all.push_back(bezier_to_nodes(lattice, control));
+        tasks.push_back(t);
+        const std::array<Vec2, 3> uv = corner_uv(triangle);
+        for (int i = 0; i < lattice.size(); ++i) {
+            if (lattice.carriers(i) < 3) {
+                continue;
+            }
+            const Barycentric b = lattice.node(i);
+            const Vec2 guess = b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
+            batch.push_back(by_parameters ? Query::face_point(triangle.face, guess.x(), guess.y())
+                                          : Query::face_nearest(triangle.face, all.back()[static_cast<std::size_t>(i)],
+                                                                guess.x(), guess.y()));
+        }
+    }
+    const auto answers = session_.ask(std::move(batch));
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < tasks.size(); ++k) {
+        bool found = true;
+        for (int i = 0; i < lattice.size(); ++i) {
+            if (lattice.carriers(i) == 3) {
+                found = found && answers[next].found();
+                all[k][static_cast<std::size_t>(i)] = answers[next++].point;
+            }
+        }
+        if (!found) {
+            continue;  // blended from its edges
+        }
+        const std::vector<Vec3> control = nodes_to_bezier(lattice, all[k]);
+        std::vector<Vec3> inner;
+        for (int i = 0; i < lattice.size(); ++i) {
+            if (lattice.carriers(i) == 3) {
+                inner.push_back(control[static_cast<std::size_t>(i)]);
+            }
+        }
+        surface_.shapes.set_face(surface_.triangles[static_cast<std::size_t>(tasks[k])].corners, inner);
+    }
+}
+
+/// Poor triangles get their inner nodes the other way, and keep them where that is better.
+void Placement::improve_faces(const std::vector<int>& triangles) {
+    std::vector<int> poor;
+    std::vector<double> before;
+    for (const int t : triangles) {
+        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+        if (triangle.quality < kWorthComparing && !planar(triangle.face)) {
+            poor.push_back(t);
+            before.push_back(triangle.quality);
+        }
+    }
+    place_faces(poor, true);
+    measure(poor);
+    std::vector<int> worse;
+    for (std::size_t i = 0; i < poor.size(); ++i) {
+        if (surface_.triangles[static_cast<std::size_t>(poor[i])].quality < before[i]) {
+            worse.push_back(poor[i]);
+        }
+    }
+    place_faces(worse, false);
+    measure(worse);
+}
+
+Vec3 Placement::plane_normal(int face) {
+    Vec3& normal = plane_normals_[static_cast<std::size_t>(face)];
+    if (normal.isZero()) {
+        const auto& f = session_.topology().faces[static_cast<std::size_t>(face)];
+        normal = session_.ask(Query::face_point(face, f.low[0], f.low[1])).normal;
+    }
+    return normal;
+}
+
+void Placement::measure(const std::vector<int>& triangles) {
+    const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
+    std::vector<Query> batch;
+    std::vector<std::vector<Vec3>> controls;
+    for (const int t : triangles) {
+        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+        std::vector<Vec3> control;
+        surface_.shapes.triangle(triangle.corners, control);
+        if (!planar(triangle.face)) {
+            const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
+            const std::array<Vec2, 3> uv = corner_uv(triangle);
+            for (int i = 0; i < lattice.size(); ++i) {
+                const Barycentric b = lattice.node(i);
+                const Vec2 guess = b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
+                batch.push_back(
+                    lattice.carriers(i) == 1
+                        ? Query::face_point(triangle.face, guess.x(), guess.y())
+                        : Query::face_nearest(triangle.face, nodes[static_cast<std::size_t>(i)], guess.x(), guess.y()));
+            }
+        }
+        controls.push_back(std::move(control));
+    }
+    const auto answers = session_.ask(std::move(batch));
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(triangles[k])];
+        const double sign = surface_.face_sign[static_cast<std::size_t>(triangle.face)];
+        std::vector<Vec3> normals(static_cast<std::size_t>(lattice.size()), Vec3::Zero());
+        Vec3 sum = Vec3::Zero();
+        for (Vec3& normal : normals) {
+            normal = sign * (planar(triangle.face) ? plane_normal(triangle.face) : answers[next++].normal);
+            sum += normal;
+        }
+        for (Vec3& normal : normals) {
+            if (normal.isZero()) {
+                normal = sum.normalized();
+            }
+        }
+        triangle.quality = certified_ratio(normal_component(lattice, controls[k], normals));
+    }
+}
+
+std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
+    const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
+    const Lattice& samples = Lattice::of(2, kSampleDegree);
+    std::vector<Query> batch;
+    std::vector<Vec3> control;
+    for (const int t : triangles) {
+        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+        surface_.shapes.triangle(triangle.corners, control);
+        const std::array<Vec2, 3> uv = corner_uv(triangle);
+        for (int i = 0; i < samples.size(); ++i) {
+            if (samples.carriers(i) > 1) {
+                const Barycentric b = samples.node(i);
+                const Vec2 guess = b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
+                batch.push_back(Query::face_nearest(triangle.face, value(lattice, control, b), guess.x(), guess.y()));
+            }
+        }
+    }
+    std::vector<double> result;
+    for (const Answer& answer : session_.ask(std::move(batch))) {
+        if (answer.found()) {
+            result.push_back(answer.distance);
+        }
+    }
+    return result;
+}
+
+Placement::Middle Placement::middle_of(int a, int b) {
+    Middle middle;
+    const int low = std::min(a, b);
+    const int high = std::max(a, b);
+    const Segment* segment = surface_.segment(a, b);
+    const std::vector<int> beside = surface_.triangles_of_edge(a, b);
+    if (segment != nullptr) {
+        const Answer answer = session_.ask(Query::edge_middle(segment->edge, segment->t_low, segment->t_high));
+        middle.found = answer.found();
+        middle.t = answer.t;
+        middle.vertex = {answer.point, {1, segment->edge}};
+        for (const int use : session_.topology().edges[static_cast<std::size_t>(segment->edge)].uses) {
+            const Answer on = session_.ask(Query::use_on_face(use, answer.t));
+            middle.uv.emplace_back(session_.topology().uses[static_cast<std::size_t>(use)].face, Vec2(on.u, on.v));
+            middle.found = middle.found && on.found();
+        }
+        return middle;
+    }
+    const int face = surface_.triangles[static_cast<std::size_t>(beside.front())].face;
+    Vec2 from = *surface_.uv_of(low, face);
+    Vec2 to = unwrapped(high, face, from);
+    resolve_free(low, face, to, from);
+    resolve_free(high, face, from, to);
+    const Vec2 guess = 0.5 * (from + to);
+    std::vector<Vec3> control{surface_.shapes.vertices[static_cast<std::size_t>(low)].point};
+    for (const Vec3& p : surface_.shapes.edge_inner(low, high)) {
+        control.push_back(p);
+    }
+    control.push_back(surface_.shapes.vertices[static_cast<std::size_t>(high)].point);
+    const Vec3 on_curve = value(Lattice::of(1, surface_.shapes.order()), control, {0.5, 0.5, 0.0, 0.0});
+    const Answer answer = session_.ask(Query::face_nearest(face, on_curve, guess.x(), guess.y()));
+    middle.found = answer.found();
+    middle.vertex = {answer.point, {2, face}};
+    middle.uv.emplace_back(face, Vec2(answer.u, answer.v));
+    return middle;
+}
+
+}  // namespace mq::curve

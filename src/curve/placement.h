@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "curve/surface.h"
+
+namespace mq::curve {
+
+/// Puts the nodes of mesh edges and triangles on the CAD (section 5.1 of Dey, O'Bara, Shephard 1999).
+///
+/// On a CAD edge: the parameters between those of the ends (equation (5)), moved to even arc lengths. Inside a face:
+/// points of the straight edge projected to the surface, and points at even (u, v) (one end shifted by a period where
+/// that is nearer; at a pole the free parameter taken from the other end); kept is what is shorter and more even in
+/// space. Nodes inside triangles: blended from the edges and projected, or at even (u, v); kept is the better triangle.
+/// Edges inside planes stay straight.
+class Placement {
+  public:
+    Placement(geometry::Session& session, Surface& surface);
+
+    /// Gives shapes to all edges of the triangles that have none, and to the triangles, and sets their quality.
+    void place(const std::vector<int>& triangles);
+    /// Sets the quality of triangles from the shapes as they are.
+    void measure(const std::vector<int>& triangles);
+
+    /// The point of the curved edge that a new vertex in its middle gets; parameters by `at` of the entity.
+    struct Middle {
+        Vertex vertex;
+        double t = 0.0;                        ///< on a CAD edge
+        std::vector<std::pair<int, Vec2>> uv;  ///< face, (u, v)
+        bool found = false;
+    };
+    Middle middle_of(int a, int b);
+
+    bool planar(int face) const;
+
+    /// Distances of points on the triangles from their CAD faces: 33 points each, none of them a node.
+    std::vector<double> deviations(const std::vector<int>& triangles);
+
+  private:
+    struct EdgeTask {
+        int a;
+        int b;
+        int face;
+    };
+    void place_segments(const std::vector<EdgeTask>& tasks);
+    void place_inner_edges(const std::vector<EdgeTask>& tasks);
+    void place_faces(const std::vector<int>& triangles, bool by_parameters);
+    void improve_faces(const std::vector<int>& triangles);
+    std::array<Vec2, 3> corner_uv(const SurfaceTriangle& triangle) const;
+    Vec2 unwrapped(int vertex, int face, const Vec2& near) const;
+    void resolve_free(int vertex, int face, const Vec2& other, Vec2& uv) const;
+    void set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes);
+    Vec3 plane_normal(int face);
+
+    geometry::Session& session_;
+    Surface& surface_;
+    std::vector<Vec3> plane_normals_;  // by face; zero: not asked yet
+};
+
+}  // namespace mq::curve

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cstdio>
+
+#include "curve/curved_mesh.h"
+
+namespace mq::curve {
+
+std::string to_text(const CurveReport& report) {
+    char text[512];
+    std::snprintf(text, sizeof text,
+                  "%zu elements, %zu vertices, %zu invalid (%zu before repair)\n"
+                  "min J / J straight %.3f, min J / max J %.3f (mean %.3f)\n"
+                  "deviation from the CAD at most %.3g mm, rms %.3g mm; %zu vertices moved\n",
+                  report.elements, report.vertices, report.invalid, report.invalid_before, report.min_scaled_jacobian,
+                  report.min_distortion, report.mean_distortion, report.max_deviation, report.rms_deviation,
+                  report.moved_vertices);
+    std::string result = text;
+    for (const auto& [operation, count] : report.repairs) {
+        if (count > 0) {
+            result += operation + ": " + std::to_string(count) + "\n";
+        }
+    }
+    for (const std::string& element : report.invalid_elements) {
+        result += "invalid: " + element + "\n";
+    }
+    for (const std::string& note : report.notes) {
+        result += note + "\n";
+    }
+    for (const auto& [stage, seconds] : report.seconds) {
+        std::snprintf(text, sizeof text, "%-24s %.3f s\n", stage.c_str(), seconds);
+        result += text;
+    }
+    return result;
+}
+
+}  // namespace mq::curve

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "curve/placement.h"
+
+namespace mq::curve {
+
+/// What a repair on the surface works with. Every operation of Dey, O'Bara, Shephard 1999, section 5, is a function
+/// in a file of its own; all make their change through `replace`, which takes it back unless it helps.
+class SurfaceEditor {
+  public:
+    SurfaceEditor(geometry::Session& session, Surface& edited) : placement(session, edited), surface(edited) {}
+
+    enum class Rule {
+        Improve,  ///< no more invalid triangles than before, and the worst gets better
+        Refine,   ///< no more invalid triangles than before
+    };
+    struct Corners {
+        std::array<int, 3> corners;
+        int face;
+    };
+    /// Puts `added` in the place of `removed`, places and measures what is new, and decides.
+    bool replace(const std::vector<int>& removed, const std::vector<Corners>& added, Rule rule);
+
+    double deviation(int a, int b) const;  ///< of the edge's control polygon from its chord
+    double length(int a, int b) const;
+    const Vec3& point(int v) const { return surface.shapes.vertices[static_cast<std::size_t>(v)].point; }
+    const SurfaceTriangle& triangle(int t) const { return surface.triangles[static_cast<std::size_t>(t)]; }
+
+    Placement placement;
+    Surface& surface;
+
+  private:
+    void take_back(const std::vector<int>& removed, const std::vector<int>& added,
+                   const std::vector<std::pair<int, int>>& fresh_edges);
+    bool straight_sound(const std::vector<int>& removed, const std::vector<Corners>& added) const;
+};
+
+/// Swaps edge (a, b) inside a face for the one between the opposite corners (section 5.3.1).
+bool swap_surface_edge(SurfaceEditor& editor, int a, int b);
+
+/// Draws vertex `a` into its neighbour `b`, along the CAD edge where `a` lies on one (section 5.3.3).
+bool collapse_surface_edge(SurfaceEditor& editor, int a, int b);
+
+/// Curves edge (a, b) inside a face so that it gives way to the curved edge (a, c) on the face's border: equations
+/// (7) to (9), at vertex a.
+bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c);
+
+/// Splits edge (a, b) at its middle on the CAD: a boundary point for local remeshing (section 5.5).
+/// @return the new vertex, or -1.
+int split_surface_edge(SurfaceEditor& editor, int a, int b, SurfaceEditor::Rule rule);
+
+}  // namespace mq::curve

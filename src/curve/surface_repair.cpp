@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/surface_repair.h"
+
+#include <algorithm>
+
+namespace mq::curve {
+
+namespace {
+
+/// Deviation from the chord by its length: 0.134 is an arc of 60 degrees; beyond sqrt(3)/4 = 0.433 even the best
+/// triangle becomes invalid (inequality (4) of section 5.5).
+constexpr double kAllowableBulge = 0.134;
+constexpr double kGoodTriangle = 0.2;
+constexpr int kBulgeRounds = 6;
+constexpr int kRepairRounds = 10;
+
+class Repair {
+  public:
+    Repair(SurfaceEditor& editor, const Progress& progress) : editor_(editor), progress_(progress) {}
+
+    SurfaceRepairs run() {
+        done_.invalid_before = invalid();
+        for (int round = 0; round < kBulgeRounds && split_bulging(); ++round) {
+        }
+        for (int round = 0; round < kRepairRounds && repair_round(round); ++round) {
+        }
+        done_.invalid_after = invalid();
+        return done_;
+    }
+
+  private:
+    int invalid() const {
+        return static_cast<int>(std::count_if(editor_.surface.triangles.begin(), editor_.surface.triangles.end(),
+                                              [](const SurfaceTriangle& t) { return t.alive && !(t.quality > 0.0); }));
+    }
+
+    bool split_bulging() {
+        std::vector<std::pair<int, int>> edges;
+        for (const SurfaceTriangle& t : editor_.surface.triangles) {
+            for (std::size_t k = 0; k < 3 && t.alive; ++k) {
+                const int a = t.corners[k];
+                const int b = t.corners[(k + 1) % 3];
+                if (a < b && editor_.deviation(a, b) > kAllowableBulge * editor_.length(a, b)) {
+                    edges.emplace_back(a, b);
+                }
+            }
+        }
+        bool any = false;
+        for (const auto& [a, b] : edges) {
+            progress_.check();
+            if (editor_.surface.has_edge(a, b) && split_surface_edge(editor_, a, b, SurfaceEditor::Rule::Refine) >= 0) {
+                ++done_.bulge_splits;
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    /// @return whether anything changed.
+    bool repair_round(int round) {
+        std::vector<std::pair<double, int>> bad;
+        for (std::size_t t = 0; t < editor_.surface.triangles.size(); ++t) {
+            const SurfaceTriangle& triangle = editor_.surface.triangles[t];
+            if (triangle.alive && triangle.quality < kGoodTriangle) {
+                bad.emplace_back(triangle.quality, static_cast<int>(t));
+            }
+        }
+        std::sort(bad.begin(), bad.end());
+        bool any = false;
+        for (const auto& [quality, t] : bad) {
+            progress_.check();
+            if (editor_.triangle(t).alive && editor_.triangle(t).quality < kGoodTriangle) {
+                any = repair(t, round) || any;
+            }
+        }
+        return any;
+    }
+
+    bool repair(int t, int round) {
+        const std::array<int, 3> v = editor_.triangle(t).corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (swap_surface_edge(editor_, v[k], v[(k + 1) % 3])) {
+                ++done_.swaps;
+                return true;
+            }
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (curve_beside(v[k], v[(k + 1) % 3], v[(k + 2) % 3])) {
+                ++done_.curved_edges;
+                return true;
+            }
+        }
+        // Drawing vertices together makes the mesh coarser: only short edges, and only once splitting had its turn.
+        if (round > 0 && collapse_shortest(v)) {
+            ++done_.collapses;
+            return true;
+        }
+        const auto [a, b] = edge_to_split(v);
+        if (split_surface_edge(editor_, a, b, SurfaceEditor::Rule::Refine) >= 0) {
+            ++done_.splits;
+            return true;
+        }
+        return false;
+    }
+
+    /// Edges that meet in a, of a triangle: one on the border, the other inside.
+    bool curve_beside(int a, int b, int c) {
+        return (editor_.surface.segment(a, c) != nullptr && curve_face_edge(editor_, a, b, c)) ||
+               (editor_.surface.segment(a, b) != nullptr && curve_face_edge(editor_, a, c, b));
+    }
+
+    bool collapse_shortest(const std::array<int, 3>& v) {
+        std::size_t shortest = 0;
+        for (std::size_t k = 1; k < 3; ++k) {
+            if (editor_.length(v[k], v[(k + 1) % 3]) < editor_.length(v[shortest], v[(shortest + 1) % 3])) {
+                shortest = k;
+            }
+        }
+        const int a = v[shortest];
+        const int b = v[(shortest + 1) % 3];
+        return collapse_surface_edge(editor_, a, b) || collapse_surface_edge(editor_, b, a);
+    }
+
+    /// The edge that bulges most against the height of the triangle on it; the longest where none bulges.
+    std::pair<int, int> edge_to_split(const std::array<int, 3>& v) const {
+        constexpr double kBulges = 0.05;
+        const Vec3 normal =
+            (editor_.point(v[1]) - editor_.point(v[0])).cross(editor_.point(v[2]) - editor_.point(v[0]));
+        std::pair<int, int> bulging{v[0], v[1]};
+        std::pair<int, int> longest = bulging;
+        double most = 0.0;
+        double length = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = v[k];
+            const int b = v[(k + 1) % 3];
+            const double edge = editor_.length(a, b);
+            const double height = normal.norm() / edge;
+            const double ratio = editor_.deviation(a, b) / std::max(height, 1e-12 * edge);
+            if (ratio > most) {
+                most = ratio;
+                bulging = {a, b};
+            }
+            if (edge > length) {
+                length = edge;
+                longest = {a, b};
+            }
+        }
+        return most > kBulges ? bulging : longest;
+    }
+
+    SurfaceEditor& editor_;
+    const Progress& progress_;
+    SurfaceRepairs done_;
+};
+
+}  // namespace
+
+SurfaceRepairs repair_surface(SurfaceEditor& editor, const Progress& progress) {
+    return Repair(editor, progress).run();
+}
+
+}  // namespace mq::curve
