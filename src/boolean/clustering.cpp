@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/clustering.h"
+
+#include <utility>
+
+namespace mq::boolean {
+
+std::vector<std::uint32_t> count_samples(const OperandPair& pair, const std::array<LayeredDepthSet, 2>& operands) {
+    std::vector<std::uint32_t> samples(pair.triangles.size(), 0);
+    for (const LayeredDepthSet& operand : operands) {
+        for (const LayeredDepth& direction : operand) {
+            for (const std::int32_t code : direction.code) {
+                ++samples[code < 0 ? ~code : code];
+            }
+        }
+    }
+    return samples;
+}
+
+std::vector<std::int32_t> cluster(const OperandPair& pair, const std::vector<std::uint32_t>& samples) {
+    const auto count = static_cast<std::int32_t>(pair.triangles.size());
+    std::vector<std::int32_t> region(count, -1);
+    std::vector<std::int32_t> at_point(pair.points.size(), -1);
+    std::vector<std::int32_t> missed;
+    const auto label = [&](std::int32_t t) {
+        for (const std::int32_t p : pair.triangles[t]) {
+            if (at_point[p] < 0) {
+                at_point[p] = region[t];
+            }
+        }
+    };
+    for (std::int32_t t = 0; t < count; ++t) {
+        if (samples[t] > 0) {
+            region[t] = t;
+            label(t);
+        } else {
+            missed.push_back(t);
+        }
+    }
+    std::vector<std::int32_t> reached, rest;
+    do {
+        reached.clear();
+        rest.clear();
+        for (const std::int32_t t : missed) {
+            for (const std::int32_t p : pair.triangles[t]) {
+                if (at_point[p] >= 0) {
+                    region[t] = at_point[p];
+                    break;
+                }
+            }
+            (region[t] >= 0 ? reached : rest).push_back(t);
+        }
+        for (const std::int32_t t : reached) {
+            label(t);
+        }
+        std::swap(missed, rest);
+    } while (!reached.empty());
+    return region;
+}
+
+}  // namespace mq::boolean

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/combine.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "base/error.h"
+#include "boolean/parallel.h"
+
+namespace mq::boolean {
+
+namespace {
+
+struct Sample {
+    double depth;
+    std::int32_t source;
+};
+
+std::int32_t triangle_of(std::int32_t code) { return code < 0 ? ~code : code; }
+
+/// Walks along one ray after the other.
+class RayMerger {
+  public:
+    explicit RayMerger(const CombineOptions& options) : options_(options) {}
+
+    /// Appends the samples of the result.
+    void merge(const std::array<const LayeredDepth*, 2>& operands, std::size_t ray, std::vector<Sample>& out);
+    /// Of the last ray: the operand whose entries and exits do not balance, or -1.
+    int unbalanced() const { return index_[0] != 0 ? 0 : index_[1] != 0 ? 1 : -1; }
+
+  private:
+    struct Event {
+        std::int32_t code;
+        int operand;
+    };
+    bool inside() const {
+        const auto in = [&](int k) { return options_.normal_index ? index_[k] > 0 : parity_[k]; };
+        return in_result(options_.operation, in(0), in(1));
+    }
+    void pass(const Event& event) {
+        index_[event.operand] += event.code < 0 ? -1 : 1;
+        parity_[event.operand] = !parity_[event.operand];
+    }
+    /// The lowest triangle among the events that turn the result in or out; -1 when none does.
+    std::int32_t chosen(bool enters) const;
+
+    const CombineOptions& options_;
+    std::array<int, 2> index_{};
+    std::array<bool, 2> parity_{};
+    std::vector<Event> cluster_;
+};
+
+std::int32_t RayMerger::chosen(bool enters) const {
+    std::int32_t best = -1;
+    for (const Event& event : cluster_) {
+        const bool reversed = (event.code >= 0) != enters;
+        if (options_.operation != Operation::SymmetricDifference) {
+            const bool may_reverse = options_.operation == Operation::Difference && event.operand == 1;
+            if (options_.normal_index && reversed != may_reverse) {
+                continue;
+            }
+        }
+        const std::int32_t source = 2 * triangle_of(event.code) + (reversed ? 1 : 0);
+        if (best < 0 || source < best) {
+            best = source;
+        }
+    }
+    return best;
+}
+
+void RayMerger::merge(const std::array<const LayeredDepth*, 2>& operands, std::size_t ray, std::vector<Sample>& out) {
+    std::array<std::uint32_t, 2> at{}, end{};
+    for (int k = 0; k < 2; ++k) {
+        at[k] = operands[k]->begin[ray];
+        end[k] = operands[k]->begin[ray + 1];
+    }
+    index_ = {};
+    parity_ = {};
+    const std::size_t first = out.size();
+    const auto next_depth = [&](int k) { return at[k] < end[k] ? operands[k]->depth[at[k]] : 1e300; };
+    while (at[0] < end[0] || at[1] < end[1]) {
+        const double depth = std::min(next_depth(0), next_depth(1));
+        const bool before = inside();
+        cluster_.clear();
+        for (int k = 0; k < 2; ++k) {
+            for (; next_depth(k) <= depth + options_.thinnest; ++at[k]) {
+                cluster_.push_back({operands[k]->code[at[k]], k});
+                pass(cluster_.back());
+            }
+        }
+        if (inside() == before) {
+            continue;
+        }
+        if (out.size() > first && depth - out.back().depth < options_.thinnest) {
+            out.pop_back();
+        } else {
+            out.push_back({depth, chosen(!before)});
+        }
+    }
+}
+
+[[noreturn]] void fail_unbalanced(int operand, int axis, std::size_t ray, const SampleGrid& grid) {
+    Vec3 at = Vec3::Zero();
+    at[(axis + 1) % 3] = static_cast<double>(ray % grid.rays());
+    at[(axis + 2) % 3] = static_cast<double>(ray / grid.rays());
+    const Vec3 p = grid.to_space(at);
+    std::ostringstream text;
+    text << "operand " << (operand == 0 ? "A" : "B") << " is not closed or not oriented: along " << "xyz"[axis]
+         << ", the line through (" << p.x() << ", " << p.y() << ", " << p.z()
+         << ") does not leave it as often as it enters; fill its holes and turn its triangles outwards first";
+    throw InvalidInput(text.str());
+}
+
+struct Row {
+    std::vector<Sample> samples;
+    std::vector<std::uint32_t> counts;  // of each ray
+};
+
+CombinedDepth join(const std::vector<Row>& rows) {
+    CombinedDepth result;
+    std::size_t count = 0;
+    for (const Row& row : rows) {
+        count += row.samples.size();
+    }
+    result.begin.reserve(rows.size() * rows.size() + 1);
+    result.begin.push_back(0);
+    result.depth.reserve(count);
+    result.source.reserve(count);
+    for (const Row& row : rows) {
+        for (const std::uint32_t n : row.counts) {
+            result.begin.push_back(result.begin.back() + n);
+        }
+        for (const Sample& s : row.samples) {
+            result.depth.push_back(s.depth);
+            result.source.push_back(s.source);
+        }
+    }
+    return result;
+}
+
+CombinedDepth combine_along(int axis, const std::array<LayeredDepthSet, 2>& operands, const SampleGrid& grid,
+                            const CombineOptions& options, const Progress* progress) {
+    const std::array<const LayeredDepth*, 2> along{&operands[0][axis], &operands[1][axis]};
+    std::vector<Row> rows(grid.rays());
+    for_all(grid.rays(), [&](int v) {
+        if (progress != nullptr) {
+            progress->check();
+        }
+        RayMerger merger(options);
+        Row& row = rows[v];
+        row.counts.reserve(grid.rays());
+        for (int u = 0; u < grid.rays(); ++u) {
+            const std::size_t ray = static_cast<std::size_t>(v) * grid.rays() + u;
+            const std::size_t before = row.samples.size();
+            merger.merge(along, ray, row.samples);
+            if (merger.unbalanced() >= 0) {
+                fail_unbalanced(merger.unbalanced(), axis, ray, grid);
+            }
+            row.counts.push_back(static_cast<std::uint32_t>(row.samples.size() - before));
+        }
+    });
+    return join(rows);
+}
+
+}  // namespace
+
+CombinedSet combine(const std::array<LayeredDepthSet, 2>& operands, const SampleGrid& grid,
+                    const CombineOptions& options, const Progress* progress) {
+    CombinedSet result;
+    for (int axis = 0; axis < 3; ++axis) {
+        result[axis] = combine_along(axis, operands, grid, options, progress);
+    }
+    return result;
+}
+
+}  // namespace mq::boolean

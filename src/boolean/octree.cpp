@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/octree.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boolean/cell_samples.h"
+#include "boolean/parallel.h"
+#include "boolean/quadric.h"
+
+namespace mq::boolean {
+
+namespace {
+
+/// The largest distance of a minimiser from a sample's plane, in units of r (section III-A).
+constexpr double kFlatness = 0.1;
+/// A vertex keeps this distance from the walls of its cell, so that no two coincide.
+constexpr double kInset = 1e-3;
+/// The levels below the root that are always split: their cells are the parallel tasks.
+constexpr int kTaskLevels = 2;
+
+constexpr int kTasksPerSide = 1 << kTaskLevels;
+constexpr int kTaskNodes = 1 + 8 + 64;
+
+/// The part of the segment within the closed cell; false when there is none.
+bool clip(const Vec3& a, const Vec3& b, const CellBox& box, double& from, double& to) {
+    from = 0.0;
+    to = 1.0;
+    for (int k = 0; k < 3; ++k) {
+        const double low = box.low[k] - a[k], high = box.low[k] + box.size - a[k], d = b[k] - a[k];
+        if (d == 0.0) {
+            if (low > 0.0 || high < 0.0) {
+                return false;
+            }
+            continue;
+        }
+        const auto [enter, leave] = std::minmax(low / d, high / d);
+        from = std::max(from, enter);
+        to = std::min(to, leave);
+    }
+    return from <= to;
+}
+
+}  // namespace
+
+std::int32_t Octree::leaf_at(int x, int y, int z) const {
+    std::int32_t node = 0;
+    for (int level = levels_ - 1; nodes_[node] >= 0; --level) {
+        node = nodes_[node] + (x >> level & 1) + 2 * (y >> level & 1) + 4 * (z >> level & 1);
+    }
+    return nodes_[node] == -1 ? -1 : -2 - nodes_[node];
+}
+
+/// What all tasks read.
+class OctreeBuilder {
+  public:
+    OctreeBuilder(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
+                  const std::vector<Fate>& fate, const RetainedSurface& retained);
+
+    Octree build(Progress* progress);
+
+  private:
+    struct Part {
+        std::vector<CellSample> samples;
+        Octree tree;
+    };
+    /// One task: the subtree below a cell.
+    class Subtree;
+
+    void distribute(std::vector<Part>& parts) const;
+    void append(Octree& tree, Octree& part, std::int32_t node) const;
+    std::uint8_t nodes_of(const CellBox& box) const;
+    Vec3 position(const CellSample& s) const {
+        Vec3 p(s.at[0], s.at[1], s.at[2]);
+        p[s.axis] = combined_[s.axis].depth[s.index];
+        return p;
+    }
+    Vec3 normal(const CellSample& s) const {
+        return normals_[CombinedDepth::triangle(combined_[s.axis].source[s.index])].cast<double>();
+    }
+
+    const OperandPair& pair_;
+    const SampleGrid& grid_;
+    const CombinedSet& combined_;
+    const std::vector<Fate>& fate_;
+    const RetainedSurface& retained_;
+    std::vector<Eigen::Matrix<float, 3, 1, Eigen::DontAlign>> normals_;
+    std::vector<std::array<Vec3, 2>> border_;  // in grid coordinates
+};
+
+class OctreeBuilder::Subtree {
+  public:
+    Subtree(const OctreeBuilder& shared, Octree& tree, const Progress* progress)
+        : shared_(shared), tree_(tree), progress_(progress), buffers_(shared.grid_.levels() + 1) {}
+
+    void build(const CellBox& box, const std::vector<CellSample>& samples) {
+        std::vector<CellEdge> edges;
+        for (std::size_t k = 0; k < shared_.border_.size(); ++k) {
+            add_edge(static_cast<std::int32_t>(k), box, edges);
+        }
+        tree_.nodes_.push_back(-1);
+        refine(0, box, samples.data(), samples.data() + samples.size(), edges, 0);
+    }
+
+  private:
+    void add_edge(std::int32_t edge, const CellBox& box, std::vector<CellEdge>& edges) const {
+        CellEdge found{edge, 0.0, 0.0};
+        if (clip(shared_.border_[edge][0], shared_.border_[edge][1], box, found.from, found.to)) {
+            edges.push_back(found);
+        }
+    }
+    void refine(std::size_t node, const CellBox& box, const CellSample* first, const CellSample* last,
+                const std::vector<CellEdge>& edges, int depth);
+    void split(std::size_t node, const CellBox& box, const CellSample* first, const CellSample* last,
+               const std::vector<CellEdge>& edges, int depth);
+    CellKind kind_of(const CellBox& box, const CellCensus& samples, const std::vector<CellEdge>& edges) const;
+    Vec3 minimiser(const CellBox& box, const CellSample* first, const CellSample* last, bool retained_too) const;
+    bool flat(const Vec3& q, const CellSample* first, const CellSample* last) const;
+
+    const OctreeBuilder& shared_;
+    Octree& tree_;
+    const Progress* progress_;
+    std::vector<std::vector<CellSample>> buffers_;  // samples of the eight children, one buffer a level
+};
+
+CellKind OctreeBuilder::Subtree::kind_of(const CellBox& box, const CellCensus& samples,
+                                         const std::vector<CellEdge>& edges) const {
+    if (edges.empty() || samples.retained == 0) {
+        return CellKind::Interior;
+    }
+    Leaf cell;
+    cell.low = {static_cast<std::int16_t>(box.low[0]), static_cast<std::int16_t>(box.low[1]),
+                static_cast<std::int16_t>(box.low[2])};
+    cell.size = static_cast<std::int16_t>(box.size);
+    const auto ends_within = [&](const CellEdge& e) {
+        const std::array<Vec3, 2>& segment = shared_.border_[e.edge];
+        return std::array<bool, 2>{cell.holds(segment[0]), cell.holds(segment[1])};
+    };
+    const auto first = ends_within(edges[0]);
+    if (edges.size() == 1) {
+        return first[0] || first[1] ? CellKind::Complex : CellKind::SingleEdge;
+    }
+    const auto second = ends_within(edges[1]);
+    const auto& e = shared_.retained_.border[edges[0].edge];
+    const auto& f = shared_.retained_.border[edges[1].edge];
+    const bool meet = (e.to == f.from && first[1] && second[0] && !first[0] && !second[1]) ||
+                      (e.from == f.to && first[0] && second[1] && !first[1] && !second[0]);
+    return edges.size() == 2 && meet ? CellKind::SharedVertex : CellKind::Complex;
+}
+
+Vec3 OctreeBuilder::Subtree::minimiser(const CellBox& box, const CellSample* first, const CellSample* last,
+                                       bool retained_too) const {
+    Quadric quadric;
+    for (const CellSample* s = first; s != last; ++s) {
+        if (retained_too || s->reconstructed != 0) {
+            quadric.add(shared_.position(*s), shared_.normal(*s));
+        }
+    }
+    const Vec3 low(box.low[0], box.low[1], box.low[2]);
+    return quadric.minimiser()
+        .cwiseMax(low + Vec3::Constant(kInset))
+        .cwiseMin(low + Vec3::Constant(box.size - kInset));
+}
+
+bool OctreeBuilder::Subtree::flat(const Vec3& q, const CellSample* first, const CellSample* last) const {
+    return std::all_of(first, last, [&](const CellSample& s) {
+        return std::abs((q - shared_.position(s)).dot(shared_.normal(s))) <= kFlatness;
+    });
+}
+
+void OctreeBuilder::Subtree::refine(std::size_t node, const CellBox& box, const CellSample* first,
+                                    const CellSample* last, const std::vector<CellEdge>& edges, int depth) {
+    const CellCensus samples = census(box, first, last);
+    if (samples.reconstructed == 0) {
+        return;
+    }
+    if (progress_ != nullptr && box.size >= 8) {
+        progress_->check();
+    }
+    const CellKind kind = kind_of(box, samples, edges);
+    const bool unit = box.size == 1;
+    // A retained sheet without a border in the cell is another sheet.
+    const bool two_sheets = edges.empty() && samples.retained > 0;
+    if (!unit && (kind == CellKind::Complex || two_sheets || (kind == CellKind::Interior && edges.size() > 2) ||
+                  !simple_topology(shared_.nodes_of(box), samples))) {
+        split(node, box, first, last, edges, depth);
+        return;
+    }
+    const Vec3 q = minimiser(box, first, last, kind != CellKind::Interior);
+    if (!unit && !flat(q, first, last)) {
+        split(node, box, first, last, edges, depth);
+        return;
+    }
+    Leaf leaf;
+    for (int k = 0; k < 3; ++k) {
+        leaf.low[k] = static_cast<std::int16_t>(box.low[k]);
+    }
+    leaf.size = static_cast<std::int16_t>(box.size);
+    leaf.kind = kind;
+    leaf.minimiser = q;
+    leaf.first_edge = static_cast<std::uint32_t>(tree_.edges.size());
+    if (kind != CellKind::Interior) {
+        tree_.edges.insert(tree_.edges.end(), edges.begin(), edges.end());
+    }
+    leaf.end_edge = static_cast<std::uint32_t>(tree_.edges.size());
+    tree_.nodes_[node] = -2 - static_cast<std::int32_t>(tree_.leaves.size());
+    tree_.leaves.push_back(leaf);
+}
+
+void OctreeBuilder::Subtree::split(std::size_t node, const CellBox& box, const CellSample* first,
+                                   const CellSample* last, const std::vector<CellEdge>& edges, int depth) {
+    // On its own axis a sample belongs to one half; across it to both when it lies on the middle plane.
+    const auto children_of = [&](const CellSample& s) {
+        constexpr std::array<std::array<unsigned, 2>, 3> kHalves{{{0x55, 0xaa}, {0x33, 0xcc}, {0x0f, 0xf0}}};
+        unsigned mask = 0xff;
+        for (int k = 0; k < 3; ++k) {
+            const int offset = s.at[k] - box.low[k] - box.size / 2;
+            if (offset != 0 || k == s.axis) {
+                mask &= kHalves[k][offset < 0 ? 0 : 1];
+            }
+        }
+        return mask;
+    };
+    std::array<std::size_t, 9> begin{};
+    for (const CellSample* s = first; s != last; ++s) {
+        const unsigned mask = children_of(*s);
+        for (int c = 0; c < 8; ++c) {
+            begin[c + 1] += mask >> c & 1U;
+        }
+    }
+    for (int c = 0; c < 8; ++c) {
+        begin[c + 1] += begin[c];
+    }
+    std::vector<CellSample>& buffer = buffers_[depth];
+    if (buffer.size() < begin[8]) {
+        buffer.resize(begin[8]);
+    }
+    std::array<std::size_t, 9> next = begin;
+    for (const CellSample* s = first; s != last; ++s) {
+        for (unsigned mask = children_of(*s), c = 0; mask != 0; mask >>= 1, ++c) {
+            if ((mask & 1U) != 0) {
+                buffer[next[c]++] = *s;
+            }
+        }
+    }
+    const std::size_t child = tree_.nodes_.size();
+    tree_.nodes_[node] = static_cast<std::int32_t>(child);
+    tree_.nodes_.resize(child + 8, -1);
+    std::vector<CellEdge> below;
+    for (int c = 0; c < 8; ++c) {
+        const CellBox box_c = box.child(c);
+        below.clear();
+        for (const CellEdge& e : edges) {
+            add_edge(e.edge, box_c, below);
+        }
+        refine(child + c, box_c, buffer.data() + begin[c], buffer.data() + begin[c + 1], below, depth + 1);
+    }
+}
+
+OctreeBuilder::OctreeBuilder(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
+                             const std::vector<Fate>& fate, const RetainedSurface& retained)
+    : pair_(pair), grid_(grid), combined_(combined), fate_(fate), retained_(retained), normals_(pair.triangles.size()) {
+    for (std::size_t t = 0; t < normals_.size(); ++t) {
+        const auto& [a, b, c] = pair.triangles[t];
+        const Vec3 n = (pair.points[b] - pair.points[a]).cross(pair.points[c] - pair.points[a]);
+        const double length = n.norm();
+        normals_[t] = (length > 0.0 ? Vec3(n / length) : n).cast<float>();
+    }
+    border_.reserve(retained.border.size());
+    for (const RetainedSurface::BorderEdge& edge : retained.border) {
+        border_.push_back({grid.to_grid(retained.points[edge.from]), grid.to_grid(retained.points[edge.to])});
+    }
+}
+
+std::uint8_t OctreeBuilder::nodes_of(const CellBox& box) const {
+    unsigned nodes = 0;
+    for (int yz = 0; yz < 4; ++yz) {
+        const std::size_t y = box.low[1] + (yz & 1) * box.size, z = box.low[2] + (yz >> 1) * box.size;
+        const std::size_t ray = z * grid_.rays() + y;
+        nodes |= (combined_[0].inside(ray, box.low[0]) ? 1U : 0U) << (2 * yz);
+        nodes |= (combined_[0].inside(ray, box.low[0] + box.size) ? 1U : 0U) << (2 * yz + 1);
+    }
+    return static_cast<std::uint8_t>(nodes);
+}
+
+/// Sorts the samples into the tasks; a sample between two tasks goes to both.
+void OctreeBuilder::distribute(std::vector<Part>& parts) const {
+    const int shift = grid_.levels() - kTaskLevels;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
+        const CombinedDepth& direction = combined_[axis];
+        for (std::size_t ray = 0; ray + 1 < direction.begin.size(); ++ray) {
+            for (std::uint32_t i = direction.begin[ray]; i < direction.begin[ray + 1]; ++i) {
+                CellSample s;
+                s.at[axis] = static_cast<std::int16_t>(std::ceil(direction.depth[i]) - 1);
+                s.at[u_axis] = static_cast<std::int16_t>(ray % grid_.rays());
+                s.at[v_axis] = static_cast<std::int16_t>(ray / grid_.rays());
+                s.axis = static_cast<std::uint8_t>(axis);
+                s.reconstructed = fate_[CombinedDepth::triangle(direction.source[i])] == Fate::Removed ? 1 : 0;
+                s.index = i;
+                std::array<int, 3> from{}, to{};
+                for (int k = 0; k < 3; ++k) {
+                    to[k] = std::min(s.at[k] >> shift, kTasksPerSide - 1);
+                    from[k] = k == axis ? to[k] : std::max((s.at[k] - 1) >> shift, 0);
+                }
+                for (int z = from[2]; z <= to[2]; ++z) {
+                    for (int y = from[1]; y <= to[1]; ++y) {
+                        for (int x = from[0]; x <= to[0]; ++x) {
+                            parts[x + kTasksPerSide * (y + kTasksPerSide * z)].samples.push_back(s);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Puts a task's subtree below its node.
+void OctreeBuilder::append(Octree& tree, Octree& part, std::int32_t node) const {
+    const auto shift = static_cast<std::int32_t>(tree.nodes_.size()) - 1;  // its root becomes `node`
+    const auto leaf_shift = static_cast<std::int32_t>(tree.leaves.size());
+    const auto edge_shift = static_cast<std::uint32_t>(tree.edges.size());
+    const auto moved = [&](std::int32_t value) {
+        return value >= 0 ? value + shift : value == -1 ? -1 : value - leaf_shift;
+    };
+    tree.nodes_[node] = moved(part.nodes_[0]);
+    for (std::size_t k = 1; k < part.nodes_.size(); ++k) {
+        tree.nodes_.push_back(moved(part.nodes_[k]));
+    }
+    for (Leaf leaf : part.leaves) {
+        leaf.first_edge += edge_shift;
+        leaf.end_edge += edge_shift;
+        tree.leaves.push_back(leaf);
+    }
+    tree.edges.insert(tree.edges.end(), part.edges.begin(), part.edges.end());
+}
+
+Octree OctreeBuilder::build(Progress* progress) {
+    std::vector<Part> parts(kTasksPerSide * kTasksPerSide * kTasksPerSide);
+    distribute(parts);
+    const int size = grid_.cells() / kTasksPerSide;
+    for_all(static_cast<int>(parts.size()), [&](int k) {
+        const CellBox box{{k % 4 * size, k / 4 % 4 * size, k / 16 * size}, size};
+        Subtree(*this, parts[k].tree, progress).build(box, parts[k].samples);
+        parts[k].samples = {};
+    });
+    Octree tree;
+    tree.levels_ = grid_.levels();
+    tree.nodes_.assign(kTaskNodes, -1);
+    tree.nodes_[0] = 1;
+    for (int c = 0; c < 8; ++c) {
+        tree.nodes_[1 + c] = 9 + 8 * c;
+        for (int d = 0; d < 8; ++d) {
+            const int x = 2 * (c & 1) + (d & 1), y = 2 * (c >> 1 & 1) + (d >> 1 & 1), z = 2 * (c >> 2) + (d >> 2);
+            append(tree, parts[x + kTasksPerSide * (y + kTasksPerSide * z)].tree, 9 + 8 * c + d);
+        }
+    }
+    return tree;
+}
+
+Octree build_octree(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
+                    const std::vector<Fate>& fate, const RetainedSurface& retained, Progress* progress) {
+    return OctreeBuilder(pair, grid, combined, fate, retained).build(progress);
+}
+
+}  // namespace mq::boolean

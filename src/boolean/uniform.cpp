@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/uniform.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+#include "base/error.h"
+#include "boolean/clustering.h"
+#include "boolean/contour.h"
+#include "boolean/hole_filling.h"
+#include "boolean/node_open.h"
+#include "boolean/rasterise.h"
+#include "boolean/stitch.h"
+#include "mesh/edge_table.h"
+
+namespace mq::boolean {
+
+namespace {
+
+constexpr int kLowestResolution = 9;
+constexpr int kHighestResolution = (1 << kMaxLevels) + 1;
+
+void require_options(const UniformOptions& options) {
+    if (options.resolution < kLowestResolution || options.resolution > kHighestResolution) {
+        throw InvalidInput("resolution is " + std::to_string(options.resolution) + ": it must be from " +
+                           std::to_string(kLowestResolution) + " to " + std::to_string(kHighestResolution) + " rays");
+    }
+    if (!(options.thinnest >= 0.0 && options.thinnest < 0.01)) {
+        throw InvalidInput("thinnest is " + std::to_string(options.thinnest) +
+                           ": it must be a fraction of the longest side, from 0 to less than 0.01");
+    }
+}
+
+/// A number that is zero when every directed edge has its reverse; of an open surface it is zero by accident only, once
+/// in 2^64 times.
+std::uint64_t edge_balance(const mesh::TriangleMesh& mesh) {
+    const auto mixed = [](std::uint64_t from, std::uint64_t to) {
+        std::uint64_t x = (from << 32 | to) * 0x9e3779b97f4a7c15ULL;
+        x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ULL;
+        x = (x ^ x >> 27) * 0x94d049bb133111ebULL;
+        return x ^ x >> 31;
+    };
+    std::uint64_t sum = 0;
+    for (const mesh::Triangle& t : mesh.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            const auto from = static_cast<std::uint32_t>(t[i]), to = static_cast<std::uint32_t>(t[(i + 1) % 3]);
+            if (from != to) {
+                sum += mixed(from, to) - mixed(to, from);
+            }
+        }
+    }
+    return sum;
+}
+
+void require_closed(const mesh::TriangleMesh& mesh, const char* name) {
+    if (edge_balance(mesh) == 0) {
+        return;
+    }
+    const mesh::EdgeTable edges(mesh.triangles, mesh.vertices.size());
+    edges.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
+        std::ptrdiff_t up = 0;
+        for (const std::uint32_t* c = first; c != last; ++c) {
+            up += mesh.triangles[*c / 3][*c % 3] == low ? 1 : -1;
+        }
+        if (up != 0) {
+            const Vec3 p = mesh.origin + 0.5 * (mesh.vertices[low] + mesh.vertices[high]);
+            throw InvalidInput(std::string("operand ") + name + " is not closed or not oriented at (" +
+                               std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) +
+                               "), on the edge of vertices " + std::to_string(low) + " and " + std::to_string(high) +
+                               "; fill its holes and turn its triangles outwards first");
+        }
+    });
+}
+
+void require_operands(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
+    mesh::require_valid(a);
+    mesh::require_valid(b);
+    if (a.origin != b.origin) {
+        throw InvalidInput("the operands have different origins; give both meshes in one frame");
+    }
+    require_closed(a, "A");
+    require_closed(b, "B");
+}
+
+Box box_of(const OperandPair& pair) {
+    Box box;
+    for (const mesh::Triangle& t : pair.triangles) {
+        for (const std::int32_t p : t) {
+            box.add(pair.points[p]);
+        }
+    }
+    return box;
+}
+
+/// One run of the method; the stages in their order.
+class UniformBoolean {
+  public:
+    UniformBoolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
+                   const UniformOptions& options, Progress* progress)
+        : operation_(operation),
+          options_(options),
+          progress_(progress),
+          pair_(a, b),
+          grid_(box_of(pair_), options.resolution) {
+        result_.mesh.origin = a.origin;
+        result_.spacing = grid_.spacing();
+    }
+
+    UniformResult run();
+
+  private:
+    void stage(const char* name, double from, double to, const std::function<void()>& work);
+    void sample();
+    void combine_samples();
+    void contour_cells();
+    void make_manifold();
+    void fill(const std::vector<std::int32_t>& hole, EdgeSet& edges);
+    void assemble();
+
+    Operation operation_;
+    UniformOptions options_;
+    Progress* progress_;
+    OperandPair pair_;
+    SampleGrid grid_;
+    std::array<LayeredDepthSet, 2> operands_;
+    std::vector<std::uint32_t> sample_count_;
+    std::vector<std::int32_t> region_;
+    CombinedSet combined_;
+    std::vector<Fate> fate_;
+    RetainedSurface surface_;  // at the end with all triangles
+    Octree octree_;
+    std::vector<std::int32_t> leaf_vertex_;
+    std::vector<mesh::Triangle> reconstructed_;
+    UniformResult result_;
+};
+
+void UniformBoolean::stage(const char* name, double from, double to, const std::function<void()>& work) {
+    if (progress_ != nullptr) {
+        progress_->stage(name, from, to);
+        progress_->check();
+    }
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    result_.seconds.emplace_back(name, seconds.count());
+}
+
+void UniformBoolean::sample() {
+    for (int k = 0; k < 2; ++k) {
+        operands_[k] = rasterise(pair_, k, grid_, progress_);
+        for (const LayeredDepth& direction : operands_[k]) {
+            result_.samples += direction.depth.size();
+        }
+    }
+}
+
+void UniformBoolean::combine_samples() {
+    CombineOptions options;
+    options.operation = operation_;
+    options.thinnest = options_.thinnest * grid_.cells();
+    options.normal_index = options_.normal_index;
+    combined_ = combine(operands_, grid_, options, progress_);
+    operands_ = {};
+    for (const CombinedDepth& direction : combined_) {
+        result_.result_samples += direction.depth.size();
+    }
+}
+
+void UniformBoolean::contour_cells() {
+    ContouredSurface contoured = contour(octree_, grid_, combined_, fate_, leaf_vertex_, surface_);
+    reconstructed_ = std::move(contoured.triangles);
+    result_.refused_triangles = contoured.refused;
+    result_.reconstructed = reconstructed_.size();
+}
+
+/// Fills one hole; where all triangulations of its corners would reuse an edge, with a fan around a new point.
+void UniformBoolean::fill(const std::vector<std::int32_t>& hole, EdgeSet& edges) {
+    std::vector<Vec3> loop;
+    loop.reserve(hole.size());
+    for (const std::int32_t p : hole) {
+        loop.push_back(surface_.points[p]);
+    }
+    std::vector<mesh::Triangle> filling = fill_hole(loop, [&](std::int32_t i, std::int32_t j) {
+        return loop[i] != loop[j] && !edges.has(hole[i], hole[j]) && !edges.has(hole[j], hole[i]);
+    });
+    std::vector<std::int32_t> corners = hole;
+    if (filling.empty()) {
+        Vec3 centre = Vec3::Zero();
+        for (const Vec3& p : loop) {
+            centre += p / static_cast<double>(loop.size());
+        }
+        const auto n = static_cast<std::int32_t>(hole.size());
+        corners.push_back(static_cast<std::int32_t>(surface_.points.size()));
+        surface_.points.push_back(to_single(centre));
+        for (std::int32_t i = 0; i < n; ++i) {
+            filling.push_back({i, (i + 1) % n, n});
+        }
+    }
+    for (const mesh::Triangle& t : filling) {
+        const mesh::Triangle filled{corners[t[0]], corners[t[1]], corners[t[2]]};
+        edges.add(filled);
+        surface_.triangles.push_back(filled);
+        surface_.source.push_back(-1);
+    }
+    ++result_.holes_filled;
+    result_.hole_triangles += filling.size();
+    result_.largest_hole = std::max(result_.largest_hole, hole.size());
+}
+
+/// Node-Open, then the holes (section III-C). Only triangles around the border and new ones can need it.
+void UniformBoolean::make_manifold() {
+    std::vector<std::uint8_t> candidate = surface_.on_border;
+    for (const mesh::Triangle& t : reconstructed_) {
+        for (const std::int32_t p : t) {
+            candidate[p] = 1;
+        }
+    }
+    std::vector<std::int32_t> place;
+    std::vector<mesh::Triangle> active;
+    for (std::size_t k = 0; k < surface_.triangles.size(); ++k) {
+        const mesh::Triangle& t = surface_.triangles[k];
+        if (candidate[t[0]] != 0 || candidate[t[1]] != 0 || candidate[t[2]] != 0) {
+            place.push_back(static_cast<std::int32_t>(k));
+            active.push_back(t);
+        }
+    }
+    active.insert(active.end(), reconstructed_.begin(), reconstructed_.end());
+    result_.opened_nodes = open_nodes(surface_.points, active, candidate);
+    candidate.resize(surface_.points.size(), 1);
+    for (std::size_t k = 0; k < place.size(); ++k) {
+        surface_.triangles[place[k]] = active[k];
+    }
+    surface_.triangles.insert(surface_.triangles.end(), active.begin() + static_cast<std::ptrdiff_t>(place.size()),
+                              active.end());
+    surface_.source.resize(surface_.triangles.size(), -1);
+    const std::vector<std::vector<std::int32_t>> holes = find_holes(active, candidate);
+    if (holes.empty()) {
+        return;
+    }
+    EdgeSet edges;
+    for (const mesh::Triangle& t : active) {
+        edges.add(t);
+    }
+    for (const std::vector<std::int32_t>& hole : holes) {
+        fill(hole, edges);
+        if (progress_ != nullptr) {
+            progress_->check();
+        }
+    }
+}
+
+/// Drops unused points and names the sources.
+void UniformBoolean::assemble() {
+    std::vector<std::int32_t> index(surface_.points.size(), -1);
+    mesh::TriangleMesh& mesh = result_.mesh;
+    for (const mesh::Triangle& t : surface_.triangles) {
+        for (const std::int32_t p : t) {
+            index[p] = 0;
+        }
+    }
+    for (std::size_t p = 0; p < index.size(); ++p) {
+        if (index[p] == 0) {
+            index[p] = static_cast<std::int32_t>(mesh.vertices.size());
+            mesh.vertices.push_back(surface_.points[p]);
+        }
+    }
+    mesh.triangles.reserve(surface_.triangles.size());
+    result_.triangle_source.reserve(surface_.triangles.size());
+    for (std::size_t k = 0; k < surface_.triangles.size(); ++k) {
+        const mesh::Triangle& t = surface_.triangles[k];
+        mesh.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
+        const std::int32_t source = surface_.source[k];
+        if (source < 0) {
+            result_.triangle_source.push_back({-1, -1});
+        } else {
+            const int operand = pair_.operand_of(source);
+            result_.triangle_source.push_back({operand, source - pair_.first_triangle[operand]});
+            ++result_.retained;
+        }
+    }
+    const std::size_t made = mesh.triangles.size() - result_.retained;
+    result_.changed = made - result_.reconstructed - result_.hole_triangles;
+    result_.error_bound = made > 0 ? std::sqrt(3.0) * grid_.spacing() : 0.0;
+}
+
+UniformResult UniformBoolean::run() {
+    stage("sampling", 0.0, 0.3, [&] { sample(); });
+    stage("clustering", 0.3, 0.35, [&] {
+        sample_count_ = count_samples(pair_, operands_);
+        region_ = cluster(pair_, sample_count_);
+        result_.unsampled_triangles = static_cast<std::size_t>(std::count(region_.begin(), region_.end(), -1));
+    });
+    stage("Boolean of samples", 0.35, 0.5, [&] { combine_samples(); });
+    stage("membership", 0.5, 0.6, [&] {
+        fate_ = classify(pair_, sample_count_, region_, combined_);
+        surface_ = retained_surface(pair_, fate_);
+    });
+    stage("octree", 0.6, 0.75, [&] { octree_ = build_octree(pair_, grid_, combined_, fate_, surface_, progress_); });
+    stage("stitching", 0.75, 0.8, [&] {
+        StitchCounts counts;
+        leaf_vertex_ = stitch(octree_, grid_, surface_, counts);
+        result_.cells = octree_.leaves.size();
+        result_.boundary_cells = counts.boundary_cells;
+        result_.complex_cells = counts.complex_cells;
+        result_.split_edges = counts.split_edges;
+        result_.collapsed_nodes = counts.collapsed_nodes;
+        result_.moved_nodes = counts.moved_nodes;
+        result_.left_nodes = counts.left_nodes;
+    });
+    stage("contouring", 0.8, 0.9, [&] { contour_cells(); });
+    stage("two-manifold", 0.9, 0.98, [&] { make_manifold(); });
+    stage("assembly", 0.98, 1.0, [&] { assemble(); });
+    return std::move(result_);
+}
+
+}  // namespace
+
+UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
+                                    const UniformOptions& options, Progress* progress) {
+    require_options(options);
+    require_operands(a, b);
+    return UniformBoolean(a, b, operation, options, progress).run();
+}
+
+}  // namespace mq::boolean

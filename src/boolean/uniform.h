@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/progress.h"
+#include "boolean/operation.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// Options of the uniform scheme.
+struct UniformOptions {
+    int resolution = 513;  ///< rays along the longest side of both operands' box, rounded up to 2^n + 1; 9 to 4097
+    /// Gaps and slabs thinner than this vanish and surfaces nearer than this are in contact, as a fraction of the
+    /// longest side (the paper's epsilon).
+    double thinnest = 1e-5;
+    /// Whether inside is where the normal index is 1 or more, so that of an operand that intersects itself only the
+    /// outer surface counts. Otherwise inside is after an odd number of crossings.
+    bool normal_index = true;
+};
+
+/// A Boolean by layered depth images, and what happened on the way.
+struct UniformResult {
+    mesh::TriangleMesh mesh;
+    /// Operand (0 or 1) and index there of each triangle that is the operand's own, all coordinates unchanged (reversed
+    /// where the result has its outside within the operand); {-1, -1} for triangles made or changed here.
+    std::vector<std::array<std::int32_t, 2>> triangle_source;
+    /// sqrt(3) r, where r is the distance between rays: every point of the true result has a sample this near (Wang
+    /// 2010, section IV-A). It holds for features that rays meet; thinner ones may be lost, as the paper says. 0 where
+    /// nothing was reconstructed. mm.
+    double error_bound = 0.0;
+    double spacing = 0.0;  ///< r, mm
+
+    std::size_t samples = 0;              ///< of both operands
+    std::size_t result_samples = 0;       ///< of the result
+    std::size_t retained = 0;             ///< triangles that are an operand's own
+    std::size_t changed = 0;              ///< triangles of operands that stitching split or moved
+    std::size_t reconstructed = 0;        ///< triangles made by contouring
+    std::size_t unsampled_triangles = 0;  ///< in components that no ray met: they are lost
+    std::size_t cells = 0;                ///< leaves of the octree with samples to reconstruct
+    std::size_t boundary_cells = 0;
+    std::size_t complex_cells = 0;  ///< boundary cells that the three filters had to amend
+    std::size_t split_edges = 0, collapsed_nodes = 0, moved_nodes = 0, left_nodes = 0;
+    std::size_t refused_triangles = 0;  ///< not made, because an edge would have had a third triangle
+    std::size_t opened_nodes = 0;       ///< points added by Node-Open
+    std::size_t holes_filled = 0, hole_triangles = 0, largest_hole = 0;
+
+    std::vector<std::pair<std::string, double>> seconds;  ///< stage, wall-clock seconds
+};
+
+/// The approximate Boolean of Wang 2010 on a uniform grid of rays (method "uniform").
+///
+/// The result is closed, oriented and 2-manifold in its connections. As in the paper it is not guaranteed to be free of
+/// self-intersections where it was reconstructed, and features thinner than the distance between rays may be lost.
+/// @throws InvalidInput for an option out of range, an operand that is not closed and oriented, or operands with
+///     different origins
+/// @throws Cancelled
+UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
+                                    const UniformOptions& options, Progress* progress);
+
+}  // namespace mq::boolean
