@@ -31,8 +31,8 @@ struct CellBox {
 /// What the samples in a closed cell tell about its topology.
 struct CellCensus {
     int reconstructed = 0, retained = 0;
-    bool crowded_edge = false;        ///< more than one sample on one of the twelve edges
-    std::uint8_t faces_hit = 0;       ///< bit 2 * axis + side: a sample lies in that face
+    bool crowded_edge = false;   ///< more than one sample on one of the twelve edges
+    std::uint8_t faces_hit = 0;  ///< bit 2 * axis + side: a sample lies in that face
 };
 
 inline CellCensus census(const CellBox& box, const CellSample* first, const CellSample* last) {

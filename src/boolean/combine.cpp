@@ -16,7 +16,9 @@ struct Sample {
     std::int32_t source;
 };
 
-std::int32_t triangle_of(std::int32_t code) { return code < 0 ? ~code : code; }
+std::int32_t triangle_of(std::int32_t code) {
+    return code < 0 ? ~code : code;
+}
 
 /// Walks along one ray after the other.
 class RayMerger {
@@ -29,73 +31,70 @@ class RayMerger {
     int unbalanced() const { return index_[0] != 0 ? 0 : index_[1] != 0 ? 1 : -1; }
 
   private:
-    struct Event {
-        std::int32_t code;
-        int operand;
-    };
     bool inside() const {
         const auto in = [&](int k) { return options_.normal_index ? index_[k] > 0 : parity_[k]; };
         return in_result(options_.operation, in(0), in(1));
     }
-    void pass(const Event& event) {
-        index_[event.operand] += event.code < 0 ? -1 : 1;
-        parity_[event.operand] = !parity_[event.operand];
-    }
-    /// The lowest triangle among the events that turn the result in or out; -1 when none does.
-    std::int32_t chosen(bool enters) const;
+    std::int32_t in_contact(const LayeredDepth& other, int operand, double depth, bool enters) const;
 
     const CombineOptions& options_;
     std::array<int, 2> index_{};
     std::array<bool, 2> parity_{};
-    std::vector<Event> cluster_;
+    std::array<std::uint32_t, 2> begin_{}, at_{}, end_{};
+    std::vector<int> operand_;  // whose triangle each sample of the ray has
 };
 
-std::int32_t RayMerger::chosen(bool enters) const {
-    std::int32_t best = -1;
-    for (const Event& event : cluster_) {
-        const bool reversed = (event.code >= 0) != enters;
-        if (options_.operation != Operation::SymmetricDifference) {
-            const bool may_reverse = options_.operation == Operation::Difference && event.operand == 1;
-            if (options_.normal_index && reversed != may_reverse) {
-                continue;
-            }
-        }
-        const std::int32_t source = 2 * triangle_of(event.code) + (reversed ? 1 : 0);
-        if (best < 0 || source < best) {
-            best = source;
+/// The sample of an operand in contact with one of the other at `depth` that turns the same way; -1 when there is none.
+std::int32_t RayMerger::in_contact(const LayeredDepth& other, int operand, double depth, bool enters) const {
+    const bool reversed = options_.operation == Operation::Difference && operand == 1;
+    std::uint32_t i = at_[operand];
+    while (i > begin_[operand] && other.depth[i - 1] >= depth - options_.thinnest) {
+        --i;
+    }
+    for (; i < end_[operand] && other.depth[i] <= depth + options_.thinnest; ++i) {
+        const bool turns_in = (other.code[i] >= 0) != reversed;
+        if (turns_in == enters) {
+            return 2 * triangle_of(other.code[i]) + (reversed ? 1 : 0);
         }
     }
-    return best;
+    return -1;
 }
 
 void RayMerger::merge(const std::array<const LayeredDepth*, 2>& operands, std::size_t ray, std::vector<Sample>& out) {
-    std::array<std::uint32_t, 2> at{}, end{};
     for (int k = 0; k < 2; ++k) {
-        at[k] = operands[k]->begin[ray];
-        end[k] = operands[k]->begin[ray + 1];
+        begin_[k] = at_[k] = operands[k]->begin[ray];
+        end_[k] = operands[k]->begin[ray + 1];
     }
     index_ = {};
     parity_ = {};
-    const std::size_t first = out.size();
-    const auto next_depth = [&](int k) { return at[k] < end[k] ? operands[k]->depth[at[k]] : 1e300; };
-    while (at[0] < end[0] || at[1] < end[1]) {
-        const double depth = std::min(next_depth(0), next_depth(1));
+    operand_.clear();
+    const auto next_depth = [&](int k) { return at_[k] < end_[k] ? operands[k]->depth[at_[k]] : 1e300; };
+    while (at_[0] < end_[0] || at_[1] < end_[1]) {
+        const int k = next_depth(0) <= next_depth(1) ? 0 : 1;
+        const double depth = next_depth(k);
+        const std::int32_t code = operands[k]->code[at_[k]++];
         const bool before = inside();
-        cluster_.clear();
-        for (int k = 0; k < 2; ++k) {
-            for (; next_depth(k) <= depth + options_.thinnest; ++at[k]) {
-                cluster_.push_back({operands[k]->code[at[k]], k});
-                pass(cluster_.back());
-            }
-        }
+        index_[k] += code < 0 ? -1 : 1;
+        parity_[k] = !parity_[k];
         if (inside() == before) {
             continue;
         }
-        if (out.size() > first && depth - out.back().depth < options_.thinnest) {
-            out.pop_back();
-        } else {
-            out.push_back({depth, chosen(!before)});
+        std::int32_t source = 2 * triangle_of(code) + ((code >= 0) == before ? 1 : 0);
+        int operand = k;
+        if (options_.operation != Operation::SymmetricDifference) {
+            const std::int32_t other = in_contact(*operands[1 - k], 1 - k, depth, !before);
+            if (other >= 0 && other < source) {
+                source = other;
+                operand = 1 - k;
+            }
         }
+        if (!operand_.empty() && operand_.back() != operand && depth - out.back().depth <= options_.thinnest) {
+            operand_.pop_back();
+            out.pop_back();
+            continue;
+        }
+        operand_.push_back(operand);
+        out.push_back({depth, source});
     }
 }
 
@@ -105,8 +104,8 @@ void RayMerger::merge(const std::array<const LayeredDepth*, 2>& operands, std::s
     at[(axis + 2) % 3] = static_cast<double>(ray / grid.rays());
     const Vec3 p = grid.to_space(at);
     std::ostringstream text;
-    text << "operand " << (operand == 0 ? "A" : "B") << " is not closed or not oriented: along " << "xyz"[axis]
-         << ", the line through (" << p.x() << ", " << p.y() << ", " << p.z()
+    text << "operand " << (operand == 0 ? "A" : "B") << " is not closed or not oriented: along "
+         << "xyz"[axis] << ", the line through (" << p.x() << ", " << p.y() << ", " << p.z()
          << ") does not leave it as often as it enters; fill its holes and turn its triangles outwards first";
     throw InvalidInput(text.str());
 }

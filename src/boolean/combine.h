@@ -28,7 +28,7 @@ using CombinedSet = std::array<CombinedDepth, 3>;
 
 struct CombineOptions {
     Operation operation = Operation::Union;
-    /// Gaps and slabs thinner than this (grid units) vanish, and samples nearer than this are in contact.
+    /// Samples of A and B no farther apart than this (grid units) are in contact.
     double thinnest = 0.0;
     /// Inside is where the normal index is 1 or more (Wang 2010, section IV-C), so that of an operand that intersects
     /// itself only the outer surface counts; otherwise inside is after an odd number of samples.
@@ -37,8 +37,9 @@ struct CombineOptions {
 
 /// The Boolean operation ray by ray (Wang 2010, section II, step 2 and section IV-B), on all cores.
 ///
-/// Samples of A and B in contact make one event, whose sample is that of the lowest triangle that turns the right way
-/// (Remark 3): a contact region keeps one operand's triangles whole.
+/// A gap or a slab between A and B as thin as a contact vanishes. Where both turn the same way the sample is that of
+/// the lower triangle, whichever comes first (Remark 3): a contact region keeps one operand's triangles whole. What one
+/// operand has by itself is left as it is, however thin.
 /// @throws InvalidInput where a ray does not leave an operand as often as it enters: the operand is not closed, or not
 ///     oriented
 CombinedSet combine(const std::array<LayeredDepthSet, 2>& operands, const SampleGrid& grid,

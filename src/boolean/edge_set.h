@@ -17,8 +17,7 @@ class EdgeSet {
     bool has(std::int32_t from, std::int32_t to) const { return slots_[place(key(from, to))] != kEmpty; }
     /// Whether a triangle is proper and none of its edges is in use.
     bool admits(const mesh::Triangle& t) const {
-        return t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && !has(t[0], t[1]) && !has(t[1], t[2]) &&
-               !has(t[2], t[0]);
+        return t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && !has(t[0], t[1]) && !has(t[1], t[2]) && !has(t[2], t[0]);
     }
     void add(std::int32_t from, std::int32_t to) {
         if (2 * (count_ + 1) > slots_.size()) {

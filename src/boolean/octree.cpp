@@ -34,9 +34,8 @@ bool clip(const Vec3& a, const Vec3& b, const CellBox& box, double& from, double
             }
             continue;
         }
-        const auto [enter, leave] = std::minmax(low / d, high / d);
-        from = std::max(from, enter);
-        to = std::min(to, leave);
+        from = std::max(from, std::min(low / d, high / d));
+        to = std::min(to, std::max(low / d, high / d));
     }
     return from <= to;
 }
@@ -157,9 +156,7 @@ Vec3 OctreeBuilder::Subtree::minimiser(const CellBox& box, const CellSample* fir
         }
     }
     const Vec3 low(box.low[0], box.low[1], box.low[2]);
-    return quadric.minimiser()
-        .cwiseMax(low + Vec3::Constant(kInset))
-        .cwiseMin(low + Vec3::Constant(box.size - kInset));
+    return quadric.minimiser().cwiseMax(low + Vec3::Constant(kInset)).cwiseMin(low + Vec3::Constant(box.size - kInset));
 }
 
 bool OctreeBuilder::Subtree::flat(const Vec3& q, const CellSample* first, const CellSample* last) const {

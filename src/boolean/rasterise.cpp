@@ -79,7 +79,8 @@ void Rasteriser::sample(std::int32_t triangle, RawSet& out) const {
 /// Depth of a triangle's plane over (u, v), never outside of the triangle's own range.
 class PlaneDepth {
   public:
-    PlaneDepth(const Vec3& p, const Vec3& q, const Vec3& r, int axis) : p_(p), axis_(axis), u_(axis == 2 ? 0 : axis + 1) {
+    PlaneDepth(const Vec3& p, const Vec3& q, const Vec3& r, int axis)
+        : p_(p), axis_(axis), u_(axis == 2 ? 0 : axis + 1) {
         v_ = 3 - axis - u_;
         const Vec3 n = (q - p).cross(r - p);
         slope_u_ = -n[u_] / n[axis];
@@ -112,8 +113,7 @@ void Rasteriser::sample_along(int axis, std::int32_t triangle, std::vector<RawSa
         ceil_ray(std::min({c[0].u, c[1].u, c[2].u})) >= ceil_ray(std::max({c[0].u, c[1].u, c[2].u}))) {
         return;
     }
-    const std::int64_t area =
-        (c[1].u - c[0].u) * (c[2].v - c[0].v) - (c[1].v - c[0].v) * (c[2].u - c[0].u);
+    const std::int64_t area = (c[1].u - c[0].u) * (c[2].v - c[0].v) - (c[1].v - c[0].v) * (c[2].u - c[0].u);
     const std::int32_t code = area > 0 ? ~triangle : triangle;
     const PlaneDepth plane(points_[index[0]], points_[index[1]], points_[index[2]], axis);
     for (std::int64_t row = first_row; row < end_row; ++row) {

@@ -47,10 +47,10 @@ class Stitcher {
     const SampleGrid& grid_;
     RetainedSurface& surface_;
     StitchCounts& counts_;
-    std::vector<std::int32_t> vertex_;      // of each leaf
-    std::vector<EdgeSplit> splits_;         // by edge, then by parameter
+    std::vector<std::int32_t> vertex_;       // of each leaf
+    std::vector<EdgeSplit> splits_;          // by edge, then by parameter
     std::vector<std::int32_t> first_split_;  // of each border edge in splits_, and the end
-    std::vector<std::int32_t> fan_of_;      // of each point in fans_, -1 off the border
+    std::vector<std::int32_t> fan_of_;       // of each point in fans_, -1 off the border
     std::vector<std::vector<std::int32_t>> fans_;
     std::vector<std::int32_t> around_keep_, around_gone_;
 };

@@ -28,6 +28,8 @@ std::vector<std::int32_t> stitch(const Octree& tree, const SampleGrid& grid, Ret
                                  StitchCounts& counts);
 
 /// A point that the mesh kernels store without change.
-inline Vec3 to_single(const Vec3& p) { return p.cast<float>().cast<double>(); }
+inline Vec3 to_single(const Vec3& p) {
+    return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
 
 }  // namespace mq::boolean

@@ -182,16 +182,23 @@ void UniformBoolean::fill(const std::vector<std::int32_t>& hole, EdgeSet& edges)
     for (const std::int32_t p : hole) {
         loop.push_back(surface_.points[p]);
     }
-    std::vector<mesh::Triangle> filling = fill_hole(loop, [&](std::int32_t i, std::int32_t j) {
-        return loop[i] != loop[j] && !edges.has(hole[i], hole[j]) && !edges.has(hole[j], hole[i]);
-    });
+    const auto n = static_cast<std::int32_t>(hole.size());
+    const auto taken = [&](std::int32_t i, std::int32_t j) {
+        const bool side = (i + 1) % n == j || (j + 1) % n == i;
+        return !side && (loop[i] == loop[j] || edges.has(hole[i], hole[j]) || edges.has(hole[j], hole[i]));
+    };
+    const auto avoid = [&](const mesh::Triangle& t) {
+        return taken(t[0], t[1]) || taken(t[1], t[2]) || taken(t[2], t[0]);
+    };
+    std::vector<mesh::Triangle> filling = fill_hole(loop, avoid);
+    const bool reuses = std::any_of(filling.begin(), filling.end(), avoid);
     std::vector<std::int32_t> corners = hole;
-    if (filling.empty()) {
+    if (reuses) {
+        filling.clear();
         Vec3 centre = Vec3::Zero();
         for (const Vec3& p : loop) {
             centre += p / static_cast<double>(loop.size());
         }
-        const auto n = static_cast<std::int32_t>(hole.size());
         corners.push_back(static_cast<std::int32_t>(surface_.points.size()));
         surface_.points.push_back(to_single(centre));
         for (std::int32_t i = 0; i < n; ++i) {

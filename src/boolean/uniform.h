@@ -16,7 +16,7 @@ namespace mq::boolean {
 /// Options of the uniform scheme.
 struct UniformOptions {
     int resolution = 513;  ///< rays along the longest side of both operands' box, rounded up to 2^n + 1; 9 to 4097
-    /// Gaps and slabs thinner than this vanish and surfaces nearer than this are in contact, as a fraction of the
+    /// Surfaces of A and B nearer than this are in contact: gaps and slabs between them vanish. A fraction of the
     /// longest side (the paper's epsilon).
     double thinnest = 1e-5;
     /// Whether inside is where the normal index is 1 or more, so that of an operand that intersects itself only the
