@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_set>
 #include <vector>
 
+#include "base/key_set.h"
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
 
@@ -41,8 +41,8 @@ class ChordRefiner {
     SegmentSplitter& segments_;
     double tolerance_;
     double max_edge_;
-    std::unordered_set<std::uint64_t> passed_edges_;
-    std::unordered_set<std::uint64_t> passed_triangles_;
+    KeySet passed_edges_;
+    KeySet passed_triangles_;
     std::vector<int> touched_;
     bool changed_ = false;
 };

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <queue>
-#include <unordered_set>
 #include <vector>
 
+#include "base/key_set.h"
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
 #include "triangulate/triangulate.h"
@@ -70,7 +70,7 @@ class Refiner {
     double bound_;  // radians
     Insertion insertion_;
     std::priority_queue<Bad> queue_;
-    std::unordered_set<std::uint64_t> turned_;  // triangles that were refined for their alignment, by key
+    KeySet turned_;  // triangles that were refined for their alignment, by key
     std::vector<int> touched_;
     std::vector<Job> again_;  // fallbacks for the next round
 };
