@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 
 namespace mq::triangulate {
 
@@ -23,8 +22,15 @@ int find_root(std::vector<int>& parent, int i) {
 class VolumeWriter {
   public:
     VolumeWriter(const SurfaceMesh& mesh, const geometry::Volume& volume, std::vector<char>& flipped,
-                 std::vector<char>& present, std::vector<int>& parent)
-        : mesh_(mesh), volume_(volume), flipped_(flipped), present_(present), parent_(parent) {}
+                 std::vector<char>& present, std::vector<int>& parent, std::vector<int>& vertex_of_root,
+                 const Progress& progress)
+        : mesh_(mesh),
+          volume_(volume),
+          flipped_(flipped),
+          present_(present),
+          parent_(parent),
+          vertex_of_root_(vertex_of_root),
+          pace_(progress) {}
 
     void run(const std::vector<std::vector<int>>& triangles_of_face, Output& out) {
         std::vector<int> triangles;
@@ -35,11 +41,13 @@ class VolumeWriter {
                 triangles.push_back(t);
                 for (int h = 3 * t; h < 3 * t + 3; ++h) {
                     parent_[h] = h;
+                    vertex_of_root_[h] = -1;
                 }
             }
         }
         bool closed = true;
         for (const int t : triangles) {
+            pace_.step();
             for (int h = 3 * t; h < 3 * t + 3; ++h) {
                 closed = glue(h) && closed;
             }
@@ -136,18 +144,18 @@ class VolumeWriter {
     }
 
     void write(const std::vector<int>& triangles, bool turn, Output& out) {
-        std::unordered_map<int, int> vertex_of_root;
         for (const int t : triangles) {
+            pace_.step();
             mesh::Triangle corners{};
             for (int i = 0; i < 3; ++i) {
                 const int root = find_root(parent_, 3 * t + i);
-                const auto [found, fresh] = vertex_of_root.emplace(root, static_cast<int>(out.mesh.vertices.size()));
-                if (fresh) {
+                if (vertex_of_root_[root] < 0) {
+                    vertex_of_root_[root] = static_cast<int>(out.mesh.vertices.size());
                     const SurfaceMesh::Vertex& v = mesh_.vertex(mesh_.vertex_of(3 * t + i));
                     out.mesh.vertices.push_back(v.point);
                     out.mesh.vertex_entity.push_back(v.entity);
                 }
-                corners[i] = found->second;
+                corners[i] = vertex_of_root_[root];
             }
             if (flipped(3 * t) != turn) {
                 std::swap(corners[1], corners[2]);
@@ -163,11 +171,14 @@ class VolumeWriter {
     std::vector<char>& flipped_;  // by face, of this volume
     std::vector<char>& present_;
     std::vector<int>& parent_;  // by corner
+    std::vector<int>& vertex_of_root_;
+    Pace pace_;
 };
 
 }  // namespace
 
-Output write_out(const SurfaceMesh& mesh, const geometry::Topology& topology, const Vec3& origin) {
+Output write_out(const SurfaceMesh& mesh, const geometry::Topology& topology, const Vec3& origin,
+                 const Progress& progress) {
     Output out;
     out.mesh.origin = origin;
     std::vector<std::vector<int>> triangles_of_face(topology.faces.size());
@@ -177,8 +188,9 @@ Output write_out(const SurfaceMesh& mesh, const geometry::Topology& topology, co
     std::vector<char> flipped(topology.faces.size(), 0);
     std::vector<char> present(topology.faces.size(), 0);
     std::vector<int> parent(mesh.half_edge_count());
+    std::vector<int> vertex_of_root(mesh.half_edge_count());
     for (const geometry::Volume& volume : topology.volumes) {
-        VolumeWriter(mesh, volume, flipped, present, parent).run(triangles_of_face, out);
+        VolumeWriter(mesh, volume, flipped, present, parent, vertex_of_root, progress).run(triangles_of_face, out);
     }
     return out;
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/progress.h"
 #include "geometry/topology.h"
 #include "mesh/surface_mesh.h"
 #include "mesh/triangle_mesh.h"
@@ -19,6 +20,8 @@ struct Output {
 /// Triangles share a vertex only where they are joined by edges with exactly two sides, so faces that merely touch
 /// (two solids at a common edge, two cones at their tips, more than two faces at one edge) stay apart. A face shared
 /// by two solids comes twice, once from each side. A closed volume that is inside out is turned.
-Output write_out(const mesh::SurfaceMesh& mesh, const geometry::Topology& topology, const Vec3& origin);
+/// @throws Cancelled when `progress` says so
+Output write_out(const mesh::SurfaceMesh& mesh, const geometry::Topology& topology, const Vec3& origin,
+                 const Progress& progress);
 
 }  // namespace mq::triangulate

@@ -181,7 +181,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
 
     watched.stage("checking", 0.9, 1.0);
     watched.check();
-    Output out = write_out(surface, topology, grid.origin());
+    Output out = write_out(surface, topology, grid.origin(), watched);
     watched.check();
     Result result;
     result.report = final_report(work, out, options, chord);

@@ -40,7 +40,7 @@ TEST(Assemble, HasTheTopologyOfThePart) {
     for (const Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);
         const Pipeline pipeline(part.model);
-        const Output out = write_out(pipeline.surface, part.model->topology(), pipeline.grid.origin());
+        const Output out = write_out(pipeline.surface, part.model->topology(), pipeline.grid.origin(), Progress());
         const mesh::MeshReport report = mesh::measure(out.mesh);
         EXPECT_EQ(report.euler, part.euler);
         EXPECT_EQ(report.closed, part.closed);
@@ -56,7 +56,7 @@ TEST(Assemble, HasTheTopologyOfThePart) {
 TEST(Assemble, AFaceBetweenTwoSolidsComesTwice) {
     const auto model = geometry::make_shape_model(geometry::twin_solids());
     const Pipeline pipeline(model);
-    const Output out = write_out(pipeline.surface, model->topology(), pipeline.grid.origin());
+    const Output out = write_out(pipeline.surface, model->topology(), pipeline.grid.origin(), Progress());
     std::map<int, int> times;
     for (const int t : out.source) {
         ++times[t];
