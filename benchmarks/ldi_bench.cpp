@@ -103,11 +103,20 @@ void print(const boolean::UniformResult& r, int resolution, double wall, double 
         r.refused_triangles, r.opened_nodes, r.unsampled_triangles);
 }
 
-void check(const mesh::TriangleMesh& mesh) {
-    const mesh::MeshReport report = mesh::measure(mesh);
+void check(const boolean::UniformResult& r) {
+    const mesh::MeshReport report = mesh::measure(r.mesh);
     std::printf("   check: border %zu, nonmanifold %zu, misoriented %zu, pinched %zu, degenerate %zu, volume %.9g\n",
                 report.border_edges, report.nonmanifold_edges, report.misoriented_edges, report.pinched_vertices,
                 report.degenerate_triangles, report.volume);
+    std::vector<std::int32_t> made;
+    for (std::size_t k = 0; k < r.triangle_source.size(); ++k) {
+        if (r.triangle_source[k][0] < 0) {
+            made.push_back(static_cast<std::int32_t>(k));
+        }
+    }
+    std::printf("   pairs of triangles that cross or touch: %zu with one that was made, %zu in all\n",
+                mesh::self_intersections_with(r.mesh.vertices, r.mesh.triangles, made).size(),
+                mesh::self_intersections(r.mesh.vertices, r.mesh.triangles).size());
 }
 
 }  // namespace
@@ -137,7 +146,7 @@ int main(int argc, char** argv) {
             const boolean::UniformResult r = boolean::layered_depth_boolean(a, b, operation, options, nullptr);
             const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
             print(r, resolution, wall.count(), cpu_seconds() - cpu);
-            check(r.mesh);
+            check(r);
             if (!out.empty()) {
                 mesh::write(r.mesh, out);
             }

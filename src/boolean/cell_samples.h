@@ -28,6 +28,37 @@ struct CellBox {
     }
 };
 
+/// An edge of a cell: 4 * axis + side on axis + 1 + 2 * side on axis + 2 (modulo 3). Nodes of a cell: x + 2 y + 4 z.
+constexpr int kCellEdges = 12;
+
+/// The edge of the cell that a sample lies on, or -1 when it lies in a face or within the cell.
+inline int edge_of(const CellBox& box, const CellSample& s) {
+    int corner = 0;
+    for (int k = 1; k <= 2; ++k) {
+        const int axis = (s.axis + k) % 3, offset = s.at[axis] - box.low[axis];
+        if (offset != 0 && offset != box.size) {
+            return -1;
+        }
+        corner |= (offset == 0 ? 0 : 1) << (k - 1);
+    }
+    return 4 * s.axis + corner;
+}
+
+/// The sheets of the surface in a cell, as far as the signs of its nodes tell: each connects edges with a sign change
+/// over the cell's faces. Where all four edges of a face change sign its inside nodes are parted, or its outside nodes
+/// where the face is in `flipped` (bit 2 * axis + side).
+struct CellSheets {
+    std::uint8_t count = 0;
+    std::array<std::uint8_t, kCellEdges> of_edge{};  ///< the sheet of each edge; kNone without a sign change
+
+    static constexpr std::uint8_t kNone = 255;
+};
+CellSheets find_sheets(std::uint8_t nodes, std::uint8_t flipped = 0);
+/// The faces whose four edges all change sign and belong to one sheet, bit 2 * axis + side. Where two such cells meet
+/// in one, the face must be flipped for both, or four faces of the result would share an edge (Wenger 2013,
+/// section 3.4).
+std::uint8_t knotted_faces(std::uint8_t nodes);
+
 /// What the samples in a closed cell tell about its topology.
 struct CellCensus {
     int reconstructed = 0, retained = 0;
@@ -35,55 +66,10 @@ struct CellCensus {
     std::uint8_t faces_hit = 0;  ///< bit 2 * axis + side: a sample lies in that face
 };
 
-inline CellCensus census(const CellBox& box, const CellSample* first, const CellSample* last) {
-    CellCensus result;
-    std::array<std::uint8_t, 12> on_edge{};
-    for (const CellSample* s = first; s != last; ++s) {
-        ++(s->reconstructed != 0 ? result.reconstructed : result.retained);
-        int sides = 0, corner = 0;
-        for (int k = 1; k <= 2; ++k) {
-            const int axis = (s->axis + k) % 3;
-            const int offset = s->at[axis] - box.low[axis];
-            if (offset == 0 || offset == box.size) {
-                const int side = offset == 0 ? 0 : 1;
-                result.faces_hit |= static_cast<std::uint8_t>(1 << (2 * axis + side));
-                corner |= side << (k - 1);
-                ++sides;
-            }
-        }
-        if (sides == 2 && ++on_edge[4 * s->axis + corner] > 1) {
-            result.crowded_edge = true;
-        }
-    }
-    return result;
-}
+CellCensus census(const CellBox& box, const CellSample* first, const CellSample* last);
 
-/// Signs of a cell's eight nodes, bit x + 2 y + 4 z set inside: whether the topology they show is beyond doubt, given
-/// the census (Wang 2010, Fig. 4 and 5).
-inline bool simple_topology(std::uint8_t nodes, const CellCensus& samples) {
-    if (samples.crowded_edge || nodes == 0 || nodes == 255) {
-        return false;  // fake solid and empty volumes: there are samples
-    }
-    const auto node = [&](int k) { return (nodes >> k & 1) != 0; };
-    for (int axis = 0; axis < 3; ++axis) {
-        const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
-        for (int side = 0; side < 2; ++side) {
-            const int base = side << axis;
-            const bool a = node(base), b = node(base | u), c = node(base | v), d = node(base | u | v);
-            const bool ambiguous = a == d && b == c && a != b;
-            const bool fake = a == b && b == c && c == d && (samples.faces_hit >> (2 * axis + side) & 1) != 0;
-            if (ambiguous || fake) {
-                return false;
-            }
-        }
-    }
-    for (int k = 0; k < 4; ++k) {
-        const auto diagonal = static_cast<std::uint8_t>(1 << k | 1 << (7 - k));
-        if (nodes == diagonal || nodes == static_cast<std::uint8_t>(~diagonal)) {
-            return false;  // voxel ambiguous
-        }
-    }
-    return true;
-}
+/// Signs of a cell's eight nodes, bit set inside: whether the topology they show is beyond doubt, given the census
+/// (Wang 2010, Fig. 4 and 5).
+bool simple_topology(std::uint8_t nodes, const CellCensus& samples);
 
 }  // namespace mq::boolean

@@ -12,9 +12,15 @@ namespace {
 
 class Contourer {
   public:
-    Contourer(const Octree& tree, const SampleGrid& grid, const CombinedSet& combined, const std::vector<Fate>& fate,
-              std::vector<std::int32_t>& vertices, RetainedSurface& surface)
-        : tree_(tree), grid_(grid), combined_(combined), fate_(fate), vertices_(vertices), surface_(surface) {}
+    Contourer(const OperandPair& pair, const Octree& tree, const SampleGrid& grid, const CombinedSet& combined,
+              const std::vector<Fate>& fate, std::vector<std::int32_t>& vertices, RetainedSurface& surface)
+        : pair_(pair),
+          tree_(tree),
+          grid_(grid),
+          combined_(combined),
+          fate_(fate),
+          vertices_(vertices),
+          surface_(surface) {}
 
     ContouredSurface run();
 
@@ -29,11 +35,13 @@ class Contourer {
     bool inside(const std::array<int, 3>& node) const {
         return combined_[0].inside(static_cast<std::size_t>(node[2]) * grid_.rays() + node[1], node[0]);
     }
-    std::int32_t vertex_of(std::int32_t leaf);
-    void add_polygon(std::array<std::int32_t, 4>& corners, int count);
+    std::int32_t vertex_of(std::int32_t sheet);
+    void add_polygon(const std::array<std::int32_t, 4>& corners, int count, const Vec3& normal);
     void add_triangle(const mesh::Triangle& t);
-    bool first_diagonal(const std::array<std::int32_t, 4>& c) const;
+    bool first_diagonal(const std::array<std::int32_t, 4>& c, const Vec3& normal) const;
+    Vec3 normal_of(std::int32_t source) const;
 
+    const OperandPair& pair_;
     const Octree& tree_;
     const SampleGrid& grid_;
     const CombinedSet& combined_;
@@ -55,13 +63,20 @@ void Contourer::note_border() {
     }
 }
 
-std::int32_t Contourer::vertex_of(std::int32_t leaf) {
-    std::int32_t& vertex = vertices_[leaf];
+std::int32_t Contourer::vertex_of(std::int32_t sheet) {
+    std::int32_t& vertex = vertices_[sheet];
     if (vertex < 0) {
         vertex = static_cast<std::int32_t>(surface_.points.size());
-        surface_.points.push_back(to_single(grid_.to_space(tree_.leaves[leaf].minimiser)));
+        surface_.points.push_back(to_single(grid_.to_space(tree_.sheets[sheet].minimiser)));
     }
     return vertex;
+}
+
+/// Outward, not of unit length.
+Vec3 Contourer::normal_of(std::int32_t source) const {
+    const auto& [a, b, c] = pair_.triangles[CombinedDepth::triangle(source)];
+    const Vec3 normal = (pair_.points[b] - pair_.points[a]).cross(pair_.points[c] - pair_.points[a]);
+    return CombinedDepth::reversed(source) ? Vec3(-normal) : normal;
 }
 
 void Contourer::add_triangle(const mesh::Triangle& t) {
@@ -76,26 +91,25 @@ void Contourer::add_triangle(const mesh::Triangle& t) {
     result_.triangles.push_back(t);
 }
 
-/// Whether a quadrilateral is cut from corner 0 to 2 rather than from 1 to 3: where the two triangles bend less, and
-/// never along an edge that is in use.
-bool Contourer::first_diagonal(const std::array<std::int32_t, 4>& c) const {
+/// Whether a quadrilateral is cut from corner 0 to 2 rather than from 1 to 3: where the worse of the two triangles has
+/// more area as seen along the sample's normal, and never along an edge that is in use.
+bool Contourer::first_diagonal(const std::array<std::int32_t, 4>& c, const Vec3& normal) const {
     const auto used = [&](int i, int j) { return result_.edges.has(c[i], c[j]) || result_.edges.has(c[j], c[i]); };
     const bool used_first = used(0, 2), used_second = used(1, 3);
     if (used_first != used_second) {
         return used_second;
     }
-    const auto normal = [&](int i, int j, int k) {
+    const auto area = [&](int i, int j, int k) {
         const Vec3& p = surface_.points[c[i]];
-        return (surface_.points[c[j]] - p).cross(surface_.points[c[k]] - p).normalized();
+        return (surface_.points[c[j]] - p).cross(surface_.points[c[k]] - p).dot(normal);
     };
-    const double first = normal(0, 1, 2).dot(normal(0, 2, 3)), second = normal(0, 1, 3).dot(normal(1, 2, 3));
-    return first >= second;
+    return std::min(area(0, 1, 2), area(0, 2, 3)) >= std::min(area(0, 1, 3), area(1, 2, 3));
 }
 
-void Contourer::add_polygon(std::array<std::int32_t, 4>& corners, int count) {
+void Contourer::add_polygon(const std::array<std::int32_t, 4>& corners, int count, const Vec3& normal) {
     if (count == 3) {
         add_triangle({corners[0], corners[1], corners[2]});
-    } else if (first_diagonal(corners)) {
+    } else if (first_diagonal(corners, normal)) {
         add_triangle({corners[0], corners[1], corners[2]});
         add_triangle({corners[0], corners[2], corners[3]});
     } else {
@@ -143,14 +157,17 @@ void Contourer::make_face(int axis, std::size_t ray, std::uint32_t sample) {
     std::array<std::int32_t, 4> corners{};
     int count = 0;
     for (int k = 0; k < 4; ++k) {
-        const std::int32_t leaf = leaves[leaves_solid ? k : 3 - k];
-        const std::int32_t vertex = vertex_of(leaf);
+        const int around = leaves_solid ? k : 3 - k;
+        const Leaf& leaf = tree_.leaves[leaves[around]];
+        // A cell below on an axis has the ray on its upper side.
+        const int edge = 4 * axis - kAround[around][0] - 2 * kAround[around][1];
+        const std::int32_t vertex = vertex_of(leaf.first_sheet + (leaf.size > 1 ? 0 : leaf.sheet_of_edge[edge]));
         if (count == 0 || (vertex != corners[count - 1] && vertex != corners[0])) {
             corners[count++] = vertex;
         }
     }
     if (count >= 3) {
-        add_polygon(corners, count);
+        add_polygon(corners, count, normal_of(direction.source[sample]));
     }
 }
 
@@ -176,9 +193,10 @@ ContouredSurface Contourer::run() {
 
 }  // namespace
 
-ContouredSurface contour(const Octree& tree, const SampleGrid& grid, const CombinedSet& combined,
-                         const std::vector<Fate>& fate, std::vector<std::int32_t> vertices, RetainedSurface& surface) {
-    return Contourer(tree, grid, combined, fate, vertices, surface).run();
+ContouredSurface contour(const OperandPair& pair, const Octree& tree, const SampleGrid& grid,
+                         const CombinedSet& combined, const std::vector<Fate>& fate, std::vector<std::int32_t> vertices,
+                         RetainedSurface& surface) {
+    return Contourer(pair, tree, grid, combined, fate, vertices, surface).run();
 }
 
 }  // namespace mq::boolean

@@ -13,14 +13,15 @@ struct ContouredSurface {
     std::size_t refused = 0;  ///< triangles not made because an edge would have had a third
 };
 
-/// Contours the octree's leaves with IR-samples (Wang 2010, section III-B): one vertex a leaf, one face for each
+/// Contours the octree's leaves with IR-samples (Wang 2010, section III-B): one vertex a sheet, one face for each
 /// sign-changing minimal edge with an IR-sample.
 ///
 /// All cells around such an edge hold that sample, so they are reconstructed-interior or boundary cells (Remark 1). An
 /// edge with a retained sample gets no face even where all its cells are boundary cells: the retained surface passes
-/// there. Vertices of leaves without a border vertex are appended to `surface.points`.
-/// @param vertices of the leaves, -1 where contouring makes one; see stitch
-ContouredSurface contour(const Octree& tree, const SampleGrid& grid, const CombinedSet& combined,
-                         const std::vector<Fate>& fate, std::vector<std::int32_t> vertices, RetainedSurface& surface);
+/// there. Vertices of sheets off the border are appended to `surface.points`.
+/// @param vertices of the octree's sheets, -1 where contouring makes one; see stitch
+ContouredSurface contour(const OperandPair& pair, const Octree& tree, const SampleGrid& grid,
+                         const CombinedSet& combined, const std::vector<Fate>& fate, std::vector<std::int32_t> vertices,
+                         RetainedSurface& surface);
 
 }  // namespace mq::boolean

@@ -69,6 +69,7 @@ class OctreeBuilder {
     void distribute(std::vector<Part>& parts) const;
     void append(Octree& tree, Octree& part, std::int32_t node) const;
     std::uint8_t nodes_of(const CellBox& box) const;
+    std::uint8_t flipped_faces(const CellBox& box, std::uint8_t nodes) const;
     Vec3 position(const CellSample& s) const {
         Vec3 p(s.at[0], s.at[1], s.at[2]);
         p[s.axis] = combined_[s.axis].depth[s.index];
@@ -113,7 +114,8 @@ class OctreeBuilder::Subtree {
     void split(std::size_t node, const CellBox& box, const CellSample* first, const CellSample* last,
                const std::vector<CellEdge>& edges, int depth);
     CellKind kind_of(const CellBox& box, const CellCensus& samples, const std::vector<CellEdge>& edges) const;
-    Vec3 minimiser(const CellBox& box, const CellSample* first, const CellSample* last, bool retained_too) const;
+    Vec3 minimiser(const CellBox& box, const Quadric& quadric) const;
+    void add_sheets(Leaf& leaf, const CellBox& box, const CellSample* first, const CellSample* last);
     bool flat(const Vec3& q, const CellSample* first, const CellSample* last) const;
 
     const OctreeBuilder& shared_;
@@ -147,16 +149,42 @@ CellKind OctreeBuilder::Subtree::kind_of(const CellBox& box, const CellCensus& s
     return edges.size() == 2 && meet ? CellKind::SharedVertex : CellKind::Complex;
 }
 
-Vec3 OctreeBuilder::Subtree::minimiser(const CellBox& box, const CellSample* first, const CellSample* last,
-                                       bool retained_too) const {
-    Quadric quadric;
+Vec3 OctreeBuilder::Subtree::minimiser(const CellBox& box, const Quadric& quadric) const {
+    const Vec3 low(box.low[0], box.low[1], box.low[2]);
+    return quadric.minimiser(low + Vec3::Constant(kInset), low + Vec3::Constant(box.size - kInset));
+}
+
+/// Sheets of a unit cell, with the samples on their edges.
+void OctreeBuilder::Subtree::add_sheets(Leaf& leaf, const CellBox& box, const CellSample* first,
+                                        const CellSample* last) {
+    const std::uint8_t nodes = shared_.nodes_of(box);
+    const CellSheets sheets = find_sheets(nodes, shared_.flipped_faces(box, nodes));
+    struct Content {
+        Quadric quadric;
+        bool reconstructed = false, retained = false;
+    };
+    std::array<Content, 4> contents;
+    Quadric all;
     for (const CellSample* s = first; s != last; ++s) {
-        if (retained_too || s->reconstructed != 0) {
-            quadric.add(shared_.position(*s), shared_.normal(*s));
+        const std::uint8_t sheet = sheets.of_edge[edge_of(box, *s)];
+        const Vec3 position = shared_.position(*s), normal = shared_.normal(*s);
+        all.add(position, normal);
+        if (sheet != CellSheets::kNone) {
+            contents[sheet].quadric.add(position, normal);
+            (s->reconstructed != 0 ? contents[sheet].reconstructed : contents[sheet].retained) = true;
         }
     }
-    const Vec3 low(box.low[0], box.low[1], box.low[2]);
-    return quadric.minimiser().cwiseMax(low + Vec3::Constant(kInset)).cwiseMin(low + Vec3::Constant(box.size - kInset));
+    leaf.sheet_of_edge = sheets.of_edge;
+    for (int k = 0; k < sheets.count; ++k) {
+        const Content& content = contents[k];
+        tree_.sheets.push_back({minimiser(box, content.quadric.count() > 0 ? content.quadric : all)});
+        if (leaf.border_sheet < 0 && content.reconstructed && content.retained) {
+            leaf.border_sheet = k;
+        }
+    }
+    if (leaf.border_sheet < 0) {
+        leaf.kind = CellKind::Interior;
+    }
 }
 
 bool OctreeBuilder::Subtree::flat(const Vec3& q, const CellSample* first, const CellSample* last) const {
@@ -183,10 +211,15 @@ void OctreeBuilder::Subtree::refine(std::size_t node, const CellBox& box, const 
         split(node, box, first, last, edges, depth);
         return;
     }
-    const Vec3 q = minimiser(box, first, last, kind != CellKind::Interior);
-    if (!unit && !flat(q, first, last)) {
-        split(node, box, first, last, edges, depth);
-        return;
+    Quadric quadric;
+    if (!unit) {
+        for (const CellSample* s = first; s != last; ++s) {
+            quadric.add(shared_.position(*s), shared_.normal(*s));
+        }
+        if (!flat(minimiser(box, quadric), first, last)) {
+            split(node, box, first, last, edges, depth);
+            return;
+        }
     }
     Leaf leaf;
     for (int k = 0; k < 3; ++k) {
@@ -194,9 +227,15 @@ void OctreeBuilder::Subtree::refine(std::size_t node, const CellBox& box, const 
     }
     leaf.size = static_cast<std::int16_t>(box.size);
     leaf.kind = kind;
-    leaf.minimiser = q;
+    leaf.first_sheet = static_cast<std::int32_t>(tree_.sheets.size());
+    if (unit) {
+        add_sheets(leaf, box, first, last);
+    } else {
+        tree_.sheets.push_back({minimiser(box, quadric)});
+        leaf.border_sheet = kind == CellKind::Interior ? -1 : 0;
+    }
     leaf.first_edge = static_cast<std::uint32_t>(tree_.edges.size());
-    if (kind != CellKind::Interior) {
+    if (leaf.kind != CellKind::Interior) {
         tree_.edges.insert(tree_.edges.end(), edges.begin(), edges.end());
     }
     leaf.end_edge = static_cast<std::uint32_t>(tree_.edges.size());
@@ -280,6 +319,22 @@ std::uint8_t OctreeBuilder::nodes_of(const CellBox& box) const {
     return static_cast<std::uint8_t>(nodes);
 }
 
+/// Faces of a unit cell that are knotted on both sides.
+std::uint8_t OctreeBuilder::flipped_faces(const CellBox& box, std::uint8_t nodes) const {
+    std::uint8_t flipped = knotted_faces(nodes);
+    for (int f = 0; f < 6 && flipped != 0; ++f) {
+        if ((flipped >> f & 1) != 0) {
+            CellBox neighbour = box;
+            neighbour.low[f / 2] += f % 2 == 0 ? -1 : 1;
+            const int opposite = f % 2 == 0 ? f + 1 : f - 1;
+            if ((knotted_faces(nodes_of(neighbour)) >> opposite & 1) == 0) {
+                flipped = static_cast<std::uint8_t>(flipped & ~(1U << f));
+            }
+        }
+    }
+    return flipped;
+}
+
 /// Sorts the samples into the tasks; a sample between two tasks goes to both.
 void OctreeBuilder::distribute(std::vector<Part>& parts) const {
     const int shift = grid_.levels() - kTaskLevels;
@@ -324,11 +379,14 @@ void OctreeBuilder::append(Octree& tree, Octree& part, std::int32_t node) const 
     for (std::size_t k = 1; k < part.nodes_.size(); ++k) {
         tree.nodes_.push_back(moved(part.nodes_[k]));
     }
+    const auto sheet_shift = static_cast<std::int32_t>(tree.sheets.size());
     for (Leaf leaf : part.leaves) {
+        leaf.first_sheet += sheet_shift;
         leaf.first_edge += edge_shift;
         leaf.end_edge += edge_shift;
         tree.leaves.push_back(leaf);
     }
+    tree.sheets.insert(tree.sheets.end(), part.sheets.begin(), part.sheets.end());
     tree.edges.insert(tree.edges.end(), part.edges.begin(), part.edges.end());
 }
 

@@ -21,12 +21,21 @@ struct CellEdge {
     double from, to;    ///< parameters where it enters and leaves the cell, 0 <= from <= to <= 1
 };
 
+/// One sheet of the surface in a leaf, which becomes a vertex. A leaf wider than r has one.
+struct Sheet {
+    Vec3 minimiser = Vec3::Zero();  ///< of the quadratic error function, within the cell; grid coordinates
+};
+
 struct Leaf {
     std::array<std::int16_t, 3> low{};  ///< lowest corner
     std::int16_t size = 1;              ///< both in grid units
     CellKind kind = CellKind::Interior;
     std::uint32_t first_edge = 0, end_edge = 0;  ///< in Octree::edges
-    Vec3 minimiser = Vec3::Zero();               ///< of the quadratic error function, within the cell; grid coordinates
+    std::int32_t first_sheet = 0;                ///< in Octree::sheets
+    /// Of a boundary cell: the sheet with both IR- and retained samples, which takes its vertex from the border. -1
+    /// else.
+    std::int32_t border_sheet = -1;
+    std::array<std::uint8_t, 12> sheet_of_edge{};  ///< sheet within the leaf of each of its edges, see CellSheets
 
     /// Whether a point in grid coordinates belongs to this cell; every point belongs to one leaf.
     bool holds(const Vec3& g) const {
@@ -39,6 +48,7 @@ struct Leaf {
 class Octree {
   public:
     std::vector<Leaf> leaves;  ///< those with IR-samples
+    std::vector<Sheet> sheets;
     std::vector<CellEdge> edges;
 
     /// The leaf that has the unit cell (x, y, z); -1 where it has no IR-samples. `size` is that of the leaf only where
@@ -54,6 +64,9 @@ class Octree {
 /// Builds the octree top down (Procedures 1 and 2). A cell with IR-samples and wider than r is split while it is
 /// face- or voxel-ambiguous, has an edge with more than one sample, is a fake solid or empty volume or has such a face,
 /// its minimiser lies farther than 0.1 r from a sample's plane, or the border in it is not simple.
+///
+/// Beyond the paper, a leaf of width r that several sheets of the surface pass has a vertex for each of them (as in
+/// Schaefer, Ju and Warren 2007), so that thin walls and narrow gaps stay 2-manifold.
 /// @throws Cancelled
 Octree build_octree(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
                     const std::vector<Fate>& fate, const RetainedSurface& retained, Progress* progress);

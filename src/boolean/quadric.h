@@ -11,9 +11,11 @@ class Quadric {
   public:
     void add(const Vec3& point, const Vec3& normal);
     int count() const { return count_; }
-    /// The point of least error by singular value decomposition; of all such points (on a flat or a straight edge) the
-    /// one nearest to the mean of the samples. Needs at least one sample.
-    Vec3 minimiser() const;
+    /// The point of least error within a box, by singular value decomposition; of all such points (on a flat or a
+    /// straight edge) the one nearest to the mean of the samples. Where planes that hardly differ meet far outside
+    /// of the box the smallest singular value is taken as zero, then the next: the mean itself is always an answer.
+    /// Needs at least one sample.
+    Vec3 minimiser(const Vec3& low, const Vec3& high) const;
 
   private:
     Eigen::Matrix3d normal_ = Eigen::Matrix3d::Zero();  // sum of n n^T

@@ -21,11 +21,15 @@ struct EdgeSplit {
 class Stitcher {
   public:
     Stitcher(const Octree& tree, const SampleGrid& grid, RetainedSurface& surface, StitchCounts& counts)
-        : tree_(tree), grid_(grid), surface_(surface), counts_(counts), vertex_(tree.leaves.size(), -1) {}
+        : tree_(tree), grid_(grid), surface_(surface), counts_(counts), vertex_(tree.sheets.size(), -1) {}
 
     std::vector<std::int32_t> run();
 
   private:
+    std::int32_t& vertex_of(const Leaf& leaf) { return vertex_[leaf.first_sheet + leaf.border_sheet]; }
+    const Vec3& minimiser_of(const Leaf& leaf) const {
+        return tree_.sheets[leaf.first_sheet + leaf.border_sheet].minimiser;
+    }
     Vec3 point_on(std::int32_t edge, double at) const {
         const RetainedSurface::BorderEdge& e = surface_.border[edge];
         return (1.0 - at) * surface_.points[e.from] + at * surface_.points[e.to];
@@ -39,7 +43,7 @@ class Stitcher {
     std::vector<std::int32_t> nodes_in(std::size_t leaf) const;
     void merge_nodes(std::size_t leaf);
     bool collapse(std::int32_t keep, std::int32_t gone);
-    void neighbours(std::int32_t point, std::vector<std::int32_t>& out);
+    void directed_edges(std::int32_t point, std::int32_t except, std::vector<std::int32_t>& out);
     bool move(std::int32_t point, const Vec3& to);
     void drop_gone();
 
@@ -73,10 +77,10 @@ void Stitcher::plan_splits() {
         const auto id = static_cast<std::int32_t>(k);
         const CellEdge& first = tree_.edges[leaf.first_edge];
         if (leaf.kind == CellKind::SingleEdge) {
-            splits_.push_back({first.edge, nearest_parameter(first, leaf.minimiser), id, -1});
+            splits_.push_back({first.edge, nearest_parameter(first, minimiser_of(leaf)), id, -1});
         } else if (leaf.kind == CellKind::SharedVertex) {
             const RetainedSurface::BorderEdge& e = surface_.border[first.edge];
-            vertex_[k] = leaf.holds(grid_.to_grid(surface_.points[e.from])) ? e.from : e.to;
+            vertex_of(leaf) = leaf.holds(grid_.to_grid(surface_.points[e.from])) ? e.from : e.to;
         } else {
             ++counts_.complex_cells;
             for (std::uint32_t i = leaf.first_edge; i < leaf.end_edge; ++i) {
@@ -101,7 +105,7 @@ void Stitcher::apply_splits() {
         surface_.points.push_back(to_single(point_on(split.edge, split.at)));
         ++first_split_[split.edge + 1];
         if (tree_.leaves[split.leaf].kind == CellKind::SingleEdge) {
-            vertex_[split.leaf] = split.vertex;
+            vertex_of(tree_.leaves[split.leaf]) = split.vertex;
         }
     }
     for (std::size_t k = 1; k < first_split_.size(); ++k) {
@@ -178,45 +182,34 @@ void Stitcher::build_fans() {
     }
 }
 
-void Stitcher::neighbours(std::int32_t point, std::vector<std::int32_t>& out) {
+/// The other ends of the directed edges that leave `point` (+x) or come to it (-1 - x), of triangles without `except`.
+void Stitcher::directed_edges(std::int32_t point, std::int32_t except, std::vector<std::int32_t>& out) {
     out.clear();
     for (const std::int32_t k : fan(point)) {
-        for (const std::int32_t p : surface_.triangles[k]) {
-            if (p != point) {
-                out.push_back(p);
-            }
+        const mesh::Triangle& t = surface_.triangles[k];
+        const int i = t[0] == point ? 0 : t[1] == point ? 1 : 2;
+        const std::int32_t next = t[(i + 1) % 3], previous = t[(i + 2) % 3];
+        if (next != except && previous != except) {
+            out.push_back(next);
+            out.push_back(-1 - previous);
         }
     }
     std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
-/// Merges two border vertices joined by an edge, unless that would put a third triangle on an edge or leave one
-/// without neighbours.
+/// Merges two border vertices; the triangles that have both vanish. Refused where two triangles would run an edge in
+/// the same direction.
 bool Stitcher::collapse(std::int32_t keep, std::int32_t gone) {
-    neighbours(keep, around_keep_);
-    if (!std::binary_search(around_keep_.begin(), around_keep_.end(), gone)) {
-        return false;
-    }
-    neighbours(gone, around_gone_);
-    std::size_t common = 0;
-    for (const std::int32_t p : around_gone_) {
-        common += std::binary_search(around_keep_.begin(), around_keep_.end(), p) ? 1 : 0;
-    }
-    const auto holds = [&](std::int32_t k, std::int32_t p) {
-        const mesh::Triangle& t = surface_.triangles[k];
-        return t[0] == p || t[1] == p || t[2] == p;
-    };
-    std::size_t shared = 0;
-    for (const std::int32_t k : fan(gone)) {
-        shared += holds(k, keep) ? 1 : 0;
-    }
-    if (common != shared || fan(gone).size() == shared || fan(keep).size() == shared) {
-        return false;
+    directed_edges(keep, gone, around_keep_);
+    directed_edges(gone, keep, around_gone_);
+    for (const std::int32_t edge : around_gone_) {
+        if (std::binary_search(around_keep_.begin(), around_keep_.end(), edge)) {
+            return false;
+        }
     }
     for (const std::int32_t k : fan(gone)) {
         mesh::Triangle& t = surface_.triangles[k];
-        if (holds(k, keep)) {
+        if (t[0] == keep || t[1] == keep || t[2] == keep) {
             for (const std::int32_t p : t) {
                 if (p != gone && fan_of_[p] >= 0) {
                     fan(p).erase(std::find(fan(p).begin(), fan(p).end(), k));
@@ -295,11 +288,11 @@ void Stitcher::merge_nodes(std::size_t leaf) {
             }
         }
     }
-    const Vec3 target = to_single(grid_.to_space(tree_.leaves[leaf].minimiser));
+    const Vec3 target = to_single(grid_.to_space(minimiser_of(tree_.leaves[leaf])));
     const std::int32_t chosen = *std::min_element(nodes.begin(), nodes.end(), [&](std::int32_t a, std::int32_t b) {
         return (surface_.points[a] - target).squaredNorm() < (surface_.points[b] - target).squaredNorm();
     });
-    vertex_[leaf] = chosen;
+    vertex_of(tree_.leaves[leaf]) = chosen;
     counts_.left_nodes += nodes.size() - 1;
     if (merged && move(chosen, target)) {
         ++counts_.moved_nodes;

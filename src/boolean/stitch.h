@@ -20,10 +20,10 @@ struct StitchCounts {
 ///
 /// Simple cells take the shared vertex of their two border edges (Remark 2a), or split their one edge at the point
 /// nearest to the minimiser (2b). Complex cells are amended first: *Edge-Split* puts a vertex into the middle of each
-/// edge's part within the cell, *Node-Collapse* merges the border vertices of the cell as far as the surface stays
-/// 2-manifold, *Node-Position* moves the merged vertex to the minimiser unless a triangle would turn over. Triangles
+/// edge's part within the cell, *Node-Collapse* merges the border vertices of the cell as far as no edge gets a third
+/// triangle, *Node-Position* moves the merged vertex to the minimiser unless a triangle would turn over. Triangles
 /// that change lose their source.
-/// @return for each leaf the index of its vertex in `surface.points`, -1 for cells without a border vertex
+/// @return for each sheet of the octree the index of its vertex in `surface.points`, -1 for those off the border
 std::vector<std::int32_t> stitch(const Octree& tree, const SampleGrid& grid, RetainedSurface& surface,
                                  StitchCounts& counts);
 

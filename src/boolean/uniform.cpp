@@ -131,7 +131,7 @@ class UniformBoolean {
     std::vector<Fate> fate_;
     RetainedSurface surface_;  // at the end with all triangles
     Octree octree_;
-    std::vector<std::int32_t> leaf_vertex_;
+    std::vector<std::int32_t> sheet_vertex_;
     std::vector<mesh::Triangle> reconstructed_;
     UniformResult result_;
 };
@@ -169,7 +169,7 @@ void UniformBoolean::combine_samples() {
 }
 
 void UniformBoolean::contour_cells() {
-    ContouredSurface contoured = contour(octree_, grid_, combined_, fate_, leaf_vertex_, surface_);
+    ContouredSurface contoured = contour(pair_, octree_, grid_, combined_, fate_, sheet_vertex_, surface_);
     reconstructed_ = std::move(contoured.triangles);
     result_.refused_triangles = contoured.refused;
     result_.reconstructed = reconstructed_.size();
@@ -307,7 +307,7 @@ UniformResult UniformBoolean::run() {
     stage("octree", 0.6, 0.75, [&] { octree_ = build_octree(pair_, grid_, combined_, fate_, surface_, progress_); });
     stage("stitching", 0.75, 0.8, [&] {
         StitchCounts counts;
-        leaf_vertex_ = stitch(octree_, grid_, surface_, counts);
+        sheet_vertex_ = stitch(octree_, grid_, surface_, counts);
         result_.cells = octree_.leaves.size();
         result_.boundary_cells = counts.boundary_cells;
         result_.complex_cells = counts.complex_cells;

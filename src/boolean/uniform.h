@@ -18,7 +18,7 @@ struct UniformOptions {
     int resolution = 513;  ///< rays along the longest side of both operands' box, rounded up to 2^n + 1; 9 to 4097
     /// Surfaces of A and B nearer than this are in contact: gaps and slabs between them vanish. A fraction of the
     /// longest side (the paper's epsilon).
-    double thinnest = 1e-5;
+    double thinnest = 1e-6;
     /// Whether inside is where the normal index is 1 or more, so that of an operand that intersects itself only the
     /// outer surface counts. Otherwise inside is after an odd number of crossings.
     bool normal_index = true;
