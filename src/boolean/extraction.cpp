@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/extraction.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+
+#include "boolean/radial_order.h"
+
+namespace mq::boolean {
+
+namespace {
+
+/// Joins the corners of triangles around suspicious points to fans, and gives each fan beyond the first at a point a
+/// copy of the point.
+class FanOpener {
+  public:
+    FanOpener(const PointTable& points, std::vector<Triangle>& triangles) : points_(points), triangles_(triangles) {}
+
+    /// @return the points with several fans, each with its copies; the first copy is the point itself
+    std::map<std::int32_t, std::vector<std::int32_t>> run(const std::vector<char>& suspicious) {
+        gather(suspicious);
+        join();
+        std::map<std::int32_t, std::vector<std::int32_t>> copies;
+        std::unordered_map<std::size_t, std::int32_t> copy_of;  // by the fan's first slot
+        std::int32_t fresh = points_.size();
+        for (std::size_t i = 0; i < corner_.size(); ++i) {
+            if (suspicious[static_cast<std::size_t>(point_[i])] == 0) {
+                continue;
+            }
+            std::vector<std::int32_t>& list = copies[point_[i]];
+            const std::size_t fan = find(i);
+            if (copy_of.count(fan) == 0) {
+                copy_of[fan] = list.empty() ? point_[i] : fresh++;
+                list.push_back(copy_of[fan]);
+            }
+            triangles_[corner_[i] / 3][corner_[i] % 3] = copy_of[fan];
+        }
+        for (auto it = copies.begin(); it != copies.end();) {
+            it = it->second.size() < 2 ? copies.erase(it) : std::next(it);
+        }
+        return copies;
+    }
+
+  private:
+    /// Three slots in a row hold the corners of a triangle with a suspicious point.
+    void gather(const std::vector<char>& suspicious) {
+        for (std::size_t t = 0; t < triangles_.size(); ++t) {
+            const Triangle& c = triangles_[t];
+            if (std::any_of(c.begin(), c.end(), [&](int p) { return suspicious[static_cast<std::size_t>(p)] != 0; })) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    corner_.push_back(3 * t + k);
+                    point_.push_back(c[k]);
+                }
+            }
+        }
+        parent_.resize(corner_.size());
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
+
+    void join() {
+        std::vector<std::pair<EdgeKey, std::size_t>> edges;  // with the slot where the edge starts
+        for (std::size_t i = 0; i < corner_.size(); ++i) {
+            edges.emplace_back(edge_key(point_[i], point_[next(i)]), i);
+        }
+        std::sort(edges.begin(), edges.end());
+        for (std::size_t i = 0; i < edges.size();) {
+            std::size_t j = i;
+            while (j < edges.size() && edges[j].first == edges[i].first) {
+                ++j;
+            }
+            if (j - i == 2) {
+                join_sides(edges[i].second, edges[i + 1].second, edges[i].first);
+            } else if (j - i > 2) {
+                join_around(edges[i].first, edges, i, j);
+            }
+            i = j;
+        }
+    }
+
+    static std::size_t next(std::size_t slot) { return slot % 3 == 2 ? slot - 2 : slot + 1; }
+
+    /// The triangles that start an edge at slots a and b are neighbours there.
+    void join_sides(std::size_t a, std::size_t b, const EdgeKey& edge) {
+        const bool a_up = point_[a] == edge[0];
+        const bool b_up = point_[b] == edge[0];
+        unite(a_up ? a : next(a), b_up ? b : next(b));
+        unite(a_up ? next(a) : a, b_up ? next(b) : b);
+    }
+
+    /// More than two triangles at an edge are neighbours across the material between them.
+    void join_around(const EdgeKey& edge, const std::vector<std::pair<EdgeKey, std::size_t>>& edges, std::size_t first,
+                     std::size_t last) {
+        std::vector<RadialFace> around;
+        for (std::size_t i = first; i < last; ++i) {
+            const std::size_t slot = edges[i].second;
+            around.push_back({static_cast<std::int32_t>(slot), point_[next(next(slot))], point_[slot] == edge[0]});
+        }
+        sort_radially(points_, edge[0], edge[1], around);
+        for (std::size_t i = 0; i < around.size(); ++i) {
+            // A face that runs up has its front, the outside, on the counter-clockwise side, one that runs down the
+            // material.
+            if (!around[i].runs_up) {
+                const RadialFace& beyond = around[(i + 1) % around.size()];
+                join_sides(static_cast<std::size_t>(around[i].face), static_cast<std::size_t>(beyond.face), edge);
+            }
+        }
+    }
+
+    std::size_t find(std::size_t i) {
+        while (parent_[i] != i) {
+            parent_[i] = parent_[parent_[i]];
+            i = parent_[i];
+        }
+        return i;
+    }
+    void unite(std::size_t a, std::size_t b) {
+        a = find(a);
+        b = find(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+
+    const PointTable& points_;
+    std::vector<Triangle>& triangles_;
+    std::vector<std::size_t> corner_;  ///< of each slot: 3 triangle + k
+    std::vector<std::int32_t> point_;  ///< of each slot
+    std::vector<std::size_t> parent_;
+};
+
+/// Points at which the result may touch itself: all but vertices of one operand among whole triangles.
+std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrangement,
+                                    const std::vector<std::int32_t>& kept) {
+    constexpr std::int32_t kNone = -1;
+    std::vector<char> result(static_cast<std::size_t>(arrangement.points.size()), 0);
+    std::vector<std::int32_t> operand(result.size(), kNone);
+    for (const std::int32_t f : kept) {
+        const Face& face = arrangement.faces[static_cast<std::size_t>(f)];
+        const std::int32_t own = soup.source[static_cast<std::size_t>(face.source)].operand;
+        for (const std::int32_t p : face.points) {
+            const auto i = static_cast<std::size_t>(p);
+            if (!face.whole || face.stack >= 0 || (operand[i] != kNone && operand[i] != own)) {
+                result[i] = 1;
+            }
+            operand[i] = own;
+        }
+    }
+    return result;
+}
+
+/// Vertices in the order of their first use, without those that are not used.
+void take_vertices(const PointTable& points, const std::map<std::int32_t, std::vector<std::int32_t>>& copies,
+                   Extraction& result) {
+    std::int32_t all = points.size();
+    std::vector<std::int32_t> place;  // of copies beyond the table's points: the point where they lie
+    for (const auto& entry : copies) {
+        all += static_cast<std::int32_t>(entry.second.size()) - 1;
+    }
+    place.resize(static_cast<std::size_t>(all - points.size()));
+    for (const auto& [point, list] : copies) {
+        for (std::size_t i = 1; i < list.size(); ++i) {
+            place[static_cast<std::size_t>(list[i] - points.size())] = point;
+        }
+    }
+    std::vector<std::int32_t> index(static_cast<std::size_t>(all), -1);
+    Draft& draft = result.draft;
+    for (Triangle& t : draft.triangles) {
+        for (std::int32_t& v : t) {
+            std::int32_t& at = index[static_cast<std::size_t>(v)];
+            if (at < 0) {
+                at = static_cast<std::int32_t>(draft.vertices.size());
+                const std::int32_t p = v < points.size() ? v : place[static_cast<std::size_t>(v - points.size())];
+                draft.vertices.push_back(points.approx(p));
+                draft.made.push_back(points.given(p) ? 0 : 1);
+            }
+            v = at;
+        }
+    }
+    for (const auto& entry : copies) {
+        std::vector<std::int32_t> list;
+        for (const std::int32_t copy : entry.second) {
+            list.push_back(index[static_cast<std::size_t>(copy)]);
+        }
+        std::sort(list.begin(), list.end());
+        result.copies.push_back(std::move(list));
+    }
+}
+
+}  // namespace
+
+Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells& cells, Operation operation,
+                   const Progress& progress) {
+    Extraction result;
+    std::vector<std::int32_t> kept;
+    std::vector<char> in_cell(cells.winding.size() / static_cast<std::size_t>(cells.operands));
+    for (std::size_t c = 0; c < in_cell.size(); ++c) {
+        in_cell[c] = in_result(operation, cells.windings(static_cast<std::int32_t>(c)), cells.operands) ? 1 : 0;
+    }
+    for (std::size_t f = 0; f < arrangement.faces.size(); ++f) {
+        const bool front = in_cell[static_cast<std::size_t>(cells.front[f])] != 0;
+        const bool back = in_cell[static_cast<std::size_t>(cells.back[f])] != 0;
+        if (front == back) {
+            continue;
+        }
+        const Face& face = arrangement.faces[f];
+        kept.push_back(static_cast<std::int32_t>(f));
+        result.draft.triangles.push_back(face.points);
+        if (front) {
+            std::swap(result.draft.triangles.back()[1], result.draft.triangles.back()[2]);
+        }
+        result.draft.source.push_back(face.whole ? soup.source[static_cast<std::size_t>(face.source)] : Source{});
+    }
+    progress.check();
+    const auto copies =
+        FanOpener(arrangement.points, result.draft.triangles).run(suspicious_points(soup, arrangement, kept));
+    progress.check();
+    take_vertices(arrangement.points, copies, result);
+    return result;
+}
+
+void part_contacts(Extraction& extraction, double distance) {
+    constexpr double kPartOfEdge = 0.1;
+    Draft& draft = extraction.draft;
+    struct Mover {
+        Vec3 inward = Vec3::Zero();
+        double shortest = 1e300;
+    };
+    std::unordered_map<std::int32_t, Mover> movers;
+    for (const std::vector<std::int32_t>& copies : extraction.copies) {
+        for (std::size_t i = 1; i < copies.size(); ++i) {
+            movers.emplace(copies[i], Mover());
+        }
+    }
+    draft.parted = extraction.copies.size();
+    if (movers.empty()) {
+        return;
+    }
+    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
+        const Triangle& c = draft.triangles[t];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto found = movers.find(c[k]);
+            if (found != movers.end()) {
+                const Vec3& p = draft.vertices[static_cast<std::size_t>(c[k])];
+                const Vec3 u = draft.vertices[static_cast<std::size_t>(c[(k + 1) % 3])] - p;
+                const Vec3 v = draft.vertices[static_cast<std::size_t>(c[(k + 2) % 3])] - p;
+                found->second.inward -=
+                    u.cross(v).normalized() * std::acos(std::clamp(u.dot(v) / (u.norm() * v.norm()), -1.0, 1.0));
+                found->second.shortest = std::min({found->second.shortest, u.norm(), v.norm()});
+                draft.source[t] = Source{};
+            }
+        }
+    }
+    for (const auto& [vertex, mover] : movers) {
+        const double step = std::min(distance, kPartOfEdge * mover.shortest);
+        draft.vertices[static_cast<std::size_t>(vertex)] += step * mover.inward.normalized();
+        draft.made[static_cast<std::size_t>(vertex)] = 1;
+        draft.largest_move = std::max(draft.largest_move, step);
+    }
+}
+
+}  // namespace mq::boolean

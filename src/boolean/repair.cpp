@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/repair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "base/predicates.h"
+#include "mesh/self_intersection.h"
+#include "mesh/triangle_contact.h"
+#include "mesh/triangle_tree.h"
+#include "mesh/vertex_stars.h"
+
+namespace mq::boolean {
+
+namespace {
+
+using Faults = std::set<std::int32_t>;  // triangles
+
+constexpr Triangle kGone{-1, -1, -1};
+
+bool gone(const Triangle& t) {
+    return t[0] < 0;
+}
+
+bool has(const Triangle& t, std::int32_t v) {
+    return t[0] == v || t[1] == v || t[2] == v;
+}
+
+/// The triangles that do not come unchanged from an operand, and those that touch their vertices.
+std::vector<std::int32_t> new_triangles(const Draft& draft) {
+    std::vector<std::int32_t> result;
+    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
+        if (!gone(draft.triangles[t]) && draft.source[t].operand < 0) {
+            result.push_back(static_cast<std::int32_t>(t));
+        }
+    }
+    return result;
+}
+
+class Repairer {
+  public:
+    Repairer(Draft& draft, double distance)
+        : draft_(draft),
+          distance_(distance),
+          stars_(draft.triangles, draft.vertices.size()),
+          tree_(draft.vertices, draft.triangles),
+          changed_(draft.triangles.size(), 0) {}
+
+    RepairCount count;
+
+    /// Works on the faults of one triangle; true when there are fewer afterwards.
+    bool work_on(std::int32_t t) {
+        if (gone(draft_.triangles[static_cast<std::size_t>(t)])) {
+            return false;
+        }
+        std::vector<std::int32_t> involved{t};
+        for (const std::int32_t other : contacts_of(t)) {
+            involved.push_back(other);
+        }
+        for (const double longest : {short_edge(), distance_}) {
+            for (const std::int32_t i : involved) {
+                if (collapse_some(i, longest) || flip_some(i) || move_some(i)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    bool faulty(std::int32_t t) const { return !gone(triangle(t)) && (degenerate(t) || !contacts_of(t).empty()); }
+
+  private:
+    struct Undo {
+        std::map<std::int32_t, Triangle> triangles;
+        std::map<std::int32_t, std::vector<std::int32_t>> stars;
+        std::map<std::int32_t, Vec3> vertices;
+    };
+
+    const Triangle& triangle(std::int32_t t) const { return draft_.triangles[static_cast<std::size_t>(t)]; }
+    const Vec3& at(std::int32_t v) const { return draft_.vertices[static_cast<std::size_t>(v)]; }
+
+    bool degenerate(std::int32_t t) const {
+        const Triangle& c = triangle(t);
+        return collinear(at(c[0]), at(c[1]), at(c[2]));
+    }
+
+    /// A few units in the last place of single precision.
+    double short_edge() const {
+        constexpr double kUnits = 32.0;
+        return std::min(distance_, kUnits * std::numeric_limits<float>::epsilon() * tree_.box().largest_side());
+    }
+
+    const std::vector<std::int32_t>& star(std::int32_t v) {
+        const auto known = star_.find(v);
+        if (known != star_.end()) {
+            return known->second;
+        }
+        std::vector<std::int32_t> list;
+        for (const std::uint32_t corner : stars_[static_cast<std::size_t>(v)]) {
+            list.push_back(static_cast<std::int32_t>(corner / 3));
+        }
+        return star_.emplace(v, std::move(list)).first->second;
+    }
+
+    std::vector<std::int32_t> contacts_of(std::int32_t t) const {
+        std::vector<std::int32_t> result;
+        const Triangle& own = triangle(t);
+        Box box;
+        for (const std::int32_t v : own) {
+            box.add(at(v));
+        }
+        const auto test = [&](std::int32_t other) {
+            if (other != t && !gone(triangle(other)) &&
+                mesh::contact(draft_.vertices, own, triangle(other)) != mesh::Contact::None) {
+                result.push_back(other);
+            }
+        };
+        tree_.for_each_in_box(box, [&](std::int32_t other) {
+            if (changed_[static_cast<std::size_t>(other)] == 0) {
+                test(other);
+            }
+        });
+        std::for_each(changed_list_.begin(), changed_list_.end(), test);
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+
+    std::size_t faults_of(const std::vector<std::int32_t>& triangles) const {
+        std::set<std::array<std::int32_t, 2>> pairs;
+        std::size_t result = 0;
+        for (const std::int32_t t : triangles) {
+            if (!gone(triangle(t))) {
+                result += degenerate(t) ? 1 : 0;
+                for (const std::int32_t other : contacts_of(t)) {
+                    pairs.insert({std::min(t, other), std::max(t, other)});
+                }
+            }
+        }
+        return result + pairs.size();
+    }
+
+    void note(Undo& undo, std::int32_t t) {
+        undo.triangles.emplace(t, triangle(t));
+        for (const std::int32_t v : triangle(t)) {
+            undo.stars.emplace(v, star(v));
+        }
+    }
+    void mark(std::int32_t t) {
+        if (changed_[static_cast<std::size_t>(t)] == 0) {
+            changed_[static_cast<std::size_t>(t)] = 1;
+            changed_list_.push_back(t);
+        }
+    }
+    void undo(const Undo& before) {
+        for (const auto& [t, corners] : before.triangles) {
+            draft_.triangles[static_cast<std::size_t>(t)] = corners;
+        }
+        for (const auto& [v, list] : before.stars) {
+            star_[v] = list;
+        }
+        for (const auto& [v, point] : before.vertices) {
+            draft_.vertices[static_cast<std::size_t>(v)] = point;
+        }
+    }
+
+    /// Makes a change of some triangles, and takes it back unless fewer faults are left.
+    template <typename Change>
+    bool attempt(const std::vector<std::int32_t>& affected, Change&& change) {
+        const std::size_t before = faults_of(affected);
+        Undo taken;
+        for (const std::int32_t t : affected) {
+            note(taken, t);
+        }
+        for (const std::int32_t t : affected) {
+            mark(t);
+        }
+        if (before > 0 && change(taken) && faults_of(affected) < before) {
+            for (const std::int32_t t : affected) {
+                draft_.source[static_cast<std::size_t>(t)] = Source{};
+            }
+            return true;
+        }
+        undo(taken);
+        return false;
+    }
+
+    void replace(std::int32_t t, const Triangle& corners) {
+        for (const std::int32_t v : triangle(t)) {
+            auto& list = star_[v];
+            list.erase(std::remove(list.begin(), list.end(), t), list.end());
+        }
+        draft_.triangles[static_cast<std::size_t>(t)] = corners;
+        if (!gone(corners)) {
+            for (const std::int32_t v : corners) {
+                star(v);
+                star_[v].push_back(t);
+            }
+        }
+    }
+
+    bool collapse_some(std::int32_t t, double longest) {
+        const Triangle c = triangle(t);
+        std::vector<std::pair<double, std::array<std::int32_t, 2>>> order;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t a = c[k];
+            const std::int32_t b = c[(k + 1) % 3];
+            const double length = (at(a) - at(b)).norm();
+            if (length <= longest) {
+                order.push_back({length, {a, b}});
+                order.push_back({length, {b, a}});
+            }
+        }
+        std::sort(order.begin(), order.end());
+        return std::any_of(order.begin(), order.end(), [&](const auto& entry) {
+            const auto [from, to] = entry.second;
+            return draft_.made[static_cast<std::size_t>(from)] != 0 && collapse(from, to);
+        });
+    }
+
+    bool collapse(std::int32_t from, std::int32_t to) {
+        if (!link_condition(from, to)) {
+            return false;
+        }
+        const std::vector<std::int32_t> affected = star(from);
+        const double step = (at(from) - at(to)).norm();
+        const bool done = attempt(affected, [&](Undo&) {
+            for (const std::int32_t t : affected) {
+                Triangle corners = triangle(t);
+                if (has(corners, to)) {
+                    replace(t, kGone);
+                } else {
+                    std::replace(corners.begin(), corners.end(), from, to);
+                    replace(t, corners);
+                }
+            }
+            return true;
+        });
+        if (done) {
+            ++count.collapsed;
+            draft_.largest_move = std::max(draft_.largest_move, step);
+        }
+        return done;
+    }
+
+    /// The ends of the edge have just the two apexes of its triangles as common neighbours, and more than three
+    /// triangles each.
+    bool link_condition(std::int32_t a, std::int32_t b) {
+        const auto neighbours = [&](std::int32_t v) {
+            std::set<std::int32_t> result;
+            for (const std::int32_t t : star(v)) {
+                result.insert(triangle(t).begin(), triangle(t).end());
+            }
+            return result;
+        };
+        const std::set<std::int32_t> of_a = neighbours(a);
+        const std::set<std::int32_t> of_b = neighbours(b);
+        std::size_t common = 0;
+        for (const std::int32_t v : of_a) {
+            common += v != a && v != b && of_b.count(v) > 0 ? 1 : 0;
+        }
+        return common == 2 && star(a).size() > 3 && star(b).size() > 3;
+    }
+
+    bool flip_some(std::int32_t t) {
+        const Triangle c = triangle(t);
+        std::array<std::size_t, 3> order{0, 1, 2};
+        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+            return (at(c[i]) - at(c[(i + 1) % 3])).norm() > (at(c[j]) - at(c[(j + 1) % 3])).norm();
+        });
+        return std::any_of(order.begin(), order.end(),
+                           [&](std::size_t k) { return flip(t, c[k], c[(k + 1) % 3], c[(k + 2) % 3]); });
+    }
+
+    /// Swaps the edge from a to b of triangle t with the apex c, when that moves the surface by no more than allowed.
+    bool flip(std::int32_t t, std::int32_t a, std::int32_t b, std::int32_t c) {
+        std::int32_t other = -1;
+        std::int32_t d = -1;
+        for (const std::int32_t s : star(a)) {
+            if (s != t && has(triangle(s), b)) {
+                other = s;
+                for (const std::int32_t v : triangle(s)) {
+                    d = v != a && v != b ? v : d;
+                }
+            }
+        }
+        if (other < 0 || d == c || joined(c, d) || height(a, b, c, d) > distance_) {
+            return false;
+        }
+        const bool done = attempt({t, other}, [&](Undo& taken) {
+            taken.stars.emplace(c, star(c));
+            taken.stars.emplace(d, star(d));
+            replace(t, {d, b, c});
+            replace(other, {c, a, d});
+            return true;
+        });
+        count.flipped += done ? 1 : 0;
+        return done;
+    }
+
+    bool joined(std::int32_t a, std::int32_t b) {
+        const auto& list = star(a);
+        return std::any_of(list.begin(), list.end(), [&](std::int32_t t) { return has(triangle(t), b); });
+    }
+
+    /// Of the lines a-b and c-d: what a swap moves the surface by.
+    double height(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) const {
+        const Vec3 n = (at(b) - at(a)).cross(at(d) - at(c));
+        const double size = n.norm();
+        return size > 0.0 ? std::abs(n.dot(at(c) - at(a))) / size : std::numeric_limits<double>::infinity();
+    }
+
+    bool move_some(std::int32_t t) {
+        const Triangle c = triangle(t);
+        return std::any_of(c.begin(), c.end(),
+                           [&](std::int32_t v) { return draft_.made[static_cast<std::size_t>(v)] != 0 && move(v); });
+    }
+
+    /// Tries the neighbours of a made vertex in single precision.
+    bool move(std::int32_t v) {
+        const std::vector<std::int32_t> affected = star(v);
+        const Vec3 before = at(v);
+        for (int code = 0; code < 27; ++code) {
+            const int way[3] = {code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
+            Vec3 p = before;
+            for (int k = 0; k < 3; ++k) {
+                const auto single = static_cast<float>(p[k]);
+                p[k] = way[k] == 0 ? p[k] : std::nextafter(single, way[k] > 0 ? 1e30F : -1e30F);
+            }
+            if (p == before || (p - before).norm() > distance_) {
+                continue;
+            }
+            if (attempt(affected, [&](Undo& taken) {
+                    taken.vertices.emplace(v, before);
+                    draft_.vertices[static_cast<std::size_t>(v)] = p;
+                    return true;
+                })) {
+                ++count.moved;
+                draft_.largest_move = std::max(draft_.largest_move, (p - before).norm());
+                return true;
+            }
+        }
+        return false;
+    }
+
+    Draft& draft_;
+    double distance_;
+    mesh::VertexStars stars_;
+    mesh::TriangleTree tree_;
+    std::map<std::int32_t, std::vector<std::int32_t>> star_;  ///< of vertices looked at, as it is now
+    std::vector<char> changed_;                               ///< triangles that the tree no longer knows
+    std::vector<std::int32_t> changed_list_;
+};
+
+Faults find_faults(const Draft& draft, const Progress& progress) {
+    Faults faults;
+    const std::vector<std::int32_t> fresh = new_triangles(draft);
+    for (const mesh::ContactPair& pair :
+         mesh::self_intersections_with(draft.vertices, draft.triangles, fresh, mesh::kAllPairs, &progress)) {
+        faults.insert(pair.a);
+        faults.insert(pair.b);
+    }
+    for (const std::int32_t t : fresh) {
+        const Triangle& c = draft.triangles[static_cast<std::size_t>(t)];
+        if (collinear(draft.vertices[static_cast<std::size_t>(c[0])], draft.vertices[static_cast<std::size_t>(c[1])],
+                      draft.vertices[static_cast<std::size_t>(c[2])])) {
+            faults.insert(t);
+        }
+    }
+    return faults;
+}
+
+void remove_gone(Draft& draft) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
+        if (!gone(draft.triangles[t])) {
+            draft.triangles[kept] = draft.triangles[t];
+            draft.source[kept++] = draft.source[t];
+        }
+    }
+    draft.triangles.resize(kept);
+    draft.source.resize(kept);
+}
+
+}  // namespace
+
+void round_to_single(Draft& draft) {
+    for (std::size_t v = 0; v < draft.vertices.size(); ++v) {
+        if (draft.made[v] != 0) {
+            const Vec3 exact = draft.vertices[v];
+            draft.vertices[v] = exact.cast<float>().cast<double>();
+            draft.largest_move = std::max(draft.largest_move, (draft.vertices[v] - exact).norm());
+        }
+    }
+}
+
+RepairCount repair(Draft& draft, double distance, const Progress& progress) {
+    constexpr int kRounds = 4;
+    RepairCount total;
+    for (int round = 0; round < kRounds; ++round) {
+        Faults faults = find_faults(draft, progress);
+        total.found = round == 0 ? faults.size() : total.found;
+        total.left = faults.size();
+        if (faults.empty()) {
+            break;
+        }
+        {
+            Repairer repairer(draft, distance);
+            for (const std::int32_t t : faults) {
+                progress.check();
+                while (repairer.faulty(t) && repairer.work_on(t)) {
+                }
+            }
+            total.collapsed += repairer.count.collapsed;
+            total.flipped += repairer.count.flipped;
+            total.moved += repairer.count.moved;
+        }
+        const std::size_t done = total.collapsed + total.flipped + total.moved;
+        remove_gone(draft);
+        if (done == 0) {
+            break;
+        }
+    }
+    return total;
+}
+
+}  // namespace mq::boolean

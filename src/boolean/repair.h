@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "base/progress.h"
+#include "boolean/draft.h"
+
+namespace mq::boolean {
+
+/// Puts the vertices that were made on single-precision numbers, which is what FreeCAD's Mesh kernel holds.
+void round_to_single(Draft& draft);
+
+/// What repair found and did.
+struct RepairCount {
+    std::size_t found = 0;  ///< degenerate triangles, and pairs that touch or cross
+    std::size_t left = 0;
+    std::size_t collapsed = 0;
+    std::size_t flipped = 0;
+    std::size_t moved = 0;
+};
+
+/// Looks for degenerate triangles and self-intersections, which the rounding of made vertices causes, and removes them
+/// by local changes next to made vertices: swapping an edge, collapsing one (not longer than `distance`, mm), or moving
+/// a vertex by a few units in its last place. A change stays only if it leaves fewer faults around it.
+/// The operands' own triangles change only where they share an edge or a vertex with a fault.
+RepairCount repair(Draft& draft, double distance, const Progress& progress);
+
+}  // namespace mq::boolean
