@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "base/vec.h"
@@ -76,7 +77,8 @@ class TriangleTree {
     template <typename Visit>
     void for_each_own_pair(Task task, Visit&& visit) const;
 
-    /// visit(i) for each triangle whose box meets the closed box.
+    /// visit(i) for each triangle whose box meets the closed box. A visit that returns a bool ends the search by false;
+    /// so do those below.
     template <typename Visit>
     void for_each_in_box(const Box& box, Visit&& visit) const;
 
@@ -135,6 +137,15 @@ class TriangleTree {
     void step(const TriangleTree& other, Task task, std::vector<Task>& stack, Visit& visit) const;
     template <typename Visit>
     void own_step(Task task, std::vector<Task>& stack, Visit& visit) const;
+    template <typename Visit>
+    static bool go_on(Visit& visit, std::int32_t triangle) {
+        if constexpr (std::is_same_v<decltype(visit(triangle)), bool>) {
+            return visit(triangle);
+        } else {
+            visit(triangle);
+            return true;
+        }
+    }
     template <typename Meets, typename Visit>
     void descend(const Meets& meets, Visit& visit) const;
 
@@ -265,8 +276,8 @@ void TriangleTree::descend(const Meets& meets, Visit& visit) const {
             continue;
         }
         for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-            if (meets(items_[i].bounds)) {
-                visit(items_[i].triangle);
+            if (meets(items_[i].bounds) && !go_on(visit, items_[i].triangle)) {
+                return;
             }
         }
     }

@@ -176,6 +176,14 @@ TEST_P(TriangleTreeTest, FindsWhatMeetsABox) {
     }
 }
 
+TEST(TriangleTree, AVisitMayEndTheSearch) {
+    const Soup soup(Soup::kRandom, 100, 15);
+    const TriangleTree tree(soup.vertices, soup.triangles);
+    int visited = 0;
+    tree.for_each_in_box(tree.box(), [&](std::int32_t) { return ++visited < 7; });
+    EXPECT_EQ(visited, 7);
+}
+
 TEST_P(TriangleTreeTest, ARayMissesNoTriangleItHits) {
     const Soup soup(GetParam(), 300, 8);
     const TriangleTree tree(soup.vertices, soup.triangles);

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "boolean/operand.h"
+#include "mesh/edge_twins.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// An operand's surface while it is being repaired.
+///
+/// `mates` pairs the corners (directed edges, 3 * triangle + i) of neighbours; mesh::kBorder and mesh::kIrregular as in
+/// mesh::edge_twins. Unlike twins, mates may run the same way until the triangles have been turned.
+struct SurfaceDraft {
+    std::vector<Vec3> vertices;
+    std::vector<mesh::Triangle> triangles;
+    std::vector<std::int32_t> source;
+    std::vector<std::int32_t> mates;
+    std::vector<std::int32_t> attached;  ///< triangles left over at an edge whose others were paired: of walls and fins
+    Repairs repairs;
+    std::string name;            ///< of the operand
+    Vec3 origin = Vec3::Zero();  ///< of the vertices' frame
+
+    std::int32_t tail(std::int32_t corner) const { return triangles[corner / 3][corner % 3]; }
+    std::int32_t head(std::int32_t corner) const { return tail(mesh::next_corner(corner)); }
+    const Vec3& point(std::int32_t corner) const { return vertices[tail(corner)]; }
+    void pair(std::int32_t h, std::int32_t g) {
+        mates[h] = g;
+        mates[g] = h;
+    }
+    void find_twins() { mates = mesh::edge_twins(triangles, vertices.size()); }
+    /// Drops the triangles marked; mates of those are on the border then.
+    void remove(const std::vector<char>& marked);
+    /// Turns the triangles marked around, and their mates with them.
+    void turn(const std::vector<char>& marked);
+    double area(std::int32_t triangle) const;
+    /// "(1.5, 0, -2) mm" in the part's frame.
+    std::string position(const Vec3& local) const;
+};
+
+// ---- the steps, in their order --------------------------------------------------------------------------------------
+
+/// Of triangles on the same three vertices leaves one, or none where as many run one way as the other.
+void remove_duplicates(SurfaceDraft& draft);
+
+/// Takes out triangles whose corners lie on one line: the neighbour along the long edge is divided at the corner that
+/// lies on it. Needs twins, and keeps them. What has no usable neighbour stays.
+/// @return how many are gone.
+std::size_t remove_degenerate(SurfaceDraft& draft);
+
+/// Turns triangles so that neighbours agree, the majority of each patch staying as it is, and pairs up the triangles of
+/// edges that have more than two: going around the edge, those with the solid between them belong together. Edges of
+/// two triangles that run the same way are mates afterwards, too; what finds no partner is on the border.
+/// @throws InvalidInput when the surface has one side only.
+void pair_and_orient(SurfaceDraft& draft);
+
+/// Fills all holes, by least area, and rather without crossing the rest of the surface; then drops or refuses
+/// components that were open too far.
+/// @throws InvalidInput for an open surface.
+void close_holes(SurfaceDraft& draft, const Progress* progress);
+
+/// Gives each fan of a vertex a vertex of its own, so that indices alone tell the neighbours.
+void part_fans(SurfaceDraft& draft);
+
+/// Turns components inside out where their orientation contradicts what is around them. A component with negative
+/// volume is turned where it does not lie in another one, together with all that lies in it; in another one it is a
+/// cavity.
+void orient_components(SurfaceDraft& draft);
+
+}  // namespace mq::boolean
