@@ -149,8 +149,8 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
 }
 
 /// Vertices in the order of their first use, without those that are not used.
-void take_vertices(const PointTable& points, const std::map<std::int32_t, std::vector<std::int32_t>>& copies,
-                   Extraction& result) {
+void take_vertices(const Soup& soup, const PointTable& points,
+                   const std::map<std::int32_t, std::vector<std::int32_t>>& copies, Extraction& result) {
     std::int32_t all = points.size();
     std::vector<std::int32_t> place;  // of copies beyond the table's points: the point where they lie
     for (const auto& entry : copies) {
@@ -171,7 +171,9 @@ void take_vertices(const PointTable& points, const std::map<std::int32_t, std::v
                 at = static_cast<std::int32_t>(draft.vertices.size());
                 const std::int32_t p = v < points.size() ? v : place[static_cast<std::size_t>(v - points.size())];
                 draft.vertices.push_back(points.approx(p));
-                draft.made.push_back(points.given(p) ? 0 : 1);
+                const bool moved =
+                    points.given(p) && !soup.moved.empty() && soup.moved[static_cast<std::size_t>(p)] != 0;
+                draft.made.push_back(points.given(p) && !moved ? 0 : 1);
             }
             v = at;
         }
@@ -183,6 +185,19 @@ void take_vertices(const PointTable& points, const std::map<std::int32_t, std::v
         }
         std::sort(list.begin(), list.end());
         result.copies.push_back(std::move(list));
+    }
+}
+
+/// A triangle with a moved vertex is no longer the operand's.
+void forget_moved_sources(const Soup& soup, const Arrangement& arrangement, const std::vector<std::int32_t>& kept,
+                          Draft& draft) {
+    for (std::size_t i = 0; i < kept.size() && !soup.moved.empty(); ++i) {
+        const auto& points = arrangement.faces[static_cast<std::size_t>(kept[i])].points;
+        if (std::any_of(points.begin(), points.end(), [&](std::int32_t p) {
+                return arrangement.points.given(p) && soup.moved[static_cast<std::size_t>(p)] != 0;
+            })) {
+            draft.source[i] = Source{};
+        }
     }
 }
 
@@ -214,7 +229,8 @@ Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells
     const auto copies =
         FanOpener(arrangement.points, result.draft.triangles).run(suspicious_points(soup, arrangement, kept));
     progress.check();
-    take_vertices(arrangement.points, copies, result);
+    take_vertices(soup, arrangement.points, copies, result);
+    forget_moved_sources(soup, arrangement, kept, result.draft);
     return result;
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boolean/soup.h"
 
+#include <tsl/robin_map.h>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <numeric>
-#include <unordered_map>
 
 namespace mq::boolean {
 
@@ -60,21 +61,16 @@ std::array<std::uint64_t, 3> bits_of(const Vec3& p) {
     return bits;
 }
 
-}  // namespace
-
-void merge_vertices(Soup& soup) {
-    const std::vector<Box> meeting = meeting_boxes(operand_boxes(soup));
-    if (meeting.empty()) {
-        return;
-    }
+/// Gives the vertices asked for one index for each place.
+template <typename Asked>
+void merge_where(Soup& soup, Asked&& asked) {
     std::vector<std::int32_t> first(soup.vertices.size());
     std::iota(first.begin(), first.end(), 0);
-    std::unordered_map<std::array<std::uint64_t, 3>, std::int32_t, BitsHash> at;
+    tsl::robin_map<std::array<std::uint64_t, 3>, std::int32_t, BitsHash> at;
     bool merged = false;
     for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
-        const Vec3& p = soup.vertices[v];
-        if (std::any_of(meeting.begin(), meeting.end(), [&](const Box& box) { return contains(box, p); })) {
-            first[v] = at.emplace(bits_of(p), static_cast<std::int32_t>(v)).first->second;
+        if (asked(v)) {
+            first[v] = at.emplace(bits_of(soup.vertices[v]), static_cast<std::int32_t>(v)).first->second;
             merged = merged || first[v] != static_cast<std::int32_t>(v);
         }
     }
@@ -85,6 +81,30 @@ void merge_vertices(Soup& soup) {
             }
         }
     }
+}
+
+}  // namespace
+
+void merge_vertices(Soup& soup) {
+    const std::vector<Box> meeting = meeting_boxes(operand_boxes(soup));
+    if (!meeting.empty()) {
+        merge_where(soup, [&](std::size_t v) {
+            return std::any_of(meeting.begin(), meeting.end(),
+                               [&](const Box& box) { return contains(box, soup.vertices[v]); });
+        });
+    }
+}
+
+void merge_touching(Soup& soup, const std::vector<std::array<std::int32_t, 2>>& pairs) {
+    std::vector<char> near(soup.vertices.size(), 0);
+    for (const auto& pair : pairs) {
+        for (const std::int32_t t : pair) {
+            for (const std::int32_t v : soup.triangles[static_cast<std::size_t>(t)]) {
+                near[static_cast<std::size_t>(v)] = 1;
+            }
+        }
+    }
+    merge_where(soup, [&](std::size_t v) { return near[v] != 0; });
 }
 
 std::vector<Twin> find_twins(const Soup& soup) {
@@ -99,7 +119,7 @@ std::vector<Twin> find_twins(const Soup& soup) {
         }
     }
     std::vector<Twin> twins;
-    std::unordered_map<std::array<std::uint64_t, 3>, std::int32_t, BitsHash> at;
+    tsl::robin_map<std::array<std::uint64_t, 3>, std::int32_t, BitsHash> at;
     for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
         Triangle t = soup.triangles[i];
         if (!std::all_of(t.begin(), t.end(), [&](int v) { return shared[static_cast<std::size_t>(v)] != 0; })) {

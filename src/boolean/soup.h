@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Soup {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
     std::vector<Source> source;  ///< of each triangle
+    std::vector<char> moved;     ///< of each vertex: it is not where the operand has it; empty: none is moved
     int operands = 0;
 };
 
@@ -34,6 +36,9 @@ struct Twin {
 
 /// Gives vertices in the same place the same index (the lowest), wherever boxes of operands meet.
 void merge_vertices(Soup& soup);
+
+/// Does the same for the vertices of the pairs of triangles given, wherever they are.
+void merge_touching(Soup& soup, const std::vector<std::array<std::int32_t, 2>>& pairs);
 
 /// Triangles with the same three vertices, whatever their order: all but the first of each set.
 std::vector<Twin> find_twins(const Soup& soup);

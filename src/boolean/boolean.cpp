@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/boolean.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "boolean/arrangement.h"
+#include "boolean/cells.h"
+#include "boolean/extraction.h"
+#include "boolean/near_coincidence.h"
+#include "boolean/operand.h"
+#include "boolean/repair.h"
+#include "boolean/soup.h"
+#include "mesh/self_intersection.h"
+
+namespace mq::boolean {
+
+namespace {
+
+constexpr double kSingleUnit = std::numeric_limits<float>::epsilon();
+
+std::string operand_name(std::size_t index, std::size_t count) {
+    return count <= 26 ? std::string("operand ") + static_cast<char>('A' + index)
+                       : "operand " + std::to_string(index + 1);
+}
+
+bool single(const Vec3& p) {
+    return p == p.cast<float>().cast<double>();
+}
+
+/// One Boolean on its way through the stages.
+class Run {
+  public:
+    Run(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation, const BooleanOptions& options,
+        Progress& progress)
+        : inputs_(operands), operation_(operation), progress_(progress) {
+        Box box;
+        for (const mesh::TriangleMesh* mesh : operands) {
+            for (const Vec3& p : mesh->vertices) {
+                box.add(p + mesh->origin - operands.front()->origin);
+            }
+        }
+        size_ = box.largest_side();
+        tolerance_ = options.tolerance > 0.0 ? options.tolerance : std::sqrt(3.0) * size_ / options.resolution;
+    }
+
+    BooleanResult run() {
+        prepare();
+        make_soup();
+        find_crossings();
+        stage("dividing", 0.5, 0.7);
+        const Arrangement arrangement = arrange(soup_, twins_, crossing_, progress_);
+        result_.crossing_pairs = crossing_.size();
+        stage("classifying", 0.7, 0.85);
+        const Cells cells = find_cells(soup_, arrangement, progress_);
+        result_.curve_edges = cells.curve_edges;
+        stage("extracting", 0.85, 0.9);
+        Extraction extraction = extract(soup_, arrangement, cells, operation_, progress_);
+        stage("checking", 0.9, 1.0);
+        finish(extraction);
+        end_stage();
+        return std::move(result_);
+    }
+
+  private:
+    void stage(const char* name, double from, double to) {
+        end_stage();
+        stage_ = name;
+        progress_.stage(name, from, to);
+        progress_.check();
+    }
+    void end_stage() {
+        const auto now = std::chrono::steady_clock::now();
+        if (stage_ != nullptr) {
+            result_.seconds.emplace_back(stage_, std::chrono::duration<double>(now - started_).count());
+        }
+        started_ = now;
+    }
+
+    void prepare() {
+        stage("inspecting", 0.0, 0.15);
+        for (std::size_t i = 0; i < inputs_.size(); ++i) {
+            const std::string name = operand_name(i, inputs_.size());
+            prepared_.push_back(prepare_operand(*inputs_[i], name, &progress_));
+            const Repairs& repairs = prepared_.back().repairs;
+            result_.repaired.push_back(repairs.any() ? name + ": " + repairs.summary() : std::string());
+        }
+        if (tolerance_ < 4.0 * kSingleUnit * size_) {
+            throw InvalidInput("tolerance is " + std::to_string(tolerance_) +
+                               " mm: single precision holds these operands to " +
+                               std::to_string(4.0 * kSingleUnit * size_) + " mm only; ask for more than that");
+        }
+    }
+
+    void make_soup() {
+        soup_ = Soup();
+        soup_.operands = static_cast<int>(prepared_.size());
+        const Vec3 origin = inputs_.front()->origin;
+        for (std::size_t i = 0; i < prepared_.size(); ++i) {
+            const auto first = static_cast<std::int32_t>(soup_.vertices.size());
+            const Vec3 shift = inputs_[i]->origin - origin;
+            for (const Vec3& p : prepared_[i].vertices) {
+                soup_.vertices.emplace_back(shift.isZero() ? p : Vec3(p + shift));
+            }
+            for (std::size_t t = 0; t < prepared_[i].triangles.size(); ++t) {
+                const Triangle& c = prepared_[i].triangles[t];
+                soup_.triangles.push_back({c[0] + first, c[1] + first, c[2] + first});
+                soup_.source.push_back({static_cast<std::int32_t>(i), prepared_[i].source[t]});
+            }
+        }
+    }
+
+    std::vector<mesh::ContactPair> contacts() {
+        merge_vertices(soup_);
+        twins_ = find_twins(soup_);
+        if (twins_.empty()) {
+            return mesh::self_intersections(soup_.vertices, soup_.triangles, mesh::kAllPairs, &progress_);
+        }
+        std::vector<char> twin(soup_.triangles.size(), 0);
+        for (const Twin& t : twins_) {
+            twin[static_cast<std::size_t>(t.triangle)] = 1;
+        }
+        std::vector<Triangle> others;
+        std::vector<std::int32_t> index;
+        for (std::size_t t = 0; t < twin.size(); ++t) {
+            if (twin[t] == 0) {
+                others.push_back(soup_.triangles[t]);
+                index.push_back(static_cast<std::int32_t>(t));
+            }
+        }
+        auto pairs = mesh::self_intersections(soup_.vertices, others, mesh::kAllPairs, &progress_);
+        for (mesh::ContactPair& pair : pairs) {
+            pair.a = index[static_cast<std::size_t>(pair.a)];
+            pair.b = index[static_cast<std::size_t>(pair.b)];
+        }
+        return pairs;
+    }
+
+    void find_crossings() {
+        stage("finding crossings", 0.15, 0.5);
+        std::vector<mesh::ContactPair> pairs = contacts();
+        if (run_along(soup_, pairs)) {
+            make_soup();
+            const NearCoincidence done = separate(soup_, operation_, tolerance_, pairs, progress_);
+            if (done.moved > 0) {
+                result_.separated_vertices = done.moved;
+                moved_ = done.largest;
+            }
+            pairs = contacts();
+        }
+        for (const mesh::ContactPair& pair : pairs) {
+            crossing_.push_back({pair.a, pair.b});
+        }
+        merge_touching(soup_, crossing_);
+    }
+
+    void finish(Extraction& extraction) {
+        constexpr double kContactPart = 1e-5;  // of the size
+        constexpr double kRepairPart = 1e-4;
+        Draft& draft = extraction.draft;
+        part_contacts(extraction, std::min(tolerance_, kContactPart * size_));
+        result_.parted_contacts = draft.parted;
+        if (std::all_of(soup_.vertices.begin(), soup_.vertices.end(), single)) {
+            round_to_single(draft);
+        }
+        const RepairCount repaired = repair(draft, std::min(tolerance_, kRepairPart * size_), progress_);
+        result_.faults_left = repaired.left;
+        if (repaired.left > 0) {
+            result_.notes.push_back(std::to_string(repaired.left) +
+                                    " triangles touch or cross others: rounding made them, and no change nearby helps");
+        }
+        result_.error_bound = draft.largest_move + moved_;
+        result_.mesh.origin = inputs_.front()->origin;
+        result_.mesh.vertices = std::move(draft.vertices);
+        result_.mesh.triangles = std::move(draft.triangles);
+        for (const Source& source : draft.source) {
+            const bool own = source.operand >= 0 && source.triangle >= 0;
+            result_.triangle_source.push_back(own ? std::array<std::int32_t, 2>{source.operand, source.triangle}
+                                                  : std::array<std::int32_t, 2>{-1, -1});
+            ++(own ? result_.retained : result_.reconstructed);
+        }
+    }
+
+    const std::vector<const mesh::TriangleMesh*>& inputs_;
+    Operation operation_;
+    Progress& progress_;
+    BooleanResult result_;
+    double size_ = 0.0;
+    double tolerance_ = 0.0;
+    double moved_ = 0.0;
+    std::vector<Operand> prepared_;
+    Soup soup_;
+    std::vector<Twin> twins_;
+    std::vector<std::array<std::int32_t, 2>> crossing_;
+    const char* stage_ = nullptr;
+    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+void BooleanOptions::validate() const {
+    if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
+        throw InvalidInput("tolerance is " + std::to_string(tolerance) + ": it must be a positive length in mm");
+    }
+    if (resolution < 8 || resolution > 65536) {
+        throw InvalidInput("resolution is " + std::to_string(resolution) + ": it must be from 8 to 65536");
+    }
+}
+
+BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation,
+                      const BooleanOptions& options, Progress* progress) {
+    options.validate();
+    if (operands.empty()) {
+        throw InvalidInput("a Boolean without operands: give at least one mesh");
+    }
+    Progress unwatched;
+    return Run(operands, operation, options, progress != nullptr ? *progress : unwatched).run();
+}
+
+}  // namespace mq::boolean
