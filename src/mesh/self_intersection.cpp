@@ -2,6 +2,7 @@
 #include "mesh/self_intersection.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "mesh/embedded_star.h"
@@ -59,9 +60,80 @@ class Collector {
     std::vector<ContactPair> found_;
 };
 
-bool meets(const Box& a, const Box& b) {
-    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
+/// A grid of cells, those marked that the boxes of some triangles have parts of: a quick test of what may meet them.
+class OccupiedCells {
+  public:
+    OccupiedCells(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                  const std::vector<std::int32_t>& marked)
+        : vertices_(vertices), cells_(kSide * kSide * kSide / 8, 0) {
+        for (const std::int32_t t : marked) {
+            for (const std::int32_t v : triangles[t]) {
+                box_.add(vertices[v]);
+            }
+        }
+        const Vec3 size = box_.high - box_.low;
+        for (int i = 0; i < 3; ++i) {
+            scale_[i] = size[i] > 0.0 ? (kSide - 1) / size[i] : 0.0;
+        }
+        for (const std::int32_t t : marked) {
+            visit(triangles[t], [this](std::size_t cell) {
+                cells_[cell / 8] = static_cast<std::uint8_t>(cells_[cell / 8] | (1u << (cell % 8)));
+                return true;
+            });
+        }
+    }
+
+    /// False only if the triangle's box meets none of those of the marked triangles.
+    bool may_meet(const Triangle& t) const {
+        bool found = false;
+        visit(t, [&](std::size_t cell) {
+            found = (cells_[cell / 8] >> (cell % 8) & 1u) != 0;
+            return !found;
+        });
+        return found;
+    }
+
+  private:
+    static constexpr std::size_t kSide = 128;
+
+    /// The cell of a coordinate never falls while the coordinate grows, however it is rounded.
+    std::size_t cell_of(double x, int axis) const {
+        return static_cast<std::size_t>((std::clamp(x, box_.low[axis], box_.high[axis]) - box_.low[axis]) *
+                                        scale_[axis]);
+    }
+
+    /// Each cell of the box of a triangle that meets the grid, until `use` says false.
+    template <typename Use>
+    void visit(const Triangle& t, const Use& use) const {
+        Box box;
+        for (const std::int32_t v : t) {
+            box.add(vertices_[v]);
+        }
+        if ((box.low.array() > box_.high.array()).any() || (box.high.array() < box_.low.array()).any()) {
+            return;
+        }
+        std::array<std::size_t, 3> low;
+        std::array<std::size_t, 3> high;
+        for (int i = 0; i < 3; ++i) {
+            low[i] = cell_of(box.low[i], i);
+            high[i] = cell_of(box.high[i], i);
+        }
+        for (std::size_t z = low[2]; z <= high[2]; ++z) {
+            for (std::size_t y = low[1]; y <= high[1]; ++y) {
+                for (std::size_t x = low[0]; x <= high[0]; ++x) {
+                    if (!use((z * kSide + y) * kSide + x)) {
+                        return;
+                    }
+                }
+            }
+        }
+    }
+
+    const std::vector<Vec3>& vertices_;
+    Box box_;
+    Vec3 scale_ = Vec3::Zero();
+    std::vector<std::uint8_t> cells_;
+};
 
 }  // namespace
 
@@ -85,7 +157,7 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
                                                  const std::vector<std::int32_t>& subset, std::size_t limit,
                                                  const Progress* progress) {
     const TriangleTree part(vertices, triangles, subset);
-    const Box part_box = part.box();
+    const OccupiedCells cells(vertices, triangles, subset);
     std::vector<char> in_subset(triangles.size(), 0);
     for (const std::int32_t t : subset) {
         in_subset[t] = 1;
@@ -93,11 +165,7 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
     std::vector<std::int32_t> near;
     std::vector<Triangle> near_triangles;
     for (std::size_t k = 0; k < triangles.size(); ++k) {
-        Box box;
-        for (const std::int32_t v : triangles[k]) {
-            box.add(vertices[v]);
-        }
-        if (meets(box, part_box)) {
+        if (cells.may_meet(triangles[k])) {
             near.push_back(static_cast<std::int32_t>(k));
             near_triangles.push_back(triangles[k]);
         }
