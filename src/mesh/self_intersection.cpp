@@ -65,74 +65,73 @@ class OccupiedCells {
   public:
     OccupiedCells(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                   const std::vector<std::int32_t>& marked)
-        : vertices_(vertices), cells_(kSide * kSide * kSide / 8, 0) {
+        : occupied_(kSide * kSide * kSide, 0) {
+        Box box;
         for (const std::int32_t t : marked) {
             for (const std::int32_t v : triangles[t]) {
-                box_.add(vertices[v]);
+                box.add(vertices[v]);
             }
         }
-        const Vec3 size = box_.high - box_.low;
-        for (int i = 0; i < 3; ++i) {
-            scale_[i] = size[i] > 0.0 ? (kSide - 1) / size[i] : 0.0;
+        // The cell of a coordinate never falls while the coordinate grows, however it is rounded. Cells 0 and kSide - 1
+        // take what lies outside of the box.
+        cell_.resize(vertices.size());
+        Vec3 scale = box.high - box.low;
+        scale = scale.unaryExpr([](double size) { return size > 0.0 ? (kSide - 3) / size : 0.0; });
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            for (int i = 0; i < 3; ++i) {
+                const double place = (vertices[v][i] - box.low[i]) * scale[i];
+                const double inside = 1.0 + std::min(place, kSide - 3.0);
+                cell_[v][i] = static_cast<std::uint8_t>(vertices[v][i] < box.low[i]    ? 0.0
+                                                        : vertices[v][i] > box.high[i] ? kSide - 1.0
+                                                                                       : inside);
+            }
         }
         for (const std::int32_t t : marked) {
-            visit(triangles[t], [this](std::size_t cell) {
-                cells_[cell / 8] = static_cast<std::uint8_t>(cells_[cell / 8] | (1u << (cell % 8)));
-                return true;
-            });
+            all_ = all_ || !visit(triangles[t], kMostMarked, [this](std::size_t cell) {
+                       occupied_[cell] = 1;
+                       return true;
+                   });
         }
     }
 
     /// False only if the triangle's box meets none of those of the marked triangles.
     bool may_meet(const Triangle& t) const {
-        bool found = false;
-        visit(t, [&](std::size_t cell) {
-            found = (cells_[cell / 8] >> (cell % 8) & 1u) != 0;
-            return !found;
-        });
-        return found;
+        return all_ || !visit(t, kMostAsked, [this](std::size_t cell) { return occupied_[cell] == 0; });
     }
 
   private:
-    static constexpr std::size_t kSide = 128;
+    static constexpr int kSide = 128;
+    static constexpr int kMostMarked = 4096;  ///< cells of a triangle; larger ones make the grid useless
+    static constexpr int kMostAsked = 64;     ///< a larger triangle is not worth the question
 
-    /// The cell of a coordinate never falls while the coordinate grows, however it is rounded.
-    std::size_t cell_of(double x, int axis) const {
-        return static_cast<std::size_t>((std::clamp(x, box_.low[axis], box_.high[axis]) - box_.low[axis]) *
-                                        scale_[axis]);
-    }
-
-    /// Each cell of the box of a triangle that meets the grid, until `use` says false.
+    /// use(cell) for each cell of the box of a triangle. False when that has too many, or as soon as `use` says so.
     template <typename Use>
-    void visit(const Triangle& t, const Use& use) const {
-        Box box;
-        for (const std::int32_t v : t) {
-            box.add(vertices_[v]);
-        }
-        if ((box.low.array() > box_.high.array()).any() || (box.high.array() < box_.low.array()).any()) {
-            return;
-        }
-        std::array<std::size_t, 3> low;
-        std::array<std::size_t, 3> high;
+    bool visit(const Triangle& t, int most, const Use& use) const {
+        std::array<int, 3> low;
+        std::array<int, 3> high;
         for (int i = 0; i < 3; ++i) {
-            low[i] = cell_of(box.low[i], i);
-            high[i] = cell_of(box.high[i], i);
+            const auto [least, greatest] = std::minmax({cell_[t[0]][i], cell_[t[1]][i], cell_[t[2]][i]});
+            low[i] = least;
+            high[i] = greatest;
         }
-        for (std::size_t z = low[2]; z <= high[2]; ++z) {
-            for (std::size_t y = low[1]; y <= high[1]; ++y) {
-                for (std::size_t x = low[0]; x <= high[0]; ++x) {
-                    if (!use((z * kSide + y) * kSide + x)) {
-                        return;
+        if ((high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) > most) {
+            return false;
+        }
+        for (int z = low[2]; z <= high[2]; ++z) {
+            for (int y = low[1]; y <= high[1]; ++y) {
+                for (int x = low[0]; x <= high[0]; ++x) {
+                    if (!use(static_cast<std::size_t>((z * kSide + y) * kSide + x))) {
+                        return false;
                     }
                 }
             }
         }
+        return true;
     }
 
-    const std::vector<Vec3>& vertices_;
-    Box box_;
-    Vec3 scale_ = Vec3::Zero();
-    std::vector<std::uint8_t> cells_;
+    std::vector<std::array<std::uint8_t, 3>> cell_;  ///< of each vertex
+    std::vector<char> occupied_;
+    bool all_ = false;  ///< everything may meet the marked ones
 };
 
 }  // namespace
@@ -156,6 +155,7 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
                                                  const std::vector<Triangle>& triangles,
                                                  const std::vector<std::int32_t>& subset, std::size_t limit,
                                                  const Progress* progress) {
+    constexpr char kUnasked = 2;
     const TriangleTree part(vertices, triangles, subset);
     const OccupiedCells cells(vertices, triangles, subset);
     std::vector<char> in_subset(triangles.size(), 0);
@@ -170,12 +170,16 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
             near_triangles.push_back(triangles[k]);
         }
     }
-    // A star of which only a part is near is not closed there, and its pairs are tested one by one.
-    std::vector<char> embedded(vertices.size(), 0);
+    // A vertex that two triangles of a pair share is one of the subset's, whose stars are near as a whole.
+    std::vector<char> embedded(vertices.size(), kUnasked);
     {
         const VertexStars stars(near_triangles, vertices.size());
-        for (std::size_t v = 0; v < vertices.size(); ++v) {
-            embedded[v] = static_cast<char>(embedded_star(vertices, near_triangles, stars[v]));
+        for (const std::int32_t t : subset) {
+            for (const std::int32_t v : triangles[t]) {
+                if (embedded[v] == kUnasked) {
+                    embedded[v] = static_cast<char>(embedded_star(vertices, near_triangles, stars[v]));
+                }
+            }
         }
     }
     const TriangleTree whole(vertices, triangles, near);

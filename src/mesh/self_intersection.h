@@ -31,7 +31,7 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
                                             std::size_t limit = kAllPairs, const Progress* progress = nullptr);
 
 /// The pairs of which at least one triangle is in `subset` (indices, each once). The time goes with the subset and the
-/// triangles near it, plus 15 ns for every other one.
+/// triangles near it, plus 50 ns for every other one.
 std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertices,
                                                  const std::vector<Triangle>& triangles,
                                                  const std::vector<std::int32_t>& subset, std::size_t limit = kAllPairs,

@@ -131,6 +131,40 @@ TEST(SelfIntersection, FindsAllPairsOfASoup) {
     }
 }
 
+TEST(SelfIntersection, WithASubsetOfManySmallAndSomeLargeTriangles) {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> real(-1.0, 1.0);
+    for (const double large : {0.0, 0.02, 0.5}) {
+        std::vector<Vec3> vertices;
+        std::vector<Triangle> triangles;
+        for (int i = 0; i < 3000; ++i) {
+            const Vec3 center(real(random), real(random), real(random));
+            const double size = 0.5 + 0.5 * real(random) < large ? 1.0 : 0.05;
+            for (int k = 0; k < 3; ++k) {
+                vertices.emplace_back(center + size * Vec3(real(random), real(random), real(random)));
+            }
+            triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        }
+        std::vector<std::int32_t> subset;
+        std::vector<char> in_subset(3000, 0);
+        for (std::int32_t t = 0; t < 3000; ++t) {
+            // Together in one part of space, so that others lie outside of it.
+            if (vertices[3 * t].x() > 0.7 && t % 3 == 0) {
+                subset.push_back(t);
+                in_subset[t] = 1;
+            }
+        }
+        std::vector<ContactPair> expected;
+        for (const ContactPair& pair : self_intersections(vertices, triangles)) {
+            if (in_subset[pair.a] + in_subset[pair.b] > 0) {
+                expected.push_back(pair);
+            }
+        }
+        EXPECT_GT(expected.size(), 10u);
+        expect_same(self_intersections_with(vertices, triangles, subset), expected);
+    }
+}
+
 /// A closed fan around vertex 0, its rim at `radius(k)` in direction `angle(k)` and height `height(k)`.
 struct Fan {
     template <typename Rim>
