@@ -75,11 +75,18 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
     add("surface edge swaps", repairs.swaps);
     add("surface edge collapses", repairs.collapses);
     add("edges curved on model faces", repairs.curved_edges);
+    add("cusps opened", repairs.cusps);
     add("surface edges split in repair", repairs.splits);
 }
 
 void note(const VolumeRepairs& repairs, CurveReport& report) {
     report.invalid_before += static_cast<std::size_t>(repairs.invalid_before);
+    report.repairs.emplace_back("edge swaps in regions", repairs.edge_swaps);
+    report.repairs.emplace_back("face swaps in regions", repairs.face_swaps);
+    report.repairs.emplace_back("collapses in regions", repairs.collapses);
+    report.repairs.emplace_back("inner vertices relocated", repairs.relocations);
+    report.moved_vertices += static_cast<std::size_t>(repairs.relocations);
+    report.repairs.emplace_back("vertices put into regions", repairs.splits);
     report.repairs.emplace_back("patches of tetrahedra curved inside", repairs.patches);
 }
 

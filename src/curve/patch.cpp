@@ -14,10 +14,11 @@ constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{{{0, 1, 2}, {0, 1, 3}
 
 }  // namespace
 
-Patch::Patch(Volume& volume, const std::vector<int>& tetrahedra)
+Patch::Patch(Volume& volume, const std::vector<int>& tetrahedra, const std::unordered_set<int>& loose, int degree)
     : volume_(volume),
-      lattice_(Lattice::of(3, volume.shapes().order())),
+      lattice_(Lattice::of(3, degree)),
       members_(tetrahedra),
+      loose_(loose),
       is_member_(volume.tetrahedra.size(), 0) {
     for (const int t : members_) {
         is_member_[static_cast<std::size_t>(t)] = 1;
@@ -25,6 +26,40 @@ Patch::Patch(Volume& volume, const std::vector<int>& tetrahedra)
     for (const int t : members_) {
         take_element(t);
     }
+}
+
+/// The inner control points of an edge, of the patch's degree.
+std::vector<Vec3> Patch::edge_points(int a, int b) const {
+    std::vector<Vec3> inner = volume_.shapes().edge_inner(a, b);
+    if (volume_.shapes().order() == lattice_.degree()) {
+        return inner;
+    }
+    const Lattice& lattice = Lattice::of(1, volume_.shapes().order());
+    const Vec3 ends = 0.5 * (volume_.point(a) + volume_.point(b));
+    inner.insert(inner.begin(), volume_.point(a));
+    inner.push_back(volume_.point(b));
+    return {2.0 * value(lattice, inner, {0.5, 0.5, 0.0, 0.0}) - ends};
+}
+
+/// The inner control points of a free edge, of the mesh's order.
+std::vector<Vec3> Patch::raised(const FreeEdge& edge) const {
+    std::vector<Vec3> inner;
+    for (const int p : edge.points) {
+        inner.push_back(points_[static_cast<std::size_t>(p)]);
+    }
+    const int q = volume_.shapes().order();
+    if (q == lattice_.degree()) {
+        return inner;
+    }
+    // A quadratic with control points a, c, b in Bernstein form of degree q.
+    const Vec3& a = volume_.point(edge.a);
+    const Vec3& b = volume_.point(edge.b);
+    const Vec3 bulge = 0.5 * (inner.front() - 0.5 * (a + b));
+    inner.clear();
+    for (int k = 1; k < q; ++k) {
+        inner.push_back(a + (b - a) * (static_cast<double>(k) / q) + bulge * (4.0 * k * (q - k) / (q * (q - 1.0))));
+    }
+    return inner;
 }
 
 int Patch::add_point(const Vec3& p, bool free) {
@@ -58,7 +93,7 @@ void Patch::take_element(int t) {
     for (std::size_t k = 0; k < 4; ++k) {
         const auto [found, fresh] = points_of_vertex_.emplace(v[k], -1);
         if (fresh) {
-            found->second = add_point(volume_.point(v[k]), false);
+            found->second = add_point(volume_.point(v[k]), loose_.count(v[k]) > 0);
         }
         index[static_cast<std::size_t>(lattice_.corner(static_cast<int>(k)))] = found->second;
     }
@@ -68,7 +103,7 @@ void Patch::take_element(int t) {
         const auto [found, fresh] = points_of_edge_.try_emplace(edge_key(v[low], v[high]));
         if (fresh) {
             const bool free = inside_edge(v[low], v[high]);
-            for (const Vec3& p : volume_.shapes().edge_inner(v[low], v[high])) {
+            for (const Vec3& p : edge_points(v[low], v[high])) {
                 found->second.push_back(add_point(p, free));
             }
             if (free) {
@@ -243,21 +278,48 @@ void Patch::reblend_faces() {
     }
 }
 
-void Patch::store() {
-    const auto positions = [&](const std::vector<int>& points) {
-        std::vector<Vec3> result;
-        for (const int p : points) {
-            result.push_back(points_[static_cast<std::size_t>(p)]);
+int Patch::move_vertices() {
+    int moved = 0;
+    for (const auto& [v, point] : points_of_vertex_) {
+        Vec3& place = volume_.shapes().vertices[static_cast<std::size_t>(v)].point;
+        if (place != points_[static_cast<std::size_t>(point)]) {
+            place = points_[static_cast<std::size_t>(point)];
+            ++moved;
         }
-        return result;
-    };
+    }
+    return moved;
+}
+
+/// They are blended from their new edges.
+void Patch::forget_inner_faces() {
+    for (const int t : members_) {
+        const std::array<int, 4>& v = volume_.tetrahedra[static_cast<std::size_t>(t)].corners;
+        for (const auto& face : kFaces) {
+            const std::array<int, 3> corners{v[face[0]], v[face[1]], v[face[2]]};
+            if (volume_.shapes().has_face(corners) && inside_face(corners[0], corners[1], corners[2])) {
+                volume_.shapes().forget_face(corners);
+            }
+        }
+    }
+}
+
+int Patch::store() {
+    const int moved = move_vertices();
     for (const FreeEdge& edge : edges_) {
-        volume_.shapes().set_edge(edge.a, edge.b, positions(edge.points));
+        volume_.shapes().set_edge(edge.a, edge.b, raised(edge));
     }
     for (const FreeFace& face : faces_) {
-        volume_.shapes().set_face(face.corners, positions(face.points));
+        std::vector<Vec3> inner;
+        for (const int p : face.points) {
+            inner.push_back(points_[static_cast<std::size_t>(p)]);
+        }
+        volume_.shapes().set_face(face.corners, inner);
+    }
+    if (lattice_.degree() < volume_.shapes().order()) {
+        forget_inner_faces();
     }
     volume_.measure(members_);
+    return moved;
 }
 
 }  // namespace mq::curve

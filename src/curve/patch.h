@@ -8,10 +8,14 @@
 namespace mq::curve {
 
 /// The tetrahedra around bad ones with all their control points in one list: what an optimisation works on. Free are
-/// the inner control points of edges and faces that lie inside the patch and not on the surface; vertices are not.
+/// the inner control points of edges and faces that lie inside the patch and not on the surface; vertices only where
+/// they are said to be loose.
 class Patch {
   public:
-    Patch(Volume& volume, const std::vector<int>& tetrahedra);
+    /// @param loose inner vertices, all of whose elements are in the patch, that may move as well.
+    /// @param degree of the shapes to work with: the order of the mesh, or 2 to see every edge as the quadratic through
+    /// its middle, which is quick and near to what an order above needs.
+    Patch(Volume& volume, const std::vector<int>& tetrahedra, const std::unordered_set<int>& loose, int degree);
 
     const Lattice& lattice() const { return lattice_; }
     std::size_t elements() const { return members_.size(); }
@@ -33,7 +37,8 @@ class Patch {
     /// ones pass theirs on inwards.
     void spread_bulges(int sweeps);
     /// Writes the state into the volume's shapes and measures the members.
-    void store();
+    /// @return how many vertices moved.
+    int store();
 
   private:
     struct FreeEdge {
@@ -45,16 +50,21 @@ class Patch {
         std::array<int, 3> corners;
         std::vector<int> points;
     };
+    std::vector<Vec3> edge_points(int a, int b) const;
+    std::vector<Vec3> raised(const FreeEdge& edge) const;
     int add_point(const Vec3& p, bool free);
     void take_element(int t);
     void take_face(const std::array<int, 4>& v, const std::array<std::size_t, 3>& face, std::vector<int>& index);
     void reblend_faces();
+    void forget_inner_faces();
+    int move_vertices();
     bool inside_edge(int a, int b) const;
     bool inside_face(int a, int b, int c) const;
 
     Volume& volume_;
     const Lattice& lattice_;
     std::vector<int> members_;
+    std::unordered_set<int> loose_;
     std::vector<char> is_member_;
     std::vector<std::vector<int>> points_of_;  // by element and lattice point; -1: blended, inside the region
     std::vector<double> straight_;

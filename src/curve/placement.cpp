@@ -370,6 +370,24 @@ std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
     return result;
 }
 
+void Placement::set_quadratic(int a, int b, double s) {
+    const Segment& segment = *surface_.segment(a, b);
+    const double t_a = surface_.t_of(a, b);
+    const Answer answer = session_.ask(Query::edge_point(segment.edge, t_a + s * (surface_.t_of(b, a) - t_a)));
+    if (!answer.found()) {
+        return;
+    }
+    const Vec3& from = surface_.shapes.vertices[static_cast<std::size_t>(a)].point;
+    const Vec3& to = surface_.shapes.vertices[static_cast<std::size_t>(b)].point;
+    const Vec3 bulge = answer.point - 0.5 * (from + to);
+    const double q = surface_.shapes.order();
+    std::vector<Vec3> inner;
+    for (double k = 1.0; k < q; k += 1.0) {
+        inner.push_back(from + (to - from) * (k / q) + bulge * (4.0 * k * (q - k) / (q * (q - 1.0))));
+    }
+    surface_.shapes.set_edge(a, b, inner);
+}
+
 Placement::Middle Placement::middle_of(int a, int b) {
     Middle middle;
     const int low = std::min(a, b);

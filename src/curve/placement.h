@@ -23,6 +23,9 @@ class Placement {
     /// Sets the quality of triangles from the shapes as they are.
     void measure(const std::vector<int>& triangles);
 
+    /// Makes mesh edge (a, b) on a CAD edge a quadratic through the point at part `s` from a to b of its parameters.
+    void set_quadratic(int a, int b, double s);
+
     /// The point of the curved edge that a new vertex in its middle gets; parameters by `at` of the entity.
     struct Middle {
         Vertex vertex;

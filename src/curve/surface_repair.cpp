@@ -10,7 +10,7 @@ namespace {
 /// Deviation from the chord by its length: 0.134 is an arc of 60 degrees; beyond sqrt(3)/4 = 0.433 even the best
 /// triangle becomes invalid (inequality (4) of section 5.5).
 constexpr double kAllowableBulge = 0.134;
-constexpr double kGoodTriangle = 0.2;
+constexpr double kGoodTriangle = 0.15;
 constexpr int kBulgeRounds = 6;
 constexpr int kRepairRounds = 10;
 
@@ -87,6 +87,12 @@ class Repair {
         for (std::size_t k = 0; k < 3; ++k) {
             if (curve_beside(v[k], v[(k + 1) % 3], v[(k + 2) % 3])) {
                 ++done_.curved_edges;
+                return true;
+            }
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (open_cusp(editor_, v[k], v[(k + 1) % 3], v[(k + 2) % 3])) {
+                ++done_.cusps;
                 return true;
             }
         }

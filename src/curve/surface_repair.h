@@ -14,6 +14,7 @@ struct SurfaceRepairs {
     int swaps = 0;
     int collapses = 0;
     int curved_edges = 0;
+    int cusps = 0;  ///< opened
     int splits = 0;
 };
 

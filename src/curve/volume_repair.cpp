@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "curve/untangle.h"
+#include "curve/volume_editor.h"
 
 namespace mq::curve {
 
@@ -13,28 +14,42 @@ namespace {
 constexpr double kGoodTetrahedron = 0.15;
 /// The least Bernstein coefficient, relative to the straight element, that the optimisation goes for.
 constexpr double kTarget = 0.3;
-constexpr int kRounds = 3;
+/// A corner whose three edges are fixed must keep this part of the straight element's J.
+constexpr double kFreeCorner = 0.2;
+constexpr int kFreeingRounds = 4;
+constexpr int kRounds = 5;
 constexpr int kSweeps = 15;
-
 class Repair {
   public:
-    Repair(Volume& volume, const Progress& progress) : volume_(volume), progress_(progress) {}
+    Repair(Volume& volume, const Progress& progress) : volume_(volume), editor_(volume), progress_(progress) {}
 
     VolumeRepairs run() {
         volume_.measure(volume_.living());
         done_.invalid_before = invalid();
+        for (int round = 0; round < kFreeingRounds && free_corners(); ++round) {
+        }
+        std::vector<int> last;
         for (int round = 0; round < kRounds; ++round) {
+            if (round >= moving_round()) {
+                improve(bad_ones());
+            }
             const std::vector<int> bad = bad_ones();
-            if (bad.empty()) {
+            if (bad.empty() || (round > moving_round() && bad == last)) {
                 break;
             }
             curve_inside(bad, 2 + round, round);
+            last = bad;
         }
         done_.invalid_after = invalid();
         return done_;
     }
 
   private:
+    /// From this round on the topology may change, and inner vertices of bad elements may move: the mesher knew only
+    /// the straight surface, and may have put them between it and the curved one. Orders above 2 have a round more
+    /// before.
+    int moving_round() const { return volume_.shapes().order() > 2 ? 2 : 1; }
+
     int invalid() const {
         return static_cast<int>(std::count_if(volume_.tetrahedra.begin(), volume_.tetrahedra.end(),
                                               [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); }));
@@ -107,16 +122,124 @@ class Repair {
     }
 
     void work_on(const std::vector<int>& members, int round) {
-        Patch patch(volume_, members);
+        const std::unordered_set<int> loose =
+            round >= moving_round() ? loose_vertices(members) : std::unordered_set<int>();
+        const int order = volume_.shapes().order();
+        if (order > 2) {
+            done_.relocations += curve_patch(members, loose, 2, round);
+        }
+        // The first round is for the bulk of the work; what it leaves comes again in smaller patches.
+        if (order == 2 || (round > 0 && any_poor(members))) {
+            done_.relocations += curve_patch(members, loose, order, order > 2 ? 1 : round);
+        }
+        ++done_.patches;
+    }
+
+    int curve_patch(const std::vector<int>& members, const std::unordered_set<int>& loose, int degree, int round) {
+        Patch patch(volume_, members, loose, degree);
         if (round == 0) {
             patch.spread_bulges(kSweeps);
         }
         untangle(patch, kTarget, progress_);
-        patch.store();
-        ++done_.patches;
+        return patch.store();
+    }
+
+    bool any_poor(const std::vector<int>& members) const {
+        return std::any_of(members.begin(), members.end(), [&](int t) {
+            return volume_.tetrahedra[static_cast<std::size_t>(t)].quality < kGoodTetrahedron;
+        });
+    }
+
+    /// Inner vertices of bad elements, all of whose elements are members.
+    std::unordered_set<int> loose_vertices(const std::vector<int>& members) const {
+        std::unordered_set<int> loose;
+        for (const int t : members) {
+            const Tetrahedron& tetrahedron = volume_.tetrahedra[static_cast<std::size_t>(t)];
+            for (const int v : tetrahedron.corners) {
+                const bool inner = volume_.shapes().vertices[static_cast<std::size_t>(v)].entity[0] == 3;
+                if (inner && tetrahedron.quality < kGoodTetrahedron) {
+                    loose.insert(v);
+                }
+            }
+        }
+        return loose;
+    }
+
+    /// @return whether anything changed.
+    bool free_corners() {
+        bool any = false;
+        for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
+            const Tetrahedron& tetrahedron = volume_.tetrahedra[t];
+            if (tetrahedron.alive && tetrahedron.quality < 1.0 &&
+                editor_.score(tetrahedron.corners).fixed < kFreeCorner) {
+                progress_.check();
+                any = change(static_cast<int>(t), VolumeEditor::Rule::Free) || any;
+            }
+        }
+        return any;
+    }
+
+    void improve(const std::vector<int>& bad) {
+        for (const int t : bad) {
+            if (volume_.tetrahedra[static_cast<std::size_t>(t)].alive) {
+                progress_.check();
+                change(t, VolumeEditor::Rule::Improve);
+            }
+        }
+    }
+
+    bool change(int t, VolumeEditor::Rule rule) {
+        const std::array<int, 4> v = volume_.tetrahedra[static_cast<std::size_t>(t)].corners;
+        return swap(v, rule) || (rule == VolumeEditor::Rule::Improve && collapse(v)) || split(t, v, rule);
+    }
+
+    bool swap(const std::array<int, 4>& v, VolumeEditor::Rule rule) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t k = i + 1; k < 4; ++k) {
+                if (swap_region_edge(editor_, v[i], v[k], rule)) {
+                    ++done_.edge_swaps;
+                    return true;
+                }
+            }
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (swap_region_face(editor_, v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4], rule)) {
+                ++done_.face_swaps;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool collapse(const std::array<int, 4>& v) {
+        for (const int a : v) {
+            for (const int b : v) {
+                if (a != b && collapse_region_edge(editor_, a, b)) {
+                    ++done_.collapses;
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    bool split(int t, const std::array<int, 4>& v, VolumeEditor::Rule rule) {
+        bool done = false;
+        for (std::size_t i = 0; i < 4 && !done; ++i) {
+            for (std::size_t k = i + 1; k < 4 && !done; ++k) {
+                done = split_region_edge(editor_, v[i], v[k], rule);
+            }
+        }
+        for (std::size_t i = 0; i < 4 && !done; ++i) {
+            done = split_region_face(editor_, v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4], rule);
+        }
+        done = done || split_region(editor_, t, rule);
+        done_.splits += done ? 1 : 0;
+        return done;
     }
 
     Volume& volume_;
+    VolumeEditor editor_;
     const Progress& progress_;
     VolumeRepairs done_;
 };

@@ -9,11 +9,19 @@ namespace mq::curve {
 struct VolumeRepairs {
     int invalid_before = 0;
     int invalid_after = 0;
-    int patches = 0;  ///< whose inner edges and faces were curved
+    int edge_swaps = 0;
+    int face_swaps = 0;
+    int collapses = 0;
+    int relocations = 0;  ///< inner vertices moved
+    int splits = 0;       ///< vertices put on inner edges, faces and into tetrahedra
+    int patches = 0;      ///< whose inner edges and faces were curved
 };
 
-/// Repairs invalid and poor tetrahedra: bad ones with the layers around them form patches, whose inner edges and faces
-/// are curved. The surface stays as it is.
+/// Repairs invalid and poor tetrahedra; the surface stays as it is.
+///
+/// First the elements that no curving can help, because three edges on the surface meet in one of their corners nearly
+/// in a plane: swaps, then splits. Then the bad ones with the layers around them form patches, whose inner edges and
+/// faces are curved. What is bad after that is swapped, collapsed or split, and curved again.
 VolumeRepairs repair_volume(Volume& volume, const Progress& progress);
 
 }  // namespace mq::curve

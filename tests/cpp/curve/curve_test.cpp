@@ -9,98 +9,14 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/error.h"
-#include "curve/gmsh_order.h"
-#include "curve/validity.h"
+#include "curve/checks.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/parts.h"
-#include "triangulate/triangulate.h"
 
 namespace mq::curve {
 namespace {
-
-CurvedMesh curved(const std::shared_ptr<geometry::Model>& model, const Options& options, double max_edge = 0.0) {
-    geometry::Engine engine(geometry::Engine::Mode::Direct);
-    triangulate::Options straight;
-    straight.min_angle = 20.0;
-    straight.max_edge = max_edge;
-    straight.chord_height_relative = max_edge > 0.0 ? 0.0 : 0.02;
-    return curve(engine, model, triangulate::triangulate(engine, model, straight).mesh, options);
-}
-
-Options of_order(int order, bool volume = false) {
-    Options options;
-    options.order = order;
-    options.volume = volume;
-    return options;
-}
-
-std::vector<Vec3> nodes_of(const CurvedMesh& mesh, const std::vector<std::int32_t>& list, std::size_t element,
-                           const Lattice& lattice) {
-    const std::vector<int> order = gmsh_order(lattice);
-    std::vector<Vec3> nodes(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const auto node = static_cast<std::size_t>(list[element * order.size() + i]);
-        nodes[static_cast<std::size_t>(order[i])] = mesh.nodes[node];
-    }
-    return nodes;
-}
-
-/// Integral of the Jacobian over all tetrahedra: the volume of what the mesh covers, overlaps counted twice.
-double volume_of(const CurvedMesh& mesh) {
-    const Lattice& lattice = Lattice::of(3, mesh.order);
-    double sum = 0.0;
-    for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
-        const JacobianForm form =
-            jacobian_of(lattice, nodes_to_bezier(lattice, nodes_of(mesh, mesh.tetrahedra, e, lattice)));
-        double mean = 0.0;
-        for (const double c : form.coefficients) {
-            mean += c / static_cast<double>(form.coefficients.size());
-        }
-        sum += mean / 6.0;
-    }
-    return sum;
-}
-
-std::size_t invalid_tetrahedra(const CurvedMesh& mesh) {
-    const Lattice& lattice = Lattice::of(3, mesh.order);
-    std::size_t invalid = 0;
-    for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
-        const auto control = nodes_to_bezier(lattice, nodes_of(mesh, mesh.tetrahedra, e, lattice));
-        invalid += check_positive(jacobian_of(lattice, control)).valid ? 0 : 1;
-    }
-    return invalid;
-}
-
-/// Every face of a tetrahedron belongs to two of them with the same nodes, or to one and a boundary triangle.
-void expect_conforming(const CurvedMesh& mesh) {
-    const Lattice& lattice = Lattice::of(3, mesh.order);
-    const std::vector<int> order = gmsh_order(lattice);
-    std::map<std::set<int>, std::set<std::size_t>> faces;
-    for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
-        for (std::size_t opposite = 0; opposite < 4; ++opposite) {
-            std::set<int> face;
-            for (std::size_t i = 0; i < order.size(); ++i) {
-                if (lattice.exponents(order[i])[opposite] == 0) {
-                    face.insert(mesh.tetrahedra[e * order.size() + i]);
-                }
-            }
-            faces[face].insert(e);
-        }
-    }
-    std::set<std::set<int>> boundary;
-    const auto per = static_cast<std::size_t>(mesh.nodes_per_triangle());
-    for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
-        boundary.insert({mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t * per),
-                         mesh.triangles.begin() + static_cast<std::ptrdiff_t>((t + 1) * per)});
-    }
-    EXPECT_EQ(boundary.size(), mesh.triangle_face.size());
-    for (const auto& [face, elements] : faces) {
-        EXPECT_EQ(elements.size(), boundary.count(face) > 0 ? 1u : 2u);
-    }
-}
 
 std::shared_ptr<geometry::Model> sphere() {
     return geometry::make_shape_model(BRepPrimAPI_MakeSphere(1.0).Shape());

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "curve/curve.h"
+#include "curve/gmsh_order.h"
+#include "curve/validity.h"
+#include "triangulate/triangulate.h"
+
+/// Making curved meshes, and what every one must be, measured from its nodes alone.
+namespace mq::curve {
+
+inline CurvedMesh curved(const std::shared_ptr<geometry::Model>& model, const Options& options, double max_edge = 0.0) {
+    geometry::Engine engine(geometry::Engine::Mode::Direct);
+    triangulate::Options straight;
+    straight.min_angle = 20.0;
+    straight.max_edge = max_edge;
+    straight.chord_height_relative = max_edge > 0.0 ? 0.0 : 0.02;
+    return curve(engine, model, triangulate::triangulate(engine, model, straight).mesh, options);
+}
+
+inline Options of_order(int order, bool volume = false) {
+    Options options;
+    options.order = order;
+    options.volume = volume;
+    return options;
+}
+
+inline std::vector<Vec3> nodes_of(const CurvedMesh& mesh, const std::vector<std::int32_t>& list, std::size_t element,
+                                  const Lattice& lattice) {
+    const std::vector<int> order = gmsh_order(lattice);
+    std::vector<Vec3> nodes(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const auto node = static_cast<std::size_t>(list[element * order.size() + i]);
+        nodes[static_cast<std::size_t>(order[i])] = mesh.nodes[node];
+    }
+    return nodes;
+}
+
+/// Integral of the Jacobian over all tetrahedra: the volume of what the mesh covers, overlaps counted twice.
+inline double volume_of(const CurvedMesh& mesh) {
+    const Lattice& lattice = Lattice::of(3, mesh.order);
+    double sum = 0.0;
+    for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
+        const JacobianForm form =
+            jacobian_of(lattice, nodes_to_bezier(lattice, nodes_of(mesh, mesh.tetrahedra, e, lattice)));
+        double mean = 0.0;
+        for (const double c : form.coefficients) {
+            mean += c / static_cast<double>(form.coefficients.size());
+        }
+        sum += mean / 6.0;
+    }
+    return sum;
+}
+
+inline std::size_t invalid_tetrahedra(const CurvedMesh& mesh) {
+    const Lattice& lattice = Lattice::of(3, mesh.order);
+    std::size_t invalid = 0;
+    for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
+        const auto control = nodes_to_bezier(lattice, nodes_of(mesh, mesh.tetrahedra, e, lattice));
+        invalid += check_positive(jacobian_of(lattice, control)).valid ? 0 : 1;
+    }
+    return invalid;
+}
+
+/// Every face of a tetrahedron belongs to two of them with the same nodes, or to one and a boundary triangle.
+inline void expect_conforming(const CurvedMesh& mesh) {
+    const Lattice& lattice = Lattice::of(3, mesh.order);
+    const std::vector<int> order = gmsh_order(lattice);
+    std::map<std::set<int>, std::set<std::size_t>> faces;
+    for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
+        for (std::size_t opposite = 0; opposite < 4; ++opposite) {
+            std::set<int> face;
+            for (std::size_t i = 0; i < order.size(); ++i) {
+                if (lattice.exponents(order[i])[opposite] == 0) {
+                    face.insert(mesh.tetrahedra[e * order.size() + i]);
+                }
+            }
+            faces[face].insert(e);
+        }
+    }
+    std::set<std::set<int>> boundary;
+    const auto per = static_cast<std::size_t>(mesh.nodes_per_triangle());
+    for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
+        boundary.insert({mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t * per),
+                         mesh.triangles.begin() + static_cast<std::ptrdiff_t>((t + 1) * per)});
+    }
+    EXPECT_EQ(boundary.size(), mesh.triangle_face.size());
+    for (const auto& [face, elements] : faces) {
+        EXPECT_EQ(elements.size(), boundary.count(face) > 0 ? 1u : 2u);
+    }
+}
+
+}  // namespace mq::curve
