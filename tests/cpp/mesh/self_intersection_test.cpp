@@ -139,7 +139,7 @@ TEST(SelfIntersection, WithASubsetOfManySmallAndSomeLargeTriangles) {
         std::vector<Triangle> triangles;
         for (int i = 0; i < 3000; ++i) {
             const Vec3 center(real(random), real(random), real(random));
-            const double size = 0.5 + 0.5 * real(random) < large ? 1.0 : 0.05;
+            const double size = 0.5 + 0.5 * real(random) < large ? 1.0 : 0.1;
             for (int k = 0; k < 3; ++k) {
                 vertices.emplace_back(center + size * Vec3(real(random), real(random), real(random)));
             }
