@@ -195,6 +195,21 @@ void add_twins(const std::vector<Twin>& twins, Arrangement& result) {
     }
 }
 
+/// A face that lies between two folds of one operand's surface divides nothing: its covers cancel each other.
+void remove_cancelled(const Soup& soup, Arrangement& result) {
+    const auto cancelled = [&](const Face& face) {
+        if (face.stack < 0) {
+            return false;
+        }
+        std::map<std::int32_t, int> sum;  // by operand
+        for (const Cover& cover : result.stacks[static_cast<std::size_t>(face.stack)]) {
+            sum[soup.source[static_cast<std::size_t>(cover.triangle)].operand] += cover.turn;
+        }
+        return std::all_of(sum.begin(), sum.end(), [](const auto& entry) { return entry.second == 0; });
+    };
+    result.faces.erase(std::remove_if(result.faces.begin(), result.faces.end(), cancelled), result.faces.end());
+}
+
 }  // namespace
 
 Arrangement arrange(const Soup& soup, const std::vector<Twin>& twins,
@@ -221,6 +236,7 @@ Arrangement arrange(const Soup& soup, const std::vector<Twin>& twins,
         }
     }
     add_twins(twins, result);
+    remove_cancelled(soup, result);
     return result;
 }
 

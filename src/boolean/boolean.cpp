@@ -113,11 +113,12 @@ class Run {
         }
     }
 
-    std::vector<mesh::ContactPair> contacts() {
+    /// Pairs of triangles in contact, at most `limit` of them; twins are left out.
+    std::vector<mesh::ContactPair> contacts(std::size_t limit) {
         merge_vertices(soup_);
         twins_ = find_twins(soup_);
         if (twins_.empty()) {
-            return mesh::self_intersections(soup_.vertices, soup_.triangles, mesh::kAllPairs, &progress_);
+            return mesh::self_intersections(soup_.vertices, soup_.triangles, limit, &progress_);
         }
         std::vector<char> twin(soup_.triangles.size(), 0);
         for (const Twin& t : twins_) {
@@ -131,7 +132,7 @@ class Run {
                 index.push_back(static_cast<std::int32_t>(t));
             }
         }
-        auto pairs = mesh::self_intersections(soup_.vertices, others, mesh::kAllPairs, &progress_);
+        auto pairs = mesh::self_intersections(soup_.vertices, others, limit, &progress_);
         for (mesh::ContactPair& pair : pairs) {
             pair.a = index[static_cast<std::size_t>(pair.a)];
             pair.b = index[static_cast<std::size_t>(pair.b)];
@@ -141,15 +142,18 @@ class Run {
 
     void find_crossings() {
         stage("finding crossings", 0.15, 0.5);
-        std::vector<mesh::ContactPair> pairs = contacts();
-        if (run_along(soup_, pairs)) {
+        // Curves cross few triangles. When many are crossed a sample shows whether surfaces run along each other.
+        const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
+        std::vector<mesh::ContactPair> pairs = contacts(many);
+        const bool along = run_along(soup_, pairs);
+        if (along) {
             make_soup();
             const NearCoincidence done = separate(soup_, operation_, tolerance_, pairs, progress_);
-            if (done.moved > 0) {
-                result_.separated_vertices = done.moved;
-                moved_ = done.largest;
-            }
-            pairs = contacts();
+            result_.separated_vertices = done.moved;
+            moved_ = done.largest;
+        }
+        if (along || pairs.size() == many) {
+            pairs = contacts(mesh::kAllPairs);
         }
         for (const mesh::ContactPair& pair : pairs) {
             crossing_.push_back({pair.a, pair.b});
