@@ -25,17 +25,26 @@ double cpu_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Reads what the benchmark's meshes are: binary little-endian PLY, float x y z, triangles with one-byte counts.
+template <typename Number>
+Vec3 read_point(std::istream& file) {
+    std::array<Number, 3> xyz{};
+    file.read(reinterpret_cast<char*>(xyz.data()), sizeof xyz);
+    return Vec3(xyz[0], xyz[1], xyz[2]);
+}
+
+/// Reads what the benchmark's meshes are: binary little-endian PLY, x y z in either precision, triangles with one-byte
+/// counts and four-byte indices.
 mesh::TriangleMesh read_ply(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::size_t vertices = 0, triangles = 0;
     std::string line;
-    bool binary = false;
+    bool binary = false, is_double = false;
     while (std::getline(file, line) && line != "end_header") {
         std::istringstream words(line);
         std::string a, b;
         words >> a >> b;
         binary = binary || b == "binary_little_endian";
+        is_double = is_double || (a == "property" && b == "double");
         if (a == "element") {
             words >> (b == "vertex" ? vertices : triangles);
         }
@@ -43,9 +52,7 @@ mesh::TriangleMesh read_ply(const std::string& path) {
     mesh::TriangleMesh mesh;
     mesh.vertices.resize(vertices);
     for (Vec3& p : mesh.vertices) {
-        std::array<float, 3> xyz{};
-        file.read(reinterpret_cast<char*>(xyz.data()), sizeof xyz);
-        p = Vec3(xyz[0], xyz[1], xyz[2]);
+        p = is_double ? read_point<double>(file) : read_point<float>(file);
     }
     mesh.triangles.resize(triangles);
     for (mesh::Triangle& t : mesh.triangles) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "boolean/edge_set.h"
+#include "boolean/stitch.h"
 
 namespace mq::boolean {
 
@@ -61,8 +62,8 @@ int PointFans::sort(const std::uint32_t* first, const std::uint32_t* last) {
 
 }  // namespace
 
-std::size_t open_nodes(std::vector<Vec3>& points, std::vector<mesh::Triangle>& triangles,
-                       const std::vector<std::uint8_t>& candidate) {
+std::vector<std::int32_t> open_nodes(std::vector<Vec3>& points, std::vector<mesh::Triangle>& triangles,
+                                     const std::vector<std::uint8_t>& candidate) {
     std::vector<std::uint32_t> begin(candidate.size() + 1, 0);
     for (const mesh::Triangle& t : triangles) {
         for (const std::int32_t p : t) {
@@ -82,7 +83,7 @@ std::size_t open_nodes(std::vector<Vec3>& points, std::vector<mesh::Triangle>& t
             }
         }
     }
-    const std::size_t before = points.size();
+    std::vector<std::int32_t> originals;
     PointFans fans(triangles);
     for (std::size_t p = 0; p < candidate.size(); ++p) {
         if (begin[p] == begin[p + 1]) {
@@ -93,9 +94,53 @@ std::size_t open_nodes(std::vector<Vec3>& points, std::vector<mesh::Triangle>& t
             const Vec3 copy = points[p];
             fans.rename(fan, static_cast<std::int32_t>(points.size()));
             points.push_back(copy);
+            originals.push_back(static_cast<std::int32_t>(p));
         }
     }
-    return points.size() - before;
+    return originals;
+}
+
+void part_nodes(std::vector<Vec3>& points, const std::vector<mesh::Triangle>& triangles,
+                const std::vector<std::int32_t>& source, const std::vector<std::int32_t>& originals,
+                std::int32_t first_copy, double distance) {
+    struct Around {
+        Vec3 sum = Vec3::Zero();
+        int count = 0;
+        bool fixed = false;
+    };
+    std::vector<std::int32_t> place(points.size(), -1);
+    std::vector<std::int32_t> moving;
+    const auto note = [&](std::int32_t p) {
+        if (place[p] < 0) {
+            place[p] = static_cast<std::int32_t>(moving.size());
+            moving.push_back(p);
+        }
+    };
+    for (std::size_t k = 0; k < originals.size(); ++k) {
+        note(originals[k]);
+        note(first_copy + static_cast<std::int32_t>(k));
+    }
+    std::vector<Around> around(moving.size());
+    for (std::size_t k = 0; k < triangles.size() && !moving.empty(); ++k) {
+        for (int i = 0; i < 3; ++i) {
+            if (place[triangles[k][i]] >= 0) {
+                Around& at = around[place[triangles[k][i]]];
+                at.sum += points[triangles[k][(i + 1) % 3]] + points[triangles[k][(i + 2) % 3]];
+                at.count += 2;
+                at.fixed = at.fixed || source[k] >= 0;
+            }
+        }
+    }
+    for (std::size_t k = 0; k < moving.size(); ++k) {
+        if (around[k].count > 0 && !around[k].fixed) {
+            Vec3& p = points[moving[k]];
+            const Vec3 way = around[k].sum / around[k].count - p;
+            const double length = way.norm();
+            if (length > 0.0) {
+                p = to_single(p + way * std::min(0.1, distance / length));
+            }
+        }
+    }
 }
 
 std::vector<std::vector<std::int32_t>> find_holes(const std::vector<mesh::Triangle>& triangles,

@@ -14,9 +14,16 @@ namespace mq::boolean {
 /// @param points copies are appended
 /// @param triangles is rewritten; must hold all triangles around the points marked in `candidate`
 /// @param candidate which points to look at
-/// @return the number of points added
-std::size_t open_nodes(std::vector<Vec3>& points, std::vector<mesh::Triangle>& triangles,
-                       const std::vector<std::uint8_t>& candidate);
+/// @return for each point added the one that it is a copy of
+std::vector<std::int32_t> open_nodes(std::vector<Vec3>& points, std::vector<mesh::Triangle>& triangles,
+                                     const std::vector<std::uint8_t>& candidate);
+
+/// Moves doubled points apart, so that the sheets do not touch: each copy goes towards the middle of its neighbours, by
+/// `distance` or a tenth of the way when that is less. Points of triangles with a source (not negative) stay.
+/// @param originals see open_nodes; the copies are the points from `first_copy` on
+void part_nodes(std::vector<Vec3>& points, const std::vector<mesh::Triangle>& triangles,
+                const std::vector<std::int32_t>& source, const std::vector<std::int32_t>& originals,
+                std::int32_t first_copy, double distance);
 
 /// The holes of a surface: closed loops over its border points, against the direction of the triangles beside them,
 /// that is, in the direction of the triangles that would fill them. Each border point must have two border edges.

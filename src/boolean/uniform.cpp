@@ -19,6 +19,8 @@ namespace mq::boolean {
 
 namespace {
 
+/// How far the copies of an opened node part, in units of r.
+constexpr double kParting = 0.02;
 constexpr int kLowestResolution = 9;
 constexpr int kHighestResolution = (1 << kMaxLevels) + 1;
 
@@ -234,7 +236,9 @@ void UniformBoolean::make_manifold() {
         }
     }
     active.insert(active.end(), reconstructed_.begin(), reconstructed_.end());
-    result_.opened_nodes = open_nodes(surface_.points, active, candidate);
+    const auto first_copy = static_cast<std::int32_t>(surface_.points.size());
+    const std::vector<std::int32_t> originals = open_nodes(surface_.points, active, candidate);
+    result_.opened_nodes = originals.size();
     candidate.resize(surface_.points.size(), 1);
     for (std::size_t k = 0; k < place.size(); ++k) {
         surface_.triangles[place[k]] = active[k];
@@ -243,12 +247,11 @@ void UniformBoolean::make_manifold() {
                               active.end());
     surface_.source.resize(surface_.triangles.size(), -1);
     const std::vector<std::vector<std::int32_t>> holes = find_holes(active, candidate);
-    if (holes.empty()) {
-        return;
-    }
     EdgeSet edges;
-    for (const mesh::Triangle& t : active) {
-        edges.add(t);
+    if (!holes.empty()) {
+        for (const mesh::Triangle& t : active) {
+            edges.add(t);
+        }
     }
     for (const std::vector<std::int32_t>& hole : holes) {
         fill(hole, edges);
@@ -256,6 +259,7 @@ void UniformBoolean::make_manifold() {
             progress_->check();
         }
     }
+    part_nodes(surface_.points, surface_.triangles, surface_.source, originals, first_copy, kParting * grid_.spacing());
 }
 
 /// Drops unused points and names the sources.

@@ -8,6 +8,7 @@
 #include "boolean/edge_set.h"
 #include "closed_solids.h"
 #include "mesh/report.h"
+#include "mesh/self_intersection.h"
 
 namespace mq::boolean {
 namespace {
@@ -26,10 +27,20 @@ TEST(NodeOpen, DoublesAPinchedPoint) {
     mesh::TriangleMesh mesh = pinched();
     EXPECT_EQ(mesh::measure(mesh).pinched_vertices, 1U);
     const std::vector<std::uint8_t> all(mesh.vertices.size(), 1);
-    EXPECT_EQ(open_nodes(mesh.vertices, mesh.triangles, all), 1U);
+    const std::vector<std::int32_t> originals = open_nodes(mesh.vertices, mesh.triangles, all);
+    EXPECT_EQ(originals, std::vector<std::int32_t>{7});
     EXPECT_EQ(mesh::measure(mesh).pinched_vertices, 0U);
     EXPECT_EQ(mesh.vertices.back(), Vec3(1, 1, 1));
     EXPECT_TRUE(find_holes(mesh.triangles, std::vector<std::uint8_t>(mesh.vertices.size(), 1)).empty());
+    EXPECT_FALSE(mesh::self_intersections(mesh.vertices, mesh.triangles).empty());
+    // The first box is retained: only the second moves.
+    std::vector<std::int32_t> source(24, -1);
+    std::fill(source.begin(), source.begin() + 12, 0);
+    const auto copy = static_cast<std::int32_t>(mesh.vertices.size()) - 1;
+    part_nodes(mesh.vertices, mesh.triangles, source, originals, copy, 0.01);
+    EXPECT_EQ(mesh.vertices[7], Vec3(1, 1, 1));
+    EXPECT_NEAR((mesh.vertices[copy] - Vec3(1, 1, 1)).norm(), 0.01, 1e-6);
+    EXPECT_TRUE(mesh::self_intersections(mesh.vertices, mesh.triangles).empty());
 }
 
 TEST(NodeOpen, TwoHolesAtOnePointBecomeTwoLoops) {
@@ -46,7 +57,7 @@ TEST(NodeOpen, TwoHolesAtOnePointBecomeTwoLoops) {
     }
     ASSERT_EQ(kept.size() + 2, mesh.triangles.size());
     const std::vector<std::uint8_t> all(mesh.vertices.size(), 1);
-    EXPECT_EQ(open_nodes(mesh.vertices, kept, all), 1U);
+    EXPECT_EQ(open_nodes(mesh.vertices, kept, all).size(), 1U);
     const auto holes = find_holes(kept, std::vector<std::uint8_t>(mesh.vertices.size(), 1));
     ASSERT_EQ(holes.size(), 1U);  // the two fans at the pole part, and the two holes are one
     EXPECT_EQ(holes[0].size(), 6U);
