@@ -19,9 +19,12 @@ from .errors import Cancelled, Error, GeometryError, InvalidInput, IoError, Topo
 _LAZY = {
     "triangulate": "MeshQuality.api",
     "quality": "MeshQuality.api",
+    "curve": "MeshQuality.curved_mesh",
+    "CurvedMesh": "MeshQuality.curved_mesh",
     "add_quality_mesh": "MeshQuality.api",
     "SurfaceMesh": "MeshQuality.surface_mesh",
     "MeshReport": "MeshQuality._core",
+    "CurveReport": "MeshQuality._core",
 }
 
 __all__ = ["Cancelled", "Error", "GeometryError", "InvalidInput", "IoError", "TopologyError",

@@ -20,6 +20,7 @@ from .errors import Error
 DONE, FAILED, USAGE = 0, 1, 2
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
+CURVED_SUFFIXES = (".msh", ".vtu")
 OUTPUT_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".msh", ".vtu")
 
 
@@ -60,6 +61,13 @@ def parser():
     _add_options(one, options.TRIANGULATE)
 
     one = commands.add_parser(
+        "curve", parents=[common], help="make a mesh of curved elements of a CAD part",
+        description="Meshes a CAD part with curved triangles or tetrahedra, each proven valid.")
+    one.add_argument("input", help="CAD file: " + " ".join(CAD_SUFFIXES))
+    one.add_argument("-o", "--output", help="mesh file: " + " ".join(CURVED_SUFFIXES))
+    _add_options(one, options.CURVE)
+
+    one = commands.add_parser(
         "quality", parents=[common], help="report on a mesh",
         description="Measures a mesh: topology, angles, and its distance to a shape if given.")
     one.add_argument("input", help="mesh file: " + " ".join(MESH_SUFFIXES))
@@ -79,12 +87,14 @@ def _job(arguments):
         if path and not os.path.isfile(path):
             raise Error(f"there is no file '{path}'")
         _require_suffix(path, suffixes)
-    _require_suffix(job.get("output"), OUTPUT_SUFFIXES)
+    curved = job["command"] == "curve"
+    _require_suffix(job.get("output"), CURVED_SUFFIXES if curved else OUTPUT_SUFFIXES)
     if job.get("output") and not os.path.isdir(os.path.dirname(job["output"])):
         raise Error(f"there is no folder '{os.path.dirname(job['output'])}' to write to")
-    if job["command"] == "triangulate":
-        names = [option.name for option in options.TRIANGULATE]
-        job["options"] = options.check(options.TRIANGULATE, {n: job.pop(n) for n in names})
+    table = {"triangulate": options.TRIANGULATE, "curve": options.CURVE}.get(job["command"])
+    if table:
+        names = [option.name for option in table]
+        job["options"] = options.check(table, {n: job.pop(n) for n in names})
     return job
 
 

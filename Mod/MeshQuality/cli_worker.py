@@ -24,8 +24,17 @@ REPORT_FIELDS = (
 )
 
 
+CURVE_REPORT_FIELDS = (
+    "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
+    "min_distortion", "mean_distortion", "max_deviation", "rms_deviation", "volume",
+    "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
+)
+
+
 def report_fields(report):
-    """A MeshReport as plain values for JSON; numbers that JSON has no word for become null."""
+    """A report as plain values for JSON; numbers that JSON has no word for become null."""
+    if isinstance(report, mq.CurveReport):
+        return {name: getattr(report, name) for name in CURVE_REPORT_FIELDS}
     fields = {name: getattr(report, name) for name in REPORT_FIELDS}
     fields["box"] = None if report.box is None else [corner.tolist() for corner in report.box]
     return {name: None if isinstance(value, float) and not math.isfinite(value) else value
@@ -126,6 +135,18 @@ def triangulate(job):
     return report, f"{report.triangles} triangles{where}{exempt}{limit}"
 
 
+def curve(job):
+    """Returns the report and the sentence to end with."""
+    shape = read_shape(job["input"], job.get("object"))
+    mesh = mq.curve(shape, **job["options"], progress=progress_line())
+    if job.get("output"):
+        mesh.write(job["output"])
+    where = f" in {job['output']}" if job.get("output") else ""
+    report = mesh.report
+    return report, f"{report.elements} elements of order {mesh.order}{where}, " \
+                   f"{report.invalid} of them invalid"
+
+
 def quality(job):
     """Returns the report and the sentence to end with."""
     mesh = read_mesh(job["input"])
@@ -137,7 +158,8 @@ def quality(job):
 def run(job):
     """The job's result as plain data; never raises."""
     try:
-        report, text = {"triangulate": triangulate, "quality": quality}[job["command"]](job)
+        report, text = {"triangulate": triangulate, "curve": curve,
+                        "quality": quality}[job["command"]](job)
     except mq.InvalidInput as error:
         return {"status": USAGE, "text": str(error)}
     except mq.Error as error:

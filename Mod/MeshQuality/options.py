@@ -131,6 +131,23 @@ TRIANGULATE = (
 )
 
 
+CURVE = (
+    Option("order", int, 2, low=1, high=5, above=False,
+           help="Order of the elements: 1 to 5, with tetrahedra to 4"),
+    Option("volume", bool, False, help="Fill the solids with tetrahedra"),
+    Option("straighten", bool, False,
+           help="Make elements straight that stay invalid after all repairs"),
+    Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Straight mesh",
+           help="Smallest angle of the straight triangles"),
+    Option("chord_height", float, None, unit="mm", low=0.0, group="Straight mesh",
+           help="Largest distance between the straight mesh and the shape"),
+    Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Straight mesh",
+           help="The same as a fraction of the shape's largest dimension; 0.01 unless one is given"),
+    Option("max_edge", float, None, unit="mm", low=0.0, group="Straight mesh",
+           help="Longest edge of the straight mesh"),
+)
+
+
 def check(table, values):
     """All options of `table` as {name: plain value}, those not in `values` with their default.
 

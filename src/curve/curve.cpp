@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "curve/straighten.h"
 #include "curve/surface_repair.h"
 #include "curve/validity.h"
 #include "curve/volume_repair.h"
@@ -148,8 +149,8 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     clock.end("curving the surface");
     watched.stage("repairing the surface", 0.3, 0.5);
     note(repair_surface(editor, watched), report);
+    std::size_t straightened = options.straighten ? straighten_triangles(editor) : 0;
     clock.end("repairing the surface");
-    measure_surface(editor, report);
     std::vector<Region> regions;
     if (options.volume) {
         watched.stage("filling", 0.5, 0.6);
@@ -157,17 +158,21 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
         clock.end("filling");
         watched.stage("repairing the volume", 0.6, 0.95);
         note(repair_volume(volume, watched), report);
+        straightened += options.straighten ? straighten_tetrahedra(volume, editor) : 0;
         clock.end("repairing the volume");
+        measure_surface(editor, report);
         measure_volume(volume, report);
         for (const int t : volume.living()) {
             const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
             regions.push_back({tetrahedron.corners, tetrahedron.volume});
         }
+    } else {
+        measure_surface(editor, report);
     }
+    report.repairs.emplace_back("elements made straight", straightened);
     clock.end("measuring");
     CurvedMesh result = assemble(surface, regions);
-    report.vertices = static_cast<std::size_t>(
-        std::count_if(result.nodes.begin(), result.nodes.end(), [](const Vec3&) { return true; }));
+    report.vertices = result.vertices;
     report.cpu_seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     result.report = std::move(report);
     return result;

@@ -52,6 +52,7 @@ class Assembler {
                 mesh_.node_entity.push_back(surface_.shapes.vertices[v].entity);
             }
         }
+        mesh_.vertices = mesh_.nodes.size();
     }
 
     void append_edges() {

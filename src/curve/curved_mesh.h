@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "curve/surface.h"
+#include "mesh/triangle_mesh.h"
 
 namespace mq::curve {
 
@@ -36,6 +37,7 @@ struct CurvedMesh {
     int order = 1;
     std::vector<Vec3> nodes;                      ///< the corner vertices come first
     std::vector<mesh::VertexEntity> node_entity;  ///< dimension 0 to 3 and index
+    std::size_t vertices = 0;                     ///< how many of the nodes are corners
     /// Flat lists, so many nodes an element.
     std::vector<std::int32_t> edges;  ///< mesh edges on CAD edges
     std::vector<std::int32_t> edge_entity;
@@ -59,6 +61,13 @@ struct Region {
 /// Numbers the nodes of a surface and of the tetrahedra in it, and lists all elements. Vertices no element uses are
 /// left out.
 CurvedMesh assemble(const Surface& surface, const std::vector<Region>& regions);
+
+/// A plain triangle mesh of the curved triangles, for viewers and for Mesh features: every triangle is cut into as many
+/// along each edge as keep the chords within `deviation` (mm) of the curved mesh; 0: a thousandth of its size.
+mesh::TriangleMesh tessellate(const CurvedMesh& mesh, double deviation);
+
+/// Writes .msh or .vtu by extension. @throws IoError naming the path.
+void write(const CurvedMesh& mesh, const std::string& path);
 
 /// Text of a Gmsh .msh file, 4.1 ASCII, with a physical group for each CAD edge, face and volume by FreeCAD's names.
 std::string to_msh(const CurvedMesh& mesh);

@@ -6,8 +6,6 @@
 #include <mutex>
 #include <string>
 
-#include "base/error.h"
-
 namespace nglib {
 #include <netgen/nglib.h>
 }
@@ -109,8 +107,8 @@ Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 
     } catch (const std::exception& error) {  // Netgen's own
         why = error.what();
     }
-    throw GeometryError("the surface could not be filled with tetrahedra (" + why +
-                        "): it meets itself, or walls are too thin for its triangles; ask for a smaller chord height");
+    throw CannotFill("the surface could not be filled with tetrahedra (" + why +
+                     "): it meets itself, or walls are too thin for its triangles; ask for a smaller chord height");
 }
 
 }  // namespace mq::curve

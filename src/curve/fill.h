@@ -4,10 +4,15 @@
 #include <array>
 #include <vector>
 
-#include "base/progress.h"
+#include "base/error.h"
 #include "base/vec.h"
 
 namespace mq::curve {
+
+/// A surface that cannot be filled, mostly because it meets itself: a finer one may do.
+class CannotFill : public GeometryError {
+    using GeometryError::GeometryError;
+};
 
 /// Tetrahedra inside a closed surface.
 struct Filling {
@@ -17,7 +22,7 @@ struct Filling {
 
 /// Fills a closed, outward oriented surface by Netgen's nglib. All points and triangles of the surface are kept as they
 /// are. Netgen holds one mesh at a time for the whole process: calls wait for each other.
-/// @throws GeometryError when the surface cannot be filled: it is not closed or meets itself.
+/// @throws CannotFill when the surface cannot be filled: it is not closed or meets itself.
 Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles);
 
 }  // namespace mq::curve

@@ -206,8 +206,8 @@ Volume fill_solids(Surface& surface, const geometry::Topology& topology, const P
         Filling filling;
         try {
             filling = fill(shell.points, shell.triangles);
-        } catch (const GeometryError& error) {
-            throw GeometryError("Solid" + std::to_string(i + 1) + ": " + error.what());
+        } catch (const CannotFill& error) {
+            throw CannotFill("Solid" + std::to_string(i + 1) + ": " + error.what());
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {

@@ -58,7 +58,7 @@ class Volume {
 };
 
 /// Fills every closed solid of the part. Volumes that are not solids have no inside and are left out.
-/// @throws GeometryError naming the solid.
+/// @throws CannotFill naming the solid.
 Volume fill_solids(Surface& surface, const geometry::Topology& topology, const Progress& progress);
 
 }  // namespace mq::curve

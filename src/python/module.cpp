@@ -40,5 +40,6 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_errors(m);
     mq::python::bind_mesh(m);
     mq::python::bind_triangulate(m);
+    mq::python::bind_curve(m);
     py::module_::import("atexit").attr("register")(py::cpp_function(&mq::python::stop_shared_engine));
 }

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CurvedMesh: a mesh of high-order elements, and how it is made."""
+
+import os
+
+from . import convert, options
+from .compat import core
+from .errors import InvalidInput
+from .surface_mesh import SurfaceMesh
+
+
+class CurvedMesh:
+    """Curved triangles, or tetrahedra, of one order with their link to the CAD and a report.
+
+    order              1 to 5 (volumes: 4)
+    nodes              float64 (N, 3), mm; the corners come first
+    elements           int32 (E, nodes per element), Gmsh node order: tetrahedra of a volume mesh,
+                       triangles otherwise
+    triangles          int32 (T, nodes per triangle), on the CAD faces
+    triangle_face      int32 (T,), triangle i lies on shape.Faces[triangle_face[i]]
+    edges              int32 (L, order + 1), on the CAD edges
+    tetrahedra         int32 (E, nodes per tetrahedron), empty without volume
+    tetrahedron_solid  int32 (E,), tetrahedron i lies in shape.Solids[tetrahedron_solid[i]]
+    node_entity        int32 (N, 2), (dimension 0|1|2|3, index)
+    report             CurveReport
+
+    The arrays are read-only views of the core's memory.
+    """
+
+    __slots__ = ("_curved",)
+
+    def __init__(self, curved):
+        self._curved = curved
+
+    order = property(lambda self: self._curved.order)
+    nodes = property(lambda self: self._curved.nodes, doc="float64 (N, 3), mm")
+    triangles = property(lambda self: self._curved.triangles)
+    triangle_face = property(lambda self: self._curved.triangle_face)
+    edges = property(lambda self: self._curved.edges)
+    tetrahedra = property(lambda self: self._curved.tetrahedra)
+    tetrahedron_solid = property(lambda self: self._curved.tetrahedron_solid)
+    node_entity = property(lambda self: self._curved.node_entity)
+    report = property(lambda self: self._curved.report, doc="CurveReport")
+
+    @property
+    def elements(self):
+        """The tetrahedra of a volume mesh, the triangles of a surface mesh."""
+        return self.tetrahedra if len(self.tetrahedra) else self.triangles
+
+    def to_mesh(self, deviation=None):
+        """A Mesh.Mesh of the curved triangles, cut so that chords keep within `deviation` mm.
+
+        None: a thousandth of the size. One segment a CAD face.
+        """
+        if deviation is not None and not deviation > 0:
+            raise InvalidInput(f"deviation = {deviation!r} is not allowed: it must be greater than "
+                               "0 mm")
+        return convert.mesh_of_surface(self._curved.tessellate(deviation or 0.0))
+
+    def write(self, path):
+        """Writes .msh (Gmsh 4.1, ASCII, with a physical group a CAD entity) or .vtu (VTK Lagrange
+        cells) by extension, in mm. Raises IoError naming the path.
+        """
+        self._curved.write(os.fspath(path))
+
+    def __repr__(self):
+        return f"<CurvedMesh of {len(self.elements)} elements of order {self.order}>"
+
+
+def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False, shape=None,
+          min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None):
+    """A mesh of curved elements on a shape, proven valid element by element.
+
+    shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
+                   `shape`, from which it was made
+    order          of the elements: 1 to 5, volumes 1 to 4
+    volume         fill the solids with tetrahedra
+    straighten     make elements straight that stay invalid after all repairs
+    min_angle, chord_height, chord_height_relative, max_edge
+                   of the straight mesh that is curved, as for triangulate; without a chord height
+                   it is 0.01 of the largest dimension
+    progress       callable(fraction 0..1, stage); returning False cancels
+
+    Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
+    Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
+    """
+    if progress is not None and not callable(progress):
+        raise InvalidInput(f"progress = {progress!r} is not callable: give a function of "
+                           "(fraction, stage)")
+    values = options.check(options.CURVE, {
+        "order": order, "volume": volume, "straighten": straighten, "min_angle": min_angle,
+        "chord_height": chord_height, "chord_height_relative": chord_height_relative,
+        "max_edge": max_edge,
+    })
+    module = core()
+    curving = module.CurveOptions()
+    for name in ("order", "volume", "straighten"):
+        setattr(curving, name, values.pop(name))
+    if isinstance(shape_or_mesh, SurfaceMesh):
+        if shape is None:
+            raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")
+        return CurvedMesh(module.curve_surface(shape_or_mesh._surface, convert.shape_of(shape),
+                                               curving, progress))
+    if values["chord_height"] is None and values["chord_height_relative"] is None:
+        values["chord_height_relative"] = 0.01
+    straight = module.TriangulateOptions()
+    for name, value in values.items():
+        setattr(straight, name, options.to_property(None, value))
+    return CurvedMesh(module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress))

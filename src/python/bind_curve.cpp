@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <ctime>
+#include <memory>
+#include <optional>
+
+#include "curve/curve.h"
+#include "curve/fill.h"
+#include "geometry/occt/shape_model.h"
+#include "mesh/io.h"
+#include "python/bindings.h"
+#include "python/engine.h"
+#include "python/part_shape.h"
+#include "python/watch.h"
+#include "triangulate/triangulate.h"
+
+namespace py = pybind11;
+
+namespace mq::python {
+
+namespace {
+
+using curve::CurvedMesh;
+using curve::CurveReport;
+using CurvedPointer = std::shared_ptr<CurvedMesh>;
+
+/// How often a finer straight mesh is tried where the first cannot be filled or stays invalid.
+constexpr int kFiner = 3;
+
+/// As `triangulate`, twice as fine each time.
+triangulate::Options finer(triangulate::Options options, int times) {
+    const double part = std::pow(0.5, times);
+    options.chord_height *= part;
+    options.chord_height_relative *= part;
+    return options;
+}
+
+CurvedMesh attempt(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
+                   const triangulate::Options& straight, const curve::Options& options, Progress& handle) {
+    const triangulate::Result mesh = triangulate::triangulate(engine, model, straight, &handle);
+    return curve::curve(engine, model, mesh.mesh, options, &handle);
+}
+
+CurvedMesh curved(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
+                  const triangulate::Options& straight, const curve::Options& options, Progress& handle) {
+    std::optional<CurvedMesh> best;
+    for (int times = 0;; ++times) {
+        try {
+            CurvedMesh mesh = attempt(engine, model, finer(straight, times), options, handle);
+            if (times > 0) {
+                mesh.report.notes.push_back("the straight mesh was made finer " + std::to_string(times) + " times");
+            }
+            if (!best || mesh.report.invalid < best->report.invalid) {
+                best = std::move(mesh);
+            }
+        } catch (const curve::CannotFill&) {
+            if (times == kFiner && !best) {
+                throw;
+            }
+        }
+        if (times == kFiner || (best && best->report.invalid == 0)) {
+            return std::move(*best);
+        }
+    }
+}
+
+CurvedPointer curve_shape(const PartShape& part, const curve::Options& options, const triangulate::Options& straight,
+                          const py::object& progress) {
+    options.validate();
+    straight.validate();
+    geometry::Engine& engine = shared_engine();
+    return watch(progress, [&](Progress& handle) {
+        const std::clock_t start = std::clock();
+        std::shared_ptr<geometry::Model> model;
+        handle.stage("reading the shape", 0.0, 0.0);
+        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
+        auto mesh = std::make_shared<CurvedMesh>(curved(engine, model, straight, options, handle));
+        mesh->report.cpu_seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        return mesh;
+    });
+}
+
+CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape& part, const curve::Options& options,
+                            const py::object& progress) {
+    options.validate();
+    geometry::Engine& engine = shared_engine();
+    return watch(progress, [&](Progress& handle) {
+        std::shared_ptr<geometry::Model> model;
+        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
+        return std::make_shared<CurvedMesh>(curve::curve(engine, model, surface.mesh, options, &handle));
+    });
+}
+
+/// A read-only NumPy view of rows of `width` numbers. `owner` lives as long as the view.
+template <typename T>
+py::array view(const void* data, std::size_t count, int width, const py::object& owner) {
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(count) / width};
+    if (width > 1) {
+        shape.push_back(width);
+    }
+    py::array array(py::dtype::of<T>(), shape, static_cast<const T*>(data), owner);
+    array.attr("setflags")(py::arg("write") = false);
+    return array;
+}
+
+template <typename Pick>
+py::array indices(const py::object& self, Pick&& pick, int width) {
+    const std::vector<std::int32_t>& list = pick(self.cast<const CurvedMesh&>());
+    return view<std::int32_t>(list.data(), list.size(), width, self);
+}
+
+std::shared_ptr<triangulate::Result> tessellated(const CurvedMesh& mesh, double deviation) {
+    auto surface = std::make_shared<triangulate::Result>();
+    surface->mesh = curve::tessellate(mesh, deviation);
+    surface->report = mesh::measure(surface->mesh);
+    return surface;
+}
+
+template <typename T>
+py::dict dict_of(const std::vector<std::pair<std::string, T>>& pairs) {
+    py::dict result;
+    for (const auto& [name, value] : pairs) {
+        result[py::str(name)] = value;
+    }
+    return result;
+}
+
+void bind_curve_report(py::module_& m) {
+    py::class_<CurveReport>(m, "CurveReport", "What was measured on a curved mesh, and what was repaired.")
+        .def_readonly("elements", &CurveReport::elements)
+        .def_readonly("vertices", &CurveReport::vertices)
+        .def_readonly("invalid_before", &CurveReport::invalid_before, "right after curving, before any repair")
+        .def_readonly("invalid", &CurveReport::invalid)
+        .def_readonly("invalid_elements", &CurveReport::invalid_elements)
+        .def_readonly("min_scaled_jacobian", &CurveReport::min_scaled_jacobian, "min J / J of the straight element")
+        .def_readonly("min_distortion", &CurveReport::min_distortion, "min J / max J")
+        .def_readonly("mean_distortion", &CurveReport::mean_distortion)
+        .def_readonly("max_deviation", &CurveReport::max_deviation, "from the CAD faces, mm")
+        .def_readonly("rms_deviation", &CurveReport::rms_deviation)
+        .def_readonly("volume", &CurveReport::volume, "of the curved elements, mm^3")
+        .def_readonly("moved_vertices", &CurveReport::moved_vertices)
+        .def_property_readonly("repairs", [](const CurveReport& r) { return dict_of(r.repairs); })
+        .def_readonly("notes", &CurveReport::notes)
+        .def_property_readonly("seconds", [](const CurveReport& r) { return dict_of(r.seconds); })
+        .def_readonly("cpu_seconds", &CurveReport::cpu_seconds)
+        .def("__str__", &curve::to_text);
+}
+
+void bind_curved_mesh(py::module_& m) {
+    using List = std::vector<std::int32_t>;
+    py::class_<CurvedMesh, CurvedPointer>(m, "Curved", "A curved mesh in the core's memory, and its report.")
+        .def_readonly("order", &CurvedMesh::order)
+        .def_property_readonly("nodes",
+                               [](const py::object& self) {
+                                   const auto& nodes = self.cast<const CurvedMesh&>().nodes;
+                                   return view<double>(nodes.data(), 3 * nodes.size(), 3, self);
+                               })
+        .def_property_readonly("node_entity",
+                               [](const py::object& self) {
+                                   const auto& e = self.cast<const CurvedMesh&>().node_entity;
+                                   return view<std::int32_t>(e.data(), 2 * e.size(), 2, self);
+                               })
+        .def_property_readonly("edges",
+                               [](const py::object& self) {
+                                   const int width = self.cast<const CurvedMesh&>().nodes_per_edge();
+                                   return indices(
+                                       self, [](const CurvedMesh& c) -> const List& { return c.edges; }, width);
+                               })
+        .def_property_readonly("triangles",
+                               [](const py::object& self) {
+                                   const int width = self.cast<const CurvedMesh&>().nodes_per_triangle();
+                                   return indices(
+                                       self, [](const CurvedMesh& c) -> const List& { return c.triangles; }, width);
+                               })
+        .def_property_readonly("tetrahedra",
+                               [](const py::object& self) {
+                                   const int width = self.cast<const CurvedMesh&>().nodes_per_tetrahedron();
+                                   return indices(
+                                       self, [](const CurvedMesh& c) -> const List& { return c.tetrahedra; }, width);
+                               })
+        .def_property_readonly("triangle_face",
+                               [](const py::object& self) {
+                                   return indices(
+                                       self, [](const CurvedMesh& c) -> const List& { return c.triangle_face; }, 1);
+                               })
+        .def_property_readonly("tetrahedron_solid",
+                               [](const py::object& self) {
+                                   return indices(
+                                       self, [](const CurvedMesh& c) -> const List& { return c.tetrahedron_volume; },
+                                       1);
+                               })
+        .def_readonly("report", &CurvedMesh::report)
+        .def("tessellate", &tessellated, py::arg("deviation"), py::call_guard<py::gil_scoped_release>())
+        .def("write", &curve::write, py::arg("path"), py::call_guard<py::gil_scoped_release>());
+}
+
+}  // namespace
+
+void bind_curve(py::module_& m) {
+    bind_curve_report(m);
+    bind_curved_mesh(m);
+    py::class_<curve::Options>(m, "CurveOptions", "Options of curve.")
+        .def(py::init<>())
+        .def_readwrite("order", &curve::Options::order)
+        .def_readwrite("volume", &curve::Options::volume)
+        .def_readwrite("straighten", &curve::Options::straighten);
+    m.def("curve", &curve_shape, py::arg("shape"), py::arg("options"), py::arg("straight"),
+          py::arg("progress") = py::none(), "Meshes and curves a Part.Shape; returns a Curved.");
+    m.def("curve_surface", &curve_surface, py::arg("surface"), py::arg("shape"), py::arg("options"),
+          py::arg("progress") = py::none(), "Curves a Surface that triangulate made of the Part.Shape.");
+}
+
+}  // namespace mq::python

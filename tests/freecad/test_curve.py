@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""MeshQuality.curve and the command line's curve, inside FreeCAD."""
+
+import json
+import math
+import os
+import subprocess
+
+import helpers
+
+import numpy as np
+import Part
+
+import MeshQuality as mq
+
+COMMAND = os.path.join(helpers.ROOT, "bin", "meshquality")
+PER_TRIANGLE = {1: 3, 2: 6, 3: 10, 4: 15, 5: 21}
+PER_TETRAHEDRON = {1: 4, 2: 10, 3: 20, 4: 35}
+
+
+class Curve(helpers.DocumentTest):
+    def test_surfaces_of_every_order(self):
+        for order in range(1, 6):
+            mesh = mq.curve(Part.makeSphere(5), order=order)
+            self.assertEqual(mesh.order, order)
+            self.assertEqual(mesh.elements.shape[1], PER_TRIANGLE[order])
+            self.assertEqual(mesh.report.invalid, 0)
+            np.testing.assert_allclose(np.linalg.norm(mesh.nodes, axis=1), 5.0, atol=1e-9)
+            self.assertEqual(set(mesh.triangle_face), {0})
+
+    def test_volumes_of_every_order(self):
+        for order in range(1, 5):
+            mesh = mq.curve(Part.makeTorus(10, 3), order=order, volume=True)
+            self.assertEqual(mesh.elements.shape[1], PER_TETRAHEDRON[order])
+            self.assertEqual(mesh.report.invalid, 0, str(mesh.report))
+            exact = 2 * math.pi ** 2 * 10 * 9
+            self.assertAlmostEqual(mesh.report.volume / exact, 1.0, delta=0.1 if order == 1 else 2e-3)
+            self.assertGreater(mesh.report.min_distortion, 0.1)
+
+    def test_every_simple_part_is_valid(self):
+        for name, shape in helpers.simple_parts().items():
+            report = mq.curve(shape, order=2, volume=True).report
+            self.assertEqual(report.invalid, 0, f"{name}: {report}")
+            self.assertAlmostEqual(report.volume / shape.Volume, 1.0, delta=5e-3, msg=name)
+
+    def test_edges_lie_on_their_cad_edges(self):
+        shape = Part.makeCylinder(5, 10)
+        mesh = mq.curve(shape, order=3)
+        self.assertEqual(mesh.edges.shape[1], 4)
+        on_edges = mesh.nodes[np.unique(mesh.edges)]
+        for x, y, z in on_edges[::7]:
+            distance = min(edge.distToShape(Part.Vertex(x, y, z))[0] for edge in shape.Edges)
+            self.assertLess(distance, 1e-7)
+
+    def test_a_given_surface_mesh(self):
+        shape = Part.makeSphere(5)
+        straight = mq.triangulate(shape, min_angle=20)
+        mesh = mq.curve(straight, order=2, shape=shape)
+        self.assertGreaterEqual(len(mesh.triangles), len(straight.triangles))
+        with self.assertRaisesRegex(mq.InvalidInput, "shape="):
+            mq.curve(straight)
+
+    def test_mesh_for_viewers_is_closed_and_near(self):
+        mesh = mq.curve(Part.makeSphere(5), order=3).to_mesh(deviation=0.005)
+        self.assertTrue(mesh.isSolid())
+        self.assertAlmostEqual(mesh.Volume / (4 / 3 * math.pi * 125), 1.0, delta=4e-3)
+
+    def test_refusals(self):
+        sphere = Part.makeSphere(5)
+        for bad in ({"order": 0}, {"order": 6}, {"order": 5, "volume": True}, {"order": 2.5},
+                    {"chord_height": 1.0, "chord_height_relative": 0.1}, {"progress": 3}):
+            with self.assertRaises(mq.InvalidInput, msg=str(bad)):
+                mq.curve(sphere, **bad)
+        with self.assertRaisesRegex(mq.InvalidInput, "solid"):
+            mq.curve(Part.makePlane(10, 10), volume=True)
+
+    def test_cancelling(self):
+        with self.assertRaises(mq.Cancelled):
+            mq.curve(Part.makeTorus(10, 3), volume=True, progress=lambda fraction, stage: False)
+
+    def test_files(self):
+        mesh = mq.curve(Part.makeCylinder(5, 10), order=2, volume=True)
+        for name in ("part.msh", "part.vtu"):
+            mesh.write(os.path.join(self.folder, name))
+        with open(os.path.join(self.folder, "part.msh"), encoding="ascii") as stream:
+            text = stream.read()
+        self.assertTrue(text.startswith("$MeshFormat\n4.1 0 8\n"))
+        for name in ("Face1", "Face3", "Solid1", "Edge2"):
+            self.assertIn(f'"{name}"', text)
+        with self.assertRaises(mq.IoError):
+            mesh.write(os.path.join(self.folder, "part.stl"))
+
+    def test_command_line(self):
+        step = os.path.join(self.folder, "part.step")
+        output = os.path.join(self.folder, "part.msh")
+        Part.makeCylinder(5, 10).exportStep(step)
+        done = subprocess.run([COMMAND, "curve", step, "-o", output, "--order", "3", "--volume",
+                               "--json"], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                              timeout=300, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = json.loads(done.stdout)
+        self.assertEqual(report["invalid"], 0)
+        self.assertGreater(report["cpu_seconds"], 0.0)
+        self.assertIn("order 3", done.stderr.splitlines()[-1])
+        self.assertGreater(os.path.getsize(output), 10000)
