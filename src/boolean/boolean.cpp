@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/error.h"
 #include "boolean/arrangement.h"
@@ -47,10 +48,13 @@ class Run {
         tolerance_ = options.tolerance > 0.0 ? options.tolerance : std::sqrt(3.0) * size_ / options.resolution;
     }
 
-    BooleanResult run() {
+    /// Nothing for a symmetric difference of surfaces that run along each other: it takes several runs.
+    std::optional<BooleanResult> run() {
         prepare();
         make_soup();
-        find_crossings();
+        if (!find_crossings()) {
+            return std::nullopt;
+        }
         stage("dividing", 0.5, 0.7);
         const Arrangement arrangement = arrange(soup_, twins_, crossing_, progress_);
         result_.crossing_pairs = crossing_.size();
@@ -108,9 +112,26 @@ class Run {
             for (std::size_t t = 0; t < prepared_[i].triangles.size(); ++t) {
                 const Triangle& c = prepared_[i].triangles[t];
                 soup_.triangles.push_back({c[0] + first, c[1] + first, c[2] + first});
-                soup_.source.push_back({static_cast<std::int32_t>(i), prepared_[i].source[t]});
+                soup_.source.push_back({static_cast<std::int32_t>(i), unchanged(i, t) ? prepared_[i].source[t] : -1});
             }
         }
+    }
+
+    /// Whether a triangle of a prepared operand has the corners of the input's triangle from which it comes.
+    bool unchanged(std::size_t operand, std::size_t t) const {
+        const Operand& own = prepared_[operand];
+        if (!own.repairs.any()) {
+            return true;
+        }
+        const mesh::TriangleMesh& input = *inputs_[operand];
+        const std::int32_t source = own.source[t];
+        const auto is_corner = [&](std::int32_t v) {
+            const Triangle& c = input.triangles[static_cast<std::size_t>(source)];
+            return std::any_of(c.begin(), c.end(), [&](std::int32_t w) {
+                return input.vertices[static_cast<std::size_t>(w)] == own.vertices[static_cast<std::size_t>(v)];
+            });
+        };
+        return source >= 0 && std::all_of(own.triangles[t].begin(), own.triangles[t].end(), is_corner);
     }
 
     /// Pairs of triangles in contact, at most `limit` of them; twins are left out.
@@ -140,12 +161,15 @@ class Run {
         return pairs;
     }
 
-    void find_crossings() {
+    bool find_crossings() {
         stage("finding crossings", 0.15, 0.5);
         // Curves cross few triangles. When many are crossed a sample shows whether surfaces run along each other.
         const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
         std::vector<mesh::ContactPair> pairs = contacts(many);
         const bool along = run_along(soup_, pairs);
+        if (along && operation_ == Operation::SymmetricDifference) {
+            return false;
+        }
         if (along) {
             make_soup();
             const NearCoincidence done = separate(soup_, operation_, tolerance_, pairs, progress_);
@@ -159,17 +183,16 @@ class Run {
             crossing_.push_back({pair.a, pair.b});
         }
         merge_touching(soup_, crossing_);
+        return true;
     }
 
     void finish(Extraction& extraction) {
         constexpr double kContactPart = 1e-5;  // of the size
         constexpr double kRepairPart = 1e-4;
         Draft& draft = extraction.draft;
-        part_contacts(extraction, std::min(tolerance_, kContactPart * size_));
+        const bool in_single = std::all_of(soup_.vertices.begin(), soup_.vertices.end(), single);
+        part(extraction, std::min(tolerance_, kContactPart * size_), in_single);
         result_.parted_contacts = draft.parted;
-        if (std::all_of(soup_.vertices.begin(), soup_.vertices.end(), single)) {
-            round_to_single(draft);
-        }
         const RepairCount repaired = repair(draft, std::min(tolerance_, kRepairPart * size_), progress_);
         result_.faults_left = repaired.left;
         if (repaired.left > 0) {
@@ -188,7 +211,24 @@ class Run {
         }
     }
 
-    const std::vector<const mesh::TriangleMesh*>& inputs_;
+    /// Parts contacts by less and less until nothing else is touched, or single precision ends it.
+    void part(Extraction& extraction, double distance, bool in_single) {
+        constexpr double kLess = 0.125;
+        const double least = 8.0 * kSingleUnit * size_;
+        const Draft whole = extraction.copies.empty() ? Draft() : extraction.draft;
+        for (;; distance *= kLess) {
+            part_contacts(extraction, distance);
+            if (in_single) {
+                round_to_single(extraction.draft);
+            }
+            if (extraction.copies.empty() || distance * kLess < least || !has_faults(extraction.draft, progress_)) {
+                return;
+            }
+            extraction.draft = whole;
+        }
+    }
+
+    const std::vector<const mesh::TriangleMesh*> inputs_;
     Operation operation_;
     Progress& progress_;
     BooleanResult result_;
@@ -202,6 +242,52 @@ class Run {
     const char* stage_ = nullptr;
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
+
+/// The symmetric difference of operands whose surfaces run along each other, one operand after the other: what is in
+/// the one but not in the other, joined with what is in the other but not in the one. Each difference leaves out the
+/// slivers between the surfaces.
+BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& operands, const BooleanOptions& options,
+                               Progress& progress) {
+    BooleanResult sum;
+    sum.mesh = *operands.front();
+    for (std::size_t t = 0; t < sum.mesh.triangles.size(); ++t) {
+        sum.triangle_source.push_back({0, static_cast<std::int32_t>(t)});
+    }
+    for (std::size_t k = 1; k < operands.size(); ++k) {
+        const BooleanResult one = *Run({&sum.mesh, operands[k]}, Operation::Difference, options, progress).run();
+        const BooleanResult two = *Run({operands[k], &sum.mesh}, Operation::Difference, options, progress).run();
+        std::vector<const mesh::TriangleMesh*> parts;
+        std::vector<const BooleanResult*> part_results;
+        for (const BooleanResult* part : {&one, &two}) {
+            if (!part->mesh.triangles.empty()) {
+                parts.push_back(&part->mesh);
+                part_results.push_back(part);
+            }
+        }
+        BooleanResult joined = parts.empty() ? BooleanResult() : *Run(parts, Operation::Union, options, progress).run();
+        for (std::array<std::int32_t, 2>& source : joined.triangle_source) {
+            if (source[0] >= 0) {
+                const BooleanResult& part = *part_results[static_cast<std::size_t>(source[0])];
+                const bool swapped = &part == &two;
+                source = part.triangle_source[static_cast<std::size_t>(source[1])];
+                if (source[0] >= 0) {
+                    const bool of_sum = (source[0] == 0) != swapped;
+                    source = of_sum ? sum.triangle_source[static_cast<std::size_t>(source[1])]
+                                    : std::array<std::int32_t, 2>{static_cast<std::int32_t>(k), source[1]};
+                }
+            }
+        }
+        joined.error_bound += std::max(one.error_bound, two.error_bound) + sum.error_bound;
+        joined.separated_vertices += one.separated_vertices + two.separated_vertices + sum.separated_vertices;
+        joined.parted_contacts += sum.parted_contacts;
+        joined.repaired = one.repaired;
+        sum = std::move(joined);
+    }
+    sum.retained = static_cast<std::size_t>(std::count_if(sum.triangle_source.begin(), sum.triangle_source.end(),
+                                                          [](const auto& source) { return source[0] >= 0; }));
+    sum.reconstructed = sum.mesh.triangles.size() - sum.retained;
+    return sum;
+}
 
 }  // namespace
 
@@ -221,7 +307,11 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Op
         throw InvalidInput("a Boolean without operands: give at least one mesh");
     }
     Progress unwatched;
-    return Run(operands, operation, options, progress != nullptr ? *progress : unwatched).run();
+    Progress& watched = progress != nullptr ? *progress : unwatched;
+    if (auto result = Run(operands, operation, options, watched).run()) {
+        return std::move(*result);
+    }
+    return join_differences(operands, options, watched);
 }
 
 }  // namespace mq::boolean

@@ -256,7 +256,7 @@ void part_contacts(Extraction& extraction, double distance) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto found = movers.find(c[k]);
             if (found != movers.end()) {
-                const Vec3& p = draft.vertices[static_cast<std::size_t>(c[k])];
+                const Vec3 p = draft.vertices[static_cast<std::size_t>(c[k])];
                 const Vec3 u = draft.vertices[static_cast<std::size_t>(c[(k + 1) % 3])] - p;
                 const Vec3 v = draft.vertices[static_cast<std::size_t>(c[(k + 2) % 3])] - p;
                 found->second.inward -=
@@ -266,11 +266,16 @@ void part_contacts(Extraction& extraction, double distance) {
             }
         }
     }
-    for (const auto& [vertex, mover] : movers) {
-        const double step = std::min(distance, kPartOfEdge * mover.shortest);
-        draft.vertices[static_cast<std::size_t>(vertex)] += step * mover.inward.normalized();
-        draft.made[static_cast<std::size_t>(vertex)] = 1;
-        draft.largest_move = std::max(draft.largest_move, step);
+    for (const std::vector<std::int32_t>& copies : extraction.copies) {
+        const Vec3 place = draft.vertices[static_cast<std::size_t>(copies.front())];
+        for (std::size_t i = 1; i < copies.size(); ++i) {
+            const auto vertex = static_cast<std::size_t>(copies[i]);
+            const Mover& mover = movers[copies[i]];
+            const double step = std::min(distance, kPartOfEdge * mover.shortest);
+            draft.vertices[vertex] = place + step * mover.inward.normalized();
+            draft.made[vertex] = 1;
+            draft.largest_move = std::max(draft.largest_move, step);
+        }
     }
 }
 

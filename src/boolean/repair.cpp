@@ -47,8 +47,9 @@ class Repairer {
         : draft_(draft),
           distance_(distance),
           stars_(draft.triangles, draft.vertices.size()),
-          tree_(draft.vertices, draft.triangles),
-          changed_(draft.triangles.size(), 0) {}
+          changed_(draft.triangles.size(), 0) {
+        rebuild();
+    }
 
     RepairCount count;
 
@@ -57,9 +58,15 @@ class Repairer {
         if (gone(draft_.triangles[static_cast<std::size_t>(t)])) {
             return false;
         }
+        constexpr std::size_t kMostInvolved = 5;
         std::vector<std::int32_t> involved{t};
         for (const std::int32_t other : contacts_of(t)) {
-            involved.push_back(other);
+            if (involved.size() < kMostInvolved) {
+                involved.push_back(other);
+            }
+        }
+        if (changed_list_.size() > kMostChanged + static_cast<std::size_t>(4.0 * std::sqrt(changed_.size()))) {
+            rebuild();
         }
         for (const double longest : {short_edge(), distance_}) {
             for (const std::int32_t i : involved) {
@@ -91,7 +98,31 @@ class Repairer {
     /// A few units in the last place of single precision.
     double short_edge() const {
         constexpr double kUnits = 32.0;
-        return std::min(distance_, kUnits * std::numeric_limits<float>::epsilon() * tree_.box().largest_side());
+        return std::min(distance_, kUnits * std::numeric_limits<float>::epsilon() * tree_->box().largest_side());
+    }
+
+    Box box_of(std::int32_t t) const {
+        Box box;
+        for (const std::int32_t v : triangle(t)) {
+            box.add(at(v));
+        }
+        return box;
+    }
+    static bool meets(const Box& a, const Box& b) {
+        return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+    }
+
+    /// Tells the tree of all changes so far.
+    void rebuild() {
+        std::vector<std::int32_t> alive;
+        for (std::size_t t = 0; t < draft_.triangles.size(); ++t) {
+            if (!gone(draft_.triangles[t])) {
+                alive.push_back(static_cast<std::int32_t>(t));
+            }
+        }
+        tree_.emplace(draft_.vertices, draft_.triangles, alive);
+        std::fill(changed_.begin(), changed_.end(), 0);
+        changed_list_.clear();
     }
 
     const std::vector<std::int32_t>& star(std::int32_t v) {
@@ -109,22 +140,23 @@ class Repairer {
     std::vector<std::int32_t> contacts_of(std::int32_t t) const {
         std::vector<std::int32_t> result;
         const Triangle& own = triangle(t);
-        Box box;
-        for (const std::int32_t v : own) {
-            box.add(at(v));
-        }
+        const Box box = box_of(t);
         const auto test = [&](std::int32_t other) {
             if (other != t && !gone(triangle(other)) &&
                 mesh::contact(draft_.vertices, own, triangle(other)) != mesh::Contact::None) {
                 result.push_back(other);
             }
         };
-        tree_.for_each_in_box(box, [&](std::int32_t other) {
+        tree_->for_each_in_box(box, [&](std::int32_t other) {
             if (changed_[static_cast<std::size_t>(other)] == 0) {
                 test(other);
             }
         });
-        std::for_each(changed_list_.begin(), changed_list_.end(), test);
+        for (const std::int32_t other : changed_list_) {
+            if (!gone(triangle(other)) && meets(box, box_of(other))) {
+                test(other);
+            }
+        }
         std::sort(result.begin(), result.end());
         return result;
     }
@@ -346,10 +378,12 @@ class Repairer {
         return false;
     }
 
+    static constexpr std::size_t kMostChanged = 256;
+
     Draft& draft_;
     double distance_;
     mesh::VertexStars stars_;
-    mesh::TriangleTree tree_;
+    std::optional<mesh::TriangleTree> tree_;
     std::map<std::int32_t, std::vector<std::int32_t>> star_;  ///< of vertices looked at, as it is now
     std::vector<char> changed_;                               ///< triangles that the tree no longer knows
     std::vector<std::int32_t> changed_list_;
@@ -395,6 +429,10 @@ void round_to_single(Draft& draft) {
             draft.largest_move = std::max(draft.largest_move, (draft.vertices[v] - exact).norm());
         }
     }
+}
+
+bool has_faults(const Draft& draft, const Progress& progress) {
+    return !find_faults(draft, progress).empty();
 }
 
 RepairCount repair(Draft& draft, double distance, const Progress& progress) {

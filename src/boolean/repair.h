@@ -20,6 +20,9 @@ struct RepairCount {
     std::size_t moved = 0;
 };
 
+/// Whether there are degenerate triangles or self-intersections among the triangles that were made or changed.
+bool has_faults(const Draft& draft, const Progress& progress);
+
 /// Looks for degenerate triangles and self-intersections, which the rounding of made vertices causes, and removes them
 /// by local changes next to made vertices: swapping an edge, collapsing one (not longer than `distance`, mm), or moving
 /// a vertex by a few units in its last place. A change stays only if it leaves fewer faults around it.
