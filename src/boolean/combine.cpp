@@ -115,7 +115,7 @@ struct Row {
     std::vector<std::uint32_t> counts;  // of each ray
 };
 
-CombinedDepth join(const std::vector<Row>& rows) {
+CombinedDepth join(const std::vector<Row>& rows, const Progress* progress) {
     CombinedDepth result;
     std::size_t count = 0;
     for (const Row& row : rows) {
@@ -126,6 +126,7 @@ CombinedDepth join(const std::vector<Row>& rows) {
     result.depth.reserve(count);
     result.source.reserve(count);
     for (const Row& row : rows) {
+        look_for_cancel(progress);
         for (const std::uint32_t n : row.counts) {
             result.begin.push_back(result.begin.back() + n);
         }
@@ -142,9 +143,7 @@ CombinedDepth combine_along(int axis, const std::array<LayeredDepthSet, 2>& oper
     const std::array<const LayeredDepth*, 2> along{&operands[0][axis], &operands[1][axis]};
     std::vector<Row> rows(grid.rays());
     for_all(grid.rays(), [&](int v) {
-        if (progress != nullptr) {
-            progress->check();
-        }
+        look_for_cancel(progress);
         RayMerger merger(options);
         Row& row = rows[v];
         row.counts.reserve(grid.rays());
@@ -158,7 +157,7 @@ CombinedDepth combine_along(int axis, const std::array<LayeredDepthSet, 2>& oper
             row.counts.push_back(static_cast<std::uint32_t>(row.samples.size() - before));
         }
     });
-    return join(rows);
+    return join(rows, progress);
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ class Contourer {
           vertices_(vertices),
           surface_(surface) {}
 
-    ContouredSurface run();
+    ContouredSurface run(const Progress* progress);
 
   private:
     void note_border();
-    void contour_axis(int axis);
+    void contour_axis(int axis, const Progress* progress);
     void make_face(int axis, std::size_t ray, std::uint32_t sample);
     bool reconstructed(const CombinedDepth& direction, std::uint32_t i) const {
         return fate_[CombinedDepth::triangle(direction.source[i])] == Fate::Removed;
@@ -171,9 +171,12 @@ void Contourer::make_face(int axis, std::size_t ray, std::uint32_t sample) {
     }
 }
 
-void Contourer::contour_axis(int axis) {
+void Contourer::contour_axis(int axis, const Progress* progress) {
     const CombinedDepth& direction = combined_[axis];
     for (std::size_t ray = 0; ray + 1 < direction.begin.size(); ++ray) {
+        if (ray % grid_.rays() == 0) {
+            look_for_cancel(progress);
+        }
         for (std::uint32_t i = direction.begin[ray]; i < direction.begin[ray + 1]; ++i) {
             if (reconstructed(direction, i)) {
                 make_face(axis, ray, i);
@@ -182,10 +185,10 @@ void Contourer::contour_axis(int axis) {
     }
 }
 
-ContouredSurface Contourer::run() {
+ContouredSurface Contourer::run(const Progress* progress) {
     note_border();
     for (int axis = 0; axis < 3; ++axis) {
-        contour_axis(axis);
+        contour_axis(axis, progress);
     }
     surface_.on_border.resize(surface_.points.size(), 0);
     return std::move(result_);
@@ -195,8 +198,8 @@ ContouredSurface Contourer::run() {
 
 ContouredSurface contour(const OperandPair& pair, const Octree& tree, const SampleGrid& grid,
                          const CombinedSet& combined, const std::vector<Fate>& fate, std::vector<std::int32_t> vertices,
-                         RetainedSurface& surface) {
-    return Contourer(pair, tree, grid, combined, fate, vertices, surface).run();
+                         RetainedSurface& surface, const Progress* progress) {
+    return Contourer(pair, tree, grid, combined, fate, vertices, surface).run(progress);
 }
 
 }  // namespace mq::boolean

@@ -20,8 +20,9 @@ struct ContouredSurface {
 /// edge with a retained sample gets no face even where all its cells are boundary cells: the retained surface passes
 /// there. Vertices of sheets off the border are appended to `surface.points`.
 /// @param vertices of the octree's sheets, -1 where contouring makes one; see stitch
+/// @throws Cancelled
 ContouredSurface contour(const OperandPair& pair, const Octree& tree, const SampleGrid& grid,
                          const CombinedSet& combined, const std::vector<Fate>& fate, std::vector<std::int32_t> vertices,
-                         RetainedSurface& surface);
+                         RetainedSurface& surface, const Progress* progress);
 
 }  // namespace mq::boolean

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/vec.h"
 #include "mesh/triangle_mesh.h"
 
@@ -45,6 +46,13 @@ struct OperandPair {
 
     int operand_of(std::int32_t triangle) const { return triangle < first_triangle[1] ? 0 : 1; }
 };
+
+/// Throws Cancelled once the caller has asked for it.
+inline void look_for_cancel(const Progress* progress) {
+    if (progress != nullptr) {
+        progress->check();
+    }
+}
 
 /// Depths of a solid's surface along the rays of one direction, the samples of a ray in ascending order.
 ///

@@ -66,7 +66,7 @@ class OctreeBuilder {
     /// One task: the subtree below a cell.
     class Subtree;
 
-    void distribute(std::vector<Part>& parts) const;
+    void distribute(std::vector<Part>& parts, const Progress* progress) const;
     void append(Octree& tree, Octree& part, std::int32_t node) const;
     std::uint8_t nodes_of(const CellBox& box) const;
     std::uint8_t flipped_faces(const CellBox& box, std::uint8_t nodes) const;
@@ -199,8 +199,8 @@ void OctreeBuilder::Subtree::refine(std::size_t node, const CellBox& box, const 
     if (samples.reconstructed == 0) {
         return;
     }
-    if (progress_ != nullptr && box.size >= 8) {
-        progress_->check();
+    if (box.size >= 8) {
+        look_for_cancel(progress_);
     }
     const CellKind kind = kind_of(box, samples, edges);
     const bool unit = box.size == 1;
@@ -336,12 +336,15 @@ std::uint8_t OctreeBuilder::flipped_faces(const CellBox& box, std::uint8_t nodes
 }
 
 /// Sorts the samples into the tasks; a sample between two tasks goes to both.
-void OctreeBuilder::distribute(std::vector<Part>& parts) const {
+void OctreeBuilder::distribute(std::vector<Part>& parts, const Progress* progress) const {
     const int shift = grid_.levels() - kTaskLevels;
     for (int axis = 0; axis < 3; ++axis) {
         const int u_axis = (axis + 1) % 3, v_axis = (axis + 2) % 3;
         const CombinedDepth& direction = combined_[axis];
         for (std::size_t ray = 0; ray + 1 < direction.begin.size(); ++ray) {
+            if (ray % grid_.rays() == 0) {
+                look_for_cancel(progress);
+            }
             for (std::uint32_t i = direction.begin[ray]; i < direction.begin[ray + 1]; ++i) {
                 CellSample s;
                 s.at[axis] = static_cast<std::int16_t>(std::ceil(direction.depth[i]) - 1);
@@ -392,7 +395,7 @@ void OctreeBuilder::append(Octree& tree, Octree& part, std::int32_t node) const 
 
 Octree OctreeBuilder::build(Progress* progress) {
     std::vector<Part> parts(kTasksPerSide * kTasksPerSide * kTasksPerSide);
-    distribute(parts);
+    distribute(parts, progress);
     const int size = grid_.cells() / kTasksPerSide;
     for_all(static_cast<int>(parts.size()), [&](int k) {
         const CellBox box{{k % 4 * size, k / 4 % 4 * size, k / 16 * size}, size};

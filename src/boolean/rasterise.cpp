@@ -140,11 +140,12 @@ void Rasteriser::sample_along(int axis, std::int32_t triangle, std::vector<RawSa
 
 /// Sorts raw samples into rays, and along each ray by depth. At equal depth exits come first, so that two touching
 /// sheets part rather than overlap; then the lower triangle.
-LayeredDepth gather(const std::vector<RawSet>& parts, int axis, std::size_t rays) {
+LayeredDepth gather(const std::vector<RawSet>& parts, int axis, std::size_t rays, const Progress* progress) {
     LayeredDepth result;
     result.begin.assign(rays * rays + 1, 0);
     std::size_t count = 0;
     for (const RawSet& part : parts) {
+        look_for_cancel(progress);
         count += part[axis].size();
         for (const RawSample& s : part[axis]) {
             ++result.begin[s.ray + 1];
@@ -157,6 +158,7 @@ LayeredDepth gather(const std::vector<RawSet>& parts, int axis, std::size_t rays
     result.code.resize(count);
     std::vector<std::uint32_t> filled(rays * rays, 0);
     for (const RawSet& part : parts) {
+        look_for_cancel(progress);
         for (const RawSample& s : part[axis]) {
             const std::uint32_t first = result.begin[s.ray];
             std::uint32_t place = first + filled[s.ray]++;
@@ -181,16 +183,14 @@ LayeredDepthSet rasterise(const OperandPair& pair, int operand, const SampleGrid
     const std::int32_t first = pair.first_triangle[operand], end = pair.first_triangle[operand + 1];
     std::vector<RawSet> parts((end - first + kTrianglesPerTask - 1) / kTrianglesPerTask);
     for_all(static_cast<int>(parts.size()), [&](int k) {
-        if (progress != nullptr) {
-            progress->check();
-        }
+        look_for_cancel(progress);
         const std::int32_t from = first + k * kTrianglesPerTask;
         for (std::int32_t t = from; t < std::min(end, from + kTrianglesPerTask); ++t) {
             rasteriser.sample(t, parts[k]);
         }
     });
     LayeredDepthSet result;
-    for_all(3, [&](int axis) { result[axis] = gather(parts, axis, static_cast<std::size_t>(grid.rays())); });
+    for_all(3, [&](int axis) { result[axis] = gather(parts, axis, static_cast<std::size_t>(grid.rays()), progress); });
     return result;
 }
 

@@ -76,6 +76,19 @@ void require_closed(const mesh::TriangleMesh& mesh, const char* name) {
     });
 }
 
+/// Turned inside out an operand would be all outside by the normal index, and vanish.
+void require_outward(const mesh::TriangleMesh& mesh, const char* name) {
+    double volume = 0.0;
+    for (const mesh::Triangle& t : mesh.triangles) {
+        const Vec3& base = mesh.vertices[mesh.triangles.front()[0]];
+        volume += (mesh.vertices[t[0]] - base).dot((mesh.vertices[t[1]] - base).cross(mesh.vertices[t[2]] - base));
+    }
+    if (volume < 0.0) {
+        throw InvalidInput(std::string("operand ") + name + " is inside out (volume " + std::to_string(volume / 6.0) +
+                           " mm3); turn its triangles outwards first");
+    }
+}
+
 void require_operands(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
     mesh::require_valid(a);
     mesh::require_valid(b);
@@ -84,6 +97,8 @@ void require_operands(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) 
     }
     require_closed(a, "A");
     require_closed(b, "B");
+    require_outward(a, "A");
+    require_outward(b, "B");
 }
 
 Box box_of(const OperandPair& pair) {
@@ -171,7 +186,7 @@ void UniformBoolean::combine_samples() {
 }
 
 void UniformBoolean::contour_cells() {
-    ContouredSurface contoured = contour(pair_, octree_, grid_, combined_, fate_, sheet_vertex_, surface_);
+    ContouredSurface contoured = contour(pair_, octree_, grid_, combined_, fate_, sheet_vertex_, surface_, progress_);
     reconstructed_ = std::move(contoured.triangles);
     result_.refused_triangles = contoured.refused;
     result_.reconstructed = reconstructed_.size();
@@ -255,9 +270,7 @@ void UniformBoolean::make_manifold() {
     }
     for (const std::vector<std::int32_t>& hole : holes) {
         fill(hole, edges);
-        if (progress_ != nullptr) {
-            progress_->check();
-        }
+        look_for_cancel(progress_);
     }
     part_nodes(surface_.points, surface_.triangles, surface_.source, originals, first_copy, kParting * grid_.spacing());
 }

@@ -30,8 +30,9 @@ struct UniformResult {
     /// Operand (0 or 1) and index there of each triangle that is the operand's own, all coordinates unchanged (reversed
     /// where the result has its outside within the operand); {-1, -1} for triangles made or changed here.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
-    /// sqrt(3) r, where r is the distance between rays: every point of the true result has a sample this near (Wang
-    /// 2010, section IV-A). It holds for features that rays meet; thinner ones may be lost, as the paper says. 0 where
+    /// The paper's bound, not measured: sqrt(3) r, where r is the distance between rays (Wang 2010, section IV-A: every
+    /// point of the true result has a sample this near). It does not hold for features thinner than r, which may be
+    /// lost, and triangles that fill holes or were moved in stitching have been seen 1.5 times as far away. 0 where
     /// nothing was reconstructed. mm.
     double error_bound = 0.0;
     double spacing = 0.0;  ///< r, mm
@@ -57,8 +58,8 @@ struct UniformResult {
 ///
 /// The result is closed, oriented and 2-manifold in its connections. As in the paper it is not guaranteed to be free of
 /// self-intersections where it was reconstructed, and features thinner than the distance between rays may be lost.
-/// @throws InvalidInput for an option out of range, an operand that is not closed and oriented, or operands with
-///     different origins
+/// @throws InvalidInput for an option out of range, an operand that is not closed, not oriented or inside out, or
+///     operands with different origins
 /// @throws Cancelled
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
                                     const UniformOptions& options, Progress* progress);

@@ -188,6 +188,11 @@ TEST(Uniform, RefusesWhatItCannotDo) {
     };
     EXPECT_NE(message(open, good, at_resolution(65)).find("operand A is not closed"), std::string::npos);
     EXPECT_NE(message(good, open, at_resolution(65)).find("operand B is not closed"), std::string::npos);
+    mesh::TriangleMesh inward = good;
+    for (mesh::Triangle& t : inward.triangles) {
+        std::swap(t[1], t[2]);
+    }
+    EXPECT_NE(message(good, inward, at_resolution(65)).find("operand B is inside out"), std::string::npos);
     EXPECT_NE(message(good, good, at_resolution(5)).find("resolution is 5"), std::string::npos);
     mesh::TriangleMesh moved = good;
     moved.origin = Vec3(1, 0, 0);
