@@ -162,6 +162,7 @@ void part_edges(SurfaceDraft& draft) {
                 changed[h / 3] = 1;
                 changed[draft.mates[h] / 3] = 1;
                 split_edge(draft, h);
+                changed.resize(draft.triangles.size(), 1);
             }
         }
     }

@@ -15,7 +15,7 @@ namespace mq::boolean {
 struct Repairs {
     std::size_t welded = 0;                ///< vertices with the coordinates of another one
     std::size_t degenerate = 0;            ///< triangles without area removed
-    std::size_t duplicate = 0;             ///< triangles on the same three vertices removed, opposite ones in pairs
+    std::size_t duplicate = 0;             ///< triangles on the same three vertices removed
     std::size_t flipped = 0;               ///< triangles turned around
     std::size_t nonmanifold_edges = 0;     ///< edges of more than two triangles, parted into sheets
     std::size_t nonmanifold_vertices = 0;  ///< vertices where sheets met in a point, parted

@@ -44,7 +44,8 @@ struct SurfaceDraft {
 
 // ---- the steps, in their order --------------------------------------------------------------------------------------
 
-/// Of triangles on the same three vertices leaves one, or none where as many run one way as the other.
+/// Of triangles on the same three vertices leaves one. Where as many run one way as the other, the one that fits the
+/// neighbours is left, or none where they are in balance without it, as at a wall between two solids.
 void remove_duplicates(SurfaceDraft& draft);
 
 /// Takes out triangles whose corners lie on one line: the neighbour along the long edge is divided at the corner that

@@ -216,6 +216,13 @@ TEST(Operand, DropsDuplicates) {
     Operand operand = prepared(mesh);
     EXPECT_EQ(operand.repairs.duplicate, 2u);
     EXPECT_EQ(operand.triangles.size(), 128u);
+    // Opposite ones: that which fits the surface stays.
+    mesh = sphere(2);
+    mesh.triangles.insert(mesh.triangles.begin(), {mesh.triangles[9][0], mesh.triangles[9][2], mesh.triangles[9][1]});
+    operand = prepared(mesh);
+    EXPECT_EQ(operand.repairs.duplicate, 1u);
+    EXPECT_EQ(operand.repairs.holes, 0u);
+    EXPECT_EQ(operand.source[0], 1);
     // A flap of no thickness on the surface is gone, a closed one beside it too.
     mesh = sphere(2);
     const auto first = static_cast<std::int32_t>(mesh.vertices.size());
