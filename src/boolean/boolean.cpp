@@ -36,8 +36,8 @@ bool single(const Vec3& p) {
 class Run {
   public:
     Run(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation, const BooleanOptions& options,
-        Progress& progress)
-        : inputs_(operands), operation_(operation), progress_(progress) {
+        Progress& progress, bool no_slivers)
+        : inputs_(operands), operation_(operation), progress_(progress), no_slivers_(no_slivers) {
         Box box;
         for (const mesh::TriangleMesh* mesh : operands) {
             for (const Vec3& p : mesh->vertices) {
@@ -166,7 +166,7 @@ class Run {
         // Curves cross few triangles. When many are crossed a sample shows whether surfaces run along each other.
         const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
         std::vector<mesh::ContactPair> pairs = contacts(many);
-        const bool along = run_along(soup_, pairs);
+        const bool along = run_along(soup_, pairs, no_slivers_);
         if (along && operation_ == Operation::SymmetricDifference) {
             return false;
         }
@@ -211,26 +211,40 @@ class Run {
         }
     }
 
-    /// Parts contacts by less and less until nothing else is touched, or single precision ends it.
+    /// Parts contacts by the distance that leaves the fewest faults. A thin wedge must be cut back far, so that its
+    /// sides stay apart in single precision; where other surfaces are near only little is allowed.
     void part(Extraction& extraction, double distance, bool in_single) {
-        constexpr double kLess = 0.125;
+        constexpr double kFactors[] = {1.0, 8.0, 0.125, 64.0, 512.0};
         const double least = 8.0 * kSingleUnit * size_;
         const Draft whole = extraction.copies.empty() ? Draft() : extraction.draft;
-        for (;; distance *= kLess) {
-            part_contacts(extraction, distance);
+        Draft best;
+        std::size_t fewest = std::numeric_limits<std::size_t>::max();
+        for (const double factor : kFactors) {
+            const double step = std::clamp(factor * distance, least, tolerance_);
+            part_contacts(extraction, step);
             if (in_single) {
                 round_to_single(extraction.draft);
             }
-            if (extraction.copies.empty() || distance * kLess < least || !has_faults(extraction.draft, progress_)) {
+            if (extraction.copies.empty()) {
                 return;
+            }
+            const std::size_t faults = count_faults(extraction.draft, progress_);
+            if (faults < fewest) {
+                fewest = faults;
+                best = std::move(extraction.draft);
+            }
+            if (faults == 0) {
+                break;
             }
             extraction.draft = whole;
         }
+        extraction.draft = std::move(best);
     }
 
     const std::vector<const mesh::TriangleMesh*> inputs_;
     Operation operation_;
     Progress& progress_;
+    bool no_slivers_;  ///< however few
     BooleanResult result_;
     double size_ = 0.0;
     double tolerance_ = 0.0;
@@ -254,8 +268,8 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
         sum.triangle_source.push_back({0, static_cast<std::int32_t>(t)});
     }
     for (std::size_t k = 1; k < operands.size(); ++k) {
-        const BooleanResult one = *Run({&sum.mesh, operands[k]}, Operation::Difference, options, progress).run();
-        const BooleanResult two = *Run({operands[k], &sum.mesh}, Operation::Difference, options, progress).run();
+        const BooleanResult one = *Run({&sum.mesh, operands[k]}, Operation::Difference, options, progress, true).run();
+        const BooleanResult two = *Run({operands[k], &sum.mesh}, Operation::Difference, options, progress, true).run();
         std::vector<const mesh::TriangleMesh*> parts;
         std::vector<const BooleanResult*> part_results;
         for (const BooleanResult* part : {&one, &two}) {
@@ -264,7 +278,8 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
                 part_results.push_back(part);
             }
         }
-        BooleanResult joined = parts.empty() ? BooleanResult() : *Run(parts, Operation::Union, options, progress).run();
+        BooleanResult joined =
+            parts.empty() ? BooleanResult() : *Run(parts, Operation::Union, options, progress, true).run();
         for (std::array<std::int32_t, 2>& source : joined.triangle_source) {
             if (source[0] >= 0) {
                 const BooleanResult& part = *part_results[static_cast<std::size_t>(source[0])];
@@ -308,7 +323,7 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Op
     }
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
-    if (auto result = Run(operands, operation, options, watched).run()) {
+    if (auto result = Run(operands, operation, options, watched, operation == Operation::SymmetricDifference).run()) {
         return std::move(*result);
     }
     return join_differences(operands, options, watched);

@@ -17,7 +17,9 @@ struct NearCoincidence {
 
 /// Whether surfaces of different operands run along each other: many crossings between nearly parallel triangles, a
 /// matter of areas and not of curves.
-bool run_along(const Soup& soup, const std::vector<mesh::ContactPair>& crossing);
+///
+/// @param few  a few crossings are enough; otherwise the slivers of a handful of triangles are put up with
+bool run_along(const Soup& soup, const std::vector<mesh::ContactPair>& crossing, bool few);
 
 /// Where the surface of an operand runs along that of an operand before it, both weave through each other, and the
 /// exact result is a multitude of slivers. This moves the later one's vertices there just below or above the earlier

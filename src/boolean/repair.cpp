@@ -431,8 +431,8 @@ void round_to_single(Draft& draft) {
     }
 }
 
-bool has_faults(const Draft& draft, const Progress& progress) {
-    return !find_faults(draft, progress).empty();
+std::size_t count_faults(const Draft& draft, const Progress& progress) {
+    return find_faults(draft, progress).size();
 }
 
 RepairCount repair(Draft& draft, double distance, const Progress& progress) {
