@@ -84,13 +84,6 @@ void TriangleTree::Bounds::add(const Bounds& o) {
     }
 }
 
-double TriangleTree::Bounds::half_area() const {
-    const double x = double(high[0]) - low[0];
-    const double y = double(high[1]) - low[1];
-    const double z = double(high[2]) - low[2];
-    return x * y + y * z + z * x;
-}
-
 TriangleTree::Bounds TriangleTree::outward(const Box& box) {
     return {{round_down(box.low.x()), round_down(box.low.y()), round_down(box.low.z())},
             {round_up(box.high.x()), round_up(box.high.y()), round_up(box.high.z())}};

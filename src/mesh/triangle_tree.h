@@ -104,7 +104,7 @@ class TriangleTree {
                         int(o.low[1] <= high[1]) & int(low[2] <= o.high[2]) & int(o.low[2] <= high[2]));
         }
         void add(const Bounds& o);
-        double half_area() const;
+        float size() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[2] - low[2]); }
     };
     /// A triangle in the order of the leaves.
     struct Item {
@@ -130,7 +130,7 @@ class TriangleTree {
 
     /// Whether the first of two nodes that meet is the one to be divided.
     static bool divide_first(const Node& a, const Node& b) {
-        return b.count > 0 || (a.count == 0 && a.bounds.half_area() >= b.bounds.half_area());
+        return b.count > 0 || (a.count == 0 && a.bounds.size() >= b.bounds.size());
     }
     /// One task of a traversal: reports the pairs of two leaves, or puts the parts of the task on the stack.
     template <typename Visit>
