@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "boolean/parallel.h"
 
@@ -115,7 +116,7 @@ void Rasteriser::sample_along(int axis, std::int32_t triangle, std::vector<RawSa
     }
     const std::int64_t area = (c[1].u - c[0].u) * (c[2].v - c[0].v) - (c[1].v - c[0].v) * (c[2].u - c[0].u);
     const std::int32_t code = area > 0 ? ~triangle : triangle;
-    const PlaneDepth plane(points_[index[0]], points_[index[1]], points_[index[2]], axis);
+    std::optional<PlaneDepth> plane;  // most triangles of a fine mesh meet no ray
     for (std::int64_t row = first_row; row < end_row; ++row) {
         const std::int64_t v = row << shift_;
         std::array<std::int64_t, 2> columns{};
@@ -131,9 +132,12 @@ void Rasteriser::sample_along(int axis, std::int32_t triangle, std::vector<RawSa
             }
         }
         const auto [from, to] = std::minmax(columns[0], columns[1]);
+        if (from < to && !plane) {
+            plane.emplace(points_[index[0]], points_[index[1]], points_[index[2]], axis);
+        }
         for (std::int64_t u = from; u < to; ++u) {
             out.push_back({static_cast<std::uint32_t>(row * rays_ + u), code,
-                           plane.at(static_cast<double>(u), static_cast<double>(row))});
+                           plane->at(static_cast<double>(u), static_cast<double>(row))});
         }
     }
 }
