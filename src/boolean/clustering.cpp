@@ -17,7 +17,22 @@ std::vector<std::uint32_t> count_samples(const OperandPair& pair, const std::arr
     return samples;
 }
 
-std::vector<std::int32_t> cluster(const OperandPair& pair, const std::vector<std::uint32_t>& samples) {
+std::vector<std::uint8_t> triangles_beyond(const OperandPair& pair, const SampleGrid& grid) {
+    std::vector<std::uint8_t> point_beyond(pair.points.size());
+    for (std::size_t p = 0; p < pair.points.size(); ++p) {
+        const Vec3 g = grid.to_grid(pair.points[p]);
+        point_beyond[p] = g.minCoeff() < 0.0 || g.maxCoeff() > grid.cells() ? 1 : 0;
+    }
+    std::vector<std::uint8_t> beyond(pair.triangles.size());
+    for (std::size_t t = 0; t < beyond.size(); ++t) {
+        const auto& [a, b, c] = pair.triangles[t];
+        beyond[t] = point_beyond[a] | point_beyond[b] | point_beyond[c];
+    }
+    return beyond;
+}
+
+std::vector<std::int32_t> cluster(const OperandPair& pair, const std::vector<std::uint32_t>& samples,
+                                  const std::vector<std::uint8_t>& beyond) {
     const auto count = static_cast<std::int32_t>(pair.triangles.size());
     std::vector<std::int32_t> region(count, -1);
     std::vector<std::int32_t> at_point(pair.points.size(), -1);
@@ -30,6 +45,9 @@ std::vector<std::int32_t> cluster(const OperandPair& pair, const std::vector<std
         }
     };
     for (std::int32_t t = 0; t < count; ++t) {
+        if (beyond[t] != 0) {
+            continue;
+        }
         if (samples[t] > 0) {
             region[t] = t;
             label(t);

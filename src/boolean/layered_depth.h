@@ -16,7 +16,7 @@ namespace mq::boolean {
 /// lie on rays. One unit of grid coordinates is the distance r between two rays.
 class SampleGrid {
   public:
-    /// `box` bounds both operands; at least `resolution` rays lie along its cube, rounded up to 2^n + 1.
+    /// `box` bounds the result; at least `resolution` rays lie along its cube, rounded up to 2^n + 1.
     SampleGrid(const Box& box, int resolution);
 
     int cells() const { return cells_; }

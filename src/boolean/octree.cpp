@@ -40,6 +40,15 @@ bool clip(const Vec3& a, const Vec3& b, const CellBox& box, double& from, double
     return from <= to;
 }
 
+Leaf leaf_of(const CellBox& box) {
+    Leaf leaf;
+    for (int k = 0; k < 3; ++k) {
+        leaf.low[k] = static_cast<std::int16_t>(box.low[k]);
+    }
+    leaf.size = static_cast<std::int16_t>(box.size);
+    return leaf;
+}
+
 }  // namespace
 
 std::int32_t Octree::leaf_at(int x, int y, int z) const {
@@ -116,6 +125,7 @@ class OctreeBuilder::Subtree {
     CellKind kind_of(const CellBox& box, const CellCensus& samples, const std::vector<CellEdge>& edges) const;
     Vec3 minimiser(const CellBox& box, const Quadric& quadric) const;
     void add_sheets(Leaf& leaf, const CellBox& box, const CellSample* first, const CellSample* last);
+    Vec3 vertex(const CellBox& box, CellKind kind, const std::vector<CellEdge>& edges, const Vec3& q) const;
     bool flat(const Vec3& q, const CellSample* first, const CellSample* last) const;
 
     const OctreeBuilder& shared_;
@@ -129,10 +139,7 @@ CellKind OctreeBuilder::Subtree::kind_of(const CellBox& box, const CellCensus& s
     if (edges.empty() || samples.retained == 0) {
         return CellKind::Interior;
     }
-    Leaf cell;
-    cell.low = {static_cast<std::int16_t>(box.low[0]), static_cast<std::int16_t>(box.low[1]),
-                static_cast<std::int16_t>(box.low[2])};
-    cell.size = static_cast<std::int16_t>(box.size);
+    const Leaf cell = leaf_of(box);
     const auto ends_within = [&](const CellEdge& e) {
         const std::array<Vec3, 2>& segment = shared_.border_[e.edge];
         return std::array<bool, 2>{cell.holds(segment[0]), cell.holds(segment[1])};
@@ -187,6 +194,20 @@ void OctreeBuilder::Subtree::add_sheets(Leaf& leaf, const CellBox& box, const Ce
     }
 }
 
+/// Where the vertex of a cell will be: a simple boundary cell has it on the border (Remark 2).
+Vec3 OctreeBuilder::Subtree::vertex(const CellBox& box, CellKind kind, const std::vector<CellEdge>& edges,
+                                    const Vec3& q) const {
+    if (kind == CellKind::Interior) {
+        return q;
+    }
+    const auto& [a, b] = shared_.border_[edges[0].edge];
+    if (kind == CellKind::SharedVertex) {
+        return leaf_of(box).holds(a) ? a : b;
+    }
+    const Vec3 d = b - a;
+    return a + d * std::clamp((q - a).dot(d) / d.squaredNorm(), edges[0].from, edges[0].to);
+}
+
 bool OctreeBuilder::Subtree::flat(const Vec3& q, const CellSample* first, const CellSample* last) const {
     return std::all_of(first, last, [&](const CellSample& s) {
         return std::abs((q - shared_.position(s)).dot(shared_.normal(s))) <= kFlatness;
@@ -216,16 +237,12 @@ void OctreeBuilder::Subtree::refine(std::size_t node, const CellBox& box, const 
         for (const CellSample* s = first; s != last; ++s) {
             quadric.add(shared_.position(*s), shared_.normal(*s));
         }
-        if (!flat(minimiser(box, quadric), first, last)) {
+        if (!flat(vertex(box, kind, edges, minimiser(box, quadric)), first, last)) {
             split(node, box, first, last, edges, depth);
             return;
         }
     }
-    Leaf leaf;
-    for (int k = 0; k < 3; ++k) {
-        leaf.low[k] = static_cast<std::int16_t>(box.low[k]);
-    }
-    leaf.size = static_cast<std::int16_t>(box.size);
+    Leaf leaf = leaf_of(box);
     leaf.kind = kind;
     leaf.first_sheet = static_cast<std::int32_t>(tree_.sheets.size());
     if (unit) {

@@ -63,7 +63,8 @@ class Octree {
 
 /// Builds the octree top down (Procedures 1 and 2). A cell with IR-samples and wider than r is split while it is
 /// face- or voxel-ambiguous, has an edge with more than one sample, is a fake solid or empty volume or has such a face,
-/// its minimiser lies farther than 0.1 r from a sample's plane, or the border in it is not simple.
+/// its vertex (the minimiser, or the point on the border) lies farther than 0.1 r from a sample's plane, or the border
+/// in it is not simple.
 ///
 /// Beyond the paper, a leaf of width r that several sheets of the surface pass has a vertex for each of them (as in
 /// Schaefer, Ju and Warren 2007), so that thin walls and narrow gaps stay 2-manifold.

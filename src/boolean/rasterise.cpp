@@ -11,10 +11,15 @@ namespace mq::boolean {
 
 namespace {
 
-constexpr int kFixedBits = 30;  // differences have 31 bits, products 61: everything fits 64-bit integers
+constexpr int kFixedBits = 30;  // within the grid differences have 31 bits, products 61: all fits 64-bit integers
+/// Points farther away than this, 2^10 grids, are drawn to here; the triangles between them lie off the grid.
+constexpr std::int64_t kFarthest = std::int64_t{1} << 40;
+/// For triangles that reach beyond the grid.
+__extension__ typedef __int128 WideInteger;
+
 constexpr int kTrianglesPerTask = 8192;
 
-using FixedPoint = std::array<std::int32_t, 3>;
+using FixedPoint = std::array<std::int64_t, 3>;
 
 struct RawSample {
     std::uint32_t ray;
@@ -23,9 +28,10 @@ struct RawSample {
 };
 using RawSet = std::array<std::vector<RawSample>, 3>;
 
-std::int64_t ceil_div(std::int64_t a, std::int64_t b) {
-    const std::int64_t q = a / b;
-    return q * b < a ? q + 1 : q;
+template <typename Integer>
+std::int64_t ceil_div(Integer a, Integer b) {
+    const Integer q = a / b;
+    return static_cast<std::int64_t>(q * b < a ? q + 1 : q);
 }
 
 /// Samples triangles along all three axes.
@@ -41,10 +47,13 @@ class Rasteriser {
     };
     void sample_along(int axis, std::int32_t triangle, std::vector<RawSample>& out) const;
     /// The first column at or beyond the edge p-q (p.v < q.v) on the row at fixed coordinate `v`.
+    template <typename Integer>
     std::int64_t column(const Corner& p, const Corner& q, std::int64_t v) const {
-        const std::int64_t rise = q.v - p.v;
-        return ceil_div(p.u * rise + (v - p.v) * (q.u - p.u), rise << shift_);
+        const Integer rise = q.v - p.v;
+        return ceil_div<Integer>(p.u * rise + Integer(v - p.v) * (q.u - p.u), rise << shift_);
     }
+    template <typename Integer>
+    void fill(int axis, std::int32_t triangle, const std::array<Corner, 3>& c, std::vector<RawSample>& out) const;
     std::int64_t ceil_ray(std::int64_t fixed) const { return (fixed + (std::int64_t{1} << shift_) - 1) >> shift_; }
 
     const OperandPair& pair_;
@@ -66,7 +75,8 @@ Rasteriser::Rasteriser(const OperandPair& pair, int operand, const SampleGrid& g
     for (std::size_t i = 0; i < points_.size(); ++i) {
         points_[i] = grid.to_grid(pair.points[first_point_ + i]);
         for (int a = 0; a < 3; ++a) {
-            fixed_[i][a] = static_cast<std::int32_t>(std::lround(points_[i][a] * scale));
+            const double fixed = std::clamp(points_[i][a] * scale, -double(kFarthest), double(kFarthest));
+            fixed_[i][a] = std::llround(fixed);
         }
     }
 }
@@ -108,15 +118,27 @@ void Rasteriser::sample_along(int axis, std::int32_t triangle, std::vector<RawSa
     for (int i = 0; i < 3; ++i) {
         c[i] = {fixed_[index[i]][ua], fixed_[index[i]][va]};
     }
-    const std::int64_t first_row = ceil_ray(std::min({c[0].v, c[1].v, c[2].v}));
-    const std::int64_t end_row = ceil_ray(std::max({c[0].v, c[1].v, c[2].v}));
-    if (first_row >= end_row ||
-        ceil_ray(std::min({c[0].u, c[1].u, c[2].u})) >= ceil_ray(std::max({c[0].u, c[1].u, c[2].u}))) {
-        return;
+    const auto [low_u, high_u] = std::minmax({c[0].u, c[1].u, c[2].u});
+    const auto [low_v, high_v] = std::minmax({c[0].v, c[1].v, c[2].v});
+    if (ceil_ray(low_v) >= ceil_ray(high_v) || ceil_ray(low_u) >= ceil_ray(high_u)) {
+        return;  // between rays, as most triangles of a fine mesh
     }
-    const std::int64_t area = (c[1].u - c[0].u) * (c[2].v - c[0].v) - (c[1].v - c[0].v) * (c[2].u - c[0].u);
+    constexpr std::int64_t kGrid = std::int64_t{1} << kFixedBits;
+    if (low_u >= 0 && low_v >= 0 && high_u <= kGrid && high_v <= kGrid) {
+        fill<std::int64_t>(axis, triangle, c, out);
+    } else if (low_u <= kGrid && low_v <= kGrid && high_u >= 0 && high_v >= 0) {
+        fill<WideInteger>(axis, triangle, c, out);
+    }
+}
+
+template <typename Integer>
+void Rasteriser::fill(int axis, std::int32_t triangle, const std::array<Corner, 3>& c,
+                      std::vector<RawSample>& out) const {
+    const Integer area = Integer(c[1].u - c[0].u) * (c[2].v - c[0].v) - Integer(c[1].v - c[0].v) * (c[2].u - c[0].u);
     const std::int32_t code = area > 0 ? ~triangle : triangle;
-    std::optional<PlaneDepth> plane;  // most triangles of a fine mesh meet no ray
+    const std::int64_t first_row = std::max<std::int64_t>(0, ceil_ray(std::min({c[0].v, c[1].v, c[2].v})));
+    const std::int64_t end_row = std::min(rays_, ceil_ray(std::max({c[0].v, c[1].v, c[2].v})));
+    std::optional<PlaneDepth> plane;
     for (std::int64_t row = first_row; row < end_row; ++row) {
         const std::int64_t v = row << shift_;
         std::array<std::int64_t, 2> columns{};
@@ -128,12 +150,15 @@ void Rasteriser::sample_along(int axis, std::int32_t triangle, std::vector<RawSa
                 std::swap(p, q);
             }
             if (p->v <= v && v < q->v) {
-                columns[crossings++] = column(*p, *q, v);
+                columns[crossings++] = std::clamp<std::int64_t>(column<Integer>(*p, *q, v), 0, rays_);
             }
         }
         const auto [from, to] = std::minmax(columns[0], columns[1]);
         if (from < to && !plane) {
-            plane.emplace(points_[index[0]], points_[index[1]], points_[index[2]], axis);
+            const auto point = [&](int i) -> const Vec3& {
+                return points_[pair_.triangles[triangle][i] - first_point_];
+            };
+            plane.emplace(point(0), point(1), point(2), axis);
         }
         for (std::int64_t u = from; u < to; ++u) {
             out.push_back({static_cast<std::uint32_t>(row * rays_ + u), code,

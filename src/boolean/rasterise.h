@@ -14,7 +14,8 @@ constexpr int kMaxLevels = 12;
 /// The rules are consistent: positions across the rays are integers (2^30 to the side of the grid), each edge decides
 /// in exact arithmetic which rays pass on which side, the same way for all triangles that share it, and a ray through
 /// an edge or a vertex counts as passing on the side of greater coordinates (symbolic perturbation). So a closed
-/// operand has as many entries as exits on every ray. Time O(triangles + rays + samples log layers), on all cores.
+/// operand has as many entries as exits on every ray. The operand may reach beyond the grid. Time O(triangles + rays +
+/// samples log layers), on all cores.
 /// @throws Cancelled
 LayeredDepthSet rasterise(const OperandPair& pair, int operand, const SampleGrid& grid, const Progress* progress);
 

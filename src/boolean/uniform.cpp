@@ -101,14 +101,28 @@ void require_operands(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) 
     require_outward(b, "B");
 }
 
-Box box_of(const OperandPair& pair) {
+Box box_of(const mesh::TriangleMesh& mesh) {
     Box box;
-    for (const mesh::Triangle& t : pair.triangles) {
+    for (const mesh::Triangle& t : mesh.triangles) {
         for (const std::int32_t p : t) {
-            box.add(pair.points[p]);
+            box.add(mesh.vertices[p]);
         }
     }
     return box;
+}
+
+/// Where the result can lie; empty where there can be none.
+Box working_box(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation) {
+    Box box = box_of(a);
+    const Box other = box_of(b);
+    if (operation == Operation::Intersection) {
+        box.low = box.low.cwiseMax(other.low);
+        box.high = box.high.cwiseMin(other.high);
+    } else if (operation != Operation::Difference) {
+        box.low = box.low.cwiseMin(other.low);
+        box.high = box.high.cwiseMax(other.high);
+    }
+    return (box.low.array() > box.high.array()).any() ? Box() : box;
 }
 
 /// One run of the method; the stages in their order.
@@ -120,7 +134,7 @@ class UniformBoolean {
           options_(options),
           progress_(progress),
           pair_(a, b),
-          grid_(box_of(pair_), options.resolution) {
+          grid_(working_box(a, b, operation), options.resolution) {
         result_.mesh.origin = a.origin;
         result_.spacing = grid_.spacing();
     }
@@ -313,8 +327,11 @@ UniformResult UniformBoolean::run() {
     stage("sampling", 0.0, 0.3, [&] { sample(); });
     stage("clustering", 0.3, 0.35, [&] {
         sample_count_ = count_samples(pair_, operands_);
-        region_ = cluster(pair_, sample_count_);
-        result_.unsampled_triangles = static_cast<std::size_t>(std::count(region_.begin(), region_.end(), -1));
+        const std::vector<std::uint8_t> beyond = triangles_beyond(pair_, grid_);
+        region_ = cluster(pair_, sample_count_, beyond);
+        for (std::size_t t = 0; t < region_.size(); ++t) {
+            result_.unsampled_triangles += region_[t] < 0 && beyond[t] == 0 ? 1 : 0;
+        }
     });
     stage("Boolean of samples", 0.35, 0.5, [&] { combine_samples(); });
     stage("membership", 0.5, 0.6, [&] {

@@ -15,7 +15,9 @@ namespace mq::boolean {
 
 /// Options of the uniform scheme.
 struct UniformOptions {
-    int resolution = 513;  ///< rays along the longest side of both operands' box, rounded up to 2^n + 1; 9 to 4097
+    /// Rays along the longest side of the box in which the result can lie (that of A for a difference, that common to A
+    /// and B for an intersection, else that of both), rounded up to 2^n + 1; 9 to 4097.
+    int resolution = 513;
     /// Surfaces of A and B nearer than this are in contact: gaps and slabs between them vanish. A fraction of the
     /// longest side (the paper's epsilon).
     double thinnest = 1e-6;
@@ -31,9 +33,8 @@ struct UniformResult {
     /// where the result has its outside within the operand); {-1, -1} for triangles made or changed here.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
     /// The paper's bound, not measured: sqrt(3) r, where r is the distance between rays (Wang 2010, section IV-A: every
-    /// point of the true result has a sample this near). It does not hold for features thinner than r, which may be
-    /// lost, and triangles that fill holes or were moved in stitching have been seen 1.5 times as far away. 0 where
-    /// nothing was reconstructed. mm.
+    /// point of the true result has a sample this near). It does not hold where features are thinner than r: those may
+    /// be lost, and the triangles that close the gap can lie farther away. 0 where nothing was reconstructed. mm.
     double error_bound = 0.0;
     double spacing = 0.0;  ///< r, mm
 

@@ -104,6 +104,16 @@ TEST(Rasterise, DegenerateTrianglesKeepTheBalance) {
     expect_balance(rasterise(pair, 0, grid, nullptr), grid);
 }
 
+TEST(Rasterise, OperandsBeyondTheGridKeepTheBalance) {
+    const OperandPair frame(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), mesh::TriangleMesh());
+    const SampleGrid grid(box_of(frame), 33);
+    for (const double radius : {0.9, 2.0, 50.0, 1e4, 1e9}) {
+        const mesh::TriangleMesh ball = solids::sphere(Vec3(0.3, 0.4, 0.5 - 0.99 * radius), radius, 40);
+        const OperandPair pair(ball, mesh::TriangleMesh());
+        EXPECT_GT(expect_balance(rasterise(pair, 0, grid, nullptr), grid), 1000U) << radius;
+    }
+}
+
 TEST(Rasterise, StopsWhenCancelled) {
     const OperandPair pair(solids::sphere(Vec3(0, 0, 0), 1.0, 20), mesh::TriangleMesh());
     Progress progress;

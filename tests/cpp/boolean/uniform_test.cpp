@@ -96,6 +96,24 @@ TEST(Uniform, ApartAndWithin) {
     EXPECT_NEAR(run(inner, Operation::SymmetricDifference), volume(a) - volume(inner), 1e-9);
 }
 
+/// The rays lie where the result can be, however far the other operand reaches.
+TEST(Uniform, ToolsFarLargerThanThePart) {
+    const mesh::TriangleMesh ball = solids::sphere(Vec3(0.1, 0.2, 0.3), 1.0, 40);
+    for (const double size : {10.0, 1e3, 1e6}) {
+        SCOPED_TRACE(size);
+        const mesh::TriangleMesh tool = solids::box(Vec3(-0.4 * size, -0.7 * size, 0.3), Vec3(size, size, size));
+        const UniformResult cut = layered_depth_boolean(ball, tool, Operation::Difference, at_resolution(65), nullptr);
+        expect_sound(cut, ball, tool);
+        EXPECT_NEAR(volume(cut.mesh), 0.5 * volume(ball), 0.02);
+        EXPECT_NEAR(cut.spacing, 2.0 / 61.0, 1e-3);
+        const UniformResult common =
+            layered_depth_boolean(tool, ball, Operation::Intersection, at_resolution(65), nullptr);
+        expect_sound(common, tool, ball);
+        EXPECT_NEAR(volume(common.mesh), 0.5 * volume(ball), 0.02);
+        EXPECT_EQ(common.spacing, cut.spacing);
+    }
+}
+
 /// Remark 3: a solid and itself leave that solid's own triangles.
 TEST(Uniform, ASolidWithItself) {
     const mesh::TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 24, 0.1);
