@@ -93,6 +93,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False,
         "max_edge": max_edge,
     })
     module = core()
+    module.set_fill_program(os.path.join(os.path.dirname(module.__file__), "meshquality_fill"))
     curving = module.CurveOptions()
     for name in ("order", "volume", "straighten"):
         setattr(curving, name, values.pop(name))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -13,6 +14,10 @@ namespace {
 
 using geometry::Answer;
 using geometry::Query;
+
+/// Vertices of the triangulation are rounded to single precision: they lie on their curves to this part of the part.
+constexpr double kOnCurve = 2e-7;
+constexpr int kMostStarts = 256;
 
 class Classifier {
   public:
@@ -120,24 +125,52 @@ class Classifier {
         return edge.nodes[end] < 0 ? -1 : at_node[static_cast<std::size_t>(edge.nodes[end])];
     }
 
+    /// Vertices with their parameters on the edge, ascending. The search for the nearest point is a local one, and a
+    /// curve may come near a vertex more than once: it starts from ever more parameters until the vertex lies on the
+    /// curve.
     std::vector<std::pair<double, int>> sorted_along(int e, const std::vector<int>& vertices) {
-        const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
-        geometry::Engine::Batch batch;
-        for (const int v : vertices) {
-            batch.push_back(Query::edge_nearest(e, surface_.shapes.vertices[static_cast<std::size_t>(v)].point,
-                                                0.5 * (edge.t0 + edge.t1), edge.t0, edge.t1));
+        const double near = kOnCurve * topology_.box.largest_side();
+        std::vector<Answer> best(vertices.size());
+        std::vector<std::size_t> open(vertices.size());
+        std::iota(open.begin(), open.end(), std::size_t{0});
+        for (int starts = 1; starts <= kMostStarts && !open.empty(); starts *= 4) {
+            search(e, vertices, open, starts, best);
+            open.erase(std::remove_if(open.begin(), open.end(),
+                                      [&](std::size_t i) { return best[i].found() && best[i].distance <= near; }),
+                       open.end());
         }
-        const auto answers = session_.ask(std::move(batch));
         std::vector<std::pair<double, int>> sorted;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
-            if (!answers[i].found()) {
+            if (!best[i].found()) {
                 throw GeometryError("no point of " + geometry::name_of({1, e}) + " near a vertex of its mesh");
             }
-            sorted.emplace_back(answers[i].t, vertices[i]);
-            surface_.shapes.vertices[static_cast<std::size_t>(vertices[i])].point = answers[i].point;
+            sorted.emplace_back(best[i].t, vertices[i]);
+            surface_.shapes.vertices[static_cast<std::size_t>(vertices[i])].point = best[i].point;
         }
         std::sort(sorted.begin(), sorted.end());
         return sorted;
+    }
+
+    void search(int e, const std::vector<int>& vertices, const std::vector<std::size_t>& open, int starts,
+                std::vector<Answer>& best) {
+        const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
+        geometry::Engine::Batch batch;
+        for (const std::size_t i : open) {
+            const Vec3& p = surface_.shapes.vertices[static_cast<std::size_t>(vertices[i])].point;
+            for (int k = 0; k < starts; ++k) {
+                const double t = edge.t0 + (k + 0.5) / starts * (edge.t1 - edge.t0);
+                batch.push_back(Query::edge_nearest(e, p, t, edge.t0, edge.t1));
+            }
+        }
+        const auto answers = session_.ask(std::move(batch));
+        std::size_t next = 0;
+        for (const std::size_t i : open) {
+            for (int k = 0; k < starts; ++k, ++next) {
+                if (answers[next].found() && (!best[i].found() || answers[next].distance < best[i].distance)) {
+                    best[i] = answers[next];
+                }
+            }
+        }
     }
 
     /// Vertices that follow each other along the edge are joined by mesh edges on it.

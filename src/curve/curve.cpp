@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <numeric>
 
 #include "base/error.h"
+#include "curve/child_process.h"
 #include "curve/straighten.h"
 #include "curve/surface_repair.h"
 #include "curve/validity.h"
@@ -85,6 +85,7 @@ void note(const VolumeRepairs& repairs, CurveReport& report) {
     report.repairs.emplace_back("edge swaps in regions", repairs.edge_swaps);
     report.repairs.emplace_back("face swaps in regions", repairs.face_swaps);
     report.repairs.emplace_back("collapses in regions", repairs.collapses);
+    report.repairs.emplace_back("edges curved in regions", repairs.curved_edges);
     report.repairs.emplace_back("inner vertices relocated", repairs.relocations);
     report.moved_vertices += static_cast<std::size_t>(repairs.relocations);
     report.repairs.emplace_back("vertices put into regions", repairs.splits);
@@ -137,7 +138,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     Progress& watched = progress != nullptr ? *progress : unwatched;
     CurveReport report;
     StageClock clock(report);
-    const std::clock_t start = std::clock();
+    const double start = cpu_seconds();
 
     geometry::Session session(engine, model, &watched);
     watched.stage("classifying", 0.0, 0.1);
@@ -173,7 +174,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     clock.end("measuring");
     CurvedMesh result = assemble(surface, regions);
     report.vertices = result.vertices;
-    report.cpu_seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    report.cpu_seconds = cpu_seconds() - start;
     result.report = std::move(report);
     return result;
 }

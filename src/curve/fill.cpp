@@ -1,80 +1,82 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curve/fill.h"
 
-#include <cstddef>
-#include <map>
-#include <mutex>
-#include <string>
+#include <cstdint>
+#include <cstring>
 
-namespace nglib {
-#include <netgen/nglib.h>
-}
-namespace netgen {
-// How much Netgen prints to the standard output; not in its public header.
-extern int printmessage_importance;
-}  // namespace netgen
+#include "curve/child_process.h"
 
 namespace mq::curve {
 
 namespace {
 
-std::mutex& netgen_in_use() {
-    static std::mutex mutex;
-    return mutex;
+std::string& fill_program() {
+    static std::string path;
+    return path;
 }
 
-/// Netgen's own state, up while a filling lasts.
-class Netgen {
-  public:
-    Netgen() : lock_(netgen_in_use()) {
-        nglib::Ng_Init();
-        netgen::printmessage_importance = 0;
-        mesh_ = nglib::Ng_NewMesh();
-    }
-    ~Netgen() {
-        nglib::Ng_DeleteMesh(mesh_);
-        nglib::Ng_Exit();
-    }
-    Netgen(const Netgen&) = delete;
-    Netgen& operator=(const Netgen&) = delete;
+template <typename T>
+void append(std::string& bytes, const T& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
 
-    nglib::Ng_Mesh* mesh() const { return mesh_; }
+/// Takes values off the front of the program's answer.
+class Reader {
+  public:
+    explicit Reader(const std::string& bytes) : bytes_(bytes) {}
+
+    template <typename T>
+    T take() {
+        T value{};
+        if (at_ + sizeof value > bytes_.size()) {
+            throw CannotFill("the tetrahedral mesher gave half an answer");
+        }
+        std::memcpy(&value, bytes_.data() + at_, sizeof value);
+        at_ += sizeof value;
+        return value;
+    }
+    std::string rest() const { return bytes_.substr(at_); }
 
   private:
-    std::lock_guard<std::mutex> lock_;
-    nglib::Ng_Mesh* mesh_ = nullptr;
+    const std::string& bytes_;
+    std::size_t at_ = 0;
 };
 
-Vec3 point_of(const Netgen& netgen, int i) {
-    double x[3];
-    nglib::Ng_GetPoint(netgen.mesh(), i + 1, x);
-    return {x[0], x[1], x[2]};
+std::string request(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles) {
+    std::string bytes;
+    append(bytes, static_cast<std::int64_t>(points.size()));
+    append(bytes, static_cast<std::int64_t>(triangles.size()));
+    for (const Vec3& p : points) {
+        append(bytes, std::array<double, 3>{p.x(), p.y(), p.z()});
+    }
+    for (const auto& t : triangles) {
+        append(bytes, std::array<std::int32_t, 3>{t[0], t[1], t[2]});
+    }
+    return bytes;
 }
 
-double box_product(const std::array<Vec3, 4>& p) {
-    return (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]);
+double box_product(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    return (b - a).cross(c - a).dot(d - a);
 }
 
-Filling read_back(const Netgen& netgen, const std::vector<Vec3>& points) {
-    Filling filling;
-    const auto given = static_cast<int>(points.size());
-    for (int i = 0; i < nglib::Ng_GetNP(netgen.mesh()); ++i) {
-        const Vec3 p = point_of(netgen, i);
-        if (i >= given) {
-            filling.inner_points.push_back(p);
-        } else if (p != points[static_cast<std::size_t>(i)]) {
-            throw GeometryError("the tetrahedral mesher moved a vertex of the surface");
+Filling read_answer(Reader& reader, const std::vector<Vec3>& points) {
+    const auto count = static_cast<std::size_t>(reader.take<std::int64_t>());
+    const auto elements = static_cast<std::size_t>(reader.take<std::int64_t>());
+    std::vector<Vec3> all;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto x = reader.take<std::array<double, 3>>();
+        all.emplace_back(x[0], x[1], x[2]);
+        if (i < points.size() && all.back() != points[i]) {
+            throw CannotFill("the tetrahedral mesher moved a vertex of the surface");
         }
     }
-    const auto at = [&](int v) -> const Vec3& {
-        return v < given ? points[static_cast<std::size_t>(v)]
-                         : filling.inner_points[static_cast<std::size_t>(v - given)];
-    };
-    for (int i = 0; i < nglib::Ng_GetNE(netgen.mesh()); ++i) {
-        int v[NG_VOLUME_ELEMENT_MAXPOINTS];
-        nglib::Ng_GetVolumeElement(netgen.mesh(), i + 1, v);
-        std::array<int, 4> corners{v[0] - 1, v[1] - 1, v[2] - 1, v[3] - 1};
-        if (box_product({at(corners[0]), at(corners[1]), at(corners[2]), at(corners[3])}) < 0.0) {
+    Filling filling;
+    filling.inner_points.assign(all.begin() + static_cast<std::ptrdiff_t>(points.size()), all.end());
+    for (std::size_t i = 0; i < elements; ++i) {
+        const auto v = reader.take<std::array<std::int32_t, 4>>();
+        std::array<int, 4> corners{v[0], v[1], v[2], v[3]};
+        const auto at = [&](std::size_t k) -> const Vec3& { return all.at(static_cast<std::size_t>(corners[k])); };
+        if (box_product(at(0), at(1), at(2), at(3)) < 0.0) {
             std::swap(corners[2], corners[3]);
         }
         filling.tetrahedra.push_back(corners);
@@ -84,30 +86,30 @@ Filling read_back(const Netgen& netgen, const std::vector<Vec3>& points) {
 
 }  // namespace
 
-Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles) {
-    const Netgen netgen;
-    for (const Vec3& p : points) {
-        double x[3] = {p.x(), p.y(), p.z()};
-        nglib::Ng_AddPoint(netgen.mesh(), x);
+void set_fill_program(const std::string& path) {
+    fill_program() = path;
+}
+
+Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+             const Progress& progress) {
+    ChildProcess mesher(fill_program());
+    const std::string answer = mesher.exchange(request(points, triangles), progress);
+    const ChildProcess::End end = mesher.end();
+    if (end.too_long) {
+        throw GeometryError(
+            "filling the surface with tetrahedra did not come to an end: its triangles do not fit each "
+            "other across thin walls; ask for a smaller chord height or shorter edges");
     }
-    for (const auto& t : triangles) {
-        int v[3] = {t[0] + 1, t[1] + 1, t[2] + 1};
-        nglib::Ng_AddSurfaceElement(netgen.mesh(), nglib::NG_TRIG, v);
-    }
-    nglib::Ng_Meshing_Parameters parameters;
-    parameters.maxh = 1e30;
-    std::string why = "no reason given";
-    try {
-        if (nglib::Ng_GenerateVolumeMesh(netgen.mesh(), &parameters) == nglib::NG_OK &&
-            nglib::Ng_GetNE(netgen.mesh()) > 0) {
-            return read_back(netgen, points);
+    std::string why = end.fault;
+    if (why.empty()) {
+        Reader reader(answer);
+        if (reader.take<std::int64_t>() == 0) {
+            return read_answer(reader, points);
         }
-    } catch (const Error&) {
-        throw;
-    } catch (const std::exception& error) {  // Netgen's own
-        why = error.what();
+        reader.take<std::int64_t>();
+        why = reader.rest();
     }
-    throw CannotFill("the surface could not be filled with tetrahedra (" + why +
+    throw CannotFill("the surface could not be filled with tetrahedra (the mesher says: " + why +
                      "): it meets itself, or walls are too thin for its triangles; ask for a smaller chord height");
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/progress.h"
 #include "base/vec.h"
 
 namespace mq::curve {
@@ -20,9 +22,14 @@ struct Filling {
     std::vector<std::array<int, 4>> tetrahedra;  ///< positive volume
 };
 
-/// Fills a closed, outward oriented surface by Netgen's nglib. All points and triangles of the surface are kept as they
-/// are. Netgen holds one mesh at a time for the whole process: calls wait for each other.
-/// @throws CannotFill when the surface cannot be filled: it is not closed or meets itself.
-Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles);
+/// Where the program lies that runs Netgen (netgen/fill_main.cpp). To be set once, before anything is filled.
+void set_fill_program(const std::string& path);
+
+/// Fills a closed, outward oriented surface by Netgen's nglib in a process of its own. All points and triangles of the
+/// surface are kept as they are.
+/// @throws CannotFill when the mesher fails or crashes, GeometryError when it does not end, IoError when it cannot be
+/// started; Cancelled.
+Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+             const Progress& progress);
 
 }  // namespace mq::curve

@@ -205,9 +205,11 @@ Volume fill_solids(Surface& surface, const geometry::Topology& topology, const P
         const Shell shell = shell_of(surface, i);
         Filling filling;
         try {
-            filling = fill(shell.points, shell.triangles);
+            filling = fill(shell.points, shell.triangles, progress);
         } catch (const CannotFill& error) {
             throw CannotFill("Solid" + std::to_string(i + 1) + ": " + error.what());
+        } catch (const GeometryError& error) {
+            throw GeometryError("Solid" + std::to_string(i + 1) + ": " + error.what());
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {

@@ -50,6 +50,10 @@ bool swap_region_face(VolumeEditor& editor, int a, int b, int c, VolumeEditor::R
 /// Draws the inner vertex `a` into its neighbour `b` (section 5.3.3).
 bool collapse_region_edge(VolumeEditor& editor, int a, int b);
 
+/// Curves an inner edge at a corner of the tetrahedron where J is too small: its middle moves by m across the other two
+/// edges there, equations (10) to (12).
+bool curve_region_edge(VolumeEditor& editor, int tetrahedron);
+
 /// Puts a vertex on edge (a, b), on face (a, b, c) or into a tetrahedron and moves it to where the worst element around
 /// it is best: the refinement of a cavity (section 5.5).
 bool split_region_edge(VolumeEditor& editor, int a, int b, VolumeEditor::Rule rule);

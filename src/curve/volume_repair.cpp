@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "curve/locality.h"
 #include "curve/untangle.h"
 #include "curve/volume_editor.h"
 
@@ -19,6 +20,8 @@ constexpr double kFreeCorner = 0.2;
 constexpr int kFreeingRounds = 4;
 constexpr int kRounds = 5;
 constexpr int kSweeps = 15;
+constexpr int kSingleEdges = 3;  // of one element
+constexpr double kFew = 0.005;
 class Repair {
   public:
     Repair(Volume& volume, const Progress& progress) : volume_(volume), editor_(volume), progress_(progress) {}
@@ -28,6 +31,7 @@ class Repair {
         done_.invalid_before = invalid();
         for (int round = 0; round < kFreeingRounds && free_corners(); ++round) {
         }
+        curve_single_edges();
         std::vector<int> last;
         for (int round = 0; round < kRounds; ++round) {
             if (round >= moving_round()) {
@@ -63,6 +67,22 @@ class Repair {
             }
         }
         return bad;
+    }
+
+    /// What a single edge can mend needs no patch. Only where bad elements are few: many together come out better when
+    /// their edges are curved together.
+    void curve_single_edges() {
+        const std::vector<int> bad = bad_ones();
+        if (static_cast<double>(bad.size()) > kFew * static_cast<double>(volume_.tetrahedra.size())) {
+            return;
+        }
+        for (const int t : bad) {
+            progress_.check();
+            const double& quality = volume_.tetrahedra[static_cast<std::size_t>(t)].quality;
+            for (int i = 0; i < kSingleEdges && quality < kGoodTetrahedron && curve_region_edge(editor_, t); ++i) {
+                ++done_.curved_edges;
+            }
+        }
     }
 
     /// Bad ones whose surroundings meet share a patch.
@@ -194,11 +214,18 @@ class Repair {
     }
 
     bool swap(const std::array<int, 4>& v, VolumeEditor::Rule rule) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            for (std::size_t k = i + 1; k < 4; ++k) {
-                if (swap_region_edge(editor_, v[i], v[k], rule)) {
-                    ++done_.edge_swaps;
-                    return true;
+        // Edges to blame by the locality rules come first.
+        std::vector<Vec3> control;
+        volume_.shapes().tetrahedron(v, control);
+        const EdgeMarks blamed = candidate_edges(Lattice::of(3, volume_.shapes().order()), control);
+        for (const bool first : {true, false}) {
+            std::size_t edge = 0;
+            for (std::size_t i = 0; i < 4; ++i) {
+                for (std::size_t k = i + 1; k < 4; ++k, ++edge) {
+                    if (blamed[edge] == first && swap_region_edge(editor_, v[i], v[k], rule)) {
+                        ++done_.edge_swaps;
+                        return true;
+                    }
                 }
             }
         }

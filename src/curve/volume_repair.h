@@ -12,6 +12,7 @@ struct VolumeRepairs {
     int edge_swaps = 0;
     int face_swaps = 0;
     int collapses = 0;
+    int curved_edges = 0;
     int relocations = 0;  ///< inner vertices moved
     int splits = 0;       ///< vertices put on inner edges, faces and into tetrahedra
     int patches = 0;      ///< whose inner edges and faces were curved

@@ -2,10 +2,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <ctime>
 #include <memory>
 #include <optional>
 
+#include "curve/child_process.h"
 #include "curve/curve.h"
 #include "curve/fill.h"
 #include "geometry/occt/shape_model.h"
@@ -72,12 +72,12 @@ CurvedPointer curve_shape(const PartShape& part, const curve::Options& options, 
     straight.validate();
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        const std::clock_t start = std::clock();
+        const double start = curve::cpu_seconds();
         std::shared_ptr<geometry::Model> model;
         handle.stage("reading the shape", 0.0, 0.0);
         engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
         auto mesh = std::make_shared<CurvedMesh>(curved(engine, model, straight, options, handle));
-        mesh->report.cpu_seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        mesh->report.cpu_seconds = curve::cpu_seconds() - start;
         return mesh;
     });
 }
@@ -208,6 +208,7 @@ void bind_curve(py::module_& m) {
         .def_readwrite("straighten", &curve::Options::straighten);
     m.def("curve", &curve_shape, py::arg("shape"), py::arg("options"), py::arg("straight"),
           py::arg("progress") = py::none(), "Meshes and curves a Part.Shape; returns a Curved.");
+    m.def("set_fill_program", &curve::set_fill_program, py::arg("path"), "Where the program lies that fills volumes.");
     m.def("curve_surface", &curve_surface, py::arg("surface"), py::arg("shape"), py::arg("options"),
           py::arg("progress") = py::none(), "Curves a Surface that triangulate made of the Part.Shape.");
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "curve/curve.h"
+#include "curve/fill.h"
 #include "curve/gmsh_order.h"
 #include "curve/validity.h"
 #include "triangulate/triangulate.h"
@@ -16,7 +17,13 @@
 /// Making curved meshes, and what every one must be, measured from its nodes alone.
 namespace mq::curve {
 
+/// Before anything is filled.
+inline void use_fill_program() {
+    set_fill_program(MESHQUALITY_FILL_PROGRAM);
+}
+
 inline CurvedMesh curved(const std::shared_ptr<geometry::Model>& model, const Options& options, double max_edge = 0.0) {
+    use_fill_program();
     geometry::Engine engine(geometry::Engine::Mode::Direct);
     triangulate::Options straight;
     straight.min_angle = 20.0;
