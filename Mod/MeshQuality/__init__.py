@@ -21,9 +21,13 @@ _LAZY = {
     "quality": "MeshQuality.api",
     "curve": "MeshQuality.curved_mesh",
     "CurvedMesh": "MeshQuality.curved_mesh",
+    "boolean": "MeshQuality.boolean_mesh",
+    "BooleanMesh": "MeshQuality.boolean_mesh",
     "add_quality_mesh": "MeshQuality.api",
+    "add_boolean": "MeshQuality.boolean_mesh",
     "SurfaceMesh": "MeshQuality.surface_mesh",
     "MeshReport": "MeshQuality._core",
+    "BooleanReport": "MeshQuality._core",
     "CurveReport": "MeshQuality._core",
 }
 

@@ -68,6 +68,15 @@ def parser():
     _add_options(one, options.CURVE)
 
     one = commands.add_parser(
+        "boolean", parents=[common], help="join, intersect or subtract closed meshes and shapes",
+        description="A Boolean of two or more meshes or CAD parts; the operation is applied from "
+                    "the first on. The result is closed and free of self-intersections.")
+    one.add_argument("inputs", nargs="+", metavar="input",
+                     help="mesh or CAD file: " + " ".join(MESH_SUFFIXES + CAD_SUFFIXES))
+    one.add_argument("-o", "--output", help="mesh file: " + " ".join(OUTPUT_SUFFIXES))
+    _add_options(one, options.BOOLEAN)
+
+    one = commands.add_parser(
         "quality", parents=[common], help="report on a mesh",
         description="Measures a mesh: topology, angles, and its distance to a shape if given.")
     one.add_argument("input", help="mesh file: " + " ".join(MESH_SUFFIXES))
@@ -78,24 +87,34 @@ def parser():
 def _job(arguments):
     """What FreeCAD is to do; raises Error for what can be seen without starting it."""
     job = vars(arguments).copy()
+    known = {"quality": MESH_SUFFIXES, "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
+    suffixes = known.get(job["command"], CAD_SUFFIXES)
     for name in ("input", "shape", "output"):
         if job.get(name):
             job[name] = os.path.abspath(job[name])
-    for name, suffixes in (("input", MESH_SUFFIXES if job["command"] == "quality"
-                            else CAD_SUFFIXES), ("shape", CAD_SUFFIXES)):
-        path = job.get(name)
-        if path and not os.path.isfile(path):
-            raise Error(f"there is no file '{path}'")
-        _require_suffix(path, suffixes)
+    if "inputs" in job:
+        job["inputs"] = [os.path.abspath(path) for path in job["inputs"]]
+    for path in job.get("inputs", [job.get("input")]):
+        _require_file(path, suffixes)
+    _require_file(job.get("shape"), CAD_SUFFIXES)
+    if len(job.get("inputs", ())) == 1:
+        raise Error("a Boolean needs two inputs or more")
     curved = job["command"] == "curve"
     _require_suffix(job.get("output"), CURVED_SUFFIXES if curved else OUTPUT_SUFFIXES)
     if job.get("output") and not os.path.isdir(os.path.dirname(job["output"])):
         raise Error(f"there is no folder '{os.path.dirname(job['output'])}' to write to")
-    table = {"triangulate": options.TRIANGULATE, "curve": options.CURVE}.get(job["command"])
+    table = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
+             "boolean": options.BOOLEAN}.get(job["command"])
     if table:
         names = [option.name for option in table]
         job["options"] = options.check(table, {n: job.pop(n) for n in names})
     return job
+
+
+def _require_file(path, suffixes):
+    if path and not os.path.isfile(path):
+        raise Error(f"there is no file '{path}'")
+    _require_suffix(path, suffixes)
 
 
 def _require_suffix(path, suffixes):

@@ -12,7 +12,7 @@ import FreeCAD
 
 import MeshQuality as mq
 from MeshQuality import convert
-from MeshQuality.cli import DONE, FAILED, USAGE
+from MeshQuality.cli import DONE, FAILED, MESH_SUFFIXES, USAGE
 
 REPORT_FIELDS = (
     "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
@@ -23,7 +23,10 @@ REPORT_FIELDS = (
     "seconds", "cpu_seconds", "queries", "predicates", "exact_predicates",
 )
 
-
+BOOLEAN_REPORT_FIELDS = (
+    "error_bound", "retained", "reconstructed", "repaired", "faults_left", "crossing_pairs",
+    "curve_edges", "parted_contacts", "separated_vertices",
+)
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_deviation", "rms_deviation", "volume",
@@ -35,7 +38,10 @@ def report_fields(report):
     """A report as plain values for JSON; numbers that JSON has no word for become null."""
     if isinstance(report, mq.CurveReport):
         return {name: getattr(report, name) for name in CURVE_REPORT_FIELDS}
-    fields = {name: getattr(report, name) for name in REPORT_FIELDS}
+    names = REPORT_FIELDS
+    if isinstance(report, mq.BooleanReport):
+        names += BOOLEAN_REPORT_FIELDS
+    fields = {name: getattr(report, name) for name in names}
     fields["box"] = None if report.box is None else [corner.tolist() for corner in report.box]
     return {name: None if isinstance(value, float) and not math.isfinite(value) else value
             for name, value in fields.items()}
@@ -147,6 +153,20 @@ def curve(job):
                    f"{report.invalid} of them invalid"
 
 
+def boolean(job):
+    """Returns the report and the sentence to end with."""
+    sources = [read_mesh(path) if path.lower().endswith(MESH_SUFFIXES)
+               else read_shape(path, job.get("object")) for path in job["inputs"]]
+    mesh = mq.boolean(sources, **job["options"], progress=progress_line())
+    if job.get("output"):
+        mesh.write(job["output"])
+    where = f" in {job['output']}" if job.get("output") else ""
+    report = mesh.report
+    faults = f"; {report.faults_left} faults are left, see the notes" if report.faults_left else ""
+    return report, f"{report.triangles} triangles{where}, {report.retained} of them the " \
+                   f"operands' own{faults}"
+
+
 def quality(job):
     """Returns the report and the sentence to end with."""
     mesh = read_mesh(job["input"])
@@ -159,7 +179,7 @@ def run(job):
     """The job's result as plain data; never raises."""
     try:
         report, text = {"triangulate": triangulate, "curve": curve,
-                        "quality": quality}[job["command"]](job)
+                        "boolean": boolean, "quality": quality}[job["command"]](job)
     except mq.InvalidInput as error:
         return {"status": USAGE, "text": str(error)}
     except mq.Error as error:

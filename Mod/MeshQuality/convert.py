@@ -59,11 +59,11 @@ def is_mesh(candidate):
 
 
 def arrays_of_mesh(mesh):
-    """(vertices float64 (V, 3), triangles int32 (T, 3)) of a Mesh.Mesh or a Mesh feature.
+    """(vertices float64 (V, 3), triangles int32 (T, 3)) of a Mesh.Mesh, a Mesh feature or a link.
 
     Coordinates include the mesh's placement.
     """
-    mesh = getattr(mesh, "Mesh", mesh)
+    mesh, matrix = _mesh_and_matrix(mesh)
     handle, path = tempfile.mkstemp(suffix=".bms")
     os.close(handle)
     try:
@@ -77,15 +77,25 @@ def arrays_of_mesh(mesh):
     start = _BMS_HEAD + 8
     vertices = np.frombuffer(data, "<f4", 3 * points, start).astype(np.float64).reshape(-1, 3)
     columns = np.frombuffer(data, "<u4", 6 * facets, start + 12 * points).reshape(-1, 6)
-    placement = mesh.Placement
-    if not placement.isIdentity():
-        matrix = np.array(placement.toMatrix().A).reshape(4, 4)
+    if matrix != FreeCAD.Matrix():
+        matrix = np.array(matrix.A).reshape(4, 4)
         vertices = vertices @ matrix[:3, :3].T + matrix[:3, 3]
     return vertices, columns[:, :3].astype(np.int32)
 
 
-def surface_of_arrays(core, vertices, triangles):
-    """A measured core.Surface of (V, 3) numbers and (T, 3) indices; raises InvalidInput."""
+def _mesh_and_matrix(source):
+    """The Mesh.Mesh of a mesh or a document object, and the matrix that puts it in its place."""
+    if isinstance(source, FreeCAD.DocumentObject):
+        # A link lends its object's mesh, but in the object's place.
+        linked, matrix = source.getLinkedObject(True, FreeCAD.Matrix(), True)
+        if linked != source:
+            return linked.Mesh, matrix
+    mesh = getattr(source, "Mesh", source)
+    return mesh, mesh.Placement.toMatrix()
+
+
+def surface_of_arrays(core, vertices, triangles, measured=True):
+    """A core.Surface of (V, 3) numbers and (T, 3) indices; raises InvalidInput."""
     try:
         vertices = np.asarray(vertices, dtype=np.float64)
         triangles = np.asarray(triangles)
@@ -94,7 +104,8 @@ def surface_of_arrays(core, vertices, triangles):
             from error
     if triangles.size and not np.issubdtype(triangles.dtype, np.integer):
         raise InvalidInput(f"triangles must be whole numbers, not {triangles.dtype}")
-    return core.surface_from_arrays(vertices, triangles.astype(np.int64, copy=False))
+    return core.surface_from_arrays(vertices, triangles.astype(np.int64, copy=False),
+                                    measured=measured)
 
 
 def mesh_of_surface(surface):

@@ -11,6 +11,8 @@ from .errors import Error, InvalidInput
 
 METHODS = ("refine", "star", "sprinkle")
 INSERTIONS = ("off-centre", "paper")
+OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
+BOOLEAN_METHODS = ("default", "uniform")
 
 
 @dataclass(frozen=True)
@@ -148,6 +150,19 @@ CURVE = (
 )
 
 
+BOOLEAN = (
+    Option("operation", str, "union", choices=OPERATIONS, group="Boolean",
+           help="Applied from the first operand on"),
+    Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
+           help="Parts along the longest side; gives the tolerance where that is not given"),
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean",
+           help="Largest distance of the result from the exact one"),
+    Option("method", str, "default", choices=BOOLEAN_METHODS, group="Boolean",
+           help="Algorithm: default divides triangles along the exact intersection; uniform is the "
+                "sampling scheme of Wang 2010, for two operands"),
+)
+
+
 def check(table, values):
     """All options of `table` as {name: plain value}, those not in `values` with their default.
 
@@ -159,11 +174,13 @@ def check(table, values):
             raise InvalidInput(f"{name} is not an option: there are {', '.join(known)}")
     checked = {name: option.checked(values.get(name, option.default))
                for name, option in known.items()}
-    _check_together(checked)
+    _check_sizes(checked)
+    if table is TRIANGULATE and checked["method"] != "refine":
+        raise Error(f"method = {checked['method']!r} is not available yet: use 'refine'")
     return checked
 
 
-def _check_together(values):
+def _check_sizes(values):
     chord, relative = values.get("chord_height"), values.get("chord_height_relative")
     if chord is not None and relative is not None:
         raise InvalidInput(f"chord_height = {chord:g} mm and chord_height_relative = {relative:g} "
@@ -171,9 +188,6 @@ def _check_together(values):
     low, high = values.get("min_edge"), values.get("max_edge")
     if low is not None and high is not None and low > high:
         raise InvalidInput(f"min_edge = {low:g} mm is longer than max_edge = {high:g} mm")
-    method = values.get("method", "refine")
-    if method != "refine":
-        raise Error(f"method = {method!r} is not available yet: use 'refine'")
 
 
 def to_property(option, value):

@@ -9,6 +9,7 @@
 #include "mesh/exemptions.h"
 #include "mesh/io.h"
 #include "mesh/report.h"
+#include "python/array_view.h"
 #include "python/bindings.h"
 #include "triangulate/triangulate.h"
 
@@ -25,18 +26,6 @@ using SurfacePointer = std::shared_ptr<Surface>;
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double), "vertices are handed to NumPy as they lie in memory");
 
-/// A read-only NumPy view of `count` rows of `width` numbers. `owner` lives as long as the view.
-template <typename T>
-py::array view(const void* data, std::size_t count, std::size_t width, const py::object& owner) {
-    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(count)};
-    if (width > 1) {
-        shape.push_back(static_cast<py::ssize_t>(width));
-    }
-    py::array array(py::dtype::of<T>(), shape, static_cast<const T*>(data), owner);
-    array.attr("setflags")(py::arg("write") = false);
-    return array;
-}
-
 py::array point(const Vec3& p) {
     py::array_t<double> array(3);
     std::copy(p.data(), p.data() + 3, array.mutable_data());
@@ -44,11 +33,12 @@ py::array point(const Vec3& p) {
     return std::move(array);
 }
 
-/// Any mesh given as arrays; the origin stays zero. Checks everything that indexing relies on.
+/// Any mesh given as arrays; the origin stays zero. Checks everything that indexing relies on, and measures the mesh
+/// unless the caller has no use for its report.
 SurfacePointer surface_from_arrays(
     const py::array_t<double, py::array::c_style | py::array::forcecast>& vertices,
     const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>& triangles,
-    const py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>& faces) {
+    const py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>& faces, bool measured) {
     const auto rows = [](const py::array& array, const char* name) {
         if (array.size() != 0 && (array.ndim() != 2 || array.shape(1) != 3)) {
             throw InvalidInput(std::string(name) + " must be an array of shape (n, 3)");
@@ -73,8 +63,10 @@ SurfacePointer surface_from_arrays(
         }
     }
     mesh.triangle_face.assign(faces.data(), faces.data() + faces.size());
-    const py::gil_scoped_release release;
-    surface->report = mesh::measure(mesh);
+    if (measured) {
+        const py::gil_scoped_release release;
+        surface->report = mesh::measure(mesh);
+    }
     return surface;
 }
 
@@ -180,7 +172,8 @@ void bind_mesh(py::module_& m) {
             py::arg("path"), py::call_guard<py::gil_scoped_release>())
         .def("to_bms", [](const Surface& self) { return py::bytes(mesh::to_bms(self.mesh)); });
     m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
-          py::arg("triangle_face") = py::array_t<std::int32_t>(0), "A measured Surface of arrays (V, 3) and (T, 3).");
+          py::arg("triangle_face") = py::array_t<std::int32_t>(0), py::arg("measured") = true,
+          "A Surface of arrays (V, 3) and (T, 3).");
 }
 
 }  // namespace mq::python

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <chrono>
-#include <ctime>
 #include <memory>
 
 #include "base/error.h"
@@ -11,6 +9,7 @@
 #include "python/bindings.h"
 #include "python/engine.h"
 #include "python/part_shape.h"
+#include "python/stopwatch.h"
 #include "python/watch.h"
 #include "triangulate/triangulate.h"
 
@@ -25,17 +24,6 @@ using triangulate::Result;
 
 constexpr const char* kCopied =
     "this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text";
-
-/// Wall-clock and processor seconds since it was made. Processor time is the whole process's: the work has threads.
-class Stopwatch {
-  public:
-    double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-    double cpu() const { return static_cast<double>(std::clock() - cpu_start_) / CLOCKS_PER_SEC; }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    std::clock_t cpu_start_ = std::clock();
-};
 
 std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& options, const py::object& progress) {
     options.validate();

@@ -6,6 +6,7 @@
 /// The parts of the extension module MeshQuality._core, one function a topic.
 namespace mq::python {
 
+void bind_boolean(pybind11::module_& m);
 void bind_curve(pybind11::module_& m);
 void bind_errors(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);

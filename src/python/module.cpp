@@ -41,5 +41,6 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_mesh(m);
     mq::python::bind_triangulate(m);
     mq::python::bind_curve(m);
+    mq::python::bind_boolean(m);
     py::module_::import("atexit").attr("register")(py::cpp_function(&mq::python::stop_shared_engine));
 }

@@ -9,8 +9,8 @@ import numpy as np
 
 from .. import convert, options
 from ..api import triangulate
-from ..compat import PlainState
-from ..errors import Error, InvalidInput
+from ..errors import InvalidInput
+from . import mesh_object
 
 # Name, type, what it says. All read-only, measured on the mesh that the object holds.
 MEASURED = (
@@ -33,18 +33,25 @@ HIDDEN = (
 )
 
 
-class QualityMesh(PlainState):
-    """Proxy of a Mesh::FeaturePython. Its state is in the object's properties."""
+class QualityMesh(mesh_object.MeshObject):
+    """Proxy of a Mesh::FeaturePython that holds a mesh of its source."""
 
-    def __init__(self, obj):
-        obj.Proxy = self
-        add_properties(obj)
+    def add_properties(self, obj):
+        """Adds those properties that the object has not got yet."""
+        # Global: a mesh may follow a shape inside a container that it does not belong to itself.
+        mesh_object.add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh",
+                                 "The object whose shape is meshed")
+        mesh_object.add_options(obj, options.TRIANGULATE)
+        for name, kind, text in MEASURED:
+            mesh_object.add_property(obj, kind, name, "Quality", text)
+            obj.setEditorMode(name, 1)
+        for name, kind, text in HIDDEN:
+            mesh_object.add_property(obj, kind, name, "Mesh", text)
+            obj.setEditorMode(name, 2)
 
     def onDocumentRestored(self, obj):
-        """Documents of older versions get the properties that were added since; the mesh gets
-        its segments back, which FreeCAD does not save.
-        """
-        add_properties(obj)
+        """The mesh gets its segments back, which FreeCAD does not save."""
+        super().onDocumentRestored(obj)
         segments = convert.face_segments(faces_of_runs(obj.FaceRuns))
         if segments and obj.Mesh.countSegments() == 0:
             mesh = obj.Mesh.copy()
@@ -52,19 +59,11 @@ class QualityMesh(PlainState):
             obj.Mesh = mesh
             obj.purgeTouched()
 
-    def execute(self, obj):
+    def update(self, obj):
         """Meshes the source anew, unless neither it nor an option has changed."""
-        self.error = None
-        try:
-            self._update(obj)
-        except (Error, ImportError, MemoryError) as error:
-            self.error = error
-            raise type(error)(f"{obj.Label}: {error}") from error
-
-    def _update(self, obj):
         if obj.Source is None:
             raise InvalidInput("Source is empty: choose an object with a shape")
-        values = options_of(obj)
+        values = mesh_object.options_of(obj, options.TRIANGULATE)
         options.check(options.TRIANGULATE, values)
         shape = convert.shape_of(obj.Source)
         fingerprint = fingerprint_of(shape, values)
@@ -75,45 +74,6 @@ class QualityMesh(PlainState):
         show_report(obj, mesh.report)
         obj.FaceRuns = runs_of_faces(mesh.triangle_face)
         obj.Fingerprint = fingerprint
-
-
-def add_properties(obj):
-    """Adds those properties that the object has not got yet."""
-    present = set(obj.PropertiesList)
-
-    def add(kind, name, group, text):
-        if name in present:
-            return False
-        obj.addProperty(kind, name, group, text)
-        return True
-
-    # Global: a mesh may follow a shape inside a container that it does not belong to itself.
-    add("App::PropertyLinkGlobal", "Source", "Mesh", "The object whose shape is meshed")
-    for option in options.TRIANGULATE:
-        unit = "" if option.default is not None else "; 0: no bound"
-        name = option.property_name
-        if add(option.property_type, name, option.group, option.help + unit):
-            if option.choices:
-                setattr(obj, name, list(option.choices))
-            setattr(obj, name, options.to_property(option, option.default))
-    for name, kind, text in MEASURED:
-        add(kind, name, "Quality", text)
-        obj.setEditorMode(name, 1)
-    for name, kind, text in HIDDEN:
-        add(kind, name, "Mesh", text)
-        obj.setEditorMode(name, 2)
-
-
-def options_of(obj):
-    """{option: value} of the object's properties."""
-    return {option.name: options.from_property(option, getattr(obj, option.property_name))
-            for option in options.TRIANGULATE}
-
-
-def set_options(obj, values):
-    """Sets the properties of {option: value}, checked before."""
-    for option in options.TRIANGULATE:
-        setattr(obj, option.property_name, options.to_property(option, values[option.name]))
 
 
 def fingerprint_of(shape, values):
@@ -147,35 +107,17 @@ def show_report(obj, report):
 
 
 def add(source, values):
-    """Adds a quality mesh of `source` to its document, as one undo step of its own or as a part
-    of the transaction that is open. Returns the object; on an error nothing is added.
-    """
+    """Adds a quality mesh of `source` to its document; see mesh_object.add."""
     if not isinstance(source, FreeCAD.DocumentObject):
         raise InvalidInput("a document object with a shape is needed, not "
                            f"{type(source).__name__}")
     checked = options.check(options.TRIANGULATE, values)
-    document = source.Document
-    # A transaction that was opened shows in the document only after its first change.
-    own_transaction = not (document.HasPendingTransaction or FreeCAD.getActiveTransaction())
-    if own_transaction:
-        document.openTransaction("Quality mesh")
-    obj = document.addObject("Mesh::FeaturePython", "QualityMesh")
-    try:
+
+    def make(obj):
         proxy = QualityMesh(obj)
         obj.Label = f"{source.Label} quality mesh"
         obj.Source = source
-        set_options(obj, checked)
-        if FreeCAD.GuiUp:
-            obj.ViewObject.Proxy = 0
-        obj.recompute()
-        if proxy.error is not None:
-            raise proxy.error
-        obj.purgeTouched()
-    except BaseException:
-        document.removeObject(obj.Name)
-        if own_transaction:
-            document.abortTransaction()
-        raise
-    if own_transaction:
-        document.commitTransaction()
-    return obj
+        mesh_object.set_options(obj, options.TRIANGULATE, checked)
+        return proxy
+
+    return mesh_object.add(source.Document, "QualityMesh", "Quality mesh", make)

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object "Boolean": a mesh that follows a Boolean of objects of the document."""
+
+import json
+
+import FreeCAD
+
+from .. import options
+from ..boolean_mesh import run
+from ..errors import InvalidInput
+from ..operands import Operands
+from . import mesh_object
+
+# Name, type, what it says. All read-only, measured on the mesh that the object holds.
+MEASURED = (
+    ("Triangles", "App::PropertyInteger", "Number of triangles"),
+    ("Vertices", "App::PropertyInteger", "Number of vertices"),
+    ("Closed", "App::PropertyBool", "No border edge"),
+    ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside"),
+    ("Manifold", "App::PropertyBool", "No edge of three or more triangles, no pinched vertex"),
+    ("Volume", "App::PropertyVolume", "Enclosed volume"),
+    ("ErrorBound", "App::PropertyLength", "Largest distance from the exact Boolean of the meshes"),
+    ("Retained", "App::PropertyInteger", "Triangles that are an operand's own"),
+    ("Reconstructed", "App::PropertyInteger", "Triangles that were made or changed"),
+    ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
+    ("Repaired", "App::PropertyStringList", "What was repaired in the operands"),
+    ("Notes", "App::PropertyStringList", "What else happened on the way"),
+)
+
+
+class MeshBoolean(mesh_object.MeshObject):
+    """Proxy of a Mesh::FeaturePython that holds a Boolean of its sources."""
+
+    def add_properties(self, obj):
+        """Adds those properties that the object has not got yet."""
+        # Global: operands may lie inside a container that the mesh does not belong to itself.
+        mesh_object.add_property(obj, "App::PropertyLinkListGlobal", "Sources", "Boolean",
+                                 "The operands: objects with a mesh or a shape, in their order")
+        mesh_object.add_options(obj, options.BOOLEAN)
+        for name, kind, text in MEASURED:
+            mesh_object.add_property(obj, kind, name, "Quality", text)
+            obj.setEditorMode(name, 1)
+        mesh_object.add_property(obj, "App::PropertyString", "Fingerprint", "Boolean",
+                                 "Of the operands and the options of this mesh")
+        obj.setEditorMode("Fingerprint", 2)
+
+    def update(self, obj):
+        """Computes the Boolean anew, unless no operand and no option has changed."""
+        if len(obj.Sources) < 2:
+            raise InvalidInput(f"Sources has {len(obj.Sources)} objects: choose two or more with a "
+                               "mesh or a shape")
+        values = options.check(options.BOOLEAN, mesh_object.options_of(obj, options.BOOLEAN))
+        operands = Operands(obj.Sources)
+        fingerprint = operands.digest() + json.dumps(values, sort_keys=True)
+        if fingerprint == obj.Fingerprint and obj.Mesh.CountFacets == obj.Triangles:
+            return
+        mesh = run(operands, values)
+        obj.Mesh = mesh.to_mesh()
+        show_report(obj, mesh.report)
+        obj.Fingerprint = fingerprint
+
+
+def show_report(obj, report):
+    """Fills the group Quality."""
+    obj.Triangles, obj.Vertices = report.triangles, report.vertices
+    obj.Closed, obj.Oriented, obj.Manifold = report.closed, report.oriented, report.manifold
+    obj.Volume, obj.ErrorBound = report.volume, report.error_bound
+    obj.Retained, obj.Reconstructed = report.retained, report.reconstructed
+    obj.FaultsLeft = report.faults_left
+    obj.Repaired, obj.Notes = list(report.repaired), list(report.notes)
+
+
+def add(sources, values):
+    """Adds a Boolean of document objects to their document; see mesh_object.add."""
+    if len(sources) < 2:
+        raise InvalidInput("two operands or more are needed: give a and b, or a list")
+    for source in sources:
+        if not isinstance(source, FreeCAD.DocumentObject):
+            raise InvalidInput("document objects with a mesh or a shape are needed, not "
+                               f"{type(source).__name__}")
+    document = sources[0].Document
+    if any(source.Document != document for source in sources):
+        raise InvalidInput("the operands are objects of different documents: link them into one")
+    checked = options.check(options.BOOLEAN, values)
+
+    def make(obj):
+        proxy = MeshBoolean(obj)
+        obj.Label = f"{sources[0].Label} {checked['operation'].replace('_', ' ')}"
+        obj.Sources = sources
+        mesh_object.set_options(obj, options.BOOLEAN, checked)
+        return proxy
+
+    return mesh_object.add(document, "Boolean", "Boolean", make)

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The operands of a Boolean: what scripts may pass, as surfaces of the core."""
+
+import hashlib
+import string
+import time
+from contextlib import contextmanager
+
+import numpy as np
+
+from . import convert
+from .api import triangulate
+from .compat import core
+from .errors import InvalidInput, TopologyError
+from .surface_mesh import SurfaceMesh
+
+# Triangulating asks for at least 4 times the rounding error of single precision, which is sqrt(3)
+# times 2^-24 of the largest coordinate in the local frame of the shape. That frame keeps
+# coordinates within 4 times the shape's size.
+_FINEST_CHORD = 4.0 * 3.0**0.5 * 2.0**-24
+_FRAME = 4.0
+
+
+class Operands:
+    """Meshes and shapes on their way into a Boolean.
+
+    surfaces    [(core.Surface, whether it may be rounded to single precision), ...]
+    notes       a sentence for each shape that was meshed
+    seconds     [(stage, wall-clock seconds), ...]
+    cpu_seconds of the process, in all stages
+    """
+
+    def __init__(self, sources):
+        self.seconds, self.cpu_seconds, self.notes = [], 0.0, []
+        self._sources = sources
+        self._letters = letters(len(sources))
+        self._names = [f"operand {letter}" for letter in self._letters]
+        with self._stage("reading the operands"):
+            self._found = [self._read(i) for i in range(len(sources))]
+        self.surfaces = [found for found in self._found if isinstance(found, tuple)]
+
+    def mesh_shapes(self, resolution, tolerance, progress):
+        """Meshes the operands that are shapes, half as far from them as the tolerance allows.
+
+        Returns whether there were any.
+        """
+        shapes = [i for i, found in enumerate(self._found) if not isinstance(found, tuple)]
+        if not shapes:
+            return False
+        with self._stage("meshing shapes"):
+            wanted = tolerance or 3.0**0.5 * self._size() / resolution
+            for done, i in enumerate(shapes):
+                part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
+                self._found[i] = self._mesh_shape(i, 0.5 * wanted, part)
+        self.surfaces = self._found
+        return True
+
+    def digest(self):
+        """A hash of the operands as they were read; the same after saving and loading."""
+        digest = hashlib.sha256()
+        for found in self._found:
+            if isinstance(found, tuple):
+                surface = found[0]
+                for array in (surface.vertices, surface.triangles, surface.origin):
+                    digest.update(str(array.shape).encode())
+                    digest.update(np.ascontiguousarray(array))
+            else:
+                digest.update(found.exportBrepToString().encode())
+        return digest.hexdigest()
+
+    @contextmanager
+    def _stage(self, name):
+        wall, cpu = time.perf_counter(), time.process_time()
+        yield
+        self.seconds.append((name, time.perf_counter() - wall))
+        self.cpu_seconds += time.process_time() - cpu
+
+    def _read(self, i):
+        """(surface, round) of a mesh, the Part.Shape of anything else."""
+        source, module = self._sources[i], core()
+        try:
+            if isinstance(source, SurfaceMesh):
+                return source._surface, False
+            if convert.is_mesh(source):
+                return convert.surface_of_arrays(
+                    module, *convert.arrays_of_mesh(source), measured=False), True
+            if is_arrays(source):
+                return convert.surface_of_arrays(module, *source, measured=False), False
+            return convert.shape_of(source)
+        except InvalidInput as error:
+            raise InvalidInput(f"{self._names[i]}: {error}; operands are meshes (Mesh.Mesh, "
+                               "SurfaceMesh, arrays (V, F)), shapes, and document objects that "
+                               "have one") from error
+
+    def _size(self):
+        """Longest side of the box of all operands, mm."""
+        boxes = []
+        for found in self._found:
+            if not isinstance(found, tuple):
+                box = found.BoundBox
+                boxes += [(box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)]
+            elif len(found[0].vertices):
+                points = found[0].vertices
+                boxes += [points.min(axis=0) + found[0].origin,
+                          points.max(axis=0) + found[0].origin]
+        return float(np.ptp(np.array(boxes), axis=0).max())
+
+    def _mesh_shape(self, i, chord_height, progress):
+        box = self._found[i].BoundBox
+        side = max(box.XLength, box.YLength, box.ZLength)
+        largest = max(map(abs, (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)))
+        chord_height = max(chord_height, _FINEST_CHORD * min(largest, _FRAME * side))
+        try:
+            mesh = triangulate(self._found[i], chord_height=chord_height, progress=progress)
+        except (InvalidInput, TopologyError) as error:
+            raise type(error)(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") \
+                from error
+        if not mesh.report.complete:
+            raise InvalidInput(f"{self._names[i]}, {convert.label_of(self._sources[i])}, has more "
+                               f"than {mesh.report.triangles} triangles at a chord height of "
+                               f"{chord_height:g} mm: give a larger tolerance")
+        self.notes.append(f"{self._names[i]} is a shape: its mesh keeps within "
+                          f"{mesh.report.max_chord_height:.3g} mm of it, and the error bound is "
+                          "that of the Boolean of meshes")
+        return mesh._surface, False
+
+    def explain(self, error):
+        """The error with the labels of the operands, where it speaks of operands."""
+        labels = [f"{letter} is {convert.label_of(source)}"
+                  for letter, source in zip(self._letters, self._sources)
+                  if getattr(source, "Label", None)]
+        if not labels or "operand" not in str(error):
+            return error
+        return type(error)(f"{error} ({', '.join(labels)})")
+
+
+def letters(count):
+    """How operands are called: A, B, ... Z; by number where there are more of them."""
+    if count <= len(string.ascii_uppercase):
+        return list(string.ascii_uppercase[:count])
+    return [str(i + 1) for i in range(count)]
+
+
+def is_arrays(source):
+    """True for a pair of array-likes of three columns."""
+    if not isinstance(source, (tuple, list)) or len(source) != 2:
+        return False
+    return all(hasattr(part, "__len__") and not isinstance(part, str) for part in source)
+
+
+def part_of(progress, low, high):
+    """A callback that reports [0, 1] as [low, high] of the whole; None stays None."""
+    if progress is None:
+        return None
+    return lambda fraction, stage: progress(low + (high - low) * fraction, stage)

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/error.h"
+#include "boolean/boolean.h"
+#include "boolean/uniform.h"
+#include "boolean/verification.h"
+#include "mesh/report.h"
+#include "python/array_view.h"
+#include "python/bindings.h"
+#include "python/operand_frame.h"
+#include "python/stopwatch.h"
+#include "python/watch.h"
+#include "triangulate/triangulate.h"
+
+namespace py = pybind11;
+
+namespace mq::python {
+
+namespace {
+
+using boolean::BooleanOptions;
+using boolean::BooleanResult;
+using boolean::Operation;
+using boolean::UniformResult;
+using Surface = triangulate::Result;
+using SurfacePointer = std::shared_ptr<Surface>;
+
+/// What a MeshReport says, and what happened to the operands.
+struct BooleanReport : mesh::MeshReport {
+    double error_bound = 0.0;
+    std::size_t retained = 0;
+    std::size_t reconstructed = 0;
+    std::size_t faults_left = 0;
+    std::size_t crossing_pairs = 0;
+    std::size_t curve_edges = 0;
+    std::size_t parted_contacts = 0;
+    std::size_t separated_vertices = 0;
+    std::vector<std::string> repaired;  ///< a sentence for each operand that was repaired
+};
+
+/// `report` of the base class holds the measured part of `figures`.
+struct BooleanSurface : Surface {
+    BooleanReport figures;
+    std::vector<std::array<std::int32_t, 2>> triangle_source;
+};
+
+static_assert(sizeof(std::array<std::int32_t, 2>) == 2 * sizeof(std::int32_t), "handed to NumPy as it lies in memory");
+
+/// What was done before the core was called: reading and meshing the operands.
+struct Before {
+    std::vector<std::pair<std::string, double>> seconds;
+    std::vector<std::string> notes;
+    double cpu_seconds = 0.0;
+};
+
+constexpr const char* kDefault = "default";
+constexpr const char* kUniform = "uniform";
+
+void take(BooleanSurface& surface, BooleanResult&& result) {
+    BooleanReport& figures = surface.figures;
+    figures.error_bound = result.error_bound;
+    figures.retained = result.retained;
+    figures.reconstructed = result.reconstructed;
+    figures.faults_left = result.faults_left;
+    figures.crossing_pairs = result.crossing_pairs;
+    figures.curve_edges = result.curve_edges;
+    figures.parted_contacts = result.parted_contacts;
+    figures.separated_vertices = result.separated_vertices;
+    std::copy_if(result.repaired.begin(), result.repaired.end(), std::back_inserter(figures.repaired),
+                 [](const std::string& sentence) { return !sentence.empty(); });
+    figures.notes = std::move(result.notes);
+    figures.seconds = std::move(result.seconds);
+    surface.mesh = std::move(result.mesh);
+    surface.triangle_source = std::move(result.triangle_source);
+}
+
+void take(BooleanSurface& surface, UniformResult&& result) {
+    BooleanReport& figures = surface.figures;
+    figures.error_bound = result.error_bound;
+    figures.retained = result.retained;
+    figures.reconstructed = result.changed + result.reconstructed + result.hole_triangles;
+    const auto note = [&](std::size_t count, const char* what) {
+        if (count > 0) {
+            figures.notes.push_back(std::to_string(count) + what);
+        }
+    };
+    note(result.unsampled_triangles, " triangles of components that no ray met were lost: take a higher resolution");
+    note(result.holes_filled, " holes of the reconstruction were filled");
+    figures.seconds = std::move(result.seconds);
+    surface.mesh = std::move(result.mesh);
+    surface.triangle_source = std::move(result.triangle_source);
+}
+
+/// The paper's scheme promises no freedom from self-intersection, so its result is checked here.
+void check_uniform(BooleanSurface& surface, Progress& progress) {
+    const boolean::Verification check =
+        boolean::verify(surface.mesh.vertices, surface.mesh.triangles, nullptr, 1000, &progress);
+    for (const std::size_t count : check.count) {
+        surface.figures.faults_left += count;
+    }
+    if (!check.passed()) {
+        surface.figures.notes.push_back("the uniform scheme left faults: " + check.summary(surface.mesh.origin));
+    }
+}
+
+void run_uniform(BooleanSurface& surface, const OperandFrame& frame, Operation operation, const BooleanOptions& options,
+                 Progress& progress) {
+    if (frame.meshes().size() != 2) {
+        throw InvalidInput("method 'uniform' takes two operands, not " + std::to_string(frame.meshes().size()) +
+                           ": use method 'default', or apply it to two at a time");
+    }
+    boolean::UniformOptions uniform;
+    uniform.resolution = options.resolution;
+    if (options.tolerance > 0.0) {
+        const double rays = std::ceil(std::sqrt(3.0) * frame.size() / options.tolerance) + 1.0;
+        uniform.resolution = static_cast<int>(std::clamp(rays, 9.0, 1e6));
+    }
+    take(surface,
+         boolean::layered_depth_boolean(*frame.meshes()[0], *frame.meshes()[1], operation, uniform, &progress));
+    check_uniform(surface, progress);
+}
+
+/// Fills what every report has, and what the caller did before.
+void measure(BooleanSurface& surface, const OperandFrame& frame, const Before& before, Progress& progress) {
+    BooleanReport& figures = surface.figures;
+    const Stopwatch measuring;
+    auto notes = std::move(figures.notes);
+    auto seconds = std::move(figures.seconds);
+    static_cast<mesh::MeshReport&>(figures) = mesh::measure(surface.mesh, &progress);
+    if (surface.mesh.triangles.empty()) {
+        notes.emplace_back("the result is empty: no volume is left");
+    }
+    if (!frame.single()) {
+        notes.emplace_back(
+            "an operand has more digits than single precision holds: to_mesh and most files round the result");
+    }
+    notes.insert(notes.begin(), before.notes.begin(), before.notes.end());
+    seconds.insert(seconds.begin(), before.seconds.begin(), before.seconds.end());
+    seconds.emplace_back("measuring", measuring.wall());
+    figures.notes = std::move(notes);
+    figures.seconds = std::move(seconds);
+}
+
+std::shared_ptr<BooleanSurface> run_boolean(const std::vector<std::pair<SurfacePointer, bool>>& operands,
+                                            const std::string& operation, const BooleanOptions& options,
+                                            const std::string& method, const Before& before,
+                                            const py::object& progress) {
+    options.validate();
+    const Operation wanted = boolean::operation_from(operation);
+    if (method != kDefault && method != kUniform) {
+        throw InvalidInput("method is '" + method + "': it must be '" + kDefault + "' or '" + kUniform + "'");
+    }
+    return watch(progress, [&](Progress& handle) {
+        const Stopwatch watch_all;
+        std::vector<FramedOperand> framed;
+        for (const auto& [surface, round] : operands) {
+            framed.push_back({&surface->mesh, round});
+        }
+        const OperandFrame frame(framed);
+        auto result = std::make_shared<BooleanSurface>();
+        if (method == kUniform) {
+            run_uniform(*result, frame, wanted, options, handle);
+        } else {
+            take(*result, boolean::boolean(frame.meshes(), wanted, options, &handle));
+        }
+        measure(*result, frame, before, handle);
+        result->figures.cpu_seconds = before.cpu_seconds + watch_all.cpu();
+        result->report = result->figures;
+        return result;
+    });
+}
+
+py::dict verify_surface(const Surface& surface, const py::object& progress) {
+    const boolean::Verification check = watch(progress, [&](Progress& handle) {
+        return boolean::verify(surface.mesh.vertices, surface.mesh.triangles, nullptr, 1000, &handle);
+    });
+    py::dict faults;
+    for (std::size_t kind = 0; kind < boolean::kFaultKinds; ++kind) {
+        faults[boolean::name(static_cast<boolean::FaultKind>(kind))] = check.count[kind];
+    }
+    return faults;
+}
+
+std::string to_text(const BooleanReport& report) {
+    std::string text = mesh::to_text(report);
+    const auto number = [](double value) {
+        std::array<char, 32> buffer;
+        return std::string(buffer.data(), std::snprintf(buffer.data(), buffer.size(), "%.6g", value));
+    };
+    text += "retained     " + std::to_string(report.retained) + " triangles of the operands, bit for bit; " +
+            std::to_string(report.reconstructed) + " made or changed\n";
+    text += "error bound  " + number(report.error_bound) + " mm\n";
+    for (const std::string& sentence : report.repaired) {
+        text += "repaired     " + sentence + "\n";
+    }
+    return text;
+}
+
+void bind_boolean_report(py::module_& m) {
+    py::class_<BooleanReport, mesh::MeshReport>(
+        m, "BooleanReport", "A MeshReport of a Boolean's result, and what happened to its operands.")
+        .def_readonly("error_bound", &BooleanReport::error_bound,
+                      "no point of the result is farther from the exact one of these meshes, mm")
+        .def_readonly("retained", &BooleanReport::retained, "triangles that are an operand's own")
+        .def_readonly("reconstructed", &BooleanReport::reconstructed, "all others")
+        .def_readonly("repaired", &BooleanReport::repaired, "a sentence for each operand that was repaired")
+        .def_readonly("faults_left", &BooleanReport::faults_left,
+                      "faults of the result that no repair removed; notes name them")
+        .def_readonly("crossing_pairs", &BooleanReport::crossing_pairs, "of the operands' triangles")
+        .def_readonly("curve_edges", &BooleanReport::curve_edges, "edges on the intersection curves")
+        .def_readonly("parted_contacts", &BooleanReport::parted_contacts, "points in which parts of the result touched")
+        .def_readonly("separated_vertices", &BooleanReport::separated_vertices,
+                      "vertices of surfaces that ran along each other")
+        .def("__str__", &to_text);
+}
+
+}  // namespace
+
+void bind_boolean(py::module_& m) {
+    bind_boolean_report(m);
+    py::class_<BooleanSurface, Surface, std::shared_ptr<BooleanSurface>>(m, "BooleanSurface", "A Boolean's result.")
+        .def_property_readonly("triangle_source",
+                               [](const py::object& self) {
+                                   const auto& source = self.cast<const BooleanSurface&>().triangle_source;
+                                   return view<std::int32_t>(source.data(), source.size(), 2, self);
+                               })
+        .def_readonly("report", &BooleanSurface::figures);
+    py::class_<BooleanOptions>(m, "BooleanOptions", "Options of boolean; tolerance 0: what resolution gives.")
+        .def(py::init<>())
+        .def_readwrite("tolerance", &BooleanOptions::tolerance)
+        .def_readwrite("resolution", &BooleanOptions::resolution);
+    py::class_<Before>(m, "Before", "What was done before the core was called: stages, notes, time.")
+        .def(py::init<>())
+        .def_readwrite("seconds", &Before::seconds)
+        .def_readwrite("notes", &Before::notes)
+        .def_readwrite("cpu_seconds", &Before::cpu_seconds);
+    m.def("boolean", &run_boolean, py::arg("operands"), py::arg("operation"), py::arg("options"), py::arg("method"),
+          py::arg("before"), py::arg("progress") = py::none(),
+          "A Boolean of [(Surface, whether it may be rounded to single precision), ...]; returns a BooleanSurface.");
+    m.def("verify", &verify_surface, py::arg("surface"), py::arg("progress") = py::none(),
+          "{kind of fault: how many} of a Surface, found exactly; contacts are counted up to 1000.");
+}
+
+}  // namespace mq::python

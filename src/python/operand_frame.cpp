@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "python/operand_frame.h"
+
+#include <algorithm>
+
+#include "base/single_grid.h"
+
+namespace mq::python {
+
+namespace {
+
+bool is_single(const mesh::TriangleMesh& mesh) {
+    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                       [](const Vec3& p) { return p == p.cast<float>().cast<double>(); });
+}
+
+}  // namespace
+
+OperandFrame::OperandFrame(const std::vector<FramedOperand>& operands) {
+    Box box;
+    std::vector<char> exact;
+    for (const FramedOperand& operand : operands) {
+        for (const Vec3& p : operand.mesh->vertices) {
+            // What is not finite is left to the operation, which names the operand and the vertex.
+            if (p.allFinite()) {
+                box.add(p + operand.mesh->origin);
+            }
+        }
+        exact.push_back(is_single(*operand.mesh));
+        single_ = single_ && (exact.back() != 0 || operand.round);
+    }
+    size_ = box.empty() ? 0.0 : box.largest_side();
+    const SingleGrid grid(box);
+    const Vec3 origin = single_ ? grid.origin() : Vec3(Vec3::Zero());
+    moved_.reserve(operands.size());
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        const mesh::TriangleMesh& mesh = *operands[i].mesh;
+        if (mesh.origin == origin && (exact[i] != 0 || !single_)) {
+            meshes_.push_back(&mesh);
+            continue;
+        }
+        moved_.push_back({origin, {}, mesh.triangles, {}, {}});
+        moved_.back().vertices.reserve(mesh.vertices.size());
+        for (const Vec3& p : mesh.vertices) {
+            const Vec3 there = p + mesh.origin;
+            moved_.back().vertices.push_back(single_ ? grid.snap(there) : there);
+        }
+        meshes_.push_back(&moved_.back());
+    }
+}
+
+}  // namespace mq::python
