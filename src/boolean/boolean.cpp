@@ -219,24 +219,27 @@ class Run {
         const Draft whole = extraction.copies.empty() ? Draft() : extraction.draft;
         Draft best;
         std::size_t fewest = std::numeric_limits<std::size_t>::max();
-        for (const double factor : kFactors) {
-            const double step = std::clamp(factor * distance, least, tolerance_);
-            part_contacts(extraction, step);
-            if (in_single) {
-                round_to_single(extraction.draft);
+        for (const PartingWay way : {PartingWay::Normals, PartingWay::Edges}) {
+            for (const double factor : kFactors) {
+                const double step = std::clamp(factor * distance, least, tolerance_);
+                part_contacts(extraction, step, way);
+                if (in_single) {
+                    round_to_single(extraction.draft);
+                }
+                if (extraction.copies.empty()) {
+                    return;
+                }
+                const std::size_t faults = count_faults(extraction.draft, progress_);
+                if (faults < fewest) {
+                    fewest = faults;
+                    best = std::move(extraction.draft);
+                }
+                if (faults == 0) {
+                    extraction.draft = std::move(best);
+                    return;
+                }
+                extraction.draft = whole;
             }
-            if (extraction.copies.empty()) {
-                return;
-            }
-            const std::size_t faults = count_faults(extraction.draft, progress_);
-            if (faults < fewest) {
-                fewest = faults;
-                best = std::move(extraction.draft);
-            }
-            if (faults == 0) {
-                break;
-            }
-            extraction.draft = whole;
         }
         extraction.draft = std::move(best);
     }

@@ -234,7 +234,7 @@ Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells
     return result;
 }
 
-void part_contacts(Extraction& extraction, double distance) {
+void part_contacts(Extraction& extraction, double distance, PartingWay way) {
     constexpr double kPartOfEdge = 0.1;
     Draft& draft = extraction.draft;
     struct Mover {
@@ -259,8 +259,11 @@ void part_contacts(Extraction& extraction, double distance) {
                 const Vec3 p = draft.vertices[static_cast<std::size_t>(c[k])];
                 const Vec3 u = draft.vertices[static_cast<std::size_t>(c[(k + 1) % 3])] - p;
                 const Vec3 v = draft.vertices[static_cast<std::size_t>(c[(k + 2) % 3])] - p;
-                found->second.inward -=
-                    u.cross(v).normalized() * std::acos(std::clamp(u.dot(v) / (u.norm() * v.norm()), -1.0, 1.0));
+                if (way == PartingWay::Normals) {
+                    found->second.inward -= std::atan2(u.cross(v).norm(), u.dot(v)) * u.cross(v).normalized();
+                } else {
+                    found->second.inward += u.normalized() + v.normalized();
+                }
                 found->second.shortest = std::min({found->second.shortest, u.norm(), v.norm()});
                 draft.source[t] = Source{};
             }

@@ -23,8 +23,12 @@ struct Extraction {
 Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells& cells, Operation operation,
                    const Progress& progress);
 
+/// Which way a copy goes: against the normals around it, or along its edges. The latter stays within a thin wedge, of
+/// which the normals cancel each other.
+enum class PartingWay { Normals, Edges };
+
 /// Moves all but the first of the copies of a point into their own material, by at most `distance` (mm) and a part of
 /// the shortest edge there, so that the parts of the result no longer touch.
-void part_contacts(Extraction& extraction, double distance);
+void part_contacts(Extraction& extraction, double distance, PartingWay way);
 
 }  // namespace mq::boolean
