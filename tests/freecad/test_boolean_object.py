@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object "Boolean": properties, recompute, undo, save and reload, sources, errors."""
+
+import os
+
+import FreeCAD
+import helpers
+import Mesh
+import numpy as np
+
+import MeshQuality as mq
+from MeshQuality import options
+
+
+class BooleanObjectTest(helpers.DocumentTest):
+    def setUp(self):
+        super().setUp()
+        self.cube = self.box("Cube", Length=2, Width=2, Height=2)
+        self.tool = self.mesh("Tool", Mesh.createBox(1, 1, 1), (2, 2, 2))
+
+    def mesh(self, name, mesh, base=(0, 0, 0)):
+        obj = self.document.addObject("Mesh::Feature", name)
+        obj.Mesh = mesh
+        obj.Placement.Base = FreeCAD.Vector(*base)
+        self.document.recompute()
+        return obj
+
+
+class Recompute(BooleanObjectTest):
+    def test_it_holds_the_result_of_its_options(self):
+        obj = mq.add_boolean(self.cube, self.tool, "difference", tolerance=0.01)
+        expected = mq.boolean(self.cube, self.tool, "difference", tolerance=0.01)
+        points, facets = helpers.points_and_facets(obj.Mesh)
+        self.assertTrue(np.array_equal(points, expected.vertices))
+        self.assertTrue(np.array_equal(facets, expected.triangles))
+        self.assertEqual(obj.Sources, [self.cube, self.tool])
+        self.assertEqual((obj.Operation, obj.Tolerance.Value), ("difference", 0.01))
+        self.assertEqual(obj.Triangles, len(expected.triangles))
+        self.assertEqual(obj.Retained, expected.report.retained)
+        self.assertEqual(obj.Reconstructed, expected.report.reconstructed)
+        self.assertAlmostEqual(obj.Volume.Value, 8 - 0.125, places=4)
+        self.assertTrue(obj.Closed and obj.Oriented and obj.Manifold)
+        self.assertEqual(obj.FaultsLeft, 0)
+        self.assertEqual(list(obj.Notes), expected.report.notes)
+        self.assertNotIn("Touched", obj.State)
+        self.assertEqual(obj.Label, "Cube difference")
+
+    def test_every_option_is_a_property(self):
+        obj = mq.add_boolean(self.cube, self.tool, "union")
+        for option in options.BOOLEAN:
+            kind = obj.getTypeIdOfProperty(option.property_name)
+            self.assertEqual(kind, option.property_type)
+            self.assertTrue(obj.getDocumentationOfProperty(option.property_name))
+        self.assertEqual(obj.getEnumerationsOfProperty("Operation"), list(options.OPERATIONS))
+        self.assertEqual(obj.getEditorMode("Triangles"), ["ReadOnly"])
+
+    def test_it_follows_every_source_and_option(self):
+        obj = mq.add_boolean(self.cube, self.tool, "union")
+        self.assertAlmostEqual(obj.Volume.Value, 8.875, places=4)
+        self.cube.Height = 4
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 16.75, places=4)
+        self.tool.Placement.Base.z = 4
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 16.875, places=4)
+        obj.Operation = "intersection"
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 0.125, places=4)
+        self.tool.Mesh = Mesh.createBox(0.5, 1, 1)
+        self.tool.Placement.Base = FreeCAD.Vector(2, 2, 4)
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 0.0625, places=4)
+        obj.Method, obj.Resolution = "uniform", 33
+        self.document.recompute()
+        self.assertGreater(obj.ErrorBound.Value, 0.0)
+
+    def test_nothing_is_done_when_nothing_changed(self):
+        obj = mq.add_boolean(self.cube, self.tool, "union")
+        obj.Notes = ["kept while the mesh is"]
+        self.cube.touch()
+        self.document.recompute()
+        self.assertEqual(obj.Notes, ["kept while the mesh is"])
+        self.assertTrue(obj.isValid())
+
+    def test_any_number_of_sources_and_booleans_of_booleans(self):
+        far = self.mesh("Far", Mesh.createBox(1, 1, 1), (9, 9, 9))
+        obj = mq.add_boolean([self.cube, self.tool, far], operation="union")
+        self.assertAlmostEqual(obj.Volume.Value, 9.875, places=4)
+        less = mq.add_boolean(obj, far, "difference")
+        self.assertAlmostEqual(less.Volume.Value, 8.875, places=4)
+        obj.Sources = [self.cube, far]
+        self.document.recompute()
+        self.assertAlmostEqual(less.Volume.Value, 8.0, places=4)
+
+    def test_an_empty_result_is_legal(self):
+        far = self.mesh("Far", Mesh.createBox(1, 1, 1), (9, 9, 9))
+        obj = mq.add_boolean(self.cube, far, "intersection")
+        self.assertEqual((obj.Triangles, obj.Mesh.CountFacets), (0, 0))
+        self.assertTrue(any("empty" in note for note in obj.Notes))
+        self.assertTrue(obj.isValid())
+        far.Placement.Base = FreeCAD.Vector(2, 2, 2)
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 0.125, places=4)
+
+    def test_an_error_keeps_the_last_good_mesh_and_says_why(self):
+        obj = mq.add_boolean(self.cube, self.tool, "union")
+        facets = obj.Mesh.CountFacets
+        self.tool.Mesh = Mesh.createPlane(5, 5)
+        self.document.recompute()
+        self.assertFalse(obj.isValid())
+        self.assertRegex(obj.getStatusString(), "operand B.*open.*B is 'Tool'")
+        self.assertEqual(obj.Mesh.CountFacets, facets)
+        self.tool.Mesh = Mesh.createBox(1, 1, 1)
+        obj.Resolution = 3
+        self.document.recompute()
+        self.assertIn("resolution = 3", obj.getStatusString())
+        obj.Resolution = 512
+        obj.Sources = [self.cube]
+        self.document.recompute()
+        self.assertIn("Sources has 1", obj.getStatusString())
+        obj.Sources = [self.cube, self.tool]
+        self.document.recompute()
+        self.assertTrue(obj.isValid())
+
+    def test_repairs_are_shown(self):
+        holed = Mesh.createSphere(1.0, 20)
+        holed.removeFacets([50])
+        obj = mq.add_boolean(self.cube, self.mesh("Holed", holed), "union")
+        self.assertEqual(len(obj.Repaired), 1)
+        self.assertIn("operand B", obj.Repaired[0])
+
+
+class Undo(BooleanObjectTest):
+    def test_one_step(self):
+        before = list(self.document.UndoNames)
+        obj = mq.add_boolean(self.cube, self.tool, "union")
+        name, facets = obj.Name, obj.Mesh.CountFacets
+        self.assertEqual(self.document.UndoNames, ["Boolean", *before])
+        self.document.undo()
+        self.assertIsNone(self.document.getObject(name))
+        self.document.redo()
+        self.assertEqual(self.document.getObject(name).Mesh.CountFacets, facets)
+
+    def test_a_failure_leaves_nothing_behind(self):
+        sheet = self.mesh("Sheet", Mesh.createPlane(5, 5))
+        other = FreeCAD.newDocument("Other")
+        self.names.append(other.Name)
+        foreign = other.addObject("Part::Box", "Box")
+        undo, objects = list(self.document.UndoNames), len(self.document.Objects)
+        for sources, values, words in (
+                ((self.cube, sheet), {}, "operand B"),
+                ((self.cube, self.tool), {"tolerance": -1}, "tolerance"),
+                ((self.cube, self.tool), {"tolerence": 1}, "tolerence"),
+                ((self.cube, self.tool), {"operation": "cut"}, "difference"),
+                ((self.cube, self.tool.Mesh), {}, "document objects"),
+                ((self.cube, foreign), {}, "different documents"),
+                (([self.cube],), {}, "two operands"),
+                (([self.cube, self.tool], "union"), {}, "operation='union'")):
+            with self.subTest(words), self.assertRaisesRegex(mq.InvalidInput, words):
+                mq.add_boolean(*sources, **values)
+        self.assertEqual(len(self.document.Objects), objects)
+        self.assertEqual(self.document.UndoNames, undo)
+        self.assertFalse(self.document.HasPendingTransaction)
+
+
+class SaveAndReload(BooleanObjectTest):
+    def test_mesh_options_and_proxy_come_back(self):
+        obj = mq.add_boolean(self.cube, self.tool, "difference", resolution=100)
+        points, facets = helpers.points_and_facets(obj.Mesh)
+        name, path = obj.Name, os.path.join(self.folder, "saved.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+
+        document = FreeCAD.openDocument(path)
+        self.names.append(document.Name)
+        again = document.getObject(name)
+        self.assertEqual(type(again.Proxy).__module__, "MeshQuality.features.boolean")
+        points_again, facets_again = helpers.points_and_facets(again.Mesh)
+        self.assertTrue(np.array_equal(points, points_again))
+        self.assertTrue(np.array_equal(facets, facets_again))
+        self.assertEqual((again.Operation, again.Resolution), ("difference", 100))
+        again.Notes = ["kept while the mesh is"]
+        document.getObject("Cube").touch()
+        document.recompute()
+        self.assertEqual(again.Notes, ["kept while the mesh is"])
+        document.getObject("Cube").Height = 9
+        document.recompute()
+        self.assertAlmostEqual(again.Mesh.BoundBox.ZLength, 9.0)
+
+    def test_documents_of_older_versions_get_the_newer_properties(self):
+        obj = mq.add_boolean(self.cube, self.tool, "union")
+        obj.removeProperty("Method")
+        obj.Proxy.onDocumentRestored(obj)
+        self.assertEqual(obj.Method, "default")
+
+
+class Sources(BooleanObjectTest):
+    def test_links_and_objects_in_containers(self):
+        part = self.document.addObject("App::Part", "Part")
+        part.addObject(self.cube)
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = self.tool
+        link.Placement.Base = FreeCAD.Vector(2, 2, 1)
+        self.document.recompute()
+        obj = mq.add_boolean(part, link, "union")
+        self.assertAlmostEqual(obj.Volume.Value, 8.75, places=4)
+        link.Placement.Base = FreeCAD.Vector(2, 2, 2)
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 8.875, places=4)
