@@ -226,6 +226,9 @@ class DegenerateRemoval {
     }
 
     bool remove(std::int32_t t) {
+        if (gone_[t] != 0 || remove_fold(t)) {
+            return true;
+        }
         const std::int32_t h = long_edge(t);
         const std::int32_t g = h < 0 ? mesh::kIrregular : draft_.mates[h];
         if (g == mesh::kIrregular) {
@@ -242,6 +245,30 @@ class DegenerateRemoval {
             return true;
         }
         return swap(h, g);
+    }
+
+    /// Takes out a triangle together with one that lies on it, its neighbour along two edges or all three.
+    bool remove_fold(std::int32_t t) {
+        for (std::int32_t h = 3 * t; h < 3 * t + 3; ++h) {
+            const std::int32_t g = draft_.mates[h];
+            const std::int32_t k = draft_.mates[mesh::next_corner(h)];
+            if (g < 0 || k < 0 || g / 3 != k / 3) {
+                continue;
+            }
+            const std::int32_t n = g / 3;
+            const std::int32_t x = draft_.mates[mesh::previous_corner(h)];
+            const std::int32_t y = draft_.mates[9 * n + 3 - g - k];  // of the corner of n that is neither g nor k
+            if (x >= 0 && x / 3 != n) {
+                draft_.mates[x] = y;
+            }
+            if (y >= 0 && y / 3 != t) {
+                draft_.mates[y] = x;
+            }
+            gone_[t] = 1;
+            gone_[n] = 1;
+            return true;
+        }
+        return false;
     }
 
     /// t = (c, a, b) with h from c to a, and n = (a, c, d) become (a, b, d) and (b, c, d).

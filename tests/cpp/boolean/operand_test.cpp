@@ -378,13 +378,14 @@ TEST(Operand, IsCancelled) {
 TEST(Operand, RandomDefectsAreRepaired) {
     int refused = 0;
     const int cases = scaled_cases(1000);
-    for (int seed = 1; seed <= cases; ++seed) {
+    for (int i = 0; i <= cases; ++i) {
+        const int seed = i == 0 ? 34913 : i;  // a triangle without area that faces its like
         fuzz::Random random(seed);
         TriangleMesh mesh = fuzz::closed_mesh(random);
         const double whole = fuzz::signed_volume(mesh.vertices, mesh.triangles);
         std::string what = "seed " + std::to_string(seed);
         bool overlap = false;
-        for (int i = random.integer(1, 3); i > 0; --i) {
+        for (int k = random.integer(1, 4); k > 0; --k) {
             const auto defect = static_cast<fuzz::Defect>(random.integer(0, int(fuzz::Defect::kCount) - 1));
             fuzz::damage(mesh, defect, random);
             overlap = overlap || defect == fuzz::Defect::Overlap;
