@@ -351,31 +351,35 @@ class Repairer {
                            [&](std::int32_t v) { return draft_.made[static_cast<std::size_t>(v)] != 0 && move(v); });
     }
 
-    /// Tries the neighbours of a made vertex in single precision.
+    /// Tries places near a made vertex, one and then several units of single precision away.
     bool move(std::int32_t v) {
-        const std::vector<std::int32_t> affected = star(v);
+        constexpr double kUnits[] = {1.0, 6.0};
         const Vec3 before = at(v);
-        for (int code = 0; code < 27; ++code) {
-            const int way[3] = {code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
-            Vec3 p = before;
-            for (int k = 0; k < 3; ++k) {
-                const auto single = static_cast<float>(p[k]);
-                p[k] = way[k] == 0 ? p[k] : std::nextafter(single, way[k] > 0 ? 1e30F : -1e30F);
-            }
-            if (p == before || (p - before).norm() > distance_) {
-                continue;
-            }
-            if (attempt(affected, [&](Undo& taken) {
-                    taken.vertices.emplace(v, before);
-                    draft_.vertices[static_cast<std::size_t>(v)] = p;
+        for (const double units : kUnits) {
+            const double step = units * std::numeric_limits<float>::epsilon() * tree_->box().largest_side();
+            for (int code = 0; code < 27; ++code) {
+                const Vec3 way(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
+                const Vec3 p = (before + step * way).cast<float>().cast<double>();
+                if (p != before && (p - before).norm() <= distance_ && move_to(v, p)) {
                     return true;
-                })) {
-                ++count.moved;
-                draft_.largest_move = std::max(draft_.largest_move, (p - before).norm());
-                return true;
+                }
             }
         }
         return false;
+    }
+
+    bool move_to(std::int32_t v, const Vec3& p) {
+        const Vec3 before = at(v);
+        const bool done = attempt(star(v), [&](Undo& taken) {
+            taken.vertices.emplace(v, before);
+            draft_.vertices[static_cast<std::size_t>(v)] = p;
+            return true;
+        });
+        if (done) {
+            ++count.moved;
+            draft_.largest_move = std::max(draft_.largest_move, (p - before).norm());
+        }
+        return done;
     }
 
     static constexpr std::size_t kMostChanged = 256;
