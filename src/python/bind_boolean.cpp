@@ -135,6 +135,8 @@ void measure(BooleanSurface& surface, const OperandFrame& frame, const Before& b
     static_cast<mesh::MeshReport&>(figures) = mesh::measure(surface.mesh, &progress);
     if (surface.mesh.triangles.empty()) {
         notes.emplace_back("the result is empty: no volume is left");
+    } else if (!figures.closed || !figures.oriented || !figures.manifold) {
+        notes.emplace_back("the result is not a closed manifold surface: see its faults");
     }
     if (!frame.single()) {
         notes.emplace_back(
