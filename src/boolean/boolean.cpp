@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "boolean/arrangement.h"
 #include "boolean/cells.h"
 #include "boolean/extraction.h"
@@ -86,11 +87,15 @@ class Run {
 
     void prepare() {
         stage("inspecting", 0.0, 0.15);
+        prepared_.resize(inputs_.size());
+        for_all(static_cast<int>(inputs_.size()), [&](int k) {
+            const auto i = static_cast<std::size_t>(k);
+            prepared_[i] = prepare_operand(*inputs_[i], operand_name(i, inputs_.size()), &progress_);
+        });
         for (std::size_t i = 0; i < inputs_.size(); ++i) {
-            const std::string name = operand_name(i, inputs_.size());
-            prepared_.push_back(prepare_operand(*inputs_[i], name, &progress_));
-            const Repairs& repairs = prepared_.back().repairs;
-            result_.repaired.push_back(repairs.any() ? name + ": " + repairs.summary() : std::string());
+            const Repairs& repairs = prepared_[i].repairs;
+            result_.repaired.push_back(repairs.any() ? operand_name(i, inputs_.size()) + ": " + repairs.summary()
+                                                     : std::string());
         }
         if (tolerance_ < 4.0 * kSingleUnit * size_) {
             throw InvalidInput("tolerance is " + std::to_string(tolerance_) +

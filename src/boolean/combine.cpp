@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "boolean/parallel.h"
+#include "base/parallel.h"
 
 namespace mq::boolean {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "boolean/cell_samples.h"
-#include "boolean/parallel.h"
+#include "base/parallel.h"
 #include "boolean/quadric.h"
 
 namespace mq::boolean {

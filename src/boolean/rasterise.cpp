@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "boolean/parallel.h"
+#include "base/parallel.h"
 
 namespace mq::boolean {
 

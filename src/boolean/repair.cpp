@@ -43,11 +43,17 @@ std::vector<std::int32_t> new_triangles(const Draft& draft) {
 
 class Repairer {
   public:
-    Repairer(Draft& draft, double distance)
+    Repairer(Draft& draft, double distance, const Faults& faults)
         : draft_(draft),
           distance_(distance),
           stars_(draft.triangles, draft.vertices.size()),
           changed_(draft.triangles.size(), 0) {
+        Box box;
+        for (const Vec3& p : draft.vertices) {
+            box.add(p);
+        }
+        size_ = box.largest_side();
+        find_regions(faults);
         rebuild();
     }
 
@@ -98,7 +104,7 @@ class Repairer {
     /// A few units in the last place of single precision.
     double short_edge() const {
         constexpr double kUnits = 32.0;
-        return std::min(distance_, kUnits * std::numeric_limits<float>::epsilon() * tree_->box().largest_side());
+        return std::min(distance_, kUnits * std::numeric_limits<float>::epsilon() * size_);
     }
 
     Box box_of(std::int32_t t) const {
@@ -112,12 +118,38 @@ class Repairer {
         return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
     }
 
+    /// The surroundings of a few faults; of many the whole surface.
+    void find_regions(const Faults& faults) {
+        constexpr std::size_t kFew = 32;
+        if (faults.size() > kFew) {
+            return;
+        }
+        for (const std::int32_t fault : faults) {
+            Box region;
+            for (const std::int32_t v : triangle(fault)) {
+                for (const std::int32_t t : star(v)) {
+                    const Box box = box_of(t);
+                    region.add(box.low);
+                    region.add(box.high);
+                }
+            }
+            region.low -= Vec3::Constant(distance_);
+            region.high += Vec3::Constant(distance_);
+            regions_.push_back(region);
+        }
+    }
+    bool near_faults(std::int32_t t) const {
+        const Box box = box_of(t);
+        return regions_.empty() ||
+               std::any_of(regions_.begin(), regions_.end(), [&](const Box& region) { return meets(box, region); });
+    }
+
     /// Tells the tree of all changes so far.
     void rebuild() {
         std::vector<std::int32_t> alive;
-        for (std::size_t t = 0; t < draft_.triangles.size(); ++t) {
-            if (!gone(draft_.triangles[t])) {
-                alive.push_back(static_cast<std::int32_t>(t));
+        for (std::int32_t t = 0; t < static_cast<std::int32_t>(draft_.triangles.size()); ++t) {
+            if (!gone(triangle(t)) && near_faults(t)) {
+                alive.push_back(t);
             }
         }
         tree_.emplace(draft_.vertices, draft_.triangles, alive);
@@ -356,7 +388,7 @@ class Repairer {
         constexpr double kUnits[] = {1.0, 6.0};
         const Vec3 before = at(v);
         for (const double units : kUnits) {
-            const double step = units * std::numeric_limits<float>::epsilon() * tree_->box().largest_side();
+            const double step = units * std::numeric_limits<float>::epsilon() * size_;
             for (int code = 0; code < 27; ++code) {
                 const Vec3 way(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
                 const Vec3 p = (before + step * way).cast<float>().cast<double>();
@@ -388,6 +420,8 @@ class Repairer {
     double distance_;
     mesh::VertexStars stars_;
     std::optional<mesh::TriangleTree> tree_;
+    std::vector<Box> regions_;  ///< that the tree knows; none: all
+    double size_ = 0.0;
     std::map<std::int32_t, std::vector<std::int32_t>> star_;  ///< of vertices looked at, as it is now
     std::vector<char> changed_;                               ///< triangles that the tree no longer knows
     std::vector<std::int32_t> changed_list_;
@@ -450,7 +484,7 @@ RepairCount repair(Draft& draft, double distance, const Progress& progress) {
             break;
         }
         {
-            Repairer repairer(draft, distance);
+            Repairer repairer(draft, distance, faults);
             for (const std::int32_t t : faults) {
                 progress.check();
                 while (repairer.faulty(t) && repairer.work_on(t)) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "base/parallel.h"
 #include "mesh/embedded_star.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/vertex_stars.h"
@@ -35,11 +36,7 @@ class Collector {
         }
     }
 
-    std::vector<ContactPair> take() {
-        std::sort(found_.begin(), found_.end(),
-                  [](const ContactPair& p, const ContactPair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
-        return std::move(found_);
-    }
+    std::vector<ContactPair> take() { return std::move(found_); }
 
   private:
     bool settled(const Triangle& t, const Triangle& s) const {
@@ -134,21 +131,52 @@ class OccupiedCells {
     bool all_ = false;  ///< everything may meet the marked ones
 };
 
+std::vector<ContactPair> sorted(std::vector<ContactPair>&& pairs) {
+    std::sort(pairs.begin(), pairs.end(),
+              [](const ContactPair& p, const ContactPair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+    return std::move(pairs);
+}
+
+/// For each vertex whether no two triangles of its star are in contact.
+std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                    const Progress* progress) {
+    constexpr std::size_t kAtOnce = 8192;
+    std::vector<char> embedded(vertices.size(), 0);
+    const VertexStars stars(triangles, vertices.size());
+    for_all(static_cast<int>((vertices.size() + kAtOnce - 1) / kAtOnce), [&](int k) {
+        if (progress != nullptr) {
+            progress->check();
+        }
+        const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
+        for (std::size_t v = first; v < std::min(first + kAtOnce, vertices.size()); ++v) {
+            embedded[v] = static_cast<char>(embedded_star(vertices, triangles, stars[v]));
+        }
+    });
+    return embedded;
+}
+
 }  // namespace
 
 std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                             std::size_t limit, const Progress* progress) {
-    std::vector<char> embedded(vertices.size(), 0);
-    {
-        const VertexStars stars(triangles, vertices.size());
-        for (std::size_t v = 0; v < vertices.size(); ++v) {
-            embedded[v] = static_cast<char>(embedded_star(vertices, triangles, stars[v]));
-        }
-    }
+    const std::vector<char> embedded = embedded_vertices(vertices, triangles, progress);
     const TriangleTree tree(vertices, triangles);
-    Collector collector(vertices, triangles, embedded, limit, progress);
-    tree.for_each_own_pair(collector);
-    return collector.take();
+    constexpr std::size_t kTasks = 64;
+    const std::vector<TriangleTree::Task> tasks = tree.own_pair_tasks(kTasks);
+    // Each task may find as many as its share, and some more where pairs are gathered.
+    const std::size_t most = limit == kAllPairs ? kAllPairs : 4 * limit / std::max<std::size_t>(1, tasks.size()) + 1;
+    std::vector<std::vector<ContactPair>> found(tasks.size());
+    for_all(static_cast<int>(tasks.size()), [&](int k) {
+        Collector collector(vertices, triangles, embedded, most, progress);
+        tree.for_each_own_pair(tasks[static_cast<std::size_t>(k)], collector);
+        found[static_cast<std::size_t>(k)] = collector.take();
+    });
+    std::vector<ContactPair> all;
+    for (const std::vector<ContactPair>& part : found) {
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    all.resize(std::min(all.size(), limit));
+    return sorted(std::move(all));
 }
 
 std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertices,
@@ -189,7 +217,7 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
             collector(i, j);
         }
     });
-    return collector.take();
+    return sorted(collector.take());
 }
 
 }  // namespace mq::mesh

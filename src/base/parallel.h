@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace mq {
+
+/// Runs work(k) for k = 0 .. count - 1 on all cores, in no particular order. Results must be written to places of their
+/// own, so that they do not depend on the number of threads.
+/// @throws what the call with the lowest k threw, once all threads have ended; calls not yet begun are left out then
+template <typename Work>
+void for_all(int count, Work&& work) {
+    std::atomic<int> next{0};
+    std::vector<std::exception_ptr> raised(static_cast<std::size_t>(count));
+    const auto worker = [&] {
+        for (int k = next++; k < count; k = next++) {
+            try {
+                work(k);
+            } catch (...) {
+                raised[static_cast<std::size_t>(k)] = std::current_exception();
+                next = count;
+            }
+        }
+    };
+    const int threads = std::min<int>(count, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    std::vector<std::thread> others;
+    for (int i = 1; i < threads; ++i) {
+        others.emplace_back(worker);
+    }
+    worker();
+    for (std::thread& other : others) {
+        other.join();
+    }
+    for (const std::exception_ptr& exception : raised) {
+        if (exception) {
+            std::rethrow_exception(exception);
+        }
+    }
+}
+
+}  // namespace mq
