@@ -65,10 +65,12 @@ class Classifier {
                 bool any = false;
                 for (; next < mesh_.triangles.size() && mesh_.triangle_face[next] == side.face; ++next) {
                     const std::array<int, 3> corners = joined(mesh_.triangles[next]);
-                    if (!known) {
+                    // A solid may see a face inside it from both sides: its triangles come twice.
+                    const bool again = !known_triangles_.insert(face_key(corners[0], corners[1], corners[2])).second;
+                    if (!known && !again) {
                         const int added = surface_.add_triangle(corners, side.face);
                         first_of_face[face] = first_of_face[face] < 0 ? added : first_of_face[face];
-                    } else if (!any) {
+                    } else if (known && !any) {
                         flipped = !same_turn(corners, first_of_face[face]);
                     }
                     any = true;
@@ -292,6 +294,7 @@ class Classifier {
     const mesh::TriangleMesh& mesh_;
     Surface surface_;
     std::vector<int> joined_;
+    std::set<FaceKey> known_triangles_;
     geometry::Engine::Batch uv_batch_;
     std::vector<int> uv_vertices_;
 };

@@ -302,6 +302,14 @@ Vec3 Placement::plane_normal(int face) {
     return normal;
 }
 
+/// The CAD normal a little inside the triangle from a corner.
+Vec3 Placement::normal_inside(const SurfaceTriangle& triangle, int corner) {
+    constexpr double kInside = 0.05;
+    const std::array<Vec2, 3> uv = corner_uv(triangle);
+    const Vec2 at = (1.0 - kInside) * uv[static_cast<std::size_t>(corner)] + kInside / 3.0 * (uv[0] + uv[1] + uv[2]);
+    return session_.ask(Query::face_point(triangle.face, at.x(), at.y())).normal;
+}
+
 void Placement::measure(const std::vector<int>& triangles) {
     const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
     std::vector<Query> batch;
@@ -335,9 +343,17 @@ void Placement::measure(const std::vector<int>& triangles) {
             normal = sign * (planar(triangle.face) ? plane_normal(triangle.face) : answers[next++].normal);
             sum += normal;
         }
+        // At poles there is no normal, and in corners that are collapsed to within their tolerance it is noise.
+        const Vec3 mean = sum.normalized();
         for (Vec3& normal : normals) {
             if (normal.isZero()) {
-                normal = sum.normalized();
+                normal = mean;
+            }
+        }
+        for (int corner = 0; corner < 3; ++corner) {
+            Vec3& normal = normals[static_cast<std::size_t>(lattice.corner(corner))];
+            if (normal.dot(mean) <= 0.0) {
+                normal = sign * normal_inside(triangle, corner);
             }
         }
         triangle.quality = certified_ratio(normal_component(lattice, controls[k], normals));

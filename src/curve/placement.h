@@ -55,6 +55,7 @@ class Placement {
     void resolve_free(int vertex, int face, const Vec2& other, Vec2& uv) const;
     void set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes);
     Vec3 plane_normal(int face);
+    Vec3 normal_inside(const SurfaceTriangle& triangle, int corner);
 
     geometry::Session& session_;
     Surface& surface_;
