@@ -9,6 +9,9 @@ from .errors import InvalidInput
 from .surface_mesh import SurfaceMesh
 
 
+_FEM_TETRAHEDRON = (1, 0, 2, 3, 4, 6, 5, 9, 7, 8)
+
+
 class CurvedMesh:
     """Curved triangles, or tetrahedra, of one order with their link to the CAD and a report.
 
@@ -56,6 +59,31 @@ class CurvedMesh:
             raise InvalidInput(f"deviation = {deviation!r} is not allowed: it must be greater than "
                                "0 mm")
         return convert.mesh_of_surface(self._curved.tessellate(deviation or 0.0))
+
+    def to_fem_mesh(self):
+        """A Fem.FemMesh of a mesh of order 1 or 2: tetrahedra of a volume, triangles otherwise.
+
+        Node i + 1 is nodes[i]; element i + 1 is elements[i]. Raises InvalidInput for higher orders,
+        which FreeCAD's FEM meshes cannot hold.
+        """
+        if self.order > 2:
+            raise InvalidInput(f"a FEM mesh of FreeCAD has order 1 or 2, not {self.order}: curve "
+                               "with order=2")
+        import Fem
+
+        mesh = Fem.FemMesh()
+        for i, point in enumerate(self.nodes.tolist(), 1):
+            mesh.addNode(*point, i)
+        volume = len(self.tetrahedra) > 0
+        # FreeCAD's tetrahedra are turned the other way round than Gmsh's, and their middle nodes
+        # come in another order; triangles are alike.
+        order = _FEM_TETRAHEDRON if volume else range(6)
+        count = self.elements.shape[1]
+        elements = self.elements[:, [k for k in order if k < count]] + 1
+        add = mesh.addVolume if volume else mesh.addFace
+        for element in elements.tolist():
+            add(element)
+        return mesh
 
     def write(self, path):
         """Writes .msh (Gmsh 4.1, ASCII, with a physical group a CAD entity) or .vtu (VTK Lagrange

@@ -4,7 +4,9 @@
 import json
 import math
 import os
+import shutil
 import subprocess
+import unittest
 
 import helpers
 
@@ -89,6 +91,58 @@ class Curve(helpers.DocumentTest):
             self.assertIn(f'"{name}"', text)
         with self.assertRaises(mq.IoError):
             mesh.write(os.path.join(self.folder, "part.stl"))
+
+    def test_fem_mesh(self):
+        import Fem  # noqa: F401 - FreeCAD's FEM meshes are what is tested
+
+        for order in (1, 2):
+            mesh = mq.curve(Part.makeTorus(10, 3), order=order, volume=True)
+            fem = mesh.to_fem_mesh()
+            self.assertEqual(fem.VolumeCount, len(mesh.tetrahedra))
+            used = len(np.unique(mesh.tetrahedra))
+            self.assertEqual(fem.NodeCount, used)
+        surface = mq.curve(Part.makeSphere(5), order=2)
+        self.assertEqual(surface.to_fem_mesh().FaceCount, len(surface.triangles))
+        with self.assertRaisesRegex(mq.InvalidInput, "order=2"):
+            mq.curve(Part.makeSphere(5), order=3).to_fem_mesh()
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX (ccx) is not installed")
+    def test_calculix_reproduces_a_linear_field(self):
+        self.expect_linear_field(mq.curve(Part.makeBox(5, 4, 3), order=2, volume=True, max_edge=1.5),
+                                 1e-6)
+        # CalculiX takes four points an element, exact to degree 2; on curved ones the sum over a
+        # node's elements has degree 3 and does not vanish altogether.
+        self.expect_linear_field(mq.curve(Part.makeTorus(10, 3), order=2, volume=True), 1e-4)
+
+    def expect_linear_field(self, mesh, accuracy):
+        """Solves with a linear displacement of all boundary nodes: the inside must follow."""
+        path = os.path.join(self.folder, "patch.inp")
+        mesh.to_fem_mesh().writeABAQUS(path, 1, False)
+        field = np.array([[1e-3, 2e-4, 0], [0, -5e-4, 1e-4], [3e-4, 0, 7e-4]])
+        moved = mesh.nodes @ field.T
+        boundary = np.unique(mesh.triangles)
+        lines = ["*MATERIAL, NAME=M", "*ELASTIC", "210000, 0.3",
+                 "*SOLID SECTION, ELSET=Evolumes, MATERIAL=M", "*STEP", "*STATIC", "*BOUNDARY"]
+        lines += [f"{n + 1}, {k + 1}, {k + 1}, {moved[n, k]:.10e}" for n in boundary
+                  for k in range(3)]
+        lines += ["*NODE PRINT, NSET=Nall", "U", "*END STEP", ""]
+        with open(path, "a", encoding="ascii") as stream:
+            stream.write("\n".join(lines))
+        done = subprocess.run(["ccx", "patch"], cwd=self.folder, stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=300, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout[-500:])
+        rows = []
+        with open(os.path.join(self.folder, "patch.dat"), encoding="ascii") as stream:
+            for line in stream:
+                words = line.split()
+                if len(words) == 4 and words[0].isdigit():
+                    rows.append([float(word) for word in words])
+        solved = np.array(rows)
+        self.assertEqual(len(solved), len(mesh.nodes))
+        self.assertGreater(len(mesh.nodes), len(boundary), "there are nodes inside to solve for")
+        expected = moved[solved[:, 0].astype(int) - 1]
+        np.testing.assert_allclose(solved[:, 1:], expected, rtol=0,
+                                   atol=accuracy * np.abs(moved).max())
 
     def test_command_line(self):
         step = os.path.join(self.folder, "part.step")
