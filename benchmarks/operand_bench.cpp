@@ -27,7 +27,7 @@ const mesh::TriangleMesh& torus() {
                 const double u = 2 * M_PI * i / kAround;
                 const double v = 2 * M_PI * j / kAcross;
                 const Vec3 point((2 + std::cos(v)) * std::cos(u), (2 + std::cos(v)) * std::sin(u), std::sin(v));
-                torus.vertices.emplace_back(point.cast<float>().cast<double>());
+                torus.vertices.emplace_back(to_single(point));
                 torus.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
                 torus.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
             }

@@ -33,7 +33,7 @@ std::vector<Vec3> quadrilaterals(int kind) {
             y = kind == kTurnedSquares ? Vec3(x.cross(other).normalized() * x.norm()) : other;
         }
         for (const Vec3& corner : {base, Vec3(base + x + y), Vec3(base + y), Vec3(base + x)}) {
-            points.push_back(corner.cast<float>().cast<double>());
+            points.push_back(to_single(corner));
         }
     }
     return points;

@@ -11,6 +11,17 @@ using Vec3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
 /// A point in a face's parameter domain (u, v).
 using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 
+/// The nearest point of single-precision numbers. Number by number: of Eigen's casts to float and back within a loop,
+/// GCC 12 at -O3 leaves out the last ones.
+inline Vec3 to_single(const Vec3& p) {
+    return {static_cast<double>(static_cast<float>(p.x())), static_cast<double>(static_cast<float>(p.y())),
+            static_cast<double>(static_cast<float>(p.z()))};
+}
+/// Whether single precision holds the point as it is.
+inline bool is_single(const Vec3& p) {
+    return p == to_single(p);
+}
+
 /// Axis-parallel box; empty until the first point.
 struct Box {
     Vec3 low = Vec3::Constant(1e300);

@@ -29,10 +29,6 @@ std::string operand_name(std::size_t index, std::size_t count) {
                        : "operand " + std::to_string(index + 1);
 }
 
-bool single(const Vec3& p) {
-    return p == p.cast<float>().cast<double>();
-}
-
 /// One Boolean on its way through the stages.
 class Run {
   public:
@@ -195,7 +191,7 @@ class Run {
         constexpr double kContactPart = 1e-5;  // of the size
         constexpr double kRepairPart = 1e-4;
         Draft& draft = extraction.draft;
-        const bool in_single = std::all_of(soup_.vertices.begin(), soup_.vertices.end(), single);
+        const bool in_single = std::all_of(soup_.vertices.begin(), soup_.vertices.end(), is_single);
         part(extraction, std::min(tolerance_, kContactPart * size_), in_single);
         result_.parted_contacts = draft.parted;
         const RepairCount repaired = repair(draft, std::min(tolerance_, kRepairPart * size_), progress_);

@@ -197,7 +197,7 @@ class HoleClosing {
                 sum += draft_.point(h) / double(count);
             }
             middle = static_cast<std::int32_t>(draft_.vertices.size());
-            draft_.vertices.push_back(sum.cast<float>().cast<double>());
+            draft_.vertices.push_back(to_single(sum));
         }
         std::unordered_map<std::uint64_t, std::int32_t> open;
         for (std::size_t k = 0; k < filling.size(); ++k) {

@@ -173,7 +173,7 @@ NearCoincidence separate(Soup& soup, Operation operation, double tolerance,
             const double along = area_normal(soup, near.triangle).normalized().dot(offset.normalized());
             if (std::abs(along) > kSameWay) {
                 const double inward = along > 0.0 ? way : -way;
-                moves.emplace_back(v, (soup.vertices[v] - inward * step * offset).cast<float>().cast<double>());
+                moves.emplace_back(v, to_single(soup.vertices[v] - inward * step * offset));
             }
         }
         for (const auto& [v, target] : moves) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "boolean/cell_samples.h"
 #include "base/parallel.h"
+#include "boolean/cell_samples.h"
 #include "boolean/quadric.h"
 
 namespace mq::boolean {

@@ -391,7 +391,7 @@ class Repairer {
             const double step = units * std::numeric_limits<float>::epsilon() * size_;
             for (int code = 0; code < 27; ++code) {
                 const Vec3 way(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
-                const Vec3 p = (before + step * way).cast<float>().cast<double>();
+                const Vec3 p = to_single(before + step * way);
                 if (p != before && (p - before).norm() <= distance_ && move_to(v, p)) {
                     return true;
                 }
@@ -463,7 +463,7 @@ void round_to_single(Draft& draft) {
     for (std::size_t v = 0; v < draft.vertices.size(); ++v) {
         if (draft.made[v] != 0) {
             const Vec3 exact = draft.vertices[v];
-            draft.vertices[v] = exact.cast<float>().cast<double>();
+            draft.vertices[v] = to_single(exact);
             draft.largest_move = std::max(draft.largest_move, (draft.vertices[v] - exact).norm());
         }
     }

@@ -27,9 +27,4 @@ struct StitchCounts {
 std::vector<std::int32_t> stitch(const Octree& tree, const SampleGrid& grid, RetainedSurface& surface,
                                  StitchCounts& counts);
 
-/// A point that the mesh kernels store without change.
-inline Vec3 to_single(const Vec3& p) {
-    return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-}
-
 }  // namespace mq::boolean

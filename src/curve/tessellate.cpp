@@ -85,7 +85,7 @@ class Tessellation {
         if (fresh) {
             const Vec3 p = place.size() == 1 ? mesh_.nodes[static_cast<std::size_t>(place[0].first)]
                                              : value(lattice_, control, at);
-            result_.vertices.push_back(p.cast<float>().cast<double>());
+            result_.vertices.push_back(to_single(p));
         }
         return found->second;
     }

@@ -9,9 +9,8 @@ namespace mq::python {
 
 namespace {
 
-bool is_single(const mesh::TriangleMesh& mesh) {
-    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
-                       [](const Vec3& p) { return p == p.cast<float>().cast<double>(); });
+bool all_single(const mesh::TriangleMesh& mesh) {
+    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_single);
 }
 
 }  // namespace
@@ -26,7 +25,7 @@ OperandFrame::OperandFrame(const std::vector<FramedOperand>& operands) {
                 box.add(p + operand.mesh->origin);
             }
         }
-        exact.push_back(is_single(*operand.mesh));
+        exact.push_back(all_single(*operand.mesh));
         single_ = single_ && (exact.back() != 0 || operand.round);
     }
     size_ = box.empty() ? 0.0 : box.largest_side();

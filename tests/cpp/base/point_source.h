@@ -82,7 +82,7 @@ class PointSource {
     Vec3 single(const std::vector<Vec3>& others) {
         switch (kind_) {
             case Points::kSingle:
-                return cube(10.0).cast<float>().cast<double>();
+                return to_single(cube(10.0));
             case Points::kGrid:
                 return grid_point() * 0.1;
             case Points::kShifted:
@@ -125,14 +125,14 @@ class PointSource {
             const double angle = phase + 2.0 * M_PI * integer(0, corners - 1) / corners;
             const bool middle = integer(0, 9) == 0;
             const Vec3 corner = middle ? center : Vec3(center + radius * (std::cos(angle) * x + std::sin(angle) * y));
-            points.push_back(nudge(single_precision ? Vec3(corner.cast<float>().cast<double>()) : corner));
+            points.push_back(nudge(single_precision ? to_single(corner) : corner));
         }
         return points;
     }
 
     std::vector<Vec3> reflected(int count) {
         std::vector<Vec3> points;
-        const Vec3 first = integer(0, 1) == 0 ? cube(1.0) : Vec3(cube(1.0).cast<float>().cast<double>());
+        const Vec3 first = integer(0, 1) == 0 ? cube(1.0) : to_single(cube(1.0));
         for (int i = 0; i < count; ++i) {
             Vec3 image = first;
             if (integer(0, 3) == 0) {

@@ -20,10 +20,6 @@ Box box_of(const Vec3& low, const Vec3& high) {
     return box;
 }
 
-bool is_single(const Vec3& p) {
-    return p == p.cast<float>().cast<double>();
-}
-
 /// The power of two no less than the largest local coordinate of the box.
 double size_of(const Box& box, const SingleGrid& grid) {
     const double largest =

@@ -9,10 +9,6 @@
 /// Closed solids, coordinates in single precision.
 namespace mq::boolean::solids {
 
-inline Vec3 to_single(const Vec3& p) {
-    return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-}
-
 inline void round_vertices(mesh::TriangleMesh& mesh) {
     for (Vec3& p : mesh.vertices) {
         p = to_single(p);

@@ -39,7 +39,7 @@ class Random {
 
 inline void round_to_single(TriangleMesh& mesh) {
     for (Vec3& v : mesh.vertices) {
-        v = v.cast<float>().cast<double>();
+        v = to_single(v);
     }
 }
 

@@ -52,7 +52,7 @@ void expect_sound(const UniformResult& r, const mesh::TriangleMesh& a, const mes
     EXPECT_EQ(retained, r.retained);
     EXPECT_EQ(r.retained + r.changed + r.reconstructed + r.hole_triangles, r.mesh.triangles.size());
     for (const Vec3& p : r.mesh.vertices) {
-        EXPECT_EQ(p, solids::to_single(p));
+        EXPECT_EQ(p, to_single(p));
     }
 }
 

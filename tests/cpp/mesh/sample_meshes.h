@@ -25,7 +25,7 @@ inline TriangleMesh torus(int n, double major = 3.0, double minor = 1.0) {
         for (int j = 0; j < n; ++j) {
             const double r = major + minor * std::cos(j * step);
             const Vec3 p(r * std::cos(i * step), r * std::sin(i * step), minor * std::sin(j * step));
-            mesh.vertices.push_back(p.cast<float>().cast<double>());
+            mesh.vertices.push_back(to_single(p));
             const auto at = [&](int a, int b) { return static_cast<std::int32_t>((a % n) * n + b % n); };
             mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
             mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});

@@ -74,7 +74,7 @@ inline std::array<Vec3, 3> corners_of(const mesh::TriangleMesh& mesh, std::size_
 }
 
 inline bool single_precision(const Vec3& p) {
-    return p.allFinite() && p == p.cast<float>().cast<double>();
+    return p.allFinite() && is_single(p);
 }
 
 /// Single-precision vertices, all in use; a manifold, oriented outwards, of the part's topology.
