@@ -386,22 +386,32 @@ std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
     return result;
 }
 
-void Placement::set_quadratic(int a, int b, double s) {
+void Placement::set_warped(int a, int b, double by, int degree) {
     const Segment& segment = *surface_.segment(a, b);
     const double t_a = surface_.t_of(a, b);
-    const Answer answer = session_.ask(Query::edge_point(segment.edge, t_a + s * (surface_.t_of(b, a) - t_a)));
-    if (!answer.found()) {
-        return;
+    const double t_b = surface_.t_of(b, a);
+    std::vector<Vec3> nodes;
+    for (int k = 1; k < degree; ++k) {
+        const double s = static_cast<double>(k) / degree;
+        const double t = t_a + (s + 4.0 * by * s * (1.0 - s)) * (t_b - t_a);
+        const Answer answer = session_.ask(Query::edge_point(segment.edge, t));
+        if (!answer.found()) {
+            return;
+        }
+        nodes.push_back(answer.point);
     }
-    const Vec3& from = surface_.shapes.vertices[static_cast<std::size_t>(a)].point;
-    const Vec3& to = surface_.shapes.vertices[static_cast<std::size_t>(b)].point;
-    const Vec3 bulge = answer.point - 0.5 * (from + to);
-    const double q = surface_.shapes.order();
-    std::vector<Vec3> inner;
-    for (double k = 1.0; k < q; k += 1.0) {
-        inner.push_back(from + (to - from) * (k / q) + bulge * (4.0 * k * (q - k) / (q * (q - 1.0))));
+    // The polynomial of the lower degree at the nodes of the mesh's order.
+    nodes.insert(nodes.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
+    nodes.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
+    const Lattice& lower = Lattice::of(1, degree);
+    const std::vector<Vec3> control = nodes_to_bezier(lower, nodes);
+    const int q = surface_.shapes.order();
+    std::vector<Vec3> raised;
+    for (int k = 1; k < q; ++k) {
+        const double s = static_cast<double>(k) / q;
+        raised.push_back(value(lower, control, {1.0 - s, s, 0.0, 0.0}));
     }
-    surface_.shapes.set_edge(a, b, inner);
+    set_edge_nodes(a, b, raised);
 }
 
 Placement::Middle Placement::middle_of(int a, int b) {

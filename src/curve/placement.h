@@ -23,8 +23,9 @@ class Placement {
     /// Sets the quality of triangles from the shapes as they are.
     void measure(const std::vector<int>& triangles);
 
-    /// Makes mesh edge (a, b) on a CAD edge a quadratic through the point at part `s` from a to b of its parameters.
-    void set_quadratic(int a, int b, double s);
+    /// Gives mesh edge (a, b) on a CAD edge a shape of `degree`, at most the order of the mesh, with its nodes on the
+    /// CAD edge but moved towards b: the one in the middle by part `by` of the edge's parameters.
+    void set_warped(int a, int b, double by, int degree);
 
     /// The point of the curved edge that a new vertex in its middle gets; parameters by `at` of the entity.
     struct Middle {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "curve/surface_editor.h"
 
@@ -12,7 +13,6 @@ namespace {
 constexpr double kCusp = 0.3;
 /// Quality that is enough for the triangle in the cusp.
 constexpr double kEnough = 0.16;
-constexpr std::array<std::array<double, 2>, 4> kWays{{{1.0, 1.0}, {1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}}};
 
 double angle(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -24,6 +24,28 @@ double worst(const SurfaceEditor& editor, const std::vector<int>& triangles) {
         least = std::min(least, editor.triangle(t).quality);
     }
     return least;
+}
+
+/// How the nodes of the two edges are moved, and the degree of the edges.
+struct Warp {
+    int degree = 2;
+    std::array<double, 2> by{};
+};
+
+/// What is tried, from what is nearest to the CAD on: high degrees before low ones, small moves before
+/// large. Away from the cusp a node makes its edge leave at a smaller angle to the chord; which is better depends on
+/// the sides to which the two edges bend.
+std::vector<Warp> warps(int order) {
+    constexpr std::array<std::array<double, 2>, 4> kWays{{{1.0, 1.0}, {1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}}};
+    std::vector<Warp> result;
+    for (int degree = order; degree >= 2; --degree) {
+        for (const double by : {0.0, 0.02, 0.04, 0.06, 0.09, 0.12}) {
+            for (const auto& way : kWays) {
+                result.push_back({degree, {way[0] * by, way[1] * by}});
+            }
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -47,32 +69,30 @@ bool open_cusp(SurfaceEditor& editor, int a, int b, int c) {
     }
     const double before = worst(editor, beside);
     double best = before;
-    std::array<double, 2> kept{};
-    for (const double by : {0.0, 0.02, 0.04, 0.06, 0.09, 0.12}) {
-        // Away from the cusp a node makes its edge leave at a smaller angle to the chord; which is better depends on
-        // the sides to which the two edges bend.
-        for (const auto& way : kWays) {
-            editor.placement.set_quadratic(a, b, 0.5 + way[0] * by);
-            editor.placement.set_quadratic(a, c, 0.5 + way[1] * by);
-            editor.placement.place(beside);
-            const double now = worst(editor, beside);
-            if (now > best + 1e-3) {
-                best = now;
-                kept = {0.5 + way[0] * by, 0.5 + way[1] * by};
-            }
+    Warp kept;
+    const auto take = [&](const Warp& warp) {
+        editor.placement.set_warped(a, b, warp.by[0], warp.degree);
+        editor.placement.set_warped(a, c, warp.by[1], warp.degree);
+        editor.placement.place(beside);
+    };
+    for (const Warp& warp : warps(surface.shapes.order())) {
+        take(warp);
+        const double now = worst(editor, beside);
+        if (now > best + 1e-3) {
+            best = now;
+            kept = warp;
         }
         if (best > kEnough) {
             break;
         }
     }
     if (best > before) {
-        editor.placement.set_quadratic(a, b, kept[0]);
-        editor.placement.set_quadratic(a, c, kept[1]);
+        take(kept);
     } else {
         surface.shapes.set_edge(a, b, to_b);
         surface.shapes.set_edge(a, c, to_c);
+        editor.placement.place(beside);
     }
-    editor.placement.place(beside);
     return best > before;
 }
 

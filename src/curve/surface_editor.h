@@ -49,8 +49,8 @@ bool collapse_surface_edge(SurfaceEditor& editor, int a, int b);
 bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c);
 
 /// Where two CAD edges leave vertex a in one direction, and the triangle between (a, b) and (a, c) has no angle at a:
-/// gives the two mesh edges quadratic shapes whose nodes, still on the CAD edges, are moved apart along them until the
-/// triangle is good enough. No shape that follows both edges exactly could be valid there.
+/// gives the two mesh edges shapes, of lower degree if need be, whose nodes, still on the CAD edges, are moved along
+/// them until the triangle is good enough. No shape that follows both edges exactly could be valid there.
 bool open_cusp(SurfaceEditor& editor, int a, int b, int c);
 
 /// Splits edge (a, b) at its middle on the CAD: a boundary point for local remeshing (section 5.5).
