@@ -12,11 +12,17 @@ namespace mq::boolean {
 
 namespace {
 
+/// Two triangles on both sides of a piece of material, each by the corner where their common edge starts: 3 t + k.
+using Wedge = std::array<std::size_t, 2>;
+
 /// Joins the corners of triangles around suspicious points to fans, and gives each fan beyond the first at a point a
 /// copy of the point.
 class FanOpener {
   public:
     FanOpener(const PointTable& points, std::vector<Triangle>& triangles) : points_(points), triangles_(triangles) {}
+
+    /// The wedges at each edge of more than two triangles.
+    const std::vector<std::vector<Wedge>>& wedges() const { return wedges_; }
 
     /// @return the points with several fans, each with its copies; the first copy is the point itself
     std::map<std::int32_t, std::vector<std::int32_t>> run(const std::vector<char>& suspicious) {
@@ -98,12 +104,16 @@ class FanOpener {
             around.push_back({static_cast<std::int32_t>(slot), point_[next(next(slot))], point_[slot] == edge[0]});
         }
         sort_radially(points_, edge[0], edge[1], around);
+        wedges_.emplace_back();
         for (std::size_t i = 0; i < around.size(); ++i) {
             // A face that runs up has its front, the outside, on the counter-clockwise side, one that runs down the
             // material.
             if (!around[i].runs_up) {
                 const RadialFace& beyond = around[(i + 1) % around.size()];
-                join_sides(static_cast<std::size_t>(around[i].face), static_cast<std::size_t>(beyond.face), edge);
+                const auto one = static_cast<std::size_t>(around[i].face);
+                const auto two = static_cast<std::size_t>(beyond.face);
+                join_sides(one, two, edge);
+                wedges_.back().push_back({corner_[one], corner_[two]});
             }
         }
     }
@@ -126,6 +136,79 @@ class FanOpener {
     std::vector<std::size_t> corner_;  ///< of each slot: 3 triangle + k
     std::vector<std::int32_t> point_;  ///< of each slot
     std::vector<std::size_t> parent_;
+    std::vector<std::vector<Wedge>> wedges_;
+};
+
+/// Where material touches along an edge but hangs together around both of its ends, the edge stays double. Each wedge
+/// then gets a vertex of its own in the middle.
+class DoubleEdges {
+  public:
+    explicit DoubleEdges(Extraction& extraction) : extraction_(extraction), draft_(extraction.draft) {}
+
+    void run(const std::vector<std::vector<Wedge>>& wedges) {
+        for (const std::vector<Wedge>& around : wedges) {
+            std::map<EdgeKey, std::vector<Wedge>> by_ends;
+            for (const Wedge& wedge : around) {
+                const Triangle t = corners(wedge[0] / 3);
+                const std::size_t k = wedge[0] % 3;
+                by_ends[edge_key(t[k], t[(k + 1) % 3])].push_back(wedge);
+            }
+            for (const auto& [ends, list] : by_ends) {
+                if (list.size() > 1) {
+                    split(ends, list);
+                }
+            }
+        }
+    }
+
+  private:
+    /// As they were before anything was split.
+    Triangle corners(std::size_t t) const {
+        const auto known = first_.find(t);
+        return known != first_.end() ? known->second : draft_.triangles[t];
+    }
+
+    void split(const EdgeKey& ends, const std::vector<Wedge>& wedges) {
+        const Vec3 middle = 0.5 * (draft_.vertices[static_cast<std::size_t>(ends[0])] +
+                                   draft_.vertices[static_cast<std::size_t>(ends[1])]);
+        std::vector<std::int32_t> copies;
+        for (const Wedge& wedge : wedges) {
+            copies.push_back(static_cast<std::int32_t>(draft_.vertices.size()));
+            draft_.vertices.push_back(middle);
+            draft_.made.push_back(1);
+            for (const std::size_t corner : wedge) {
+                split(corner / 3, ends, copies.back());
+            }
+        }
+        extraction_.copies.push_back(std::move(copies));
+    }
+
+    /// Splits the piece of a triangle that has the edge.
+    void split(std::size_t triangle, const EdgeKey& ends, std::int32_t middle) {
+        first_.emplace(triangle, draft_.triangles[triangle]);
+        std::vector<std::size_t>& pieces = pieces_[triangle];
+        if (pieces.empty()) {
+            pieces.push_back(triangle);
+        }
+        for (const std::size_t piece : pieces) {
+            const Triangle c = draft_.triangles[piece];
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (edge_key(c[k], c[(k + 1) % 3]) == ends) {
+                    draft_.triangles[piece] = {c[k], middle, c[(k + 2) % 3]};
+                    draft_.source[piece] = Source{};
+                    draft_.triangles.push_back({middle, c[(k + 1) % 3], c[(k + 2) % 3]});
+                    draft_.source.push_back(Source{});
+                    pieces.push_back(draft_.triangles.size() - 1);
+                    return;
+                }
+            }
+        }
+    }
+
+    Extraction& extraction_;
+    Draft& draft_;
+    std::map<std::size_t, Triangle> first_;
+    std::map<std::size_t, std::vector<std::size_t>> pieces_;
 };
 
 /// Points at which the result may touch itself: all but vertices of one operand among whole triangles.
@@ -226,11 +309,12 @@ Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells
         result.draft.source.push_back(face.whole ? soup.source[static_cast<std::size_t>(face.source)] : Source{});
     }
     progress.check();
-    const auto copies =
-        FanOpener(arrangement.points, result.draft.triangles).run(suspicious_points(soup, arrangement, kept));
+    FanOpener opener(arrangement.points, result.draft.triangles);
+    const auto copies = opener.run(suspicious_points(soup, arrangement, kept));
     progress.check();
     take_vertices(soup, arrangement.points, copies, result);
     forget_moved_sources(soup, arrangement, kept, result.draft);
+    DoubleEdges(result).run(opener.wedges());
     return result;
 }
 

@@ -101,6 +101,18 @@ TEST(Boolean, BodiesThatTouchInAnEdgeOrAVertexArePartedByLessThanTheTolerance) {
     }
 }
 
+TEST(Boolean, CavitiesThatTouchInAnEdgeOfTheMaterialBetweenThemArePartedThere) {
+    // Above and below the edge the material hangs together, so that its ends have one fan each.
+    const TriangleMesh block = box(Vec3(0, 0, 0), Vec3(4, 4, 3));
+    const TriangleMesh one = box(Vec3(1, 1, 1), Vec3(2, 2, 2));
+    const TriangleMesh two = box(Vec3(2, 2, 1), Vec3(3, 3, 2));
+    const std::vector<const TriangleMesh*> all{&block, &one, &two};
+    const BooleanResult result = boolean(all, Operation::Difference, {});
+    expect_sound(result, all);
+    EXPECT_EQ(result.parted_contacts, 1u);
+    EXPECT_NEAR(volume(result.mesh), 46.0, 1e-3);
+}
+
 TEST(Boolean, WithItself) {
     const TriangleMesh a = sphere(Vec3(0, 0, 0), 1.0, 16, 0.1);
     EXPECT_TRUE(run(a, a, Operation::Difference).mesh.triangles.empty());
