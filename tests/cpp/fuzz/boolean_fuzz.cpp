@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+//
+// Booleans of random pairs of solids, with random placements and defects, and every promise checked on each result.
+//
+//     fuzz_boolean FIRST LAST [turned]
+//
+// runs the seeds FIRST to LAST - 1 with all four operations and prints what failed. `turned` turns both operands
+// together at random, so that faces that were flush are so only to within rounding. The status is 1 if anything failed.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+
+#include "base/error.h"
+#include "boolean/boolean.h"
+#include "boolean/random_meshes.h"
+#include "boolean/verification.h"
+
+namespace mq::boolean {
+namespace {
+
+constexpr Operation kOperations[] = {Operation::Union, Operation::Intersection, Operation::Difference,
+                                     Operation::SymmetricDifference};
+
+/// Every triangle said to be an operand's own has its corners.
+bool sources_hold(const BooleanResult& result, const fuzz::Pair& pair) {
+    for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+        const auto [operand, index] = result.triangle_source[t];
+        if (operand < 0) {
+            continue;
+        }
+        const mesh::TriangleMesh& own = operand == 0 ? pair.a : pair.b;
+        const mesh::Triangle& c = own.triangles[static_cast<std::size_t>(index)];
+        for (const std::int32_t v : result.mesh.triangles[t]) {
+            if (std::none_of(c.begin(), c.end(), [&](std::int32_t w) {
+                    return own.vertices[static_cast<std::size_t>(w)] ==
+                           result.mesh.vertices[static_cast<std::size_t>(v)];
+                })) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+double volume(const mesh::TriangleMesh& mesh) {
+    return verify(mesh.vertices, mesh.triangles).volume;
+}
+
+/// What is wrong with a result; empty when nothing is.
+std::string fault_of(const fuzz::Pair& pair, Operation operation, double& result_volume) {
+    const BooleanResult result = boolean({&pair.a, &pair.b}, operation, {});
+    const Verification check = verify(result.mesh.vertices, result.mesh.triangles);
+    result_volume = check.volume;
+    if (!check.passed()) {
+        return check.summary();
+    }
+    return sources_hold(result, pair) ? std::string() : "a retained triangle is not the operand's";
+}
+
+/// Of the operands and their Booleans: volumes add up to within what the separation of surfaces may take.
+std::string fault_of_volumes(const fuzz::Pair& pair, const double (&v)[4]) {
+    constexpr double kPart = 1e-3;
+    const double a = volume(pair.a);
+    const double b = volume(pair.b);
+    const double worst = std::max(std::abs(v[0] + v[1] - a - b), std::abs(v[2] - (a - v[1])));
+    return worst <= kPart * (a + b) ? std::string() : "volumes are wrong by " + std::to_string(worst);
+}
+
+struct Totals {
+    int results = 0;
+    int failed = 0;
+    int refused = 0;
+};
+
+void report(Totals& totals, const fuzz::Pair& pair, const char* what, const std::string& fault) {
+    ++totals.failed;
+    std::printf("%s | %s: %s\n", pair.description.c_str(), what, fault.c_str());
+}
+
+void run(const fuzz::Pair& pair, Totals& totals) {
+    double v[4] = {0.0, 0.0, 0.0, 0.0};
+    bool all = true;
+    for (const Operation operation : kOperations) {
+        std::string fault;
+        try {
+            ++totals.results;
+            fault = fault_of(pair, operation, v[static_cast<int>(operation)]);
+        } catch (const InvalidInput& error) {
+            all = false;
+            if (!pair.clean) {
+                ++totals.refused;
+                continue;
+            }
+            fault = error.what();
+        } catch (const Error& error) {
+            fault = error.what();
+        }
+        if (!fault.empty()) {
+            all = false;
+            report(totals, pair, name(operation), fault);
+        }
+    }
+    if (all && pair.clean) {
+        const std::string fault = fault_of_volumes(pair, v);
+        if (!fault.empty()) {
+            report(totals, pair, "volumes", fault);
+        }
+    }
+}
+
+int main(int count, char** arguments) {
+    if (count < 3) {
+        std::fprintf(stderr, "usage: fuzz_boolean FIRST LAST [turned]\n");
+        return 2;
+    }
+    const bool turned = count > 3 && std::string(arguments[3]) == "turned";
+    const long first = std::atol(arguments[1]);
+    const long last = std::atol(arguments[2]);
+    Totals totals;
+    const std::clock_t start = std::clock();
+    for (long seed = first; seed < last; ++seed) {
+        fuzz::Pair pair = fuzz::random_pair(static_cast<std::uint64_t>(seed));
+        if (turned) {
+            fuzz::Random random(static_cast<std::uint64_t>(seed) + 77777);
+            const Eigen::Matrix3d turn =
+                Eigen::AngleAxisd(random.real(0.0, 3.0), random.direction()).toRotationMatrix();
+            fuzz::move(pair.a, turn, 1.0, Vec3::Zero());
+            fuzz::move(pair.b, turn, 1.0, Vec3::Zero());
+        }
+        run(pair, totals);
+        std::fflush(stdout);
+    }
+    std::printf("%ld pairs, %d results, %d failed, %d refused, %.1f s of processor\n", last - first, totals.results,
+                totals.failed, totals.refused, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    return totals.failed > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace mq::boolean
+
+int main(int count, char** arguments) {
+    return mq::boolean::main(count, arguments);
+}
