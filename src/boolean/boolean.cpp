@@ -14,6 +14,7 @@
 #include "boolean/extraction.h"
 #include "boolean/near_coincidence.h"
 #include "boolean/operand.h"
+#include "boolean/parting.h"
 #include "boolean/repair.h"
 #include "boolean/soup.h"
 #include "mesh/self_intersection.h"
@@ -188,12 +189,11 @@ class Run {
     }
 
     void finish(Extraction& extraction) {
-        constexpr double kContactPart = 1e-5;  // of the size
-        constexpr double kRepairPart = 1e-4;
+        constexpr double kRepairPart = 1e-4;  // of the size
         Draft& draft = extraction.draft;
         const bool in_single = std::all_of(soup_.vertices.begin(), soup_.vertices.end(), is_single);
-        part(extraction, std::min(tolerance_, kContactPart * size_), in_single);
-        result_.parted_contacts = draft.parted;
+        part(extraction, in_single);
+        result_.parted_contacts = extraction.copies.size();
         const RepairCount repaired = repair(draft, std::min(tolerance_, kRepairPart * size_), progress_);
         result_.faults_left = repaired.left;
         if (repaired.left > 0) {
@@ -212,37 +212,37 @@ class Run {
         }
     }
 
-    /// Parts contacts by the distance that leaves the fewest faults. A thin wedge must be cut back far, so that its
-    /// sides stay apart in single precision; where other surfaces are near only little is allowed.
-    void part(Extraction& extraction, double distance, bool in_single) {
-        constexpr double kFactors[] = {1.0, 8.0, 0.125, 64.0, 512.0};
+    /// Parts contacts in the way that leaves the fewest faults; repair may choose another one for single vertices.
+    void part(Extraction& extraction, bool in_single) {
+        constexpr double kPartOfSize = 1e-5;
+        Draft& draft = extraction.draft;
         const double least = 8.0 * kSingleUnit * size_;
-        const Draft whole = extraction.copies.empty() ? Draft() : extraction.draft;
-        Draft best;
-        std::size_t fewest = std::numeric_limits<std::size_t>::max();
-        for (const PartingWay way : {PartingWay::Normals, PartingWay::Edges}) {
-            for (const double factor : kFactors) {
-                const double step = std::clamp(factor * distance, least, tolerance_);
-                part_contacts(extraction, step, way);
-                if (in_single) {
-                    round_to_single(extraction.draft);
-                }
-                if (extraction.copies.empty()) {
-                    return;
-                }
-                const std::size_t faults = count_faults(extraction.draft, progress_);
-                if (faults < fewest) {
-                    fewest = faults;
-                    best = std::move(extraction.draft);
-                }
-                if (faults == 0) {
-                    extraction.draft = std::move(best);
-                    return;
-                }
-                extraction.draft = whole;
+        PartingPlan plan = plan_parting(extraction, kPartOfSize * size_, std::min(least, tolerance_), tolerance_);
+        if (in_single) {
+            round_to_single(draft);
+            for (std::vector<Vec3>& places : plan.variants) {
+                std::transform(places.begin(), places.end(), places.begin(), to_single);
             }
         }
-        extraction.draft = std::move(best);
+        std::size_t fewest = std::numeric_limits<std::size_t>::max();
+        Draft best;
+        for (std::size_t k = 0; k < plan.variants.size() && fewest > 0; ++k) {
+            Draft trial = draft;
+            move_copies(trial, plan, k);
+            const std::size_t faults = count_faults(trial, progress_);
+            if (faults < fewest) {
+                fewest = faults;
+                best = std::move(trial);
+            }
+        }
+        if (!plan.copies.empty()) {
+            draft = std::move(best);
+        }
+        for (std::size_t i = 0; i < plan.copies.size() && fewest > 0; ++i) {
+            for (const std::vector<Vec3>& places : plan.variants) {
+                draft.places[plan.copies[i]].push_back(places[i]);
+            }
+        }
     }
 
     const std::vector<const mesh::TriangleMesh*> inputs_;

@@ -13,7 +13,7 @@ namespace mq::boolean {
 ///
 /// Where parts of the result touch in an edge or a vertex only, each part gets its own copy of it (Node-Open, Wang
 /// 2010, section IV.C): the faces around an edge are joined across the material between them. The copies lie in one
-/// place until part_contacts moves them.
+/// place until they are parted.
 struct Extraction {
     Draft draft;
     /// Vertices of the draft in the same place, the lowest index first.
@@ -22,13 +22,5 @@ struct Extraction {
 
 Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells& cells, Operation operation,
                    const Progress& progress);
-
-/// Which way a copy goes: against the normals around it, or along its edges. The latter stays within a thin wedge, of
-/// which the normals cancel each other.
-enum class PartingWay { Normals, Edges };
-
-/// Moves all but the first of the copies of a point into their own material, by at most `distance` (mm) and a part of
-/// the shortest edge there, so that the parts of the result no longer touch.
-void part_contacts(Extraction& extraction, double distance, PartingWay way);
 
 }  // namespace mq::boolean

@@ -383,10 +383,16 @@ class Repairer {
                            [&](std::int32_t v) { return draft_.made[static_cast<std::size_t>(v)] != 0 && move(v); });
     }
 
-    /// Tries places near a made vertex, one and then several units of single precision away.
+    /// Tries the other places of a parted vertex, then those near it, one and then several units of single precision
+    /// away.
     bool move(std::int32_t v) {
         constexpr double kUnits[] = {1.0, 6.0};
         const Vec3 before = at(v);
+        const auto places = draft_.places.find(v);
+        if (places != draft_.places.end() && std::any_of(places->second.begin(), places->second.end(),
+                                                         [&](const Vec3& p) { return p != before && move_to(v, p); })) {
+            return true;
+        }
         for (const double units : kUnits) {
             const double step = units * std::numeric_limits<float>::epsilon() * size_;
             for (int code = 0; code < 27; ++code) {
