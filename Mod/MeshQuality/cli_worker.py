@@ -25,7 +25,7 @@ REPORT_FIELDS = (
 
 BOOLEAN_REPORT_FIELDS = (
     "error_bound", "retained", "reconstructed", "repaired", "faults_left", "crossing_pairs",
-    "curve_edges", "parted_contacts", "separated_vertices",
+    "curve_edges", "parted_contacts", "separated_vertices", "fitted_vertices", "unfitted_vertices",
 )
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",

@@ -24,7 +24,8 @@ _FRAME = 4.0
 class Operands:
     """Meshes and shapes on their way into a Boolean.
 
-    surfaces    [(core.Surface, whether it may be rounded to single precision), ...]
+    surfaces    [(core.Surface, whether it may be rounded to single precision,
+                the Part.Shape it was made of or None), ...]
     notes       a sentence for each shape that was meshed
     seconds     [(stage, wall-clock seconds), ...]
     cpu_seconds of the process, in all stages
@@ -76,16 +77,16 @@ class Operands:
         self.cpu_seconds += time.process_time() - cpu
 
     def _read(self, i):
-        """(surface, round) of a mesh, the Part.Shape of anything else."""
+        """(surface, round, None) of a mesh, the Part.Shape of anything else."""
         source, module = self._sources[i], core()
         try:
             if isinstance(source, SurfaceMesh):
-                return source._surface, False
+                return source._surface, False, None
             if convert.is_mesh(source):
                 return convert.surface_of_arrays(
-                    module, *convert.arrays_of_mesh(source), measured=False), True
+                    module, *convert.arrays_of_mesh(source), measured=False), True, None
             if is_arrays(source):
-                return convert.surface_of_arrays(module, *source, measured=False), False
+                return convert.surface_of_arrays(module, *source, measured=False), False, None
             return convert.shape_of(source)
         except InvalidInput as error:
             raise InvalidInput(f"{self._names[i]}: {error}; operands are meshes (Mesh.Mesh, "
@@ -122,7 +123,7 @@ class Operands:
         self.notes.append(f"{self._names[i]} is a shape: its mesh keeps within "
                           f"{mesh.report.max_chord_height:.3g} mm of it, and the error bound is "
                           "that of the Boolean of meshes")
-        return mesh._surface, False
+        return mesh._surface, False, self._found[i]
 
     def explain(self, error):
         """The error with the labels of the operands, where it speaks of operands."""

@@ -5,15 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <tuple>
 
 #include "base/error.h"
 #include "boolean/boolean.h"
+#include "boolean/native_surfaces.h"
 #include "boolean/uniform.h"
 #include "boolean/verification.h"
+#include "geometry/occt/shape_model.h"
 #include "mesh/report.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
+#include "python/engine.h"
 #include "python/operand_frame.h"
+#include "python/part_shape.h"
 #include "python/stopwatch.h"
 #include "python/watch.h"
 #include "triangulate/triangulate.h"
@@ -41,6 +46,8 @@ struct BooleanReport : mesh::MeshReport {
     std::size_t curve_edges = 0;
     std::size_t parted_contacts = 0;
     std::size_t separated_vertices = 0;
+    std::size_t fitted_vertices = 0;
+    std::size_t unfitted_vertices = 0;
     std::vector<std::string> repaired;  ///< a sentence for each operand that was repaired
 };
 
@@ -149,27 +156,65 @@ void measure(BooleanSurface& surface, const OperandFrame& frame, const Before& b
     figures.seconds = std::move(seconds);
 }
 
-std::shared_ptr<BooleanSurface> run_boolean(const std::vector<std::pair<SurfacePointer, bool>>& operands,
-                                            const std::string& operation, const BooleanOptions& options,
-                                            const std::string& method, const Before& before,
-                                            const py::object& progress) {
+/// An operand as it comes from Python: whether it may be rounded to single precision, and the Part.Shape that it was
+/// made of, or None.
+using PythonOperand = std::tuple<SurfacePointer, bool, py::object>;
+
+/// Puts what was made on faces of shapes onto their surfaces.
+void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std::vector<SurfacePointer>& operands,
+                   const std::vector<PartShape>& shapes, double limit, Progress& progress) {
+    constexpr double kRounding = 5e-7;  // of the size: a few steps of single precision
+    if (std::none_of(shapes.begin(), shapes.end(), [](const PartShape& part) { return part.shape != nullptr; })) {
+        return;
+    }
+    const Stopwatch fitting;
+    progress.stage("fitting to the shapes", 1.0, 1.0);
+    geometry::Engine& engine = shared_engine();
+    std::vector<boolean::NativeOperand> native(operands.size());
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        native[i].mesh = frame.meshes()[i];
+        native[i].faces = &operands[i]->mesh.triangle_face;
+        if (shapes[i].shape != nullptr) {
+            engine.run([&] { native[i].model = geometry::make_shape_model(*shapes[i].shape, &progress); });
+        }
+    }
+    BooleanReport& figures = surface.figures;
+    const double near = figures.error_bound + kRounding * frame.size();
+    const boolean::NativeFit fit =
+        boolean::fit_to_native_surfaces(surface.mesh, surface.triangle_source, native, engine, near, limit, progress);
+    figures.fitted_vertices = fit.moved;
+    figures.unfitted_vertices = fit.reverted + fit.left;
+    figures.error_bound += fit.largest_move;
+    figures.seconds.emplace_back("fitting to the shapes", fitting.wall());
+}
+
+std::shared_ptr<BooleanSurface> run_boolean(const std::vector<PythonOperand>& operands, const std::string& operation,
+                                            const BooleanOptions& options, const std::string& method,
+                                            const Before& before, const py::object& progress) {
     options.validate();
     const Operation wanted = boolean::operation_from(operation);
     if (method != kDefault && method != kUniform) {
         throw InvalidInput("method is '" + method + "': it must be '" + kDefault + "' or '" + kUniform + "'");
     }
+    std::vector<FramedOperand> framed;
+    std::vector<SurfacePointer> surfaces;
+    std::vector<PartShape> shapes;
+    for (const auto& [surface, round, shape] : operands) {
+        framed.push_back({&surface->mesh, round});
+        surfaces.push_back(surface);
+        shapes.push_back(shape.is_none() ? PartShape() : part_shape(shape));
+    }
     return watch(progress, [&](Progress& handle) {
         const Stopwatch watch_all;
-        std::vector<FramedOperand> framed;
-        for (const auto& [surface, round] : operands) {
-            framed.push_back({&surface->mesh, round});
-        }
         const OperandFrame frame(framed);
         auto result = std::make_shared<BooleanSurface>();
         if (method == kUniform) {
             run_uniform(*result, frame, wanted, options, handle);
         } else {
+            const double limit =
+                options.tolerance > 0.0 ? options.tolerance : std::sqrt(3.0) * frame.size() / options.resolution;
             take(*result, boolean::boolean(frame.meshes(), wanted, options, &handle));
+            fit_to_shapes(*result, frame, surfaces, shapes, limit, handle);
         }
         measure(*result, frame, before, handle);
         result->figures.cpu_seconds = before.cpu_seconds + watch_all.cpu();
@@ -198,6 +243,10 @@ std::string to_text(const BooleanReport& report) {
     text += "retained     " + std::to_string(report.retained) + " triangles of the operands, bit for bit; " +
             std::to_string(report.reconstructed) + " made or changed\n";
     text += "error bound  " + number(report.error_bound) + " mm\n";
+    if (report.fitted_vertices + report.unfitted_vertices > 0) {
+        text += "on surfaces  " + std::to_string(report.fitted_vertices) + " vertices put there, " +
+                std::to_string(report.unfitted_vertices) + " left on the meshes of the shapes\n";
+    }
     for (const std::string& sentence : report.repaired) {
         text += "repaired     " + sentence + "\n";
     }
@@ -219,6 +268,10 @@ void bind_boolean_report(py::module_& m) {
         .def_readonly("parted_contacts", &BooleanReport::parted_contacts, "points in which parts of the result touched")
         .def_readonly("separated_vertices", &BooleanReport::separated_vertices,
                       "vertices of surfaces that ran along each other")
+        .def_readonly("fitted_vertices", &BooleanReport::fitted_vertices,
+                      "made on the faces of shapes and put onto their surfaces")
+        .def_readonly("unfitted_vertices", &BooleanReport::unfitted_vertices,
+                      "left on the meshes of the shapes: the surfaces are too far, or a fault would result")
         .def("__str__", &to_text);
 }
 
@@ -244,7 +297,8 @@ void bind_boolean(py::module_& m) {
         .def_readwrite("cpu_seconds", &Before::cpu_seconds);
     m.def("boolean", &run_boolean, py::arg("operands"), py::arg("operation"), py::arg("options"), py::arg("method"),
           py::arg("before"), py::arg("progress") = py::none(),
-          "A Boolean of [(Surface, whether it may be rounded to single precision), ...]; returns a BooleanSurface.");
+          "A Boolean of [(Surface, whether it may be rounded to single precision, the Part.Shape it was made of or "
+          "None), ...]; returns a BooleanSurface.");
     m.def("verify", &verify_surface, py::arg("surface"), py::arg("progress") = py::none(),
           "{kind of fault: how many} of a Surface, found exactly; contacts are counted up to 1000.");
 }
