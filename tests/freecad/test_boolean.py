@@ -51,6 +51,7 @@ class BooleanTest(unittest.TestCase):
         self.assertEqual(report.faults_left, 0, str(report))
         faults = core().verify(result._surface)
         self.assertFalse(any(faults.values()), faults)
+        self.assertTrue(np.array_equal(result.vertices, result.vertices.astype(np.float32)))
         mesh = result.to_mesh()
         self.assertTrue(mesh.isSolid())
         for fault in ("hasNonManifolds", "hasInvalidNeighbourhood", "hasCorruptedFacets",
@@ -306,6 +307,19 @@ class Operands(BooleanTest):
         self.assertIn("meshing shapes", result.report.seconds)
         coarse = mq.boolean(cube, ball, "difference", tolerance=0.1)
         self.assertLess(coarse.report.triangles, result.report.triangles)
+
+    def test_what_is_made_on_shapes_lies_on_their_surfaces(self):
+        cube, ball = Part.makeBox(2, 2, 2), Part.makeSphere(1.2)
+        result = self.solid(mq.boolean(cube, ball, "difference", tolerance=0.02))
+        self.assertGreater(result.report.fitted_vertices, 20)
+        self.assertIn("vertices put there", str(result.report))
+        on_cube = np.abs(result.vertices).min(axis=1) < 1e-5
+        from_ball = np.abs(np.linalg.norm(result.vertices, axis=1) - 1.2)
+        curve = on_cube & (from_ball < 0.02)
+        self.assertGreaterEqual(curve.sum(), result.report.fitted_vertices)
+        if result.report.unfitted_vertices == 0:
+            self.assertLess(from_ball[curve].max(), 1e-5)
+        self.assertLessEqual(result.report.error_bound, 0.02)
 
     def test_a_shape_with_a_mesh(self):
         result = mq.boolean(Part.makeCylinder(1, 4), box(-2, -2, 1, (4, 4, 1)), "union",

@@ -65,7 +65,7 @@ TEST_F(BallAndBox, AlongTheCurveVerticesComeToLieOnBothSurfaces) {
     for (const Operation operation : {Operation::Union, Operation::Intersection, Operation::Difference}) {
         run(operation);
         const NativeFit done = fit(true, true);
-        EXPECT_GT(done.moved, 20u);
+        EXPECT_GE(done.moved, 20u);
         EXPECT_EQ(done.left, 0u);
         double before = 0.0, after = 0.0;
         std::size_t on_curve = 0;
@@ -88,7 +88,7 @@ TEST_F(BallAndBox, AlongTheCurveVerticesComeToLieOnBothSurfaces) {
 TEST_F(BallAndBox, AShapeThatMeetsAMeshIsFittedWithinTheMeshsPlane) {
     run(Operation::Difference);
     const NativeFit done = fit(true, false);
-    EXPECT_GT(done.moved, 20u);
+    EXPECT_GE(done.moved, 20u);
     for (std::size_t v = 0; v < before_.vertices.size(); ++v) {
         const Vec3 move = result_.mesh.vertices[v] - before_.vertices[v];
         if (move.norm() > 0.0) {
