@@ -11,8 +11,8 @@ using Vec3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
 /// A point in a face's parameter domain (u, v).
 using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 
-/// The nearest point of single-precision numbers. Number by number: of Eigen's casts to float and back within a loop,
-/// GCC 12 at -O3 leaves out the last ones.
+/// The nearest point of single-precision numbers. GCC 12 leaves out some of these roundings unless its vectoriser of
+/// straight-line code is off, as CMakeLists.txt has it.
 inline Vec3 to_single(const Vec3& p) {
     return {static_cast<double>(static_cast<float>(p.x())), static_cast<double>(static_cast<float>(p.y())),
             static_cast<double>(static_cast<float>(p.z()))};

@@ -56,10 +56,6 @@ struct Candidate {
     }
 };
 
-bool single(const Vec3& p) {
-    return p == p.cast<float>().cast<double>();
-}
-
 Vec3 normal_of(const std::vector<Vec3>& vertices, const Triangle& t) {
     return (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]);
 }
@@ -141,8 +137,8 @@ class Fitting {
             } else if (!arrived || (c.now - c.before).norm() > limit) {
                 ++fit.left;
                 c.now = c.before;
-            } else if (single(c.before)) {
-                c.now = c.now.cast<float>().cast<double>();
+            } else if (is_single(c.before)) {
+                c.now = to_single(c.now);
             }
             result_.vertices[static_cast<std::size_t>(c.vertex)] = c.now;
         }

@@ -111,7 +111,7 @@ TEST_F(BallAndBox, NothingElseMovesAndNothingMovesTooFar) {
         if (made_here.count(static_cast<std::int32_t>(v)) == 0) {
             EXPECT_EQ(p, before_.vertices[v]);
         }
-        EXPECT_EQ(p, solids::to_single(p));
+        EXPECT_EQ(p, to_single(p));
         EXPECT_LE((p - before_.vertices[v]).norm(), limit + 1e-6);
     }
     expect_sound();
