@@ -163,17 +163,19 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
     const TriangleTree tree(vertices, triangles);
     constexpr std::size_t kTasks = 64;
     const std::vector<TriangleTree::Task> tasks = tree.own_pair_tasks(kTasks);
-    // Each task may find as many as its share, and some more where pairs are gathered.
-    const std::size_t most = limit == kAllPairs ? kAllPairs : 4 * limit / std::max<std::size_t>(1, tasks.size()) + 1;
-    std::vector<std::vector<ContactPair>> found(tasks.size());
-    for_all(static_cast<int>(tasks.size()), [&](int k) {
-        Collector collector(vertices, triangles, embedded, most, progress);
-        tree.for_each_own_pair(tasks[static_cast<std::size_t>(k)], collector);
-        found[static_cast<std::size_t>(k)] = collector.take();
-    });
+    // With a limit the tasks come in turns, so that the search can end early.
+    const std::size_t turn = limit == kAllPairs ? tasks.size() : 8;
     std::vector<ContactPair> all;
-    for (const std::vector<ContactPair>& part : found) {
-        all.insert(all.end(), part.begin(), part.end());
+    for (std::size_t first = 0; first < tasks.size() && all.size() < limit; first += turn) {
+        std::vector<std::vector<ContactPair>> found(std::min(turn, tasks.size() - first));
+        for_all(static_cast<int>(found.size()), [&](int k) {
+            Collector collector(vertices, triangles, embedded, limit, progress);
+            tree.for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
+            found[static_cast<std::size_t>(k)] = collector.take();
+        });
+        for (const std::vector<ContactPair>& part : found) {
+            all.insert(all.end(), part.begin(), part.end());
+        }
     }
     all.resize(std::min(all.size(), limit));
     return sorted(std::move(all));

@@ -223,5 +223,35 @@ TEST(EmbeddedStar, IsNeverMistaken) {
     EXPECT_GT(held, scaled_cases(400));
 }
 
+TEST(SelfIntersections, WithinALimitNothingIsMissedWhereverThePairsAre) {
+    // A large sheet without faults, and a knot of crossing triangles in one place.
+    constexpr int kSide = 150;
+    std::vector<Vec3> vertices;
+    std::vector<Triangle> triangles;
+    for (int y = 0; y <= kSide; ++y) {
+        for (int x = 0; x <= kSide; ++x) {
+            vertices.emplace_back(x, y, 0.0);
+            const auto at = [](int i, int j) { return static_cast<std::int32_t>(j * (kSide + 1) + i); };
+            if (x < kSide && y < kSide) {
+                triangles.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+                triangles.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+            }
+        }
+    }
+    constexpr int kKnot = 30;
+    for (int k = 0; k < kKnot; ++k) {
+        const double angle = M_PI * k / kKnot;
+        const Vec3 along(std::cos(angle), std::sin(angle), 0.0);
+        const auto first = static_cast<std::int32_t>(vertices.size());
+        const Vec3 center(70.5, 70.5, 5.0);
+        vertices.insert(vertices.end(), {center - along, center + along, center + Vec3(0.0, 0.0, 1.0 + 0.01 * k)});
+        triangles.push_back({first, first + 1, first + 2});
+    }
+    const std::size_t pairs = kKnot * (kKnot - 1) / 2;
+    ASSERT_EQ(self_intersections(vertices, triangles).size(), pairs);
+    EXPECT_EQ(self_intersections(vertices, triangles, pairs + 1).size(), pairs);
+    EXPECT_EQ(self_intersections(vertices, triangles, pairs - 1).size(), pairs - 1);
+}
+
 }  // namespace
 }  // namespace mq::mesh
