@@ -229,7 +229,7 @@ class Run {
         for (std::size_t k = 0; k < plan.variants.size() && fewest > 0; ++k) {
             Draft trial = draft;
             move_copies(trial, plan, k);
-            const std::size_t faults = count_faults(trial, progress_);
+            const std::size_t faults = count_parting_faults(trial, progress_);
             if (faults < fewest) {
                 fewest = faults;
                 best = std::move(trial);

@@ -11,10 +11,15 @@
 
 namespace mq::boolean {
 
+/// Of a vertex: the operands' own, constructed or moved here, or a copy that was parted from others.
+constexpr char kOwn = 0;
+constexpr char kMade = 1;
+constexpr char kParted = 2;
+
 /// A result in the making.
 struct Draft {
     std::vector<Vec3> vertices;
-    std::vector<char> made;  ///< of each vertex: 1 constructed or moved here, 2 parted; 0 the operands' own
+    std::vector<char> made;  ///< of each vertex: kOwn, kMade or kParted
     std::vector<Triangle> triangles;
     std::vector<Source> source;  ///< of each triangle; operand -1 where it was made or changed here
     std::map<std::int32_t, std::vector<Vec3>> places;  ///< of parted vertices: where else they may be

@@ -175,7 +175,7 @@ class DoubleEdges {
         for (const Wedge& wedge : wedges) {
             copies.push_back(static_cast<std::int32_t>(draft_.vertices.size()));
             draft_.vertices.push_back(middle);
-            draft_.made.push_back(1);
+            draft_.made.push_back(kMade);
             for (const std::size_t corner : wedge) {
                 split(corner / 3, ends, copies.back());
             }
@@ -256,7 +256,7 @@ void take_vertices(const Soup& soup, const PointTable& points,
                 draft.vertices.push_back(points.approx(p));
                 const bool moved =
                     points.given(p) && !soup.moved.empty() && soup.moved[static_cast<std::size_t>(p)] != 0;
-                draft.made.push_back(points.given(p) && !moved ? 0 : 1);
+                draft.made.push_back(points.given(p) && !moved ? kOwn : kMade);
             }
             v = at;
         }

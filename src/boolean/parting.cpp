@@ -76,11 +76,11 @@ void move_copies(Draft& draft, const PartingPlan& plan, std::size_t variant) {
         const Vec3& target = plan.variants[variant][i];
         draft.largest_move = std::max(draft.largest_move, (target - draft.vertices[v]).norm());
         draft.vertices[v] = target;
-        draft.made[v] = 2;
+        draft.made[v] = kParted;
     }
     for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
         for (const std::int32_t v : draft.triangles[t]) {
-            if (draft.made[static_cast<std::size_t>(v)] == 2) {
+            if (draft.made[static_cast<std::size_t>(v)] == kParted) {
                 draft.source[t] = Source{};
             }
         }

@@ -281,7 +281,7 @@ class Repairer {
         std::sort(order.begin(), order.end());
         return std::any_of(order.begin(), order.end(), [&](const auto& entry) {
             const auto [from, to] = entry.second;
-            return draft_.made[static_cast<std::size_t>(from)] != 0 && collapse(from, to);
+            return draft_.made[static_cast<std::size_t>(from)] != kOwn && collapse(from, to);
         });
     }
 
@@ -380,7 +380,7 @@ class Repairer {
     bool move_some(std::int32_t t) {
         const Triangle c = triangle(t);
         return std::any_of(c.begin(), c.end(),
-                           [&](std::int32_t v) { return draft_.made[static_cast<std::size_t>(v)] != 0 && move(v); });
+                           [&](std::int32_t v) { return draft_.made[static_cast<std::size_t>(v)] != kOwn && move(v); });
     }
 
     /// Tries the other places of a parted vertex, then those near it, one and then several units of single precision
@@ -433,9 +433,9 @@ class Repairer {
     std::vector<std::int32_t> changed_list_;
 };
 
-Faults find_faults(const Draft& draft, const Progress& progress) {
+/// Of some triangles and what they meet.
+Faults find_faults(const Draft& draft, const std::vector<std::int32_t>& fresh, const Progress& progress) {
     Faults faults;
-    const std::vector<std::int32_t> fresh = new_triangles(draft);
     for (const mesh::ContactPair& pair :
          mesh::self_intersections_with(draft.vertices, draft.triangles, fresh, mesh::kAllPairs, &progress)) {
         faults.insert(pair.a);
@@ -467,7 +467,7 @@ void remove_gone(Draft& draft) {
 
 void round_to_single(Draft& draft) {
     for (std::size_t v = 0; v < draft.vertices.size(); ++v) {
-        if (draft.made[v] != 0) {
+        if (draft.made[v] != kOwn) {
             const Vec3 exact = draft.vertices[v];
             draft.vertices[v] = to_single(exact);
             draft.largest_move = std::max(draft.largest_move, (draft.vertices[v] - exact).norm());
@@ -475,15 +475,23 @@ void round_to_single(Draft& draft) {
     }
 }
 
-std::size_t count_faults(const Draft& draft, const Progress& progress) {
-    return find_faults(draft, progress).size();
+std::size_t count_parting_faults(const Draft& draft, const Progress& progress) {
+    std::vector<std::int32_t> parted;
+    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
+        const Triangle& c = draft.triangles[t];
+        if (std::any_of(c.begin(), c.end(),
+                        [&](std::int32_t v) { return draft.made[static_cast<std::size_t>(v)] == kParted; })) {
+            parted.push_back(static_cast<std::int32_t>(t));
+        }
+    }
+    return find_faults(draft, parted, progress).size();
 }
 
 RepairCount repair(Draft& draft, double distance, const Progress& progress) {
     constexpr int kRounds = 4;
     RepairCount total;
     for (int round = 0; round < kRounds; ++round) {
-        Faults faults = find_faults(draft, progress);
+        Faults faults = find_faults(draft, new_triangles(draft), progress);
         total.found = round == 0 ? faults.size() : total.found;
         total.left = faults.size();
         if (faults.empty()) {

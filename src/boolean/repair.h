@@ -20,8 +20,8 @@ struct RepairCount {
     std::size_t moved = 0;
 };
 
-/// Triangles that have no area, or touch or cross others, among those that were made or changed and what they meet.
-std::size_t count_faults(const Draft& draft, const Progress& progress);
+/// Triangles that have no area, or touch or cross others, among those at parted vertices and what they meet.
+std::size_t count_parting_faults(const Draft& draft, const Progress& progress);
 
 /// Looks for degenerate triangles and self-intersections, which the rounding of made vertices causes, and removes them
 /// by local changes next to made vertices: swapping an edge, collapsing one (not longer than `distance`, mm), or moving
