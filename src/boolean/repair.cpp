@@ -310,8 +310,8 @@ class Repairer {
         return done;
     }
 
-    /// The ends of the edge have just the two apexes of its triangles as common neighbours, and more than three
-    /// triangles each.
+    /// The ends of the edge have just the two apexes of its triangles as common neighbours, and each of the three
+    /// vertices that stay keeps at least three triangles.
     bool link_condition(std::int32_t a, std::int32_t b) {
         const auto neighbours = [&](std::int32_t v) {
             std::set<std::int32_t> result;
@@ -323,10 +323,14 @@ class Repairer {
         const std::set<std::int32_t> of_a = neighbours(a);
         const std::set<std::int32_t> of_b = neighbours(b);
         std::size_t common = 0;
+        bool enough = star(a).size() + star(b).size() >= 7;
         for (const std::int32_t v : of_a) {
-            common += v != a && v != b && of_b.count(v) > 0 ? 1 : 0;
+            if (v != a && v != b && of_b.count(v) > 0) {
+                ++common;
+                enough = enough && star(v).size() >= 4;
+            }
         }
-        return common == 2 && star(a).size() > 3 && star(b).size() > 3;
+        return common == 2 && enough;
     }
 
     bool flip_some(std::int32_t t) {
