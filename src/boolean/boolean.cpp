@@ -196,6 +196,10 @@ class Run {
         result_.parted_contacts = extraction.copies.size();
         const RepairCount repaired = repair(draft, std::min(tolerance_, kRepairPart * size_), progress_);
         result_.faults_left = repaired.left;
+        if (repaired.flakes > 0) {
+            result_.notes.push_back(std::to_string(repaired.flakes) +
+                                    " flakes thinner than single precision can hold were left out");
+        }
         if (repaired.left > 0) {
             result_.notes.push_back(std::to_string(repaired.left) +
                                     " triangles touch or cross others: rounding made them, and no change nearby helps");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -455,6 +456,54 @@ Faults find_faults(const Draft& draft, const std::vector<std::int32_t>& fresh, c
     return faults;
 }
 
+/// Marks as gone the components of some triangles that are flakes: thinner on average than `thinnest`.
+std::size_t remove_flakes(Draft& draft, const Faults& faults, double thinnest) {
+    std::vector<std::int32_t> parent(draft.vertices.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto find = [&](std::int32_t v) {
+        while (parent[static_cast<std::size_t>(v)] != v) {
+            std::int32_t& up = parent[static_cast<std::size_t>(v)];
+            v = up = parent[static_cast<std::size_t>(up)];
+        }
+        return v;
+    };
+    for (const Triangle& c : draft.triangles) {
+        parent[static_cast<std::size_t>(find(c[1]))] = find(c[0]);
+        parent[static_cast<std::size_t>(find(c[2]))] = find(c[0]);
+    }
+    struct Size {
+        Vec3 origin;
+        double six_volumes = 0.0;
+        double two_areas = 0.0;
+    };
+    std::map<std::int32_t, Size> sizes;
+    for (const std::int32_t t : faults) {
+        const std::int32_t v = draft.triangles[static_cast<std::size_t>(t)][0];
+        sizes[find(v)].origin = draft.vertices[static_cast<std::size_t>(v)];
+    }
+    for (const Triangle& c : draft.triangles) {
+        const auto found = sizes.find(find(c[0]));
+        if (found != sizes.end()) {
+            const auto at = [&](std::size_t k) -> Vec3 {
+                return draft.vertices[static_cast<std::size_t>(c[k])] - found->second.origin;
+            };
+            found->second.six_volumes += at(0).dot(at(1).cross(at(2)));
+            found->second.two_areas += (at(1) - at(0)).cross(at(2) - at(0)).norm();
+        }
+    }
+    // A slab has its area twice: thickness = 2 volume / area = 2 / 3 (six volumes) / (two areas).
+    const auto thick = [&](const auto& entry) {
+        return 2.0 / 3.0 * std::abs(entry.second.six_volumes) > thinnest * entry.second.two_areas;
+    };
+    for (auto it = sizes.begin(); it != sizes.end();) {
+        it = thick(*it) ? sizes.erase(it) : std::next(it);
+    }
+    for (Triangle& c : draft.triangles) {
+        c = sizes.count(find(c[0])) > 0 ? kGone : c;
+    }
+    return sizes.size();
+}
+
 void remove_gone(Draft& draft) {
     std::size_t kept = 0;
     for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
@@ -517,6 +566,13 @@ RepairCount repair(Draft& draft, double distance, const Progress& progress) {
         if (done == 0) {
             break;
         }
+    }
+    if (total.left > 0) {
+        constexpr double kThinnest = 0.02;  // of the distance allowed, some units of single precision
+        const Faults faults = find_faults(draft, new_triangles(draft), progress);
+        total.flakes = remove_flakes(draft, faults, kThinnest * distance);
+        remove_gone(draft);
+        total.left = total.flakes > 0 ? find_faults(draft, new_triangles(draft), progress).size() : faults.size();
     }
     return total;
 }

@@ -18,6 +18,7 @@ struct RepairCount {
     std::size_t collapsed = 0;
     std::size_t flipped = 0;
     std::size_t moved = 0;
+    std::size_t flakes = 0;  ///< components left out
 };
 
 /// Triangles that have no area, or touch or cross others, among those at parted vertices and what they meet.
@@ -27,6 +28,8 @@ std::size_t count_parting_faults(const Draft& draft, const Progress& progress);
 /// by local changes next to made vertices: swapping an edge, collapsing one (not longer than `distance`, mm), or moving
 /// a vertex by a few units in its last place. A change stays only if it leaves fewer faults around it.
 /// The operands' own triangles change only where they share an edge or a vertex with a fault.
+/// Components with faults that are thinner than single precision can tell apart are left out, as gaps and slabs thinner
+/// than epsilon are in Wang 2010, section IV.B.
 RepairCount repair(Draft& draft, double distance, const Progress& progress);
 
 }  // namespace mq::boolean

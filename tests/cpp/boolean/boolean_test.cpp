@@ -245,7 +245,7 @@ TEST_P(BooleanFuzz, ResultsAreSoundAndVolumesAddUp) {
 }
 
 TEST(Boolean, SeedsThatFailedOnce) {
-    for (const std::uint64_t seed : {1117, 1451, 1646}) {
+    for (const std::uint64_t seed : {804, 1117, 1283, 1451, 1646, 1774, 1885}) {
         expect_sound_booleans(seed);
     }
 }
