@@ -67,6 +67,7 @@ void merge_where(Soup& soup, Asked&& asked) {
     std::vector<std::int32_t> first(soup.vertices.size());
     std::iota(first.begin(), first.end(), 0);
     tsl::robin_map<std::array<std::uint64_t, 3>, std::int32_t, BitsHash> at;
+    at.reserve(soup.vertices.size() / 4);
     bool merged = false;
     for (std::size_t v = 0; v < soup.vertices.size(); ++v) {
         if (asked(v)) {
