@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "boolean/face_division.h"
 #include "boolean/triangle_pair.h"
@@ -14,39 +14,29 @@ namespace mq::boolean {
 
 namespace {
 
-/// Union of triangles by their overlaps in common planes.
-class Clusters {
-  public:
-    explicit Clusters(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {
-        for (const auto& [a, b] : pairs) {
-            const std::int32_t one = root(a);
-            const std::int32_t two = root(b);
-            parent_[std::max(one, two)] = std::min(one, two);
-        }
+/// Clusters of triangles that overlap in a common plane, in pairs: each cluster's triangles, ascending.
+std::vector<std::vector<std::int32_t>> clusters_of(const std::vector<std::pair<std::int32_t, std::int32_t>>& pairs) {
+    std::vector<std::int32_t> members;
+    for (const auto& [a, b] : pairs) {
+        members.insert(members.end(), {a, b});
     }
-    /// Each cluster's triangles, ascending.
-    std::vector<std::vector<std::int32_t>> lists() {
-        std::map<std::int32_t, std::vector<std::int32_t>> by_root;
-        for (const auto& entry : parent_) {
-            by_root[root(entry.first)].push_back(entry.first);
-        }
-        std::vector<std::vector<std::int32_t>> result;
-        for (auto& entry : by_root) {
-            result.push_back(std::move(entry.second));
-        }
-        return result;
+    std::sort(members.begin(), members.end());
+    members.erase(std::unique(members.begin(), members.end()), members.end());
+    const auto place = [&](std::int32_t t) {
+        return static_cast<std::int32_t>(std::lower_bound(members.begin(), members.end(), t) - members.begin());
+    };
+    DisjointSets<std::int32_t> sets(members.size());
+    for (const auto& [a, b] : pairs) {
+        sets.unite(place(a), place(b));
     }
-
-  private:
-    std::int32_t root(std::int32_t t) {
-        parent_.emplace(t, t);
-        while (parent_[t] != t) {
-            t = parent_[t] = parent_[parent_[t]];
-        }
-        return t;
+    std::int32_t count = 0;
+    const std::vector<std::int32_t> number = sets.number(count);
+    std::vector<std::vector<std::int32_t>> result(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        result[static_cast<std::size_t>(number[i])].push_back(members[i]);
     }
-    std::map<std::int32_t, std::int32_t> parent_;
-};
+    return result;
+}
 
 /// Replaces points in the same place by one of them.
 void make_canonical(const std::vector<std::int32_t>& canonical, Incidences& found) {
@@ -228,7 +218,7 @@ Arrangement arrange(const Soup& soup, const std::vector<Twin>& twins,
         intersect(soup, crossing[i][0], crossing[i][1], result.points, found);
     }
     make_canonical(result.points.canonical(), found);
-    Divider(soup, found, result, progress).run(std::move(gone), Clusters(found.overlapping).lists());
+    Divider(soup, found, result, progress).run(std::move(gone), clusters_of(found.overlapping));
     const std::vector<std::int32_t> canonical = result.points.canonical();
     for (Face& face : result.faces) {
         for (std::int32_t& p : face.points) {

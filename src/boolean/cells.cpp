@@ -2,10 +2,10 @@
 #include "boolean/cells.h"
 
 #include <algorithm>
-#include <numeric>
 #include <queue>
 #include <string>
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "boolean/radial_order.h"
 #include "boolean/winding_ray.h"
@@ -15,37 +15,7 @@ namespace mq::boolean {
 
 namespace {
 
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-    std::int32_t find(std::int32_t i) {
-        while (parent_[static_cast<std::size_t>(i)] != i) {
-            std::int32_t& up = parent_[static_cast<std::size_t>(i)];
-            up = parent_[static_cast<std::size_t>(up)];
-            i = up;
-        }
-        return i;
-    }
-    void unite(std::int32_t a, std::int32_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-    }
-
-    /// Numbers the sets 0, 1, ... in the order of their lowest members.
-    std::vector<std::int32_t> number(std::int32_t& count) {
-        std::vector<std::int32_t> result(parent_.size());
-        count = 0;
-        for (std::size_t i = 0; i < parent_.size(); ++i) {
-            const auto root = static_cast<std::size_t>(find(static_cast<std::int32_t>(i)));
-            result[i] = root == i ? count++ : result[root];
-        }
-        return result;
-    }
-
-  private:
-    std::vector<std::int32_t> parent_;
-};
+using Sets = DisjointSets<std::int32_t>;
 
 std::string position(const Vec3& p) {
     return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")";
@@ -91,7 +61,7 @@ class CellFinder {
             triangles.push_back(face.points);
         }
         const mesh::EdgeTable table(triangles, static_cast<std::size_t>(arrangement_.points.size()));
-        DisjointSets sets(triangles.size());
+        Sets sets(triangles.size());
         table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
             if (last - first == 1) {
                 throw TopologyError("the surfaces do not close at the edge near " +
@@ -117,8 +87,8 @@ class CellFinder {
 
     /// Sides of patches are in one cell where they face each other across an edge. Side 2 p is the front of patch p.
     void find_sides() {
-        DisjointSets sides(2 * cells_.patches);
-        DisjointSets bodies(cells_.patches);
+        Sets sides(2 * cells_.patches);
+        Sets bodies(cells_.patches);
         std::vector<RadialFace> around;
         for (const CurveEdge& edge : curve_) {
             around.clear();

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <unordered_map>
 
+#include "base/disjoint_sets.h"
 #include "boolean/radial_order.h"
 
 namespace mq::boolean {
@@ -36,7 +36,7 @@ class FanOpener {
                 continue;
             }
             std::vector<std::int32_t>& list = copies[point_[i]];
-            const std::size_t fan = find(i);
+            const std::size_t fan = fans_.find(i);
             if (copy_of.count(fan) == 0) {
                 copy_of[fan] = list.empty() ? point_[i] : fresh++;
                 list.push_back(copy_of[fan]);
@@ -61,8 +61,7 @@ class FanOpener {
                 }
             }
         }
-        parent_.resize(corner_.size());
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+        fans_ = DisjointSets<std::size_t>(corner_.size());
     }
 
     void join() {
@@ -91,8 +90,8 @@ class FanOpener {
     void join_sides(std::size_t a, std::size_t b, const EdgeKey& edge) {
         const bool a_up = point_[a] == edge[0];
         const bool b_up = point_[b] == edge[0];
-        unite(a_up ? a : next(a), b_up ? b : next(b));
-        unite(a_up ? next(a) : a, b_up ? next(b) : b);
+        fans_.unite(a_up ? a : next(a), b_up ? b : next(b));
+        fans_.unite(a_up ? next(a) : a, b_up ? next(b) : b);
     }
 
     /// More than two triangles at an edge are neighbours across the material between them.
@@ -118,24 +117,11 @@ class FanOpener {
         }
     }
 
-    std::size_t find(std::size_t i) {
-        while (parent_[i] != i) {
-            parent_[i] = parent_[parent_[i]];
-            i = parent_[i];
-        }
-        return i;
-    }
-    void unite(std::size_t a, std::size_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
     const PointTable& points_;
     std::vector<Triangle>& triangles_;
     std::vector<std::size_t> corner_;  ///< of each slot: 3 triangle + k
     std::vector<std::int32_t> point_;  ///< of each slot
-    std::vector<std::size_t> parent_;
+    DisjointSets<std::size_t> fans_{0};
     std::vector<std::vector<Wedge>> wedges_;
 };
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
+#include "base/disjoint_sets.h"
 #include "base/predicates.h"
 #include "mesh/self_intersection.h"
 #include "mesh/triangle_contact.h"
@@ -458,18 +458,10 @@ Faults find_faults(const Draft& draft, const std::vector<std::int32_t>& fresh, c
 
 /// Marks as gone the components of some triangles that are flakes: thinner on average than `thinnest`.
 std::size_t remove_flakes(Draft& draft, const Faults& faults, double thinnest) {
-    std::vector<std::int32_t> parent(draft.vertices.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto find = [&](std::int32_t v) {
-        while (parent[static_cast<std::size_t>(v)] != v) {
-            std::int32_t& up = parent[static_cast<std::size_t>(v)];
-            v = up = parent[static_cast<std::size_t>(up)];
-        }
-        return v;
-    };
+    DisjointSets<std::int32_t> components(draft.vertices.size());
     for (const Triangle& c : draft.triangles) {
-        parent[static_cast<std::size_t>(find(c[1]))] = find(c[0]);
-        parent[static_cast<std::size_t>(find(c[2]))] = find(c[0]);
+        components.unite(c[0], c[1]);
+        components.unite(c[0], c[2]);
     }
     struct Size {
         Vec3 origin;
@@ -479,10 +471,10 @@ std::size_t remove_flakes(Draft& draft, const Faults& faults, double thinnest) {
     std::map<std::int32_t, Size> sizes;
     for (const std::int32_t t : faults) {
         const std::int32_t v = draft.triangles[static_cast<std::size_t>(t)][0];
-        sizes[find(v)].origin = draft.vertices[static_cast<std::size_t>(v)];
+        sizes[components.find(v)].origin = draft.vertices[static_cast<std::size_t>(v)];
     }
     for (const Triangle& c : draft.triangles) {
-        const auto found = sizes.find(find(c[0]));
+        const auto found = sizes.find(components.find(c[0]));
         if (found != sizes.end()) {
             const auto at = [&](std::size_t k) -> Vec3 {
                 return draft.vertices[static_cast<std::size_t>(c[k])] - found->second.origin;
@@ -499,7 +491,7 @@ std::size_t remove_flakes(Draft& draft, const Faults& faults, double thinnest) {
         it = thick(*it) ? sizes.erase(it) : std::next(it);
     }
     for (Triangle& c : draft.triangles) {
-        c = sizes.count(find(c[0])) > 0 ? kGone : c;
+        c = sizes.count(components.find(c[0])) > 0 ? kGone : c;
     }
     return sizes.size();
 }

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
+
+#include "base/disjoint_sets.h"
 
 namespace mq::geometry {
 
@@ -37,14 +38,6 @@ bool turns_too_much(const Answer* samples) {
         }
     }
     return worst > kMaxTurn;
-}
-
-int find_root(std::vector<int>& parent, int i) {
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
 }
 
 }  // namespace
@@ -128,19 +121,16 @@ void EdgeChains::collapse_short_edges(const Topology& topology) {
 }
 
 void EdgeChains::place_nodes(const Topology& topology) {
-    std::vector<int> parent(topology.nodes.size());
-    std::iota(parent.begin(), parent.end(), 0);
+    DisjointSets<int> places(topology.nodes.size());
     for (std::size_t e = 0; e < chains_.size(); ++e) {
         const auto& nodes = topology.edges[e].nodes;
         if (chains_[e].collapsed && nodes[0] >= 0 && nodes[1] >= 0) {
-            const int a = find_root(parent, nodes[0]);
-            const int b = find_root(parent, nodes[1]);
-            parent[std::max(a, b)] = std::min(a, b);
+            places.unite(nodes[0], nodes[1]);
         }
     }
     node_vertex_.assign(topology.nodes.size(), -1);
     for (int n = 0; n < static_cast<int>(topology.nodes.size()); ++n) {
-        const int root = find_root(parent, n);
+        const int root = places.find(n);
         if (root == n) {
             node_vertex_[n] = static_cast<int>(vertices_.size());
             vertices_.push_back({grid_.snap(topology.nodes[n].point), {0, n}});

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "base/predicates.h"
 #include "mesh/edge_table.h"
 #include "mesh/exemptions.h"
@@ -17,27 +17,7 @@ namespace {
 
 constexpr double kDegrees = 57.295779513082320876798;
 
-/// Disjoint sets with path halving; the root is always the smallest member, so that results do not depend on order.
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) {
-            parent_[i] = parent_[parent_[i]];
-            i = parent_[i];
-        }
-        return i;
-    }
-    void unite(std::uint32_t a, std::uint32_t b) {
-        a = find(a);
-        b = find(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
+using Sets = DisjointSets<std::uint32_t>;
 
 struct Shape {
     double min_angle = 0.0;
@@ -120,7 +100,7 @@ std::size_t duplicates_at(const TriangleMesh& mesh, std::int32_t high, const std
 
 /// Corners of one vertex that belong to triangles joined across an edge form one fan.
 void unite_fans(const TriangleMesh& mesh, std::int32_t low, const std::uint32_t* first, const std::uint32_t* last,
-                DisjointSets& fans) {
+                Sets& fans) {
     const auto at = [&](std::uint32_t corner, bool at_low) {
         const bool starts_low = mesh.triangles[corner / 3][corner % 3] == low;
         return starts_low == at_low ? corner : corner / 3 * 3 + (corner % 3 + 1) % 3;
@@ -131,8 +111,7 @@ void unite_fans(const TriangleMesh& mesh, std::int32_t low, const std::uint32_t*
     }
 }
 
-void measure_fans(const TriangleMesh& mesh, std::size_t edges, DisjointSets& fans, DisjointSets& bodies,
-                  MeshReport& report) {
+void measure_fans(const TriangleMesh& mesh, std::size_t edges, Sets& fans, Sets& bodies, MeshReport& report) {
     std::vector<std::uint8_t> fans_at(mesh.vertices.size(), 0);
     long faces = 0;
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
@@ -157,8 +136,8 @@ void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progre
     Pace pace(progress);
     const EdgeTable table(mesh.triangles, mesh.vertices.size());
     check(progress);
-    DisjointSets fans(3 * mesh.triangles.size());
-    DisjointSets bodies(mesh.triangles.size());
+    Sets fans(3 * mesh.triangles.size());
+    Sets bodies(mesh.triangles.size());
     std::vector<std::int32_t> opposite;
     std::size_t edges = 0;
     table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {

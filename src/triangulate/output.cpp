@@ -2,7 +2,8 @@
 #include "triangulate/output.h"
 
 #include <cmath>
-#include <numeric>
+
+#include "base/disjoint_sets.h"
 
 namespace mq::triangulate {
 
@@ -10,25 +11,17 @@ namespace {
 
 using mesh::SurfaceMesh;
 
-int find_root(std::vector<int>& parent, int i) {
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
-}
-
 // One volume on its way out: its triangles, and which corners (half-edges) are one vertex.
 class VolumeWriter {
   public:
     VolumeWriter(const SurfaceMesh& mesh, const geometry::Volume& volume, std::vector<char>& flipped,
-                 std::vector<char>& present, std::vector<int>& parent, std::vector<int>& vertex_of_root,
+                 std::vector<char>& present, DisjointSets<int>& corners, std::vector<int>& vertex_of_root,
                  const Progress& progress)
         : mesh_(mesh),
           volume_(volume),
           flipped_(flipped),
           present_(present),
-          parent_(parent),
+          corners_(corners),
           vertex_of_root_(vertex_of_root),
           pace_(progress) {}
 
@@ -40,7 +33,7 @@ class VolumeWriter {
             for (const int t : triangles_of_face[side.face]) {
                 triangles.push_back(t);
                 for (int h = 3 * t; h < 3 * t + 3; ++h) {
-                    parent_[h] = h;
+                    corners_.reset(h);
                     vertex_of_root_[h] = -1;
                 }
             }
@@ -123,15 +116,9 @@ class VolumeWriter {
             return false;
         }
         const bool same_way = mesh_.vertex_of(g) == mesh_.vertex_of(h);
-        join(h, same_way ? g : SurfaceMesh::next(g));
-        join(SurfaceMesh::next(h), same_way ? SurfaceMesh::next(g) : g);
+        corners_.unite(h, same_way ? g : SurfaceMesh::next(g));
+        corners_.unite(SurfaceMesh::next(h), same_way ? SurfaceMesh::next(g) : g);
         return true;
-    }
-
-    void join(int a, int b) {
-        const int ra = find_root(parent_, a);
-        const int rb = find_root(parent_, b);
-        parent_[std::max(ra, rb)] = std::min(ra, rb);
     }
 
     double signed_volume(const std::vector<int>& triangles) const {
@@ -148,7 +135,7 @@ class VolumeWriter {
             pace_.step();
             mesh::Triangle corners{};
             for (int i = 0; i < 3; ++i) {
-                const int root = find_root(parent_, 3 * t + i);
+                const int root = corners_.find(3 * t + i);
                 if (vertex_of_root_[root] < 0) {
                     vertex_of_root_[root] = static_cast<int>(out.mesh.vertices.size());
                     const SurfaceMesh::Vertex& v = mesh_.vertex(mesh_.vertex_of(3 * t + i));
@@ -170,7 +157,7 @@ class VolumeWriter {
     const geometry::Volume& volume_;
     std::vector<char>& flipped_;  // by face, of this volume
     std::vector<char>& present_;
-    std::vector<int>& parent_;  // by corner
+    DisjointSets<int>& corners_;  // joined to vertices
     std::vector<int>& vertex_of_root_;
     Pace pace_;
 };
@@ -187,10 +174,10 @@ Output write_out(const SurfaceMesh& mesh, const geometry::Topology& topology, co
     }
     std::vector<char> flipped(topology.faces.size(), 0);
     std::vector<char> present(topology.faces.size(), 0);
-    std::vector<int> parent(mesh.half_edge_count());
+    DisjointSets<int> corners(mesh.half_edge_count());
     std::vector<int> vertex_of_root(mesh.half_edge_count());
     for (const geometry::Volume& volume : topology.volumes) {
-        VolumeWriter(mesh, volume, flipped, present, parent, vertex_of_root, progress).run(triangles_of_face, out);
+        VolumeWriter(mesh, volume, flipped, present, corners, vertex_of_root, progress).run(triangles_of_face, out);
     }
     return out;
 }
