@@ -282,6 +282,12 @@ int orient2d(const Vec2& a, const Vec2& b, const Vec2& c) {
         .sign();
 }
 
+int orient2d(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
+    const int i = (axis + 1) % 3;
+    const int j = (axis + 2) % 3;
+    return orient2d(Vec2(a[i], a[j]), Vec2(b[i], b[j]), Vec2(c[i], c[j]));
+}
+
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
     const auto flat = [&](int x, int y) { return orient2d(Vec2(a[x], a[y]), Vec2(b[x], b[y]), Vec2(c[x], c[y])) == 0; };
     return flat(0, 1) && flat(1, 2) && flat(2, 0);

@@ -49,6 +49,14 @@ class Progress {
     std::atomic<bool> cancelled_{false};
 };
 
+/// Looks for a cancellation where there may be nobody who watches.
+/// @throws Cancelled
+inline void look_for_cancel(const Progress* progress) {
+    if (progress != nullptr) {
+        progress->check();
+    }
+}
+
 /// Looks for a cancellation at every 4096th step of a long loop.
 class Pace {
   public:

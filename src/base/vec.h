@@ -32,6 +32,11 @@ struct Box {
         high = high.cwiseMax(p);
     }
     bool empty() const { return low.x() > high.x(); }
+    /// Boxes are closed: faces, edges and corners meet too.
+    bool meets(const Box& o) const {
+        return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all();
+    }
+    bool contains(const Vec3& p) const { return (low.array() <= p.array()).all() && (p.array() <= high.array()).all(); }
     /// The largest dimension L of the part (Aftosmis 1999, section 4.2).
     double largest_side() const { return empty() ? 0.0 : (high - low).maxCoeff(); }
     Vec3 center() const { return 0.5 * (low + high); }

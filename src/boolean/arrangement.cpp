@@ -205,7 +205,7 @@ void remove_cancelled(const Soup& soup, Arrangement& result) {
 Arrangement arrange(const Soup& soup, const std::vector<Twin>& twins,
                     const std::vector<std::array<std::int32_t, 2>>& crossing, const Progress& progress) {
     constexpr std::size_t kBetweenChecks = 1024;
-    Arrangement result{PointTable(soup), {}, {}, crossing.size()};
+    Arrangement result{PointTable(soup), {}, {}};
     std::vector<char> gone(soup.triangles.size(), 0);
     for (const Twin& twin : twins) {
         gone[static_cast<std::size_t>(twin.triangle)] = 1;

@@ -31,7 +31,6 @@ struct Arrangement {
     PointTable points;
     std::vector<Face> faces;
     std::vector<std::vector<Cover>> stacks;
-    std::size_t crossing_pairs = 0;
 };
 
 /// @param crossing  pairs of triangles that may cross; pairs that only share vertices or edges do no harm

@@ -2,7 +2,6 @@
 #include "boolean/boolean.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -75,11 +74,9 @@ class Run {
         progress_.check();
     }
     void end_stage() {
-        const auto now = std::chrono::steady_clock::now();
         if (stage_ != nullptr) {
-            result_.seconds.emplace_back(stage_, std::chrono::duration<double>(now - started_).count());
+            clock_.end(stage_);
         }
-        started_ = now;
     }
 
     void prepare() {
@@ -262,7 +259,7 @@ class Run {
     std::vector<Twin> twins_;
     std::vector<std::array<std::int32_t, 2>> crossing_;
     const char* stage_ = nullptr;
-    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+    StageClock clock_{result_.seconds};
 };
 
 /// The symmetric difference of operands whose surfaces run along each other, one operand after the other: what is in

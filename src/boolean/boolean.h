@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/stage_clock.h"
 #include "boolean/operation.h"
 #include "mesh/triangle_mesh.h"
 
@@ -41,7 +42,7 @@ struct BooleanResult {
     std::size_t faults_left = 0;        ///< triangles that touch or cross others or have no area: 0 unless notes say so
     std::vector<std::string> repaired;  ///< a sentence for each operand, empty when there was nothing to do
     std::vector<std::string> notes;
-    std::vector<std::pair<std::string, double>> seconds;  ///< stage, wall-clock seconds
+    StageTimes seconds;
 };
 
 /// Joins, intersects or subtracts any number of closed meshes; the operation is applied from the first operand on.

@@ -59,6 +59,12 @@ ExactPoint::ExactPoint(std::array<Expansion, 4>&& exact) {
     exact_ = std::make_shared<const std::array<Expansion, 4>>(std::move(exact));
 }
 
+PlanePoints standing_plane(const Vec3& from, const Vec3& to, int axis) {
+    Vec3 beside = from;
+    beside[axis] = beside[axis] == 0.0 ? 1.0 : 2.0 * beside[axis];
+    return {from, to, beside};
+}
+
 ExactPoint ExactPoint::on_line(const Vec3& p, const Vec3& q, const PlanePoints& plane) {
     const ExactVec n = normal(plane);
     const Expansion at_p = dot(n, difference(p, plane[0]));
@@ -106,12 +112,11 @@ bool coincide(const ExactPoint& p, const ExactPoint& q) {
 }
 
 int orient2d(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r, int axis) {
+    if (p.given() && q.given() && r.given()) {
+        return mq::orient2d(p.approx(), q.approx(), r.approx(), axis);
+    }
     const int i = (axis + 1) % 3;
     const int j = (axis + 2) % 3;
-    if (p.given() && q.given() && r.given()) {
-        return mq::orient2d(Vec2(p.approx()[i], p.approx()[j]), Vec2(q.approx()[i], q.approx()[j]),
-                            Vec2(r.approx()[i], r.approx()[j]));
-    }
     const double ax = p.approx()[i] - r.approx()[i];
     const double ay = p.approx()[j] - r.approx()[j];
     const double bx = q.approx()[i] - r.approx()[i];

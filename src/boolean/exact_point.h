@@ -12,6 +12,9 @@ namespace mq::boolean {
 /// A plane through three given points that are not collinear.
 using PlanePoints = std::array<Vec3, 3>;
 
+/// The plane through a line that is parallel to the axis; the line is not.
+PlanePoints standing_plane(const Vec3& from, const Vec3& to, int axis);
+
 /// A point known exactly: one that was given, or one constructed as the intersection of lines and planes through given
 /// points. Constructed points are held as homogeneous coordinates of exact expansions beside the nearest doubles, so
 /// that predicates first try the doubles (a static filter) and nearly never need more.

@@ -76,8 +76,7 @@ class Division {
     PlaneDivision make_plane(std::int32_t t) {
         const PlanePoints plane = table_.plane(t);
         axis_ = projection_axis(plane[0], plane[1], plane[2]);
-        const int turn = orient2d(ExactPoint(plane[0]), ExactPoint(plane[1]), ExactPoint(plane[2]), axis_);
-        return PlaneDivision(plane, axis_, turn);
+        return PlaneDivision(plane, axis_, turn(t));
     }
 
     /// The plane's index of a point of the table.
@@ -162,9 +161,6 @@ class Division {
         }
         const double size = box.largest_side();
         const Vec3 center = box.center();
-        const int turn =
-            orient2d(ExactPoint(vertex(corners(triangles[0])[0])), ExactPoint(vertex(corners(triangles[0])[1])),
-                     ExactPoint(vertex(corners(triangles[0])[2])), axis_);
         constexpr double kFar = 8.0;
         const double place[3][2] = {{-kFar, -kFar}, {kFar, -kFar}, {0.0, kFar}};
         int around[3];
@@ -175,7 +171,7 @@ class Division {
             around[k] = plane_.add_point(ExactPoint(p));
             global_.push_back(-1);
         }
-        if (turn < 0) {
+        if (turn(triangles[0]) < 0) {
             std::swap(around[1], around[2]);
         }
         plane_.start(around[0], around[1], around[2]);
@@ -238,8 +234,8 @@ class Division {
     }
 
     int turn(std::int32_t t) const {
-        const PlanePoints plane = table_.plane(t);
-        return orient2d(ExactPoint(plane[0]), ExactPoint(plane[1]), ExactPoint(plane[2]), axis_);
+        const Triangle& c = corners(t);
+        return mq::orient2d(vertex(c[0]), vertex(c[1]), vertex(c[2]), axis_);
     }
 
     const Soup& soup_;

@@ -47,13 +47,6 @@ struct OperandPair {
     int operand_of(std::int32_t triangle) const { return triangle < first_triangle[1] ? 0 : 1; }
 };
 
-/// Throws Cancelled once the caller has asked for it.
-inline void look_for_cancel(const Progress* progress) {
-    if (progress != nullptr) {
-        progress->check();
-    }
-}
-
 /// Depths of a solid's surface along the rays of one direction, the samples of a ray in ascending order.
 ///
 /// The rays of axis a have the index v * rays + u, where u and v are their grid coordinates on axes a + 1 and a + 2

@@ -189,27 +189,22 @@ std::size_t count_flipped(const SurfaceDraft& draft, const mesh::TriangleMesh& m
 }
 
 void repair(SurfaceDraft& draft, const Progress* progress) {
-    const auto check = [progress] {
-        if (progress != nullptr) {
-            progress->check();
-        }
-    };
     // A swap may make duplicates, and what these covered may be swapped then.
     for (int round = 0; round < 3; ++round) {
         remove_duplicates(draft);
         draft.find_twins();
         const std::size_t gone = remove_degenerate(draft);
         draft.repairs.degenerate += gone;
-        check();
+        look_for_cancel(progress);
         if (gone == 0) {
             break;
         }
         draft.find_twins();
     }
     pair_and_orient(draft);
-    check();
+    look_for_cancel(progress);
     close_holes(draft, progress);
-    check();
+    look_for_cancel(progress);
     draft.repairs.degenerate += remove_degenerate(draft);
     part_fans(draft);
     part_edges(draft);

@@ -15,13 +15,6 @@ namespace {
     throw TopologyError(std::string("the division of a plane is inconsistent: ") + what);
 }
 
-/// The plane through an edge that stands on the plane seen along the axis.
-PlanePoints standing_plane(const Line& line, int axis) {
-    Vec3 beside = line.from;
-    beside[axis] = beside[axis] == 0.0 ? 1.0 : 2.0 * beside[axis];
-    return {line.from, line.to, beside};
-}
-
 /// Cosine of the smallest angle, the largest of the three.
 double largest_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 u = b - a;
@@ -316,10 +309,10 @@ void PlaneDivision::clear_way(int a, int b, const std::vector<std::array<int, 2>
 int PlaneDivision::split_at_crossing(int h, int at) {
     const Line& one = lines_[static_cast<std::size_t>(line(h))];
     const Line& two = lines_[static_cast<std::size_t>(at)];
-    ExactPoint point = one.edge
-                           ? ExactPoint::on_line(one.from, one.to, two.edge ? standing_plane(two, axis_) : two.plane)
-                       : two.edge ? ExactPoint::on_line(two.from, two.to, one.plane)
-                                  : ExactPoint::on_planes(plane_, one.plane, two.plane);
+    ExactPoint point =
+        one.edge ? ExactPoint::on_line(one.from, one.to, two.edge ? standing_plane(two.from, two.to, axis_) : two.plane)
+        : two.edge ? ExactPoint::on_line(two.from, two.to, one.plane)
+                   : ExactPoint::on_planes(plane_, one.plane, two.plane);
     const int added = add_point(std::move(point));
     split(h, added);
     return added;

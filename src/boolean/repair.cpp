@@ -115,9 +115,6 @@ class Repairer {
         }
         return box;
     }
-    static bool meets(const Box& a, const Box& b) {
-        return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-    }
 
     /// The surroundings of a few faults; of many the whole surface.
     void find_regions(const Faults& faults) {
@@ -142,7 +139,7 @@ class Repairer {
     bool near_faults(std::int32_t t) const {
         const Box box = box_of(t);
         return regions_.empty() ||
-               std::any_of(regions_.begin(), regions_.end(), [&](const Box& region) { return meets(box, region); });
+               std::any_of(regions_.begin(), regions_.end(), [&](const Box& region) { return box.meets(region); });
     }
 
     /// Tells the tree of all changes so far.
@@ -186,7 +183,7 @@ class Repairer {
             }
         });
         for (const std::int32_t other : changed_list_) {
-            if (!gone(triangle(other)) && meets(box, box_of(other))) {
+            if (!gone(triangle(other)) && box.meets(box_of(other))) {
                 test(other);
             }
         }
@@ -537,7 +534,6 @@ RepairCount repair(Draft& draft, double distance, const Progress& progress) {
     RepairCount total;
     for (int round = 0; round < kRounds; ++round) {
         Faults faults = find_faults(draft, new_triangles(draft), progress);
-        total.found = round == 0 ? faults.size() : total.found;
         total.left = faults.size();
         if (faults.empty()) {
             break;

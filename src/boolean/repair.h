@@ -13,7 +13,6 @@ void round_to_single(Draft& draft);
 
 /// What repair found and did.
 struct RepairCount {
-    std::size_t found = 0;  ///< degenerate triangles, and pairs that touch or cross
     std::size_t left = 0;
     std::size_t collapsed = 0;
     std::size_t flipped = 0;

@@ -42,13 +42,6 @@ Place place_of(const Signs& sides) {
     return {Place::AtVertex, sides[0] != 0 ? 2 : (sides[1] != 0 ? 0 : 1)};
 }
 
-/// The side of c of the line a-b, seen along the axis.
-int flat(int axis, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const int i = (axis + 1) % 3;
-    const int j = (axis + 2) % 3;
-    return mq::orient2d(Vec2(a[i], a[j]), Vec2(b[i], b[j]), Vec2(c[i], c[j]));
-}
-
 /// One run of the intersection of two triangles.
 class PairIntersection {
   public:
@@ -122,7 +115,7 @@ class PairIntersection {
         const int axis = axis_of(other);
         Signs around{};
         for (int i = 0; i < 3; ++i) {
-            around[static_cast<std::size_t>(i)] = flat(axis, at(other, i), at(other, (i + 1) % 3), at(own, k));
+            around[static_cast<std::size_t>(i)] = mq::orient2d(at(other, i), at(other, (i + 1) % 3), at(own, k), axis);
         }
         const Place place = place_of(around);
         if (place.kind != Place::Outside) {
@@ -186,7 +179,7 @@ class PairIntersection {
             for (int k = 0; k < 3; ++k) {
                 for (int i = 0; i < 3; ++i) {
                     around[own][k][static_cast<std::size_t>(i)] =
-                        flat(axis, at(1 - own, i), at(1 - own, (i + 1) % 3), at(own, k));
+                        mq::orient2d(at(1 - own, i), at(1 - own, (i + 1) % 3), at(own, k), axis);
                 }
                 if (!is_corner(1 - own, corner(own, k))) {
                     put(1 - own, place_of(around[own][k]), corner(own, k));
@@ -209,9 +202,8 @@ class PairIntersection {
 
     /// Edge k of the first and edge i of the second cross in their common plane.
     void edges_in_plane(int axis, int k, int i) {
-        Vec3 beside = at(1, i);
-        beside[axis] = beside[axis] == 0.0 ? 1.0 : 2.0 * beside[axis];
-        const std::int32_t p = points_.on_edges(edge(0, k), edge(1, i), {at(1, i), at(1, (i + 1) % 3), beside});
+        const PlanePoints standing = standing_plane(at(1, i), at(1, (i + 1) % 3), axis);
+        const std::int32_t p = points_.on_edges(edge(0, k), edge(1, i), standing);
         put(0, {Place::OnEdge, k}, p);
         put(1, {Place::OnEdge, i}, p);
     }
@@ -219,7 +211,7 @@ class PairIntersection {
     /// No edge of either has the whole other triangle on its outer side.
     bool insides_meet(int axis, const std::array<std::array<Signs, 3>, 2>& around) const {
         for (int own = 0; own < 2; ++own) {
-            const int turn = flat(axis, at(1 - own, 0), at(1 - own, 1), at(1 - own, 2));
+            const int turn = mq::orient2d(at(1 - own, 0), at(1 - own, 1), at(1 - own, 2), axis);
             for (std::size_t i = 0; i < 3; ++i) {
                 if (turn * around[own][0][i] <= 0 && turn * around[own][1][i] <= 0 && turn * around[own][2][i] <= 0) {
                     return false;
@@ -245,7 +237,7 @@ int projection_axis(const Vec3& a, const Vec3& b, const Vec3& c) {
     std::stable_sort(axes.begin(), axes.end(), [&](int i, int j) { return size[i] > size[j]; });
     // The normal of a needle may be all rounding: only the exact test shows that the projection has an area.
     for (const int axis : axes) {
-        if (flat(axis, a, b, c) != 0) {
+        if (mq::orient2d(a, b, c, axis) != 0) {
             return axis;
         }
     }

@@ -2,7 +2,6 @@
 #include "boolean/uniform.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 
@@ -165,6 +164,7 @@ class UniformBoolean {
     std::vector<std::int32_t> sheet_vertex_;
     std::vector<mesh::Triangle> reconstructed_;
     UniformResult result_;
+    StageClock clock_{result_.seconds};
 };
 
 void UniformBoolean::stage(const char* name, double from, double to, const std::function<void()>& work) {
@@ -172,10 +172,8 @@ void UniformBoolean::stage(const char* name, double from, double to, const std::
         progress_->stage(name, from, to);
         progress_->check();
     }
-    const auto start = std::chrono::steady_clock::now();
     work();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    result_.seconds.emplace_back(name, seconds.count());
+    clock_.end(name);
 }
 
 void UniformBoolean::sample() {

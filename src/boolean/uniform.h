@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/stage_clock.h"
 #include "boolean/operation.h"
 #include "mesh/triangle_mesh.h"
 
@@ -52,7 +53,7 @@ struct UniformResult {
     std::size_t opened_nodes = 0;       ///< points added by Node-Open
     std::size_t holes_filled = 0, hole_triangles = 0, largest_hole = 0;
 
-    std::vector<std::pair<std::string, double>> seconds;  ///< stage, wall-clock seconds
+    StageTimes seconds;
 };
 
 /// The approximate Boolean of Wang 2010 on a uniform grid of rays (method "uniform").

@@ -19,19 +19,14 @@ class Verifier {
         : vertices_(vertices), triangles_(triangles), limit_(limit) {}
 
     Verification run(const std::vector<std::int32_t>* changed, const Progress* progress) {
-        const auto check = [progress] {
-            if (progress != nullptr) {
-                progress->check();
-            }
-        };
         const std::vector<std::int32_t> twins = mesh::edge_twins(triangles_, vertices_.size());
-        check();
+        look_for_cancel(progress);
         check_edges(twins);
         check_fans(twins);
-        check();
+        look_for_cancel(progress);
         check_triangles();
         check_vertices();
-        check();
+        look_for_cancel(progress);
         check_contacts(changed, progress);
         measure_volume();
         std::stable_sort(result_.faults.begin(), result_.faults.end(),

@@ -84,13 +84,11 @@ class AxisRay {
 
     const Vec3& at(const Triangle& t, std::size_t k) const { return soup_.vertices[static_cast<std::size_t>(t[k])]; }
 
-    Vec2 flat(const Vec3& p) const { return Vec2(p[(axis_ + 1) % 3], p[(axis_ + 2) % 3]); }
-
     /// The side to which the triangle looks, 0 when the line passes by; nothing when it touches the border.
     std::optional<int> pierced(const Triangle& t) const {
         std::array<int, 3> side{};
         for (std::size_t k = 0; k < 3; ++k) {
-            side[k] = mq::orient2d(flat(at(t, k)), flat(at(t, (k + 1) % 3)), flat(from_));
+            side[k] = mq::orient2d(at(t, k), at(t, (k + 1) % 3), from_, axis_);
         }
         const bool positive = side[0] > 0 || side[1] > 0 || side[2] > 0;
         const bool negative = side[0] < 0 || side[1] < 0 || side[2] < 0;

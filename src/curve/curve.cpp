@@ -2,7 +2,6 @@
 #include "curve/curve.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -16,20 +15,6 @@
 namespace mq::curve {
 
 namespace {
-
-class StageClock {
-  public:
-    explicit StageClock(CurveReport& report) : report_(report) {}
-    void end(const char* stage) {
-        const auto now = std::chrono::steady_clock::now();
-        report_.seconds.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
-        last_ = now;
-    }
-
-  private:
-    CurveReport& report_;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 std::vector<int> living(const Surface& surface) {
     std::vector<int> result;
@@ -137,7 +122,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
     CurveReport report;
-    StageClock clock(report);
+    StageClock clock(report.seconds);
     const double start = cpu_seconds();
 
     geometry::Session session(engine, model, &watched);

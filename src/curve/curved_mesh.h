@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/stage_clock.h"
 #include "curve/surface.h"
 #include "mesh/triangle_mesh.h"
 
@@ -28,7 +29,7 @@ struct CurveReport {
     std::size_t moved_vertices = 0;  ///< corner vertices that left the place they had when the mesh was straight
     std::vector<std::pair<std::string, std::size_t>> repairs;
     std::vector<std::string> notes;
-    std::vector<std::pair<std::string, double>> seconds;
+    StageTimes seconds;
     double cpu_seconds = 0.0;
 };
 

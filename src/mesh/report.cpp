@@ -53,12 +53,6 @@ Shape shape_of(const std::array<Vec3, 3>& p, double& twice_area) {
     return shape;
 }
 
-void check(const Progress* progress) {
-    if (progress != nullptr) {
-        progress->check();
-    }
-}
-
 void measure_shapes(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
     Pace pace(progress);
     report.min_angle = mesh.triangles.empty() ? 0.0 : 180.0;
@@ -135,7 +129,7 @@ void measure_fans(const TriangleMesh& mesh, std::size_t edges, Sets& fans, Sets&
 void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
     Pace pace(progress);
     const EdgeTable table(mesh.triangles, mesh.vertices.size());
-    check(progress);
+    look_for_cancel(progress);
     Sets fans(3 * mesh.triangles.size());
     Sets bodies(mesh.triangles.size());
     std::vector<std::int32_t> opposite;
@@ -158,7 +152,7 @@ void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progre
         }
         unite_fans(mesh, low, first, last, fans);
     });
-    check(progress);
+    look_for_cancel(progress);
     measure_fans(mesh, edges, fans, bodies, report);
 }
 

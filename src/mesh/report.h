@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "base/stage_clock.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
@@ -44,7 +45,7 @@ struct MeshReport {
     std::vector<std::string> notes;  ///< what the reader must know: faults of the part, budget reached, ...
     bool complete = true;            ///< false when a budget ended the work early
 
-    std::vector<std::pair<std::string, double>> seconds;  ///< stage, wall-clock seconds
+    StageTimes seconds;
     double cpu_seconds = 0.0;
     std::uint64_t queries = 0;
     std::uint64_t predicates = 0;

@@ -144,9 +144,7 @@ std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std
     std::vector<char> embedded(vertices.size(), 0);
     const VertexStars stars(triangles, vertices.size());
     for_all(static_cast<int>((vertices.size() + kAtOnce - 1) / kAtOnce), [&](int k) {
-        if (progress != nullptr) {
-            progress->check();
-        }
+        look_for_cancel(progress);
         const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
         for (std::size_t v = first; v < std::min(first + kAtOnce, vertices.size()); ++v) {
             embedded[v] = static_cast<char>(embedded_star(vertices, triangles, stars[v]));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/weld.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace mq::mesh {
@@ -18,32 +19,59 @@ std::uint64_t hash_of(const Vec3& p) {
     return hash;
 }
 
-}  // namespace
-
-std::vector<std::int32_t> equal_vertices(const std::vector<Vec3>& vertices) {
-    std::size_t size = 16;
-    while (size < 2 * vertices.size()) {
-        size *= 2;
+/// Open addressing. The slot keeps a part of the hash, so that a vertex is looked up only when it is most likely equal.
+class PlaceTable {
+  public:
+    PlaceTable(const std::vector<Vec3>& vertices, std::size_t count) : vertices_(vertices) {
+        std::size_t size = 16;
+        while (size < 2 * count) {
+            size *= 2;
+        }
+        slots_.resize(size, Slot{-1, 0});
     }
-    // Open addressing. The slot keeps a part of the hash, so that a vertex is looked up only when it is most likely
-    // equal.
+
+    /// The vertex that came first to the place of v.
+    std::int32_t first_at(std::size_t v) {
+        const std::uint64_t hash = hash_of(vertices_[v]);
+        const auto tag = static_cast<std::uint32_t>(hash >> 32);
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t at = hash & mask;
+        while (slots_[at].vertex >= 0 &&
+               !(slots_[at].tag == tag && vertices_[static_cast<std::size_t>(slots_[at].vertex)] == vertices_[v])) {
+            at = (at + 1) & mask;
+        }
+        if (slots_[at].vertex < 0) {
+            slots_[at] = {static_cast<std::int32_t>(v), tag};
+        }
+        return slots_[at].vertex;
+    }
+
+  private:
     struct Slot {
         std::int32_t vertex;
         std::uint32_t tag;
     };
-    std::vector<Slot> slots(size, Slot{-1, 0});
+
+    const std::vector<Vec3>& vertices_;
+    std::vector<Slot> slots_;
+};
+
+}  // namespace
+
+std::vector<std::int32_t> equal_vertices(const std::vector<Vec3>& vertices) {
+    PlaceTable table(vertices, vertices.size());
     std::vector<std::int32_t> first(vertices.size());
     for (std::size_t v = 0; v < vertices.size(); ++v) {
-        const std::uint64_t hash = hash_of(vertices[v]);
-        const auto tag = static_cast<std::uint32_t>(hash >> 32);
-        std::size_t at = hash & (size - 1);
-        while (slots[at].vertex >= 0 && !(slots[at].tag == tag && vertices[slots[at].vertex] == vertices[v])) {
-            at = (at + 1) & (size - 1);
-        }
-        if (slots[at].vertex < 0) {
-            slots[at] = {static_cast<std::int32_t>(v), tag};
-        }
-        first[v] = slots[at].vertex;
+        first[v] = table.first_at(v);
+    }
+    return first;
+}
+
+std::vector<std::int32_t> equal_vertices(const std::vector<Vec3>& vertices, const std::vector<char>& marked) {
+    PlaceTable table(vertices, static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1)));
+    std::vector<std::int32_t> first(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        first[v] = marked[v] != 0 ? table.first_at(v) : static_cast<std::int32_t>(v);
     }
     return first;
 }

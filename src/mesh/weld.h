@@ -12,4 +12,7 @@ namespace mq::mesh {
 /// Every coordinate must be a number.
 std::vector<std::int32_t> equal_vertices(const std::vector<Vec3>& vertices);
 
+/// The same among the vertices that are marked; of the others each stays as it is.
+std::vector<std::int32_t> equal_vertices(const std::vector<Vec3>& vertices, const std::vector<char>& marked);
+
 }  // namespace mq::mesh

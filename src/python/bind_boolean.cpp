@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "base/stage_clock.h"
 #include "boolean/boolean.h"
 #include "boolean/native_surfaces.h"
 #include "boolean/uniform.h"
@@ -61,7 +62,7 @@ static_assert(sizeof(std::array<std::int32_t, 2>) == 2 * sizeof(std::int32_t), "
 
 /// What was done before the core was called: reading and meshing the operands.
 struct Before {
-    std::vector<std::pair<std::string, double>> seconds;
+    StageTimes seconds;
     std::vector<std::string> notes;
     double cpu_seconds = 0.0;
 };

@@ -2,7 +2,6 @@
 #include "triangulate/triangulate.h"
 
 #include <algorithm>
-#include <chrono>
 #include <ctime>
 
 #include "base/predicates.h"
@@ -21,20 +20,6 @@ constexpr std::size_t kDefaultBudget = 5'000'000;
 // Neighbours closer than this many grid steps make triangles whose angles are mostly rounding.
 constexpr double kFloorSteps = 16.0;
 constexpr int kMaxChordRounds = 12;
-
-class StageClock {
-  public:
-    explicit StageClock(mesh::MeshReport& report) : report_(report) {}
-    void end(const char* stage) {
-        const auto now = std::chrono::steady_clock::now();
-        report_.seconds.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
-        last_ = now;
-    }
-
-  private:
-    mesh::MeshReport& report_;
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 double cpu_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -147,8 +132,8 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     options.validate();
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
-    mesh::MeshReport timing;
-    StageClock clock(timing);
+    StageTimes seconds;
+    StageClock clock(seconds);
     const double cpu_before = cpu_seconds();
     const std::uint64_t queries_before = engine.queries();
     predicate_count() = {};
@@ -190,7 +175,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
         result.report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
     }
     clock.end("checking");
-    result.report.seconds = timing.seconds;
+    result.report.seconds = std::move(seconds);
     result.report.cpu_seconds = cpu_seconds() - cpu_before;
     result.report.queries = engine.queries() - queries_before;
     result.report.predicates = predicate_count().filtered + predicate_count().exact;

@@ -56,9 +56,7 @@ Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topolog
     if (live.faces.size() < kManyFaces && !quick.IsVoid() && much_larger(box, inner)) {
         Bnd_Box close;
         for (const TopoDS_Face& face : live.faces) {
-            if (progress != nullptr) {
-                progress->check();
-            }
+            look_for_cancel(progress);
             BRepBndLib::AddOptimal(face, close, Standard_False, Standard_False);
         }
         if (!close.IsVoid()) {

@@ -93,9 +93,7 @@ class FaultList {
     std::vector<std::string> collect(const Progress* progress) {
         for (const Kind& kind : kinds_) {
             for (int i = 1; i <= kind.map.Extent(); ++i) {
-                if (progress != nullptr) {
-                    progress->check();
-                }
+                look_for_cancel(progress);
                 check(kind, kind.map(i));
             }
         }
@@ -192,9 +190,7 @@ class FaultList {
 void add_inverted_solids(const LiveShape& live, const Topology& topology, std::vector<std::string>& faults,
                          const Progress* progress) {
     for (std::size_t i = 0; i < live.volumes.size(); ++i) {
-        if (progress != nullptr) {
-            progress->check();
-        }
+        look_for_cancel(progress);
         if (topology.volumes[i].kind != Volume::Kind::Solid) {
             continue;
         }
