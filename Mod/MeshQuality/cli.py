@@ -53,19 +53,17 @@ def parser():
     common.add_argument("--object", metavar="NAME",
                         help="of an FCStd file mesh the object of this name or label only")
 
-    one = commands.add_parser(
-        "triangulate", parents=[common], help="mesh a CAD part",
-        description="Triangulates a CAD part with a guaranteed smallest angle.")
-    one.add_argument("input", help="CAD file: " + " ".join(CAD_SUFFIXES))
-    one.add_argument("-o", "--output", help="mesh file: " + " ".join(OUTPUT_SUFFIXES))
-    _add_options(one, options.TRIANGULATE)
-
-    one = commands.add_parser(
-        "curve", parents=[common], help="make a mesh of curved elements of a CAD part",
-        description="Meshes a CAD part with curved triangles or tetrahedra, each proven valid.")
-    one.add_argument("input", help="CAD file: " + " ".join(CAD_SUFFIXES))
-    one.add_argument("-o", "--output", help="mesh file: " + " ".join(CURVED_SUFFIXES))
-    _add_options(one, options.CURVE)
+    for name, title, text, outputs, table in (
+            ("triangulate", "mesh a CAD part",
+             "Triangulates a CAD part with a guaranteed smallest angle.",
+             OUTPUT_SUFFIXES, options.TRIANGULATE),
+            ("curve", "make a mesh of curved elements of a CAD part",
+             "Meshes a CAD part with curved triangles or tetrahedra, each proven valid.",
+             CURVED_SUFFIXES, options.CURVE)):
+        one = commands.add_parser(name, parents=[common], help=title, description=text)
+        one.add_argument("input", help="CAD file: " + " ".join(CAD_SUFFIXES))
+        one.add_argument("-o", "--output", help="mesh file: " + " ".join(outputs))
+        _add_options(one, table)
 
     one = commands.add_parser(
         "boolean", parents=[common], help="join, intersect or subtract closed meshes and shapes",

@@ -128,14 +128,19 @@ def progress_line():
     return show
 
 
+def written(mesh, path):
+    """Writes the mesh, if asked for; returns where it lies, for the sentence to end with."""
+    if not path:
+        return ""
+    mesh.write(path)
+    return f" in {path}"
+
+
 def triangulate(job):
     """Returns the report and the sentence to end with."""
     shape = read_shape(job["input"], job.get("object"))
     mesh = mq.triangulate(shape, **job["options"], progress=progress_line())
-    if job.get("output"):
-        mesh.write(job["output"])
-    where = f" in {job['output']}" if job.get("output") else ""
-    report = mesh.report
+    report, where = mesh.report, written(mesh, job.get("output"))
     exempt = f", {len(report.exempt)} of them exempted" if report.exempt else ""
     limit = "" if report.complete else "; incomplete: max_triangles ended the work early"
     return report, f"{report.triangles} triangles{where}{exempt}{limit}"
@@ -145,10 +150,7 @@ def curve(job):
     """Returns the report and the sentence to end with."""
     shape = read_shape(job["input"], job.get("object"))
     mesh = mq.curve(shape, **job["options"], progress=progress_line())
-    if job.get("output"):
-        mesh.write(job["output"])
-    where = f" in {job['output']}" if job.get("output") else ""
-    report = mesh.report
+    report, where = mesh.report, written(mesh, job.get("output"))
     return report, f"{report.elements} elements of order {mesh.order}{where}, " \
                    f"{report.invalid} of them invalid"
 
@@ -158,10 +160,7 @@ def boolean(job):
     sources = [read_mesh(path) if path.lower().endswith(MESH_SUFFIXES)
                else read_shape(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.boolean(sources, **job["options"], progress=progress_line())
-    if job.get("output"):
-        mesh.write(job["output"])
-    where = f" in {job['output']}" if job.get("output") else ""
-    report = mesh.report
+    report, where = mesh.report, written(mesh, job.get("output"))
     faults = f"; {report.faults_left} faults are left, see the notes" if report.faults_left else ""
     return report, f"{report.triangles} triangles{where}, {report.retained} of them the " \
                    f"operands' own{faults}"

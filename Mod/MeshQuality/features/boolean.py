@@ -11,13 +11,9 @@ from ..errors import InvalidInput
 from ..operands import Operands
 from . import mesh_object
 
-# Name, type, what it says. All read-only, measured on the mesh that the object holds.
+# Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
-    ("Triangles", "App::PropertyInteger", "Number of triangles"),
-    ("Vertices", "App::PropertyInteger", "Number of vertices"),
-    ("Closed", "App::PropertyBool", "No border edge"),
-    ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside"),
-    ("Manifold", "App::PropertyBool", "No edge of three or more triangles, no pinched vertex"),
+    *mesh_object.TOPOLOGY,
     ("Volume", "App::PropertyVolume", "Enclosed volume"),
     ("ErrorBound", "App::PropertyLength", "Largest distance from the exact Boolean of the meshes"),
     ("Retained", "App::PropertyInteger", "Triangles that are an operand's own"),
@@ -25,6 +21,9 @@ MEASURED = (
     ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
     ("Repaired", "App::PropertyStringList", "What was repaired in the operands"),
     ("Notes", "App::PropertyStringList", "What else happened on the way"),
+)
+HIDDEN = (
+    ("Fingerprint", "App::PropertyString", "Of the operands and the options of this mesh"),
 )
 
 
@@ -37,12 +36,8 @@ class MeshBoolean(mesh_object.MeshObject):
         mesh_object.add_property(obj, "App::PropertyLinkListGlobal", "Sources", "Boolean",
                                  "The operands: objects with a mesh or a shape, in their order")
         mesh_object.add_options(obj, options.BOOLEAN)
-        for name, kind, text in MEASURED:
-            mesh_object.add_property(obj, kind, name, "Quality", text)
-            obj.setEditorMode(name, 1)
-        mesh_object.add_property(obj, "App::PropertyString", "Fingerprint", "Boolean",
-                                 "Of the operands and the options of this mesh")
-        obj.setEditorMode("Fingerprint", 2)
+        mesh_object.add_measured(obj, MEASURED)
+        mesh_object.add_hidden(obj, "Boolean", HIDDEN)
 
     def update(self, obj):
         """Computes the Boolean anew, unless no operand and no option has changed."""
@@ -62,8 +57,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
 def show_report(obj, report):
     """Fills the group Quality."""
-    obj.Triangles, obj.Vertices = report.triangles, report.vertices
-    obj.Closed, obj.Oriented, obj.Manifold = report.closed, report.oriented, report.manifold
+    mesh_object.show_topology(obj, report)
     obj.Volume, obj.ErrorBound = report.volume, report.error_bound
     obj.Retained, obj.Reconstructed = report.retained, report.reconstructed
     obj.FaultsLeft = report.faults_left

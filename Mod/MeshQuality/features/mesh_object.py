@@ -8,6 +8,16 @@ from ..compat import PlainState
 from ..errors import Error
 
 
+# Name, type, what it says: measured on the mesh that an object holds.
+TOPOLOGY = (
+    ("Triangles", "App::PropertyInteger", "Number of triangles"),
+    ("Vertices", "App::PropertyInteger", "Number of vertices"),
+    ("Closed", "App::PropertyBool", "No border edge"),
+    ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside"),
+    ("Manifold", "App::PropertyBool", "No edge of three or more triangles, no pinched vertex"),
+)
+
+
 class MeshObject(PlainState):
     """Proxy of a Mesh::FeaturePython. Its state is in the object's properties.
 
@@ -39,6 +49,26 @@ def add_property(obj, kind, name, group, text):
         return False
     obj.addProperty(kind, name, group, text)
     return True
+
+
+def add_measured(obj, table):
+    """A read-only property for each (name, type, text) of the table, in the group Quality."""
+    for name, kind, text in table:
+        add_property(obj, kind, name, "Quality", text)
+        obj.setEditorMode(name, 1)
+
+
+def add_hidden(obj, group, table):
+    """A property that the editor does not show for each (name, type, text) of the table."""
+    for name, kind, text in table:
+        add_property(obj, kind, name, group, text)
+        obj.setEditorMode(name, 2)
+
+
+def show_topology(obj, report):
+    """Fills the properties of TOPOLOGY."""
+    obj.Triangles, obj.Vertices = report.triangles, report.vertices
+    obj.Closed, obj.Oriented, obj.Manifold = report.closed, report.oriented, report.manifold
 
 
 def add_options(obj, table):

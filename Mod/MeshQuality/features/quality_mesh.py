@@ -12,13 +12,9 @@ from ..api import triangulate
 from ..errors import InvalidInput
 from . import mesh_object
 
-# Name, type, what it says. All read-only, measured on the mesh that the object holds.
+# Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
-    ("Triangles", "App::PropertyInteger", "Number of triangles"),
-    ("Vertices", "App::PropertyInteger", "Number of vertices"),
-    ("Closed", "App::PropertyBool", "No border edge"),
-    ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside"),
-    ("Manifold", "App::PropertyBool", "No edge of three or more triangles, no pinched vertex"),
+    *mesh_object.TOPOLOGY,
     ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
     ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
     ("MaxChordHeight", "App::PropertyLength", "Largest measured distance to the shape"),
@@ -42,12 +38,8 @@ class QualityMesh(mesh_object.MeshObject):
         mesh_object.add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh",
                                  "The object whose shape is meshed")
         mesh_object.add_options(obj, options.TRIANGULATE)
-        for name, kind, text in MEASURED:
-            mesh_object.add_property(obj, kind, name, "Quality", text)
-            obj.setEditorMode(name, 1)
-        for name, kind, text in HIDDEN:
-            mesh_object.add_property(obj, kind, name, "Mesh", text)
-            obj.setEditorMode(name, 2)
+        mesh_object.add_measured(obj, MEASURED)
+        mesh_object.add_hidden(obj, "Mesh", HIDDEN)
 
     def onDocumentRestored(self, obj):
         """The mesh gets its segments back, which FreeCAD does not save."""
@@ -98,8 +90,7 @@ def faces_of_runs(runs):
 
 def show_report(obj, report):
     """Fills the group Quality."""
-    obj.Triangles, obj.Vertices = report.triangles, report.vertices
-    obj.Closed, obj.Oriented, obj.Manifold = report.closed, report.oriented, report.manifold
+    mesh_object.show_topology(obj, report)
     obj.MeasuredMinAngle, obj.MeasuredMaxAngle = report.min_angle, report.max_angle
     obj.MaxChordHeight = max(report.max_chord_height, 0.0)
     obj.Exempt = [f"triangle {triangle}: {why}" for triangle, why in report.exempt]
