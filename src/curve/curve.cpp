@@ -62,6 +62,7 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
     add("surface edge collapses", repairs.collapses);
     add("edges curved on model faces", repairs.curved_edges);
     add("cusps opened", repairs.cusps);
+    add("cusps refined", repairs.cusp_splits);
     add("surface edges split in repair", repairs.splits);
 }
 

@@ -13,6 +13,10 @@ namespace {
 constexpr double kCusp = 0.3;
 /// Quality that is enough for the triangle in the cusp.
 constexpr double kEnough = 0.16;
+/// Part of the plain surface's deviation that the triangles beside an opened cusp may have.
+constexpr double kShare = 0.25;
+/// Cusps are not refined to straight angles below this one: halving the edges halves the angle between their chords.
+constexpr double kThinnest = 0.02;
 
 double angle(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -48,18 +52,30 @@ std::vector<Warp> warps(int order) {
     return result;
 }
 
+/// Halves both edges of the cusp. What the opening costs falls with the third power of their length, or faster. The
+/// edge that bends more comes first: a line from its end to the middle of the other would touch it.
+bool refine(SurfaceEditor& editor, int a, int b, int c) {
+    if (editor.deviation(a, b) < editor.deviation(a, c)) {
+        std::swap(b, c);
+    }
+    const bool first = split_surface_edge(editor, a, b, SurfaceEditor::Rule::RefinePoor) >= 0;
+    const bool second = split_surface_edge(editor, a, c, SurfaceEditor::Rule::RefinePoor) >= 0;
+    return first || second;
+}
+
 }  // namespace
 
-bool open_cusp(SurfaceEditor& editor, int a, int b, int c) {
+CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c) {
     Surface& surface = editor.surface;
     if (surface.shapes.order() < 2 || surface.segment(a, b) == nullptr || surface.segment(a, c) == nullptr) {
-        return false;
+        return CuspRepair::None;
     }
     const std::vector<Vec3> to_b = surface.shapes.edge_inner(a, b);
     const std::vector<Vec3> to_c = surface.shapes.edge_inner(a, c);
     const double curved = angle(to_b.front() - editor.point(a), to_c.front() - editor.point(a));
-    if (curved > kCusp * angle(editor.point(b) - editor.point(a), editor.point(c) - editor.point(a))) {
-        return false;
+    const double straight = angle(editor.point(b) - editor.point(a), editor.point(c) - editor.point(a));
+    if (curved > kCusp * straight) {
+        return CuspRepair::None;
     }
     std::vector<int> beside = surface.triangles_of_edge(a, b);
     for (const int t : surface.triangles_of_edge(a, c)) {
@@ -88,12 +104,21 @@ bool open_cusp(SurfaceEditor& editor, int a, int b, int c) {
     }
     if (best > before) {
         take(kept);
-    } else {
-        surface.shapes.set_edge(a, b, to_b);
-        surface.shapes.set_edge(a, c, to_c);
-        editor.placement.place(beside);
+        if (0.5 * straight < kThinnest || editor.rms_deviation(beside) <= kShare * editor.plain_deviation()) {
+            return CuspRepair::Opened;
+        }
     }
-    return best > before;
+    surface.shapes.set_edge(a, b, to_b);
+    surface.shapes.set_edge(a, c, to_c);
+    editor.placement.place(beside);
+    if (best > before && refine(editor, a, b, c)) {
+        return CuspRepair::Refined;
+    }
+    if (!(best > before)) {
+        return CuspRepair::None;
+    }
+    take(kept);
+    return CuspRepair::Opened;
 }
 
 }  // namespace mq::curve

@@ -2,6 +2,7 @@
 #include "curve/surface_editor.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mq::curve {
 
@@ -9,6 +10,8 @@ namespace {
 
 /// Straight triangles may turn this far (cosine) from what they replace.
 constexpr double kStraightTurn = 0.2;
+/// A triangle below this quality is hardly valid.
+constexpr double kHardlyValid = 0.02;
 
 }  // namespace
 
@@ -30,6 +33,29 @@ double SurfaceEditor::deviation(int a, int b) const {
     return (surface.shapes.order() == 2 ? 0.5 : 0.75) * most;
 }
 
+double SurfaceEditor::rms_deviation(const std::vector<int>& triangles) {
+    const std::vector<double> distances = placement.deviations(triangles);
+    double squares = 0.0;
+    for (const double d : distances) {
+        squares += d * d;
+    }
+    return distances.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(distances.size()));
+}
+
+double SurfaceEditor::plain_deviation() {
+    constexpr std::size_t kMost = 2000;
+    if (plain_deviation_ < 0.0) {
+        std::vector<int> some;
+        for (std::size_t t = 0; t < surface.triangles.size(); t += 1 + surface.triangles.size() / kMost) {
+            if (surface.triangles[t].alive) {
+                some.push_back(static_cast<int>(t));
+            }
+        }
+        plain_deviation_ = rms_deviation(some);
+    }
+    return plain_deviation_;
+}
+
 bool SurfaceEditor::straight_sound(const std::vector<int>& removed, const std::vector<Corners>& added) const {
     const auto area = [&](const std::array<int, 3>& c) -> Vec3 {
         return (point(c[1]) - point(c[0])).cross(point(c[2]) - point(c[0]));
@@ -48,12 +74,13 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
     if (rule == Rule::Improve && !straight_sound(removed, added)) {
         return false;
     }
+    const double floor = rule == Rule::RefinePoor ? kHardlyValid : 0.0;
     double worst_before = 1.0;
     std::ptrdiff_t invalid_before = 0;
     std::vector<std::array<int, 3>> old;
     for (const int t : removed) {
         worst_before = std::min(worst_before, triangle(t).quality);
-        invalid_before += triangle(t).quality > 0.0 ? 0 : 1;
+        invalid_before += triangle(t).quality > floor ? 0 : 1;
         old.push_back(triangle(t).corners);
     }
     std::vector<std::pair<int, int>> fresh;
@@ -78,7 +105,7 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
     std::ptrdiff_t invalid_after = 0;
     for (const int t : indices) {
         worst_after = std::min(worst_after, triangle(t).quality);
-        invalid_after += triangle(t).quality > 0.0 ? 0 : 1;
+        invalid_after += triangle(t).quality > floor ? 0 : 1;
     }
     if (invalid_after > invalid_before || (rule == Rule::Improve && worst_after <= worst_before + 1e-3)) {
         take_back(removed, indices, fresh);

@@ -14,8 +14,9 @@ class SurfaceEditor {
     SurfaceEditor(geometry::Session& session, Surface& edited) : placement(session, edited), surface(edited) {}
 
     enum class Rule {
-        Improve,  ///< no more invalid triangles than before, and the worst gets better
-        Refine,   ///< no more invalid triangles than before
+        Improve,     ///< no more invalid triangles than before, and the worst gets better
+        Refine,      ///< no more invalid triangles than before
+        RefinePoor,  ///< no more triangles than before that are invalid or hardly valid
     };
     struct Corners {
         std::array<int, 3> corners;
@@ -26,6 +27,11 @@ class SurfaceEditor {
 
     double deviation(int a, int b) const;  ///< of the edge's control polygon from its chord
     double length(int a, int b) const;
+    /// Root mean square of the distances of the triangles from their CAD faces, mm.
+    double rms_deviation(const std::vector<int>& triangles);
+    /// That of the surface as it was when first asked for, before shapes were given up: what repairs are held to. Of
+    /// large surfaces a part of the triangles stands for all.
+    double plain_deviation();
     const Vec3& point(int v) const { return surface.shapes.vertices[static_cast<std::size_t>(v)].point; }
     const SurfaceTriangle& triangle(int t) const { return surface.triangles[static_cast<std::size_t>(t)]; }
 
@@ -36,6 +42,8 @@ class SurfaceEditor {
     void take_back(const std::vector<int>& removed, const std::vector<int>& added,
                    const std::vector<std::pair<int, int>>& fresh_edges);
     bool straight_sound(const std::vector<int>& removed, const std::vector<Corners>& added) const;
+
+    double plain_deviation_ = -1.0;
 };
 
 /// Swaps edge (a, b) inside a face for the one between the opposite corners (section 5.3.1).
@@ -48,10 +56,14 @@ bool collapse_surface_edge(SurfaceEditor& editor, int a, int b);
 /// (7) to (9), at vertex a.
 bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c);
 
+enum class CuspRepair { None, Opened, Refined };
+
 /// Where two CAD edges leave vertex a in one direction, and the triangle between (a, b) and (a, c) has no angle at a:
 /// gives the two mesh edges shapes, of lower degree if need be, whose nodes, still on the CAD edges, are moved along
-/// them until the triangle is good enough. No shape that follows both edges exactly could be valid there.
-bool open_cusp(SurfaceEditor& editor, int a, int b, int c);
+/// them until the triangle is good enough. No shape that follows both edges exactly could be valid there. Where that
+/// would cost too much of the deviation from the CAD, both edges are halved instead: the cusp is opened next to its
+/// vertex later.
+CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c);
 
 /// Splits edge (a, b) at its middle on the CAD: a boundary point for local remeshing (section 5.5).
 /// @return the new vertex, or -1.

@@ -91,8 +91,10 @@ class Repair {
             }
         }
         for (std::size_t k = 0; k < 3; ++k) {
-            if (open_cusp(editor_, v[k], v[(k + 1) % 3], v[(k + 2) % 3])) {
-                ++done_.cusps;
+            const CuspRepair cusp = open_cusp(editor_, v[k], v[(k + 1) % 3], v[(k + 2) % 3]);
+            if (cusp != CuspRepair::None) {
+                done_.cusps += cusp == CuspRepair::Opened ? 1 : 0;
+                done_.cusp_splits += cusp == CuspRepair::Refined ? 1 : 0;
                 return true;
             }
         }

@@ -14,7 +14,8 @@ struct SurfaceRepairs {
     int swaps = 0;
     int collapses = 0;
     int curved_edges = 0;
-    int cusps = 0;  ///< opened
+    int cusps = 0;        ///< opened
+    int cusp_splits = 0;  ///< cusps whose edges were halved, so that opening them costs little
     int splits = 0;
 };
 
