@@ -63,6 +63,9 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
     add("edges curved on model faces", repairs.curved_edges);
     add("cusps opened", repairs.cusps);
     add("cusps refined", repairs.cusp_splits);
+    add("faces refined around invalid triangles", repairs.refined_faces);
+    add("vertices of faces put on CAD edges", repairs.snapped);
+    add("surface cavities filled anew", repairs.regrown);
     add("surface edges split in repair", repairs.splits);
 }
 

@@ -414,6 +414,77 @@ void Placement::set_warped(int a, int b, double by, int degree) {
     set_edge_nodes(a, b, raised);
 }
 
+bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
+    const int q = surface_.shapes.order();
+    std::vector<Vec3> control = surface_.shapes.edge_inner(a, b);
+    control.insert(control.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
+    control.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
+    std::vector<Vec3> nodes = bezier_to_nodes(Lattice::of(1, q), control);
+    nodes = {nodes.begin() + 1, nodes.end() - 1};
+    Vec2 from = *surface_.uv_of(a, face);
+    Vec2 to = unwrapped(b, face, from);
+    resolve_free(a, face, to, from);
+    resolve_free(b, face, from, to);
+    std::vector<Query> batch;
+    for (int k = 1; k < q; ++k) {
+        const double s = static_cast<double>(k) / q;
+        Vec3& node = nodes[static_cast<std::size_t>(k - 1)];
+        node += 4.0 * s * (1.0 - s) * by;
+        const Vec2 uv = from + s * (to - from);
+        batch.push_back(Query::face_nearest(face, node, uv.x(), uv.y()));
+    }
+    if (!planar(face)) {
+        const auto answers = session_.ask(std::move(batch));
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (!answers[i].found()) {
+                return false;
+            }
+            nodes[i] = answers[i].point;
+        }
+    }
+    set_edge_nodes(a, b, nodes);
+    return true;
+}
+
+bool Placement::on_edge(int vertex, int edge, double t_from, double t_to, double& t, Vec3& point) {
+    // Vertices of the triangulation are rounded to single precision, and twice the tolerance of an edge is the distance
+    // of two curves that stand for it.
+    constexpr double kRounding = 4e-7;
+    constexpr int kStarts = 8;
+    const geometry::Topology& topology = session_.topology();
+    const double tolerance = std::max(kRounding * topology.box.largest_side(),
+                                      2.0 * topology.edges[static_cast<std::size_t>(edge)].tolerance);
+    const double low = std::min(t_from, t_to);
+    const double high = std::max(t_from, t_to);
+    std::vector<Query> batch;
+    for (int k = 0; k < kStarts; ++k) {
+        const Vec3& p = surface_.shapes.vertices[static_cast<std::size_t>(vertex)].point;
+        batch.push_back(Query::edge_nearest(edge, p, low + (k + 0.5) / kStarts * (high - low), low, high));
+    }
+    double nearest = tolerance;
+    bool found = false;
+    for (const Answer& answer : session_.ask(std::move(batch))) {
+        const bool between = answer.t > low && answer.t < high;
+        if (answer.found() && between && answer.distance <= nearest) {
+            nearest = answer.distance;
+            t = answer.t;
+            point = answer.point;
+            found = true;
+        }
+    }
+    return found;
+}
+
+void Placement::set_uv_on_edge(int vertex, int edge, double t) {
+    for (const int use : session_.topology().edges[static_cast<std::size_t>(edge)].uses) {
+        const Answer on = session_.ask(Query::use_on_face(use, t));
+        if (on.found()) {
+            const int face = session_.topology().uses[static_cast<std::size_t>(use)].face;
+            surface_.uv[Surface::key(vertex, face)] = Vec2(on.u, on.v);
+        }
+    }
+}
+
 Placement::Middle Placement::middle_of(int a, int b) {
     Middle middle;
     const int low = std::min(a, b);

@@ -27,6 +27,11 @@ class Placement {
     /// CAD edge but moved towards b: the one in the middle by part `by` of the edge's parameters.
     void set_warped(int a, int b, double by, int degree);
 
+    /// Moves the nodes of mesh edge (a, b) inside a face by the quadratic bubble 4 s (1 - s) times `by`, and back onto
+    /// the face. The inner nodes of the triangles beside stay where they are.
+    /// @return false, and nothing is changed, where no point of the face is found.
+    bool bulge_on_face(int a, int b, int face, const Vec3& by);
+
     /// The point of the curved edge that a new vertex in its middle gets; parameters by `at` of the entity.
     struct Middle {
         Vertex vertex;
@@ -35,6 +40,11 @@ class Placement {
         bool found = false;
     };
     Middle middle_of(int a, int b);
+
+    /// Whether a vertex lies, within tolerance, on a CAD edge between two of its parameters; where, if so.
+    bool on_edge(int vertex, int edge, double t_from, double t_to, double& t, Vec3& point);
+    /// Gives a vertex on a CAD edge its (u, v) on the faces there.
+    void set_uv_on_edge(int vertex, int edge, double t);
 
     bool planar(int face) const;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
-#include <cmath>
 
 #include "curve/surface_editor.h"
 
@@ -10,18 +9,8 @@ namespace {
 
 /// Epsilon of (7), as a part of |t2 x t1|^2: how much of the straight triangle's corner is asked back.
 constexpr double kEpsilon = 0.3;
-
-/// Control points of the edge from a to b moved by the quadratic bubble 4 s (1 - s) times `by`.
-std::vector<Vec3> bulged(const std::vector<Vec3>& inner, const Vec3& by) {
-    // In Bernstein form 4 s (1 - s) has the coefficients 4 k (q - k) / (q (q - 1)).
-    const double q = static_cast<double>(inner.size()) + 1.0;
-    std::vector<Vec3> result = inner;
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-        const double k = static_cast<double>(i) + 1.0;
-        result[i] += by * (4.0 * k * (q - k) / (q * (q - 1.0)));
-    }
-    return result;
-}
+/// The worst of the two triangles must get better by this much.
+constexpr double kGain = 0.05;
 
 double worst(const SurfaceEditor& editor, const std::vector<int>& triangles) {
     double least = 1.0;
@@ -31,51 +20,65 @@ double worst(const SurfaceEditor& editor, const std::vector<int>& triangles) {
     return least;
 }
 
+/// The displacements m s of the middle of (a, b) by equations (7) to (9), for two directions s in the face: across
+/// (a, c), as the middle of that edge left its chord, and across (a, b) itself, which does least at its other end. None
+/// where the corner is as open as wanted.
+std::vector<Vec3> displacements(const SurfaceEditor& editor, int a, int b, int c) {
+    const Shapes& shapes = editor.surface.shapes;
+    const double order = shapes.order();
+    const Vec3 t1 = editor.point(c) - editor.point(a);
+    const Vec3 t2 = editor.point(b) - editor.point(a);
+    const Vec3 t3 = order * (shapes.edge_inner(a, c).front() - editor.point(a));
+    const Vec3 t4 = order * (shapes.edge_inner(a, b).front() - editor.point(a));
+    const Vec3 straight = t2.cross(t1);
+    const double missing = kEpsilon * straight.squaredNorm() - straight.dot(t4.cross(t3));
+    std::vector<Vec3> result;
+    for (const Vec3& along : {t1, t2}) {
+        const Vec3 s = straight.cross(along).normalized();
+        const double slope = 4.0 * straight.dot(s.cross(t3));
+        const Vec3 by = missing / slope * s;  // (9)
+        if (missing > 0.0 && by.allFinite()) {
+            result.push_back(by);
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c) {
     Surface& surface = editor.surface;
-    const double order = surface.shapes.order();
-    if (order < 2 || surface.segment(a, b) != nullptr || !surface.shapes.has_edge(a, c)) {
+    if (surface.shapes.order() < 2 || surface.segment(a, b) != nullptr || !surface.shapes.has_edge(a, c)) {
+        return false;
+    }
+    const std::vector<Vec3> ways = displacements(editor, a, b, c);
+    if (ways.empty()) {
         return false;
     }
     const std::vector<int> beside = surface.triangles_of_edge(a, b);
     const int face = editor.triangle(beside.front()).face;
-    if (!editor.placement.planar(face)) {
-        return false;  // inside curved faces the nodes belong to the surface
-    }
-    const Vec3 t1 = editor.point(c) - editor.point(a);
-    const Vec3 t2 = editor.point(b) - editor.point(a);
-    const std::vector<Vec3> border = surface.shapes.edge_inner(a, c);
-    const Vec3 t3 = order * (border.front() - editor.point(a));
-    Vec3 s = border[border.size() / 2] - 0.5 * (editor.point(a) + editor.point(c));
-    s -= t1 * (s.dot(t1) / t1.squaredNorm());
-    if (!(s.norm() > 1e-9 * t1.norm())) {
-        return false;
-    }
-    s.normalize();
-    const Vec3 straight = t2.cross(t1);
-    const double slope = 4.0 * straight.dot(s.cross(t3));
-    if (!(std::abs(slope) > 0.0)) {
-        return false;
-    }
-    const double m = (kEpsilon * straight.squaredNorm() - straight.dot(t2.cross(t3))) / slope;  // (9)
     const bool had = surface.shapes.has_edge(a, b);
     const std::vector<Vec3> before = surface.shapes.edge_inner(a, b);
+    const auto restore = [&] {
+        if (had) {
+            surface.shapes.set_edge(a, b, before);
+        } else {
+            surface.shapes.forget_edge(a, b);
+        }
+    };
     const double quality = worst(editor, beside);
-    for (const double part : {1.0, 0.6, 1.5}) {
-        surface.shapes.set_edge(a, b, bulged(before, part * m * s));
-        editor.placement.measure(beside);
-        if (worst(editor, beside) > quality + 1e-3) {
-            return true;
+    for (const Vec3& by : ways) {
+        for (const double part : {1.0, 0.6, 1.5}) {
+            if (editor.placement.bulge_on_face(a, b, face, part * by)) {
+                editor.placement.place(beside);
+                if (worst(editor, beside) > quality + kGain) {
+                    return true;
+                }
+            }
+            restore();
         }
     }
-    if (had) {
-        surface.shapes.set_edge(a, b, before);
-    } else {
-        surface.shapes.forget_edge(a, b);
-    }
-    editor.placement.measure(beside);
+    editor.placement.place(beside);
     return false;
 }
 

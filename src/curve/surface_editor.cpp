@@ -107,7 +107,8 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
         worst_after = std::min(worst_after, triangle(t).quality);
         invalid_after += triangle(t).quality > floor ? 0 : 1;
     }
-    if (invalid_after > invalid_before || (rule == Rule::Improve && worst_after <= worst_before + 1e-3)) {
+    const bool adds_invalid = rule != Rule::Try && invalid_after > invalid_before;
+    if (adds_invalid || (rule == Rule::Improve && worst_after <= worst_before + 1e-3)) {
         take_back(removed, indices, fresh);
         return false;
     }

@@ -17,6 +17,7 @@ class SurfaceEditor {
         Improve,     ///< no more invalid triangles than before, and the worst gets better
         Refine,      ///< no more invalid triangles than before
         RefinePoor,  ///< no more triangles than before that are invalid or hardly valid
+        Try,         ///< whatever comes: the caller judges later
     };
     struct Corners {
         std::array<int, 3> corners;
@@ -52,8 +53,8 @@ bool swap_surface_edge(SurfaceEditor& editor, int a, int b);
 /// Draws vertex `a` into its neighbour `b`, along the CAD edge where `a` lies on one (section 5.3.3).
 bool collapse_surface_edge(SurfaceEditor& editor, int a, int b);
 
-/// Curves edge (a, b) inside a face so that it gives way to the curved edge (a, c) on the face's border: equations
-/// (7) to (9), at vertex a.
+/// Curves edge (a, b) inside a face so that it gives way to the curved edge (a, c): equations (7) to (9), at vertex a.
+/// Its nodes stay on the face.
 bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c);
 
 enum class CuspRepair { None, Opened, Refined };
@@ -64,6 +65,17 @@ enum class CuspRepair { None, Opened, Refined };
 /// would cost too much of the deviation from the CAD, both edges are halved instead: the cusp is opened next to its
 /// vertex later.
 CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c);
+
+/// Vertices of a face may lie on its border within tolerance, behind a long mesh edge that bends up to them once it is
+/// curved: the triangle on that edge, `triangle`, and others behind it have no area then. They go, and the vertices
+/// become vertices of the CAD edge.
+/// @return how many.
+int snap_to_border(SurfaceEditor& editor, int triangle);
+
+/// Takes the bad triangles around `triangle` out of their face, with a layer of others where that is not enough, and
+/// fills the cavity anew between the curved edges around it: of all triangulations without vertices inside, the one
+/// whose worst curved triangle is best (section 5.5, figure 15).
+bool regrow_surface_cavity(SurfaceEditor& editor, int triangle);
 
 /// Splits edge (a, b) at its middle on the CAD: a boundary point for local remeshing (section 5.5).
 /// @return the new vertex, or -1.

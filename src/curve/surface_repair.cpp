@@ -2,6 +2,7 @@
 #include "curve/surface_repair.h"
 
 #include <algorithm>
+#include <set>
 
 namespace mq::curve {
 
@@ -11,8 +12,12 @@ namespace {
 /// triangle becomes invalid (inequality (4) of section 5.5).
 constexpr double kAllowableBulge = 0.134;
 constexpr double kGoodTriangle = 0.15;
+/// Below this quality a triangle may be one whose vertices lie on one CAD edge.
+constexpr double kHardlyValid = 0.02;
 constexpr int kBulgeRounds = 6;
 constexpr int kRepairRounds = 10;
+constexpr int kRefineRounds = 8;
+constexpr int kPasses = 3;
 
 class Repair {
   public:
@@ -24,11 +29,63 @@ class Repair {
         }
         for (int round = 0; round < kRepairRounds && repair_round(round); ++round) {
         }
+        for (int pass = 0; pass < kPasses && refine_faces(); ++pass) {
+        }
         done_.invalid_after = invalid();
         return done_;
     }
 
   private:
+    /// Where coarse edges bend by more than the triangles at them are thick, halving a triangle leaves two that are
+    /// invalid: only finer ones fit. Each face in turn is refined around its invalid triangles, with repairs in
+    /// between, and all of it is taken back unless fewer are invalid in the end.
+    bool refine_faces() {
+        bool any = false;
+        std::set<int> faces;
+        for (const SurfaceTriangle& t : editor_.surface.triangles) {
+            if (t.alive && !(t.quality > 0.0)) {
+                faces.insert(t.face);
+            }
+        }
+        for (const int face : faces) {
+            const int before = invalid();
+            const Surface snapshot = editor_.surface;
+            const SurfaceRepairs done = done_;
+            for (int round = 0; round < kRefineRounds && refine_face(face); ++round) {
+            }
+            if (invalid() < before) {
+                ++done_.refined_faces;
+                any = true;
+            } else {
+                editor_.surface = snapshot;
+                done_ = done;
+            }
+        }
+        return any;
+    }
+
+    bool refine_face(int face) {
+        bool any = false;
+        const std::size_t count = editor_.surface.triangles.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const int t = static_cast<int>(i);
+            const auto open = [&] { return editor_.triangle(t).alive && !(editor_.triangle(t).quality > 0.0); };
+            if (editor_.triangle(t).face != face || !open()) {
+                continue;
+            }
+            progress_.check();
+            any = true;
+            if (repair(t, 1) && !open()) {
+                continue;
+            }
+            if (open()) {
+                const auto [a, b] = edge_to_split(editor_.triangle(t).corners);
+                done_.splits += split_surface_edge(editor_, a, b, SurfaceEditor::Rule::Try) >= 0 ? 1 : 0;
+            }
+        }
+        return any;
+    }
+
     int invalid() const {
         return static_cast<int>(std::count_if(editor_.surface.triangles.begin(), editor_.surface.triangles.end(),
                                               [](const SurfaceTriangle& t) { return t.alive && !(t.quality > 0.0); }));
@@ -78,15 +135,14 @@ class Repair {
 
     bool repair(int t, int round) {
         const std::array<int, 3> v = editor_.triangle(t).corners;
+        const int snapped = editor_.triangle(t).quality > kHardlyValid ? 0 : snap_to_border(editor_, t);
+        if (snapped > 0) {
+            done_.snapped += snapped;
+            return true;
+        }
         for (std::size_t k = 0; k < 3; ++k) {
             if (swap_surface_edge(editor_, v[k], v[(k + 1) % 3])) {
                 ++done_.swaps;
-                return true;
-            }
-        }
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (curve_beside(v[k], v[(k + 1) % 3], v[(k + 2) % 3])) {
-                ++done_.curved_edges;
                 return true;
             }
         }
@@ -98,10 +154,20 @@ class Repair {
                 return true;
             }
         }
+        if (!(editor_.triangle(t).quality > 0.0) && regrow_surface_cavity(editor_, t)) {
+            ++done_.regrown;
+            return true;
+        }
         // Drawing vertices together makes the mesh coarser: only short edges, and only once splitting had its turn.
-        if (round > 0 && collapse_shortest(v)) {
+        if (round > 0 && (collapse_shortest(v) || (!(editor_.triangle(t).quality > 0.0) && collapse_any(v)))) {
             ++done_.collapses;
             return true;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (curve_beside(v[k], v[(k + 1) % 3], v[(k + 2) % 3])) {
+                ++done_.curved_edges;
+                return true;
+            }
         }
         const auto [a, b] = edge_to_split(v);
         if (split_surface_edge(editor_, a, b, SurfaceEditor::Rule::Refine) >= 0) {
@@ -111,10 +177,9 @@ class Repair {
         return false;
     }
 
-    /// Edges that meet in a, of a triangle: one on the border, the other inside.
+    /// One of the two edges of a triangle that meet in a gives way to the other.
     bool curve_beside(int a, int b, int c) {
-        return (editor_.surface.segment(a, c) != nullptr && curve_face_edge(editor_, a, b, c)) ||
-               (editor_.surface.segment(a, b) != nullptr && curve_face_edge(editor_, a, c, b));
+        return curve_face_edge(editor_, a, b, c) || curve_face_edge(editor_, a, c, b);
     }
 
     bool collapse_shortest(const std::array<int, 3>& v) {
@@ -127,6 +192,26 @@ class Repair {
         const int a = v[shortest];
         const int b = v[(shortest + 1) % 3];
         return collapse_surface_edge(editor_, a, b) || collapse_surface_edge(editor_, b, a);
+    }
+
+    /// Vertices inside a face that lie on its border within tolerance, behind its coarser edges, can only go.
+    bool collapse_any(const std::array<int, 3>& v) {
+        for (const int a : v) {
+            if (editor_.surface.shapes.vertices[static_cast<std::size_t>(a)].entity[0] != 2) {
+                continue;
+            }
+            std::set<int> neighbours;
+            for (const int t : editor_.surface.triangles_of_vertex(a)) {
+                neighbours.insert(editor_.triangle(t).corners.begin(), editor_.triangle(t).corners.end());
+            }
+            neighbours.erase(a);
+            for (const int b : neighbours) {
+                if (collapse_surface_edge(editor_, a, b)) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /// The edge that bulges most against the height of the triangle on it; the longest where none bulges.

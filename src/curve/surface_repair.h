@@ -14,8 +14,11 @@ struct SurfaceRepairs {
     int swaps = 0;
     int collapses = 0;
     int curved_edges = 0;
-    int cusps = 0;        ///< opened
-    int cusp_splits = 0;  ///< cusps whose edges were halved, so that opening them costs little
+    int cusps = 0;          ///< opened
+    int cusp_splits = 0;    ///< cusps whose edges were halved, so that opening them costs little
+    int snapped = 0;        ///< vertices of faces that became vertices of CAD edges
+    int regrown = 0;        ///< cavities filled anew
+    int refined_faces = 0;  ///< made finer around invalid triangles until more of them were valid
     int splits = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 
 #include "curve/checks.h"
+#include "curve/placed_surface.h"
 #include "curve/surface_repair.h"
 #include "geometry/occt/shape_model.h"
 
@@ -19,38 +20,6 @@ std::shared_ptr<geometry::Model> boss_at_the_border() {
         BRepAlgoAPI_Fuse(BRepPrimAPI_MakeBox(4.0, 3.0, 1.0).Shape(), BRepPrimAPI_MakeCylinder(axis, 1.0, 1.5).Shape())
             .Shape());
 }
-
-class PlacedSurface {
-  public:
-    PlacedSurface(const std::shared_ptr<geometry::Model>& model, int order, double max_edge)
-        : session(engine, model),
-          surface(classify(session, straight(model, max_edge), order)),
-          editor(session, surface) {
-        editor.placement.place(living());
-    }
-    std::vector<int> living() const {
-        std::vector<int> result;
-        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-            if (surface.triangles[t].alive) {
-                result.push_back(static_cast<int>(t));
-            }
-        }
-        return result;
-    }
-
-    geometry::Engine engine{geometry::Engine::Mode::Direct};
-    geometry::Session session;
-    Surface surface;
-    SurfaceEditor editor;
-
-  private:
-    mesh::TriangleMesh straight(const std::shared_ptr<geometry::Model>& model, double max_edge) {
-        triangulate::Options options;
-        options.min_angle = 20.0;
-        options.max_edge = max_edge;
-        return triangulate::triangulate(engine, model, options).mesh;
-    }
-};
 
 TEST(Cusps, OpenWithoutLeavingTheCad) {
     for (int order = 2; order <= 5; ++order) {
