@@ -83,6 +83,25 @@ def summarise(mesh, seconds):
     return found
 
 
+def fallbacks(shape, report):
+    """Faces by surface type, how many of them fell back, and why, by face."""
+    types = [surface_type(face) for face in shape.Faces]
+    fallen = dict(report.fallback)
+    return {
+        "surfaces": Counter(types),
+        "fallen": Counter(types[face] for face in fallen),
+        "why": {f"Face{face + 1}": f"{types[face]}: {why}" for face, why in fallen.items()},
+    }
+
+
+def surface_type(face):
+    """Plane, Cylinder, BSplineSurface, ..."""
+    try:
+        return type(face.Surface).__name__
+    except TypeError:  # FreeCAD has no class for it
+        return "other"
+
+
 def work():
     import MeshQuality as mq  # noqa: PLC0415  a build that does not load is a result, too
 
@@ -93,6 +112,7 @@ def work():
     start = time.monotonic()
     mesh = mq.triangulate(shape, **JOB["options"])
     result.update(summarise(mesh, time.monotonic() - start))
+    result["fallbacks"] = fallbacks(shape, mesh.report)
     mesh.write(JOB["mesh"])
     if JOB["brep"]:
         shape.exportBrep(JOB["brep"])

@@ -9,7 +9,8 @@ from .surface_mesh import SurfaceMesh
 
 def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None,
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
-                progress=None, insertion="off-centre", allow_missing_faces=False):
+                progress=None, insertion="off-centre", allow_missing_faces=False,
+                connectivity="pseudo-delaunay", polish=True, seed=0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -17,12 +18,17 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     chord_height           mm; largest distance to the shape; None: no bound
     chord_height_relative  the same as a fraction of the largest dimension; give one of the two
     max_edge, min_edge     mm; None: no bound
-    method                 "refine"
+    method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
     max_triangles          the work ends incomplete at this number; None: 5 million
     progress               callable(fraction 0..1, stage); returning False cancels
     insertion              where a triangle with a small angle gets its new point: "off-centre" needs
                            fewer triangles, "paper" is the rule of Aftosmis 1999
     allow_missing_faces    mesh the rest of a part whose faces fail, and name them in the report
+
+    connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
+                           the faces' parameters ("parametric")
+    polish                 of star and sprinkle: refine afterwards, so that the bounds hold
+    seed                   of sprinkle's random points
 
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -32,14 +38,14 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "chord_height_relative": chord_height_relative, "max_edge": max_edge,
         "min_edge": min_edge, "method": method, "insertion": insertion,
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
+        "connectivity": connectivity, "polish": polish, "seed": seed,
     })
     _require_callable(progress)
     live_shape = convert.shape_of(shape)
     module = core()
     core_options = module.TriangulateOptions()
     for name, value in values.items():
-        if name != "method":
-            setattr(core_options, name, options.to_property(None, value))
+        setattr(core_options, name, options.to_property(None, value))
     return SurfaceMesh(module.triangulate(live_shape, core_options, progress))
 
 

@@ -7,9 +7,10 @@ import math
 import numbers
 from dataclasses import dataclass
 
-from .errors import Error, InvalidInput
+from .errors import InvalidInput
 
 METHODS = ("refine", "star", "sprinkle")
+CONNECTIVITIES = ("pseudo-delaunay", "parametric")
 INSERTIONS = ("off-centre", "paper")
 OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
 BOOLEAN_METHODS = ("default", "uniform")
@@ -121,8 +122,8 @@ TRIANGULATE = (
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size",
            help="No edge is split into shorter ones than this"),
     Option("method", str, "refine", choices=METHODS,
-           help="Algorithm: refine inserts points until every angle and chord fits; star and "
-                "sprinkle are not available yet"),
+           help="Algorithm: refine inserts points until every angle and chord fits; star (hexagons) "
+                "and sprinkle (random points) first sample the faces by their curvature"),
     Option("insertion", str, "off-centre", choices=INSERTIONS,
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, paper is the rule of Aftosmis 1999"),
@@ -130,6 +131,12 @@ TRIANGULATE = (
            help="Work ends with an incomplete mesh at this number; 5 million unless given"),
     Option("allow_missing_faces", bool, False,
            help="Mesh the rest of a part whose faces fail, and name those in the report"),
+    Option("connectivity", str, "pseudo-delaunay", choices=CONNECTIVITIES, group="Sampling",
+           help="How samples are joined: pseudo-delaunay in space, parametric in (u, v)"),
+    Option("polish", bool, True, group="Sampling",
+           help="Refine after sampling, so that the angle and chord bounds hold"),
+    Option("seed", int, 0, low=0, high=2**31 - 1, above=False, group="Sampling",
+           help="Of the random points of sprinkle; the same seed gives the same mesh"),
 )
 
 
@@ -175,8 +182,6 @@ def check(table, values):
     checked = {name: option.checked(values.get(name, option.default))
                for name, option in known.items()}
     _check_sizes(checked)
-    if table is TRIANGULATE and checked["method"] != "refine":
-        raise Error(f"method = {checked['method']!r} is not available yet: use 'refine'")
     return checked
 
 

@@ -179,4 +179,33 @@ std::set<int> EdgeChains::halve(Session& session, const std::set<Mark>& marks) {
     return changed;
 }
 
+void EdgeChains::resample(Session& session, int edge, const std::vector<double>& inner) {
+    EdgeChain& chain = chains_[edge];
+    if (chain.collapsed) {
+        return;
+    }
+    Engine::Batch batch;
+    for (const double t : inner) {
+        batch.push_back(Query::edge_point(edge, t));
+    }
+    const Engine::Answers answers = session.ask(std::move(batch));
+    const double reach = kMinSteps * grid_.resolution();
+    EdgeChain fresh;
+    fresh.t.push_back(chain.t.front());
+    fresh.vertices.push_back(chain.vertices.front());
+    const Vec3 end = vertices_[chain.vertices.back()].point;
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        const Vec3 point = grid_.snap(answers[i].point);
+        if (answers[i].found() && inner[i] > fresh.t.back() && inner[i] < chain.t.back() &&
+            (point - vertices_[fresh.vertices.back()].point).norm() > reach && (point - end).norm() > reach) {
+            fresh.t.push_back(inner[i]);
+            fresh.vertices.push_back(static_cast<int>(vertices_.size()));
+            vertices_.push_back({point, {1, edge}});
+        }
+    }
+    fresh.t.push_back(chain.t.back());
+    fresh.vertices.push_back(chain.vertices.back());
+    chain = std::move(fresh);
+}
+
 }  // namespace mq::geometry

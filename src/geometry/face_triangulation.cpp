@@ -7,6 +7,7 @@
 
 #include "base/predicates.h"
 #include "geometry/face_border.h"
+#include "geometry/turned_face.h"
 
 namespace mq::geometry {
 
@@ -35,8 +36,14 @@ constexpr double kMinSteps = 16.0;  // as for edges: shorter sides have no direc
 
 class FaceMesher {
   public:
-    FaceMesher(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face, bool border_may_change)
-        : session_(session), chains_(chains), grid_(grid), face_(face), border_may_change_(border_may_change) {}
+    FaceMesher(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face, bool border_may_change,
+               const std::vector<Site>& inner)
+        : session_(session),
+          chains_(chains),
+          grid_(grid),
+          face_(face),
+          border_may_change_(border_may_change),
+          inner_(inner) {}
 
     FaceTriangulation run();
 
@@ -48,6 +55,7 @@ class FaceMesher {
     void mark_around(int planar_vertex);
     bool wish_halved(int piece);
     void find_inside();
+    void insert_inner();
     void check_halving();
     bool refine_round();
     enum class Fault { None, Turned, Sagging };
@@ -60,7 +68,6 @@ class FaceMesher {
     Link link_of(int h, const std::vector<int>& number) const;
     bool drop_collapsed(std::vector<Corners>& triangles, std::vector<std::array<Link, 3>>& links);
     void join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b);
-    void turn_outward();
 
     const Site& site_at(int corner_vertex) const { return result_.sites[site_of_[corner_vertex]]; }
     const Site& corner_site(int h) const { return site_at(tri_->corner(h)); }
@@ -73,6 +80,7 @@ class FaceMesher {
     const SingleGrid& grid_;
     int face_;
     bool border_may_change_;  // to make triangles follow the surface, not only to keep the border from crossing itself
+    const std::vector<Site>& inner_;
     FaceBorder border_;
     std::unique_ptr<PlanarTriangulation> tri_;
     std::vector<int> planar_of_;              // site -> vertex of the planar triangulation
@@ -95,6 +103,7 @@ FaceTriangulation FaceMesher::run() {
     if (!result_.failure.empty()) {
         return result_;
     }
+    insert_inner();
     check_halving();
     for (int round = 0; round < kMaxRounds && result_.marks.empty(); ++round) {
         if (!refine_round()) {
@@ -262,6 +271,19 @@ void FaceMesher::find_inside() {
     }
     if (!any) {
         result_.failure = "its border encloses nothing";
+    }
+}
+
+void FaceMesher::insert_inner() {
+    for (const Site& site : inner_) {
+        if (tri_->insert_off_constraints(border_.scaled(site.uv)) == static_cast<int>(site_of_.size())) {
+            site_of_.push_back(static_cast<int>(result_.sites.size()));
+            result_.sites.push_back(site);
+            level_.push_back(0);
+        }
+    }
+    if (!inner_.empty()) {
+        find_inside();
     }
 }
 
@@ -435,7 +457,7 @@ bool FaceMesher::crowds(int a, int b, const Vec3& p) const {
 }
 
 bool FaceMesher::insert_midpoints(const std::set<std::array<int, 2>>& sides) {
-    if (sides.empty() || tri_->vertex_count() > kMaxSites) {
+    if (sides.empty() || tri_->vertex_count() > kMaxSites + static_cast<int>(inner_.size())) {
         return false;
     }
     Engine::Batch batch;
@@ -503,8 +525,8 @@ void FaceMesher::assemble() {
     for (const FaceBorder::Piece& p : border_.pieces) {
         result_.borders.push_back({p.use, p.index});
     }
-    if (drop_collapsed(triangles, links)) {
-        turn_outward();
+    if (drop_collapsed(triangles, links) && session_.topology().faces[face_].reversed) {
+        turn_over(result_);
     }
 }
 
@@ -562,26 +584,11 @@ bool FaceMesher::drop_collapsed(std::vector<Corners>& triangles, std::vector<std
     return true;
 }
 
-void FaceMesher::turn_outward() {
-    if (!session_.topology().faces[face_].reversed) {
-        return;
-    }
-    for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
-        std::swap(result_.triangles[t][1], result_.triangles[t][2]);
-        std::swap(result_.links[t][0], result_.links[t][2]);
-        for (Link& link : result_.links[t]) {
-            if (link.half_edge >= 0) {
-                link.half_edge = 3 * (link.half_edge / 3) + 2 - link.half_edge % 3;
-            }
-        }
-    }
-}
-
 }  // namespace
 
 FaceTriangulation triangulate_face(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face,
-                                   bool border_may_change) {
-    return FaceMesher(session, chains, grid, face, border_may_change).run();
+                                   bool border_may_change, const std::vector<FaceTriangulation::Site>& inner) {
+    return FaceMesher(session, chains, grid, face, border_may_change, inner).run();
 }
 
 }  // namespace mq::geometry

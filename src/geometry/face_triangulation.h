@@ -42,8 +42,9 @@ struct FaceTriangulation {
 
 /// Triangulates a face over the present chains. When `marks` is not empty in the result, halve them and call again.
 /// With `border_may_change` pieces are marked also where triangles turn away from the surface; without it only where
-/// the border cannot be triangulated otherwise.
+/// the border cannot be triangulated otherwise. `inner` sites become vertices too, unless they lie on the border or
+/// outside of it in (u, v); it is fast when near ones follow each other.
 FaceTriangulation triangulate_face(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face,
-                                   bool border_may_change);
+                                   bool border_may_change, const std::vector<FaceTriangulation::Site>& inner = {});
 
 }  // namespace mq::geometry

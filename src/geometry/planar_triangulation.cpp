@@ -101,7 +101,15 @@ PlanarTriangulation::Place PlanarTriangulation::locate(const Vec2& p) const {
 }
 
 int PlanarTriangulation::insert(const Vec2& p) {
+    return insert_at(locate(p), p);
+}
+
+int PlanarTriangulation::insert_off_constraints(const Vec2& p) {
     const Place place = locate(p);
+    return place.on_edge && label_[place.half_edge] >= 0 ? -1 : insert_at(place, p);
+}
+
+int PlanarTriangulation::insert_at(const Place& place, const Vec2& p) {
     last_ = place.half_edge / 3;
     if (place.vertex >= 0) {
         return place.vertex;

@@ -21,6 +21,8 @@ class PlanarTriangulation {
     /// Inserts a point and restores the Delaunay property. A point already there is found and returned. A point on a
     /// constraint splits it; both halves keep its label.
     int insert(const Vec2& p);
+    /// As `insert`, but refuses a point on a constraint: -1.
+    int insert_off_constraints(const Vec2& p);
 
     /// What stands in the way of a constraint.
     struct Obstacle {
@@ -50,6 +52,7 @@ class PlanarTriangulation {
         int vertex;  // p is this vertex, or -1
     };
     Place locate(const Vec2& p) const;
+    int insert_at(const Place& place, const Vec2& p);
     void set_triangle(int t, int a, int b, int c);
     void attach(int h, int g, int label);
     void insert_in_triangle(int t, int v, std::vector<int>& stack);

@@ -261,6 +261,9 @@ std::string to_text(const MeshReport& r) {
     if (!r.complete) {
         text += "incomplete   a limit ended the work early\n";
     }
+    for (const auto& [face, why] : r.fallback) {
+        text += line("fallback     Face%d: %s", face + 1, why.c_str());
+    }
     for (const std::string& note : r.notes) {
         text += "note         " + note + "\n";
     }

@@ -41,7 +41,8 @@ struct MeshReport {
     double min_angle_unexempted = 0.0;  ///< smallest angle over triangles that are not in `exempt`
     double max_chord_height = -1.0;     ///< largest measured distance to the CAD; -1 when there is no CAD
     double chord_height_asked = 0.0;    ///< 0: none
-    std::vector<std::pair<std::int32_t, std::string>> exempt;  ///< triangle, why and by which entities
+    std::vector<std::pair<std::int32_t, std::string>> exempt;    ///< triangle, why and by which entities
+    std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
     std::vector<std::string> notes;  ///< what the reader must know: faults of the part, budget reached, ...
     bool complete = true;            ///< false when a budget ended the work early
 

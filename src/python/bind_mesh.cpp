@@ -129,6 +129,8 @@ void bind_report(py::module_& m) {
         .def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
         .def_property_readonly("exempt_causes", &causes_of,
                                "[(cause with # for numbers, triangles), ...], most frequent first")
+        .def_readonly("fallback", &MeshReport::fallback,
+                      "[(face, why its samples were joined in (u, v) instead of in space), ...]")
         .def_readonly("notes", &MeshReport::notes)
         .def_readonly("complete", &MeshReport::complete, "False when a limit ended the work early")
         .def_property_readonly("seconds", &seconds_of, "{stage: wall-clock seconds}")

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "geometry/occt/brep_text.h"
@@ -54,18 +57,40 @@ mesh::MeshReport measure_against(const Result& surface, const PartShape& part, c
     });
 }
 
-constexpr const char* kOffCentre = "off-centre";
-constexpr const char* kPaper = "paper";
+template <typename Value>
+using Names = std::vector<std::pair<Value, const char*>>;
 
-std::string insertion_of(const Options& options) {
-    return options.insertion == triangulate::Insertion::Paper ? kPaper : kOffCentre;
-}
+const Names<triangulate::Insertion> kInsertions{{triangulate::Insertion::OffCentre, "off-centre"},
+                                                {triangulate::Insertion::Paper, "paper"}};
+const Names<triangulate::Method> kMethods{{triangulate::Method::Refine, "refine"},
+                                          {triangulate::Method::Star, "star"},
+                                          {triangulate::Method::Sprinkle, "sprinkle"}};
+const Names<triangulate::Connectivity> kConnectivities{{triangulate::Connectivity::PseudoDelaunay, "pseudo-delaunay"},
+                                                       {triangulate::Connectivity::Parametric, "parametric"}};
 
-void set_insertion(Options& options, const std::string& name) {
-    if (name != kOffCentre && name != kPaper) {
-        throw InvalidInput("insertion is '" + name + "': it must be '" + kOffCentre + "' or '" + kPaper + "'");
+/// Reads and writes an enumeration by its names.
+template <typename Value>
+void def_named(py::class_<Options>& options, const char* name, Value Options::*member, const Names<Value>& names) {
+    std::string choices;
+    for (const auto& entry : names) {
+        choices += (choices.empty() ? "'" : ", '") + std::string(entry.second) + "'";
     }
-    options.insertion = name == kPaper ? triangulate::Insertion::Paper : triangulate::Insertion::OffCentre;
+    options.def_property(
+        name,
+        [member, &names](const Options& o) {
+            const auto found =
+                std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == o.*member; });
+            return std::string(found->second);
+        },
+        [member, &names, name, choices](Options& o, const std::string& value) {
+            const auto found =
+                std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.second == value; });
+            if (found == names.end()) {
+                throw InvalidInput(std::string(name) + " is '" + value + "': it must be one of " + choices);
+            }
+            o.*member = found->first;
+        },
+        ("One of " + choices).c_str());
 }
 
 py::tuple shape_identity(const py::object& shape, bool copy) {
@@ -76,16 +101,20 @@ py::tuple shape_identity(const py::object& shape, bool copy) {
 }  // namespace
 
 void bind_triangulate(py::module_& m) {
-    py::class_<Options>(m, "TriangulateOptions", "Options of triangulate; 0 means no bound.")
-        .def(py::init<>())
+    py::class_<Options> options(m, "TriangulateOptions", "Options of triangulate; 0 means no bound.");
+    options.def(py::init<>())
         .def_readwrite("min_angle", &Options::min_angle)
         .def_readwrite("chord_height", &Options::chord_height)
         .def_readwrite("chord_height_relative", &Options::chord_height_relative)
         .def_readwrite("max_edge", &Options::max_edge)
         .def_readwrite("min_edge", &Options::min_edge)
-        .def_property("insertion", &insertion_of, &set_insertion, "'off-centre' or 'paper'")
         .def_readwrite("max_triangles", &Options::max_triangles)
-        .def_readwrite("allow_missing_faces", &Options::allow_missing_faces);
+        .def_readwrite("allow_missing_faces", &Options::allow_missing_faces)
+        .def_readwrite("polish", &Options::polish)
+        .def_readwrite("seed", &Options::seed);
+    def_named(options, "insertion", &Options::insertion, kInsertions);
+    def_named(options, "method", &Options::method, kMethods);
+    def_named(options, "connectivity", &Options::connectivity, kConnectivities);
     m.def("triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),
           "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel.");
     m.def("measure_against", &measure_against, py::arg("surface"), py::arg("shape"), py::arg("progress") = py::none(),

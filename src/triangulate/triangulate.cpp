@@ -11,6 +11,7 @@
 #include "triangulate/explain.h"
 #include "triangulate/output.h"
 #include "triangulate/refine.h"
+#include "triangulate/sampling.h"
 
 namespace mq::triangulate {
 
@@ -20,6 +21,17 @@ constexpr std::size_t kDefaultBudget = 5'000'000;
 // Neighbours closer than this many grid steps make triangles whose angles are mostly rounding.
 constexpr double kFloorSteps = 16.0;
 constexpr int kMaxChordRounds = 12;
+
+// Of the whole work, for the progress.
+constexpr double kFirstShare = 0.15;
+
+bool polished(const Options& options) {
+    return options.method == Method::Refine || options.polish;
+}
+
+double first_share(const Options& options) {
+    return options.method == Method::Refine ? kFirstShare : polished(options) ? 0.5 : 0.9;
+}
 
 double cpu_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -73,14 +85,16 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
 
 void refine(Workspace& work, const Options& options, double chord, StageClock& clock) {
     SegmentSplitter segments(work);
-    work.progress.stage("refining angles", 0.15, chord > 0.0 || options.max_edge > 0.0 ? 0.4 : 0.9);
+    const double from = first_share(options);
+    const double middle = from + 0.3 * (0.9 - from);
+    work.progress.stage("refining angles", from, chord > 0.0 || options.max_edge > 0.0 ? middle : 0.9);
     Refiner refiner(work, segments, options.min_angle, options.insertion);
     refiner.run();
     clock.end("angles");
     if (!(chord > 0.0) && !(options.max_edge > 0.0)) {
         return;
     }
-    work.progress.stage("refining to the chord height", 0.4, 0.9);
+    work.progress.stage("refining to the chord height", middle, 0.9);
     ChordRefiner chords(work, segments, chord, options.max_edge);
     for (int round = 0; round < kMaxChordRounds && chords.run(); ++round) {
         refiner.run();
@@ -107,15 +121,16 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
 
 mesh::MeshReport final_report(Workspace& work, const Output& out, const Options& options, double chord) {
     mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
-    report.min_angle_asked = options.min_angle;
+    report.min_angle_asked = polished(options) ? options.min_angle : 0.0;
     report.chord_height_asked = chord;
     report.max_chord_height = measure_chord_height(work);
-    report_exemptions(work, out, options.min_angle, report);
+    report_exemptions(work, out, report.min_angle_asked, report);
     report.notes = work.session.topology().faults;
     if (chord > 0.0 && report.max_chord_height > chord) {
         report.notes.push_back("chord height " + std::to_string(report.max_chord_height) + " mm instead of the " +
-                               std::to_string(chord) +
-                               " mm asked for: some edges cannot be split without folding or crowding the mesh");
+                               std::to_string(chord) + " mm asked for: " +
+                               (polished(options) ? "some edges cannot be split without folding or crowding the mesh"
+                                                  : "without polish the samples alone decide"));
     }
     report.complete = !work.over_budget();
     if (work.over_budget()) {
@@ -123,6 +138,29 @@ mesh::MeshReport final_report(Workspace& work, const Output& out, const Options&
                                ": the mesh is consistent, but its bounds are not all met; raise max_triangles");
     }
     return report;
+}
+
+// The faces over shared edges: coarse, or over samples.
+SampledTriangulation first_triangulation(geometry::Session& session, const SingleGrid& grid, const Options& options,
+                                         double chord, Progress& progress, StageClock& clock) {
+    const bool sampled = options.method != Method::Refine;
+    progress.stage("initial triangulation", 0.0, sampled ? 0.05 : kFirstShare);
+    geometry::InitialTriangulation coarse = geometry::triangulate_initially(session, grid, progress);
+    clock.end("initial triangulation");
+    if (!sampled) {
+        return {std::move(coarse), {}, true};
+    }
+    progress.stage("sampling", 0.05, first_share(options));
+    SampledTriangulation samples = sample_part(session, grid, options, chord, std::move(coarse), progress);
+    clock.end("sampling");
+    return samples;
+}
+
+void check_failures(const geometry::InitialTriangulation& faces, const Options& options) {
+    if (!faces.failures.empty() && (!options.allow_missing_faces || faces.failures.size() == faces.faces.size())) {
+        throw TopologyError("no triangulation of " + failed_faces(faces) +
+                            ". Repair the shape, or allow missing faces to mesh the rest");
+    }
 }
 
 }  // namespace
@@ -144,15 +182,9 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     check_against_part(options, topology, grid);
     const double chord = chord_height(options, topology.box);
 
-    watched.stage("initial triangulation", 0.0, 0.15);
-    const geometry::InitialTriangulation initial = geometry::triangulate_initially(session, grid, watched);
-    if (!initial.failures.empty() &&
-        (!options.allow_missing_faces || initial.failures.size() == initial.faces.size())) {
-        throw TopologyError("no triangulation of " + failed_faces(initial) +
-                            ". Repair the shape, or allow missing faces to mesh the rest");
-    }
-    mesh::SurfaceMesh surface = assemble(initial, topology);
-    clock.end("initial triangulation");
+    const SampledTriangulation first = first_triangulation(session, grid, options, chord, watched, clock);
+    check_failures(first.faces, options);
+    mesh::SurfaceMesh surface = assemble(first.faces, topology);
 
     Maxmin maxmin(surface);
     Workspace work{session, grid, surface, maxmin, watched};
@@ -161,8 +193,10 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     work.budget = options.max_triangles > 0 ? options.max_triangles : kDefaultBudget;
     std::vector<int> touched;
     separate_doubled_edges(work, touched);
-    maxmin.sweep(touched);
-    refine(work, options, chord, clock);
+    if (polished(options)) {
+        maxmin.sweep(touched);
+        refine(work, options, chord, clock);
+    }
 
     watched.stage("checking", 0.9, 1.0);
     watched.check();
@@ -171,9 +205,11 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     Result result;
     result.report = final_report(work, out, options, chord);
     result.mesh = std::move(out.mesh);
-    for (const auto& failure : initial.failures) {
+    for (const auto& failure : first.faces.failures) {
         result.report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
     }
+    result.report.fallback.assign(first.fallbacks.begin(), first.fallbacks.end());
+    result.report.complete = result.report.complete && first.complete;
     clock.end("checking");
     result.report.seconds = std::move(seconds);
     result.report.cpu_seconds = cpu_seconds() - cpu_before;

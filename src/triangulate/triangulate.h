@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 
 #include "base/progress.h"
@@ -9,13 +10,27 @@
 #include "mesh/report.h"
 #include "mesh/triangle_mesh.h"
 
-/// Quality triangulation of CAD parts: Aftosmis 1999, Algorithms M and E, behind one function.
+/// Quality triangulation of CAD parts behind one function: Aftosmis 1999, Algorithms M and E, and the
+/// curvature-sensitive sampling of Ruiz et al.
 namespace mq::triangulate {
 
 /// Where a triangle with too small an angle gets its new vertex.
 enum class Insertion {
     OffCentre,  ///< at the off-centre: fewer triangles, and no cascades along finely split edges
     Paper,  ///< as Aftosmis 1999, section 3.3: circumcentre, or the centroid of the triangle across the longest edge
+};
+
+/// Where the vertices come from.
+enum class Method {
+    Refine,    ///< Algorithms M and E (Aftosmis 1999)
+    Star,      ///< hexagons in the tangent planes, sized by the curvature (Ruiz et al., section 2.4)
+    Sprinkle,  ///< random points with balls sized by the curvature (Ruiz et al., section 2.3)
+};
+
+/// How samples are joined to triangles.
+enum class Connectivity {
+    PseudoDelaunay,  ///< in space, by empty balls (Ruiz et al., section 2.5)
+    Parametric,      ///< constrained Delaunay in (u, v), scaled
 };
 
 struct Options {
@@ -27,6 +42,12 @@ struct Options {
     Insertion insertion = Insertion::OffCentre;
     std::size_t max_triangles = 0;     ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the rest of a part whose faces fail, and name them in the report
+    Method method = Method::Refine;
+
+    // Of the sampling methods only:
+    Connectivity connectivity = Connectivity::PseudoDelaunay;
+    bool polish = true;      ///< swaps and rounds of Algorithms M and E follow, so that the bounds hold
+    std::uint64_t seed = 0;  ///< of the Sprinkle method
 
     /// @throws InvalidInput naming the option, its value and its range.
     void validate() const;
@@ -39,8 +60,8 @@ struct Result {
 
 /// Meshes all volumes of a part.
 ///
-/// Guarantees: every angle is at least `min_angle` except in the triangles listed in the report; every vertex is a
-/// single-precision point; ends for every input.
+/// Guarantees: every angle is at least `min_angle` except in the triangles listed in the report (not without `polish`);
+/// every vertex is a single-precision point; ends for every input.
 /// @throws InvalidInput, TopologyError, GeometryError naming the entity; Cancelled.
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options = {},
                    Progress* progress = nullptr);

@@ -198,9 +198,10 @@ class Options(unittest.TestCase):
         self.refused("min_edge", "max_edge", min_edge=2.0, max_edge=1.0)
 
     def test_methods(self):
-        for method in ("star", "sprinkle"):
-            self.refused(method, "not available yet", method=method)
         self.refused("method", "'foo'", "refine", method="foo")
+        self.refused("connectivity", "'foo'", "parametric", connectivity="foo")
+        self.refused("polish", "True or False", polish=1)
+        self.refused("seed", "-1", "at least 0", seed=-1)
         with self.assertRaises(TypeError):
             mq.triangulate(Part.makeBox(1, 1, 1), min_angel=3)
 

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/pseudo_delaunay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <optional>
+
+#include "base/key_set.h"
+#include "triangulate/corner_fan.h"
+#include "triangulate/front_border.h"
+#include "triangulate/front_check.h"
+#include "triangulate/sample_index.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::FaceBorder;
+using geometry::FaceTriangulation;
+using Site = FaceTriangulation::Site;
+
+constexpr double kRound = 1e-9;     // of a ball's radius: vertices this close to it lie on it
+constexpr double kSees = 0.0;       // cosine between normals of vertices that see each other
+constexpr double kTurned = 0.25;    // least cosine between a triangle's normal and its corners'
+constexpr std::size_t kTries = 12;  // candidates of one edge
+constexpr int kWidenings = 40;
+
+std::uint64_t key(int a, int b) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
+}
+
+class Front {
+  public:
+    Front(const SamplingContext& context, int face, const FaceBorder& border,
+          const std::vector<FaceSampler::Candidate>& samples);
+
+    FaceTriangulation run(const FaceTriangulation& coarse);
+
+  private:
+    struct Edge {
+        int from;
+        int to;
+    };
+    struct Option {
+        int apex;
+        double reach;  // signed distance of the ball's centre from the edge, towards the apex
+        Vec3 centre;
+    };
+
+    void place_sites(const std::vector<FaceSampler::Candidate>& samples);
+    void replace_normal(int site);
+    std::vector<Option> options(const Edge& edge) const;
+    std::optional<Option> option(const Edge& edge, int apex, const Vec3& up) const;
+    bool empty(const Edge& edge, const Option& ball) const;
+    bool fits(const Edge& edge, int apex) const;
+    bool side_fits(int from, int to) const;
+    bool crosses_front(int from, int to) const;
+    bool advance(const Edge& edge, bool only_empty_balls);
+    void add_triangle(int a, int b, int c);
+    void close_or_open(int from, int to, int half_edge);
+    void collect(FaceTriangulation& made) const;
+
+    const Vec3& point(int s) const { return sites_[s].point; }
+    const Vec3& normal(int s) const { return normals_[s]; }
+    bool same_place(int a, int b) const { return point(a) == point(b); }
+    // The surface faces that way at the site; at an apex it faces every way.
+    bool faces(int s, const Vec3& up, double least) const {
+        return !(sites_[s].normal.squaredNorm() > 0.0) || up.dot(normal(s)) > least;
+    }
+
+    const FaceBorder& border_;
+    const SamplingContext& context_;
+    FrontBorder outline_;
+    std::vector<Site> sites_;
+    std::vector<Vec3> normals_;  // never zero
+    SampleIndex index_;          // numbers are those of the sites
+    double size_ = 0.0;          // no two sites are farther apart
+    std::vector<CornerFan> fans_;
+    KeyMap<int> open_;                    // front edges: the piece of the border under them, or -1
+    KeyMap<int> half_edge_;               // edges with their triangle
+    std::vector<std::vector<int>> next_;  // by site: where open edges from it lead
+    std::deque<Edge> queue_;
+    std::vector<std::array<int, 3>> triangles_;
+    std::vector<int> piece_;  // by half-edge, or -1
+};
+
+Front::Front(const SamplingContext& context, int face, const FaceBorder& border,
+             const std::vector<FaceSampler::Candidate>& samples)
+    : border_(border),
+      context_(context),
+      outline_(border, context.session.topology().faces[face].reversed),
+      sites_(border.sites) {
+    place_sites(samples);
+    for (const FrontBorder::Edge& e : outline_.edges()) {
+        open_[key(e.from, e.to)] = e.piece;
+        next_[e.from].push_back(e.to);
+        queue_.push_back({e.from, e.to});
+    }
+}
+
+void Front::place_sites(const std::vector<FaceSampler::Candidate>& samples) {
+    std::vector<double> spacing = outline_.scales();
+    for (const FaceSampler::Candidate& c : samples) {
+        sites_.push_back(c.site);
+        spacing.push_back(c.spacing);
+    }
+    Box box;
+    for (std::size_t s = 0; s < sites_.size(); ++s) {
+        box.add(sites_[s].point);
+        index_.add(sites_[s].point, spacing[s] > 0.0 ? spacing[s] : context_.bounds.least);
+        normals_.push_back(sites_[s].normal);
+    }
+    size_ = (box.high - box.low).norm();
+    next_.resize(sites_.size());
+    for (int s = 0; s < static_cast<int>(border_.sites.size()); ++s) {
+        if (!(normals_[s].squaredNorm() > 0.0)) {
+            replace_normal(s);
+        }
+    }
+    for (std::size_t s = 0; s < sites_.size(); ++s) {
+        fans_.emplace_back(normals_[s]);
+        if (s < border_.sites.size()) {
+            outline_.take_outside(static_cast<int>(s), fans_.back());
+        }
+    }
+}
+
+// At an apex: the mean normal of what lies around it.
+void Front::replace_normal(int site) {
+    constexpr double kAround = 3.0;
+    const double radius = kAround * std::max(outline_.scales()[site], context_.bounds.least);
+    Vec3 sum = Vec3::Zero();
+    index_.any_near(point(site), radius, [&](int s) {
+        if ((point(s) - point(site)).norm() <= radius) {
+            sum += sites_[s].normal;
+        }
+        return false;
+    });
+    normals_[site] = sum.squaredNorm() > 0.0 ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
+}
+
+// The ball through the edge and an apex on its left. Among all apexes the one with the smallest reach has a ball that
+// is empty on that side.
+std::optional<Front::Option> Front::option(const Edge& edge, int apex, const Vec3& up) const {
+    const Vec3 along = point(edge.to) - point(edge.from);
+    const double length = along.norm();
+    const Vec3 middle = 0.5 * (point(edge.from) + point(edge.to));
+    const Vec3 arm = point(apex) - middle;
+    const Vec3 across = arm - along * (arm.dot(along) / (length * length));
+    const double height = across.norm();
+    if (!(height > kRound * length) || up.cross(along).dot(across) <= 0.0 || !faces(apex, up, kSees)) {
+        return std::nullopt;
+    }
+    const double reach = (arm.squaredNorm() - 0.25 * length * length) / (2.0 * height);
+    return Option{apex, reach, middle + across * (reach / height)};
+}
+
+std::vector<Front::Option> Front::options(const Edge& edge) const {
+    const Vec3 middle = 0.5 * (point(edge.from) + point(edge.to));
+    const double length = (point(edge.to) - point(edge.from)).norm();
+    const Vec3 up = normal(edge.from) + normal(edge.to);
+    std::vector<Option> found;
+    double radius = length;
+    for (int i = 0; i < kWidenings; ++i) {
+        found.clear();
+        index_.any_near(middle, radius, [&](int s) {
+            if (!outline_.merged(s) && !same_place(s, edge.from) && !same_place(s, edge.to) &&
+                (point(s) - middle).squaredNorm() <= radius * radius) {
+                if (const auto o = option(edge, s, up)) {
+                    found.push_back(*o);
+                }
+            }
+            return false;
+        });
+        std::sort(found.begin(), found.end(), [](const Option& a, const Option& b) {
+            return a.reach != b.reach ? a.reach < b.reach : a.apex < b.apex;
+        });
+        const bool whole = radius > size_;
+        const double needed = found.empty() ? 2.0 * radius : found[0].reach + std::hypot(found[0].reach, 0.5 * length);
+        if (whole || needed <= radius) {
+            break;
+        }
+        radius = std::max(1.5 * radius, std::min(needed, 4.0 * radius));
+    }
+    return found;
+}
+
+// The paper's test: no other vertex in the ball.
+bool Front::empty(const Edge& edge, const Option& ball) const {
+    const double radius = (point(edge.from) - ball.centre).norm();
+    const double inside = radius * (1.0 - kRound);
+    const Vec3 up = normal(edge.from) + normal(edge.to);
+    return !index_.any_near(ball.centre, radius, [&](int s) {
+        return (point(s) - ball.centre).squaredNorm() < inside * inside && !same_place(s, edge.from) &&
+               !same_place(s, edge.to) && !same_place(s, ball.apex) && faces(s, up, kSees);
+    });
+}
+
+bool Front::side_fits(int from, int to) const {
+    return open_.count(key(from, to)) != 0 ||
+           (open_.count(key(to, from)) == 0 && half_edge_.count(key(from, to)) == 0 &&
+            half_edge_.count(key(to, from)) == 0 && !crosses_front(from, to));
+}
+
+// A triangle fits when it is not turned away, does not overlap others at its corners, and its sides cross no others.
+bool Front::fits(const Edge& edge, int apex) const {
+    const int corners[3] = {edge.from, edge.to, apex};
+    const Vec3 own = (point(edge.to) - point(edge.from)).cross(point(apex) - point(edge.from)).normalized();
+    for (int i = 0; i < 3; ++i) {
+        const int s = corners[i];
+        const Vec3 right = point(corners[(i + 1) % 3]) - point(s);
+        const Vec3 left = point(corners[(i + 2) % 3]) - point(s);
+        if (!faces(s, own, kTurned) || !fans_[s].free(fans_[s].angle_of(right), fans_[s].angle_of(left))) {
+            return false;
+        }
+    }
+    return side_fits(edge.to, apex) && side_fits(apex, edge.from);
+}
+
+// Seen along the normals at its ends, the side from a to b crosses an open edge.
+bool Front::crosses_front(int a, int b) const {
+    const Vec3 along = point(b) - point(a);
+    const double length = along.norm();
+    const Vec3 up = normal(a) + normal(b);
+    const auto side = [&](const Vec3& p, const Vec3& q, const Vec3& r) { return (q - p).cross(r - p).dot(up); };
+    return index_.any_near(point(a) + 0.5 * along, length, [&](int s) {
+        if (same_place(s, a) || same_place(s, b) || !faces(s, up, kSees)) {
+            return false;
+        }
+        return std::any_of(next_[s].begin(), next_[s].end(), [&](int t) {
+            if (same_place(t, a) || same_place(t, b)) {
+                return false;
+            }
+            const double s1 = side(point(a), point(b), point(s));
+            const double s2 = side(point(a), point(b), point(t));
+            const double s3 = side(point(s), point(t), point(a));
+            const double s4 = side(point(s), point(t), point(b));
+            return ((s1 > 0.0) != (s2 > 0.0)) && ((s3 > 0.0) != (s4 > 0.0));
+        });
+    });
+}
+
+bool Front::advance(const Edge& edge, bool only_empty_balls) {
+    const std::vector<Option> all = options(edge);
+    for (std::size_t i = 0; i < std::min(all.size(), kTries); ++i) {
+        if (only_empty_balls && !empty(edge, all[i])) {
+            break;  // the later ones hold what this one holds, or this one's apex
+        }
+        if (fits(edge, all[i].apex)) {
+            add_triangle(edge.from, edge.to, all[i].apex);
+            return true;
+        }
+    }
+    return false;
+}
+
+void Front::add_triangle(int a, int b, int c) {
+    const int corners[3] = {a, b, c};
+    const int t = static_cast<int>(triangles_.size());
+    triangles_.push_back({a, b, c});
+    for (int i = 0; i < 3; ++i) {
+        const int s = corners[i];
+        const int right = corners[(i + 1) % 3];
+        CornerFan& fan = fans_[s];
+        fan.take(fan.angle_of(point(right) - point(s)), fan.angle_of(point(corners[(i + 2) % 3]) - point(s)));
+        close_or_open(s, right, 3 * t + i);
+    }
+}
+
+void Front::close_or_open(int from, int to, int half_edge) {
+    half_edge_[key(from, to)] = half_edge;
+    const auto found = open_.find(key(from, to));
+    if (found == open_.end()) {
+        open_[key(to, from)] = -1;
+        next_[to].push_back(from);
+        queue_.push_back({to, from});
+        piece_.push_back(-1);
+        return;
+    }
+    piece_.push_back(found->second);
+    open_.erase(found);
+    next_[from].erase(std::find(next_[from].begin(), next_[from].end(), to));
+}
+
+FaceTriangulation Front::run(const FaceTriangulation& coarse) {
+    FaceTriangulation made;
+    made.failure = outline_.failure();
+    if (!made.failure.empty()) {
+        return made;
+    }
+    Pace pace(context_.progress);
+    std::deque<Edge> left;
+    for (const bool only_empty_balls : {true, false}) {
+        queue_.insert(queue_.end(), left.begin(), left.end());
+        left.clear();
+        while (!queue_.empty()) {
+            pace.step();
+            const Edge edge = queue_.front();
+            queue_.pop_front();
+            if (open_.count(key(edge.from, edge.to)) != 0 && !advance(edge, only_empty_balls)) {
+                left.push_back(edge);
+            }
+        }
+    }
+    if (!open_.empty()) {
+        made.failure = "the front of triangles did not close: " + std::to_string(open_.size()) + " edges were left";
+        return made;
+    }
+    collect(made);
+    made.failure = fault_of_face(made, coarse, context_.session.topology());
+    return made;
+}
+
+void Front::collect(FaceTriangulation& made) const {
+    made.sites = sites_;
+    made.triangles = triangles_;
+    made.links.resize(triangles_.size());
+    for (const FaceBorder::Piece& p : border_.pieces) {
+        made.borders.push_back({p.use, p.index});
+    }
+    for (int h = 0; h < static_cast<int>(piece_.size()); ++h) {
+        FaceTriangulation::Link& link = made.links[h / 3][h % 3];
+        link.border = piece_[h];
+        if (link.border < 0) {
+            const auto& t = triangles_[h / 3];
+            link.half_edge = half_edge_.at(key(t[(h + 1) % 3], t[h % 3]));
+        }
+    }
+    outline_.part_merged(made);
+}
+
+}  // namespace
+
+FaceTriangulation triangulate_pseudo_delaunay(const SamplingContext& context, int face, const FaceBorder& border,
+                                              const std::vector<FaceSampler::Candidate>& samples,
+                                              const FaceTriangulation& coarse) {
+    return Front(context, face, border, samples).run(coarse);
+}
+
+}  // namespace mq::triangulate

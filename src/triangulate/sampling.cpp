@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/sampling.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "geometry/face_border.h"
+#include "triangulate/edge_samples.h"
+#include "triangulate/face_spacing.h"
+#include "triangulate/pseudo_delaunay.h"
+#include "triangulate/sprinkle.h"
+#include "triangulate/star.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::EdgeChains;
+using geometry::FaceTriangulation;
+using geometry::Topology;
+using Site = FaceTriangulation::Site;
+
+// Of the part's largest dimension, where no bound is asked for: the samples of flat faces, and the finest ones.
+constexpr double kMost = 0.1;
+constexpr double kLeast = 1e-3;
+constexpr double kFloorSteps = 16.0;
+constexpr std::size_t kDefaultBudget = 5'000'000;
+// Every round halves the pieces that stand in some face's way, as in the initial triangulation.
+constexpr int kMaxRounds = 24;
+constexpr int kShapingRounds = 8;
+
+SpacingBounds bounds_of(const Options& options, double chord, double size, double resolution) {
+    SpacingBounds bounds;
+    bounds.chord = chord;
+    bounds.most = options.max_edge > 0.0 ? options.max_edge : kMost * size;
+    // Where the spacing is no longer than the chord height, no curvature takes a triangle farther from the surface.
+    const double least = chord > 0.0 ? chord : kLeast * size;
+    bounds.least = std::min(bounds.most, std::max({options.min_edge, kFloorSteps * resolution, least}));
+    return bounds;
+}
+
+// The place of a point of the unit square along a curve that visits near points soon after each other (Morton 1966).
+std::uint32_t along_z_curve(const Vec2& unit) {
+    constexpr double kSteps = 65535.0;
+    const auto x = static_cast<std::uint32_t>(unit.x() * kSteps);
+    const auto y = static_cast<std::uint32_t>(unit.y() * kSteps);
+    std::uint32_t place = 0;
+    for (unsigned bit = 0; bit < 16; ++bit) {
+        place |= (((x >> bit) & 1U) << (2 * bit)) | (((y >> bit) & 1U) << (2 * bit + 1));
+    }
+    return place;
+}
+
+std::vector<Site> along_curve(const std::vector<FaceSampler::Candidate>& samples, const geometry::FaceBorder& border) {
+    Vec2 low = Vec2::Constant(1e300);
+    Vec2 high = Vec2::Constant(-1e300);
+    for (const FaceSampler::Candidate& s : samples) {
+        low = low.cwiseMin(border.scaled(s.site.uv));
+        high = high.cwiseMax(border.scaled(s.site.uv));
+    }
+    const double size = std::max((high - low).maxCoeff(), 1e-300);
+    std::vector<std::pair<std::uint32_t, std::size_t>> order;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        order.emplace_back(along_z_curve((border.scaled(samples[i].site.uv) - low) / size), i);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<Site> sites;
+    for (const auto& entry : order) {
+        sites.push_back(samples[entry.second].site);
+    }
+    return sites;
+}
+
+class PartSampler {
+  public:
+    PartSampler(geometry::Session& session, const SingleGrid& grid, const Options& options, double chord,
+                geometry::InitialTriangulation coarse, Progress& progress)
+        : session_(session),
+          grid_(grid),
+          options_(options),
+          progress_(progress),
+          bounds_(bounds_of(options, chord, session.topology().box.largest_side(), grid.resolution())),
+          coarse_(std::move(coarse)),
+          result_{{coarse_.chains, {}, coarse_.failures}, {}, true} {
+        add_face_spacings(session_, coarse_, bounds_, field_, progress_);
+        EdgeSampler edges(session_, coarse_.chains, bounds_, field_);
+        field_.build();
+        edges.resample(result_.faces.chains);
+    }
+
+    SampledTriangulation run();
+
+  private:
+    void sample_face(int face, bool border_may_change);
+    std::vector<FaceSampler::Candidate> samples_of(const SamplingContext& context, int face,
+                                                   const geometry::FaceBorder& border);
+    std::size_t room_for(int face) const;
+    std::vector<int> faces_with(const std::set<int>& edges) const;
+    void name_failures();
+
+    geometry::Session& session_;
+    const SingleGrid& grid_;
+    const Options& options_;
+    Progress& progress_;
+    SpacingBounds bounds_;
+    SpacingField field_;
+    geometry::InitialTriangulation coarse_;
+    SampledTriangulation result_;
+    std::map<int, std::string> fallbacks_;  // by face
+    std::map<int, std::size_t> samples_;    // by face, how many
+};
+
+SampledTriangulation PartSampler::run() {
+    geometry::InitialTriangulation& faces = result_.faces;
+    faces.faces.resize(coarse_.faces.size());
+    std::vector<int> open;
+    for (int f = 0; f < static_cast<int>(coarse_.faces.size()); ++f) {
+        if (!coarse_.faces[f].triangles.empty()) {
+            open.push_back(f);
+        } else {
+            faces.faces[f].failure = coarse_.faces[f].failure;
+        }
+    }
+    for (int round = 0; round < kMaxRounds && !open.empty(); ++round) {
+        std::set<EdgeChains::Mark> marks;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            progress_.check();
+            sample_face(open[i], round < kShapingRounds);
+            marks.insert(faces.faces[open[i]].marks.begin(), faces.faces[open[i]].marks.end());
+            progress_.advance((round + static_cast<double>(i) / static_cast<double>(open.size())) / (round + 1.5));
+        }
+        open = faces_with(faces.chains.halve(session_, marks));
+        if (round + 1 == kShapingRounds) {  // wishes that could not be granted do not count from now on
+            for (int f = 0; f < static_cast<int>(faces.faces.size()); ++f) {
+                if (!faces.faces[f].marks.empty() && std::find(open.begin(), open.end(), f) == open.end()) {
+                    open.push_back(f);
+                }
+            }
+        }
+    }
+    name_failures();
+    return std::move(result_);
+}
+
+std::vector<int> PartSampler::faces_with(const std::set<int>& edges) const {
+    const Topology& topology = session_.topology();
+    std::set<int> faces;
+    for (const int e : edges) {
+        for (const int u : topology.edges[e].uses) {
+            if (!coarse_.faces[topology.uses[u].face].triangles.empty()) {
+                faces.insert(topology.uses[u].face);
+            }
+        }
+    }
+    return {faces.begin(), faces.end()};
+}
+
+void PartSampler::name_failures() {
+    for (int f = 0; f < static_cast<int>(result_.faces.faces.size()); ++f) {
+        const FaceTriangulation& face = result_.faces.faces[f];
+        if (coarse_.faces[f].triangles.empty()) {
+            continue;
+        }
+        if (!face.failure.empty()) {
+            result_.faces.failures.emplace_back(f, face.failure);
+        } else if (!face.marks.empty()) {
+            result_.faces.failures.emplace_back(
+                f, "its border cannot be resolved: pieces cross or fold however short they are");
+        }
+    }
+    result_.fallbacks.assign(fallbacks_.begin(), fallbacks_.end());
+}
+
+// Every sample brings two triangles.
+std::size_t PartSampler::room_for(int face) const {
+    const std::size_t budget = options_.max_triangles > 0 ? options_.max_triangles : kDefaultBudget;
+    std::size_t others = 0;
+    for (const auto& [f, count] : samples_) {
+        others += f != face ? count : 0;
+    }
+    return budget / 2 > others ? budget / 2 - others : 0;
+}
+
+std::vector<FaceSampler::Candidate> PartSampler::samples_of(const SamplingContext& context, int face,
+                                                            const geometry::FaceBorder& border) {
+    auto samples = options_.method == Method::Star
+                       ? sample_star(context, face, border)
+                       : sample_sprinkle(context, face, border, coarse_.faces[face], options_.seed);
+    samples_[face] = samples.size();
+    result_.complete = result_.complete && samples.size() < context.most_samples;
+    return samples;
+}
+
+void PartSampler::sample_face(int face, bool border_may_change) {
+    FaceTriangulation& made = result_.faces.faces[face];
+    made = {};
+    fallbacks_.erase(face);
+    const geometry::FaceBorder border = face_border(session_, result_.faces.chains, grid_, face, made.failure);
+    if (!made.failure.empty()) {
+        return;
+    }
+    const SamplingContext context{session_, grid_, bounds_, field_, progress_, room_for(face)};
+    const std::vector<FaceSampler::Candidate> samples = samples_of(context, face, border);
+    if (options_.connectivity == Connectivity::PseudoDelaunay) {
+        made = triangulate_pseudo_delaunay(context, face, border, samples, coarse_.faces[face]);
+        if (made.failure.empty()) {
+            return;
+        }
+        fallbacks_[face] = made.failure;
+    }
+    made =
+        triangulate_face(session_, result_.faces.chains, grid_, face, border_may_change, along_curve(samples, border));
+}
+
+}  // namespace
+
+SampledTriangulation sample_part(geometry::Session& session, const SingleGrid& grid, const Options& options,
+                                 double chord, geometry::InitialTriangulation coarse, Progress& progress) {
+    return PartSampler(session, grid, options, chord, std::move(coarse), progress).run();
+}
+
+}  // namespace mq::triangulate
