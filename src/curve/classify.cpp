@@ -62,21 +62,26 @@ class Classifier {
                 const auto face = static_cast<std::size_t>(side.face);
                 const bool known = first_of_face[face] >= 0;
                 bool flipped = false;
-                bool any = false;
+                // The side after this one may be of the same face, of another volume or of this one: a triangle that
+                // comes again belongs to it.
+                std::set<FaceKey> run;
                 for (; next < mesh_.triangles.size() && mesh_.triangle_face[next] == side.face; ++next) {
                     const std::array<int, 3> corners = joined(mesh_.triangles[next]);
-                    // A solid may see a face inside it from both sides: its triangles come twice.
-                    const bool again = !known_triangles_.insert(face_key(corners[0], corners[1], corners[2])).second;
-                    if (!known && !again) {
+                    if (!run.insert(face_key(corners[0], corners[1], corners[2])).second) {
+                        break;
+                    }
+                    if (!known) {
                         const int added = surface_.add_triangle(corners, side.face);
                         first_of_face[face] = first_of_face[face] < 0 ? added : first_of_face[face];
-                    } else if (known && !any) {
+                    } else if (run.size() == 1) {
                         flipped = !same_turn(corners, first_of_face[face]);
                     }
-                    any = true;
                 }
-                if (any) {
-                    surface_.volume_faces.back().emplace_back(side.face, flipped);
+                const auto met = [&](const auto& other) { return other.first == side.face; };
+                auto& faces = surface_.volume_faces.back();
+                // A solid may see a face inside it from both sides.
+                if (!run.empty() && std::none_of(faces.begin(), faces.end(), met)) {
+                    faces.emplace_back(side.face, flipped);
                 }
             }
         }
@@ -294,7 +299,6 @@ class Classifier {
     const mesh::TriangleMesh& mesh_;
     Surface surface_;
     std::vector<int> joined_;
-    std::set<FaceKey> known_triangles_;
     geometry::Engine::Batch uv_batch_;
     std::vector<int> uv_vertices_;
 };
