@@ -25,6 +25,8 @@ using Site = FaceTriangulation::Site;
 constexpr double kMost = 0.1;
 constexpr double kLeast = 1e-3;
 constexpr double kFloorSteps = 16.0;
+// On a sphere the centre of an equilateral triangle lies r^2 / (6 R) below, the middles of its sides only r^2 / (8 R).
+constexpr double kCentre = 0.75;
 constexpr std::size_t kDefaultBudget = 5'000'000;
 // Every round halves the pieces that stand in some face's way, as in the initial triangulation.
 constexpr int kMaxRounds = 24;
@@ -32,7 +34,7 @@ constexpr int kShapingRounds = 8;
 
 SpacingBounds bounds_of(const Options& options, double chord, double size, double resolution) {
     SpacingBounds bounds;
-    bounds.chord = chord;
+    bounds.chord = kCentre * chord;
     bounds.most = options.max_edge > 0.0 ? options.max_edge : kMost * size;
     // Where the spacing is no longer than the chord height, no curvature takes a triangle farther from the surface.
     const double least = chord > 0.0 ? chord : kLeast * size;

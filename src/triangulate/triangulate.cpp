@@ -209,7 +209,11 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
         result.report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
     }
     result.report.fallback.assign(first.fallbacks.begin(), first.fallbacks.end());
-    result.report.complete = result.report.complete && first.complete;
+    if (!first.complete && result.report.complete) {
+        result.report.complete = false;
+        result.report.notes.push_back("sampling ended at max_triangles = " + std::to_string(work.budget) +
+                                      ": the mesh is consistent, but coarser than asked for; raise max_triangles");
+    }
     clock.end("checking");
     result.report.seconds = std::move(seconds);
     result.report.cpu_seconds = cpu_seconds() - cpu_before;
