@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "base/parallel.h"
 #include "mesh/embedded_star.h"
+#include "mesh/height_fields.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/vertex_stars.h"
 
@@ -16,17 +18,24 @@ namespace {
 /// Takes pairs whose boxes meet, and keeps those that are in contact.
 class Collector {
   public:
-    /// `embedded`: for each vertex whether no two triangles of its star are in contact.
+    /// `patch`: for each triangle a patch without contacts, or -1; empty: no patches are known.
+    /// `embedded`: for each vertex at which several patches meet whether no two triangles of its star are in contact.
     Collector(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-              const std::vector<char>& embedded, std::size_t limit, const Progress* progress)
-        : vertices_(vertices), triangles_(triangles), embedded_(embedded), limit_(limit), progress_(progress) {}
+              const std::vector<std::int32_t>& patch, const std::vector<char>& embedded, std::size_t limit,
+              const Progress* progress)
+        : vertices_(vertices),
+          triangles_(triangles),
+          patch_(patch),
+          embedded_(embedded),
+          limit_(limit),
+          progress_(progress) {}
 
     void operator()(std::int32_t i, std::int32_t j) {
         constexpr std::uint32_t kPairsBetweenChecks = 1u << 16;
         if (progress_ != nullptr && ++asked_ % kPairsBetweenChecks == 0) {
             progress_->check();
         }
-        if (found_.size() >= limit_ || settled(triangles_[i], triangles_[j])) {
+        if (found_.size() >= limit_ || in_one_patch(i, j) || settled(triangles_[i], triangles_[j])) {
             return;
         }
         const auto [a, b] = std::minmax(i, j);
@@ -39,6 +48,9 @@ class Collector {
     std::vector<ContactPair> take() { return std::move(found_); }
 
   private:
+    bool in_one_patch(std::int32_t i, std::int32_t j) const {
+        return !patch_.empty() && patch_[i] >= 0 && patch_[i] == patch_[j];
+    }
     bool settled(const Triangle& t, const Triangle& s) const {
         for (const std::int32_t v : t) {
             if ((v == s[0] || v == s[1] || v == s[2]) && embedded_[v] != 0) {
@@ -50,6 +62,7 @@ class Collector {
 
     const std::vector<Vec3>& vertices_;
     const std::vector<Triangle>& triangles_;
+    const std::vector<std::int32_t>& patch_;
     const std::vector<char>& embedded_;
     std::size_t limit_;
     const Progress* progress_;
@@ -137,17 +150,36 @@ std::vector<ContactPair> sorted(std::vector<ContactPair>&& pairs) {
     return std::move(pairs);
 }
 
-/// For each vertex whether no two triangles of its star are in contact.
+/// The vertices that lie inside a patch or on the border of one alone are 0, others 1.
+std::vector<char> between_patches(std::size_t vertex_count, const std::vector<Triangle>& triangles,
+                                  const std::vector<std::int32_t>& patch) {
+    constexpr std::int32_t kUnseen = -2;
+    std::vector<std::int32_t> own(vertex_count, kUnseen);
+    std::vector<char> result(vertex_count, 0);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (const std::int32_t v : triangles[t]) {
+            result[v] |= static_cast<char>(patch[t] < 0 || (own[v] != kUnseen && own[v] != patch[t]));
+            own[v] = patch[t];
+        }
+    }
+    return result;
+}
+
+/// For each vertex at which several patches meet whether no two triangles of its star are in contact.
 std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                    const Progress* progress) {
+                                    const std::vector<std::int32_t>& patch, const Progress* progress) {
     constexpr std::size_t kAtOnce = 8192;
-    std::vector<char> embedded(vertices.size(), 0);
-    const VertexStars stars(triangles, vertices.size());
+    std::vector<char> embedded = between_patches(vertices.size(), triangles, patch);
+    std::vector<Triangle> around;  // all that have such a vertex
+    std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(around), [&](const Triangle& t) {
+        return std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return embedded[v] != 0; });
+    });
+    const VertexStars stars(around, vertices.size());
     for_all(static_cast<int>((vertices.size() + kAtOnce - 1) / kAtOnce), [&](int k) {
         look_for_cancel(progress);
         const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
         for (std::size_t v = first; v < std::min(first + kAtOnce, vertices.size()); ++v) {
-            embedded[v] = static_cast<char>(embedded_star(vertices, triangles, stars[v]));
+            embedded[v] = static_cast<char>(embedded[v] != 0 && embedded_star(vertices, around, stars[v]));
         }
     });
     return embedded;
@@ -157,8 +189,11 @@ std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std
 
 std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
                                             std::size_t limit, const Progress* progress) {
-    const std::vector<char> embedded = embedded_vertices(vertices, triangles, progress);
-    const TriangleTree tree(vertices, triangles);
+    constexpr std::size_t kWorthAProof = 64;
+    const std::vector<std::int32_t> patch = height_fields(vertices, triangles, kWorthAProof, progress);
+    const std::vector<char> embedded = embedded_vertices(vertices, triangles, patch, progress);
+    TriangleTree tree(vertices, triangles);
+    tree.set_groups(patch);
     constexpr std::size_t kTasks = 64;
     const std::vector<TriangleTree::Task> tasks = tree.own_pair_tasks(kTasks);
     // With a limit the tasks come in turns, so that the search can end early.
@@ -167,7 +202,7 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
     for (std::size_t first = 0; first < tasks.size() && all.size() < limit; first += turn) {
         std::vector<std::vector<ContactPair>> found(std::min(turn, tasks.size() - first));
         for_all(static_cast<int>(found.size()), [&](int k) {
-            Collector collector(vertices, triangles, embedded, limit, progress);
+            Collector collector(vertices, triangles, patch, embedded, limit, progress);
             tree.for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
             found[static_cast<std::size_t>(k)] = collector.take();
         });
@@ -211,7 +246,8 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
         }
     }
     const TriangleTree whole(vertices, triangles, near);
-    Collector collector(vertices, triangles, embedded, limit, progress);
+    const std::vector<std::int32_t> no_patches;
+    Collector collector(vertices, triangles, no_patches, embedded, limit, progress);
     part.for_each_pair(whole, [&](std::int32_t i, std::int32_t j) {
         if (i != j && !(in_subset[j] != 0 && j < i)) {
             collector(i, j);

@@ -256,6 +256,22 @@ void TriangleTree::refit() {
     }
 }
 
+void TriangleTree::set_groups(const std::vector<std::int32_t>& group) {
+    node_group_.resize(nodes_.size());
+    for (std::size_t k = nodes_.size(); k-- > 0;) {
+        const Node& node = nodes_[k];
+        if (node.count == 0) {
+            const std::int32_t first = node_group_[node.first];
+            node_group_[k] = first == node_group_[node.first + 1] ? first : -1;
+            continue;
+        }
+        node_group_[k] = group[items_[node.first].triangle];
+        for (std::int32_t i = node.first + 1; i < node.first + node.count; ++i) {
+            node_group_[k] = group[items_[i].triangle] == node_group_[k] ? node_group_[k] : -1;
+        }
+    }
+}
+
 namespace {
 
 /// Divides tasks, breadth first and in place, until there are `count` or none can be divided.
@@ -308,6 +324,9 @@ std::vector<TriangleTree::Task> TriangleTree::own_pair_tasks(std::size_t count) 
     return divided(count, [&](const Task& task, std::vector<Task>& next) {
         const Node& a = nodes_[task.a];
         const Node& b = nodes_[task.b];
+        if (in_one_group(task)) {
+            return;
+        }
         if (task.a == task.b && a.count == 0) {
             next.push_back({a.first, a.first});
             next.push_back({a.first + 1, a.first + 1});

@@ -46,6 +46,10 @@ class TriangleTree {
     /// Takes over the present coordinates of the vertices; the structure of the hierarchy stays.
     void refit();
 
+    /// Groups of triangles of which no two need be reported as own pairs: the group of each triangle, -1 for none.
+    /// Pairs of one group may still be reported where its parts mix with others.
+    void set_groups(const std::vector<std::int32_t>& group);
+
     /// A piece of the work of a traversal: all pairs between two subtrees, or within one when they are the same.
     struct Task {
         std::int32_t a = 0;
@@ -137,6 +141,9 @@ class TriangleTree {
     void step(const TriangleTree& other, Task task, std::vector<Task>& stack, Visit& visit) const;
     template <typename Visit>
     void own_step(Task task, std::vector<Task>& stack, Visit& visit) const;
+    bool in_one_group(Task task) const {
+        return !node_group_.empty() && node_group_[task.a] >= 0 && node_group_[task.a] == node_group_[task.b];
+    }
     template <typename Visit>
     static bool go_on(Visit& visit, std::int32_t triangle) {
         if constexpr (std::is_same_v<decltype(visit(triangle)), bool>) {
@@ -153,6 +160,7 @@ class TriangleTree {
     const std::vector<Triangle>* triangles_;
     std::vector<Item> items_;
     std::vector<Node> nodes_;
+    std::vector<std::int32_t> node_group_;  ///< of all triangles of a node, else -1; empty without groups
 };
 
 /// A ray against boxes: the slabs of Kay and Kajiya, with the rounding of the divisions on the safe side.
@@ -217,6 +225,9 @@ void TriangleTree::step(const TriangleTree& other, Task task, std::vector<Task>&
 
 template <typename Visit>
 void TriangleTree::own_step(Task task, std::vector<Task>& stack, Visit& visit) const {
+    if (in_one_group(task)) {
+        return;
+    }
     if (task.a != task.b) {
         step(*this, task, stack, visit);
         return;
