@@ -24,6 +24,7 @@ _LAZY = {
     "boolean": "MeshQuality.boolean_mesh",
     "BooleanMesh": "MeshQuality.boolean_mesh",
     "add_quality_mesh": "MeshQuality.api",
+    "add_curved_mesh": "MeshQuality.curved_mesh",
     "add_boolean": "MeshQuality.boolean_mesh",
     "SurfaceMesh": "MeshQuality.surface_mesh",
     "MeshReport": "MeshQuality._core",

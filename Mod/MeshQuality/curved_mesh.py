@@ -3,12 +3,20 @@
 
 import os
 
+import numpy as np
+
 from . import convert, options
 from .compat import core
 from .errors import InvalidInput
 from .surface_mesh import SurfaceMesh
 
-
+# The arrays that make up a curved mesh, and what document objects call them.
+ARRAYS = {
+    "Nodes": "nodes", "NodeEntity": "node_entity", "EdgeNodes": "edges",
+    "EdgeEntity": "edge_entity", "TriangleNodes": "triangles", "TriangleFace": "triangle_face",
+    "TriangleQuality": "triangle_quality", "TetrahedronNodes": "tetrahedra",
+    "TetrahedronSolid": "tetrahedron_solid", "TetrahedronQuality": "tetrahedron_quality",
+}
 _FEM_TETRAHEDRON = (1, 0, 2, 3, 4, 6, 5, 9, 7, 8)
 
 
@@ -25,15 +33,40 @@ class CurvedMesh:
     tetrahedra         int32 (E, nodes per tetrahedron), empty without volume
     tetrahedron_solid  int32 (E,), tetrahedron i lies in shape.Solids[tetrahedron_solid[i]]
     node_entity        int32 (N, 2), (dimension 0|1|2|3, index)
-    report             CurveReport
+    triangle_quality   float64 (T,), lower bounds of min J / max J against the CAD normal; not
+                       positive: invalid
+    tetrahedron_quality
+                       float64 (E,), lower bounds of min J / J of the straight element; likewise
+    report             CurveReport; None of a mesh that comes from a document
 
     The arrays are read-only views of the core's memory.
     """
 
-    __slots__ = ("_curved",)
+    __slots__ = ("_curved", "_measured")
 
-    def __init__(self, curved):
+    def __init__(self, curved, measured=True):
         self._curved = curved
+        self._measured = measured
+
+    @classmethod
+    def of(cls, obj):
+        """The curved mesh that a document object of add_curved_mesh keeps.
+
+        Its report is None: what it said is in the object's properties. Raises InvalidInput for
+        other objects and for one that was never computed.
+        """
+        if not getattr(obj, "ElementsOrder", 0):
+            raise InvalidInput(f"{convert.label_of(obj)} holds no curved mesh: give an object of "
+                               "add_curved_mesh that was computed")
+        arrays = {array: np.array(getattr(obj, name), dtype=np.float64)
+                  for name, array in ARRAYS.items()}
+        return cls(core().curved_from_arrays(obj.ElementsOrder, arrays), measured=False)
+
+    def keep_in(self, obj):
+        """Puts the mesh into the properties of a document object; the inverse of `of`."""
+        for name, array in ARRAYS.items():
+            setattr(obj, name, getattr(self._curved, array).ravel().tolist())
+        obj.ElementsOrder = self.order
 
     order = property(lambda self: self._curved.order)
     nodes = property(lambda self: self._curved.nodes, doc="float64 (N, 3), mm")
@@ -43,22 +76,43 @@ class CurvedMesh:
     tetrahedra = property(lambda self: self._curved.tetrahedra)
     tetrahedron_solid = property(lambda self: self._curved.tetrahedron_solid)
     node_entity = property(lambda self: self._curved.node_entity)
-    report = property(lambda self: self._curved.report, doc="CurveReport")
+    triangle_quality = property(lambda self: self._curved.triangle_quality)
+    tetrahedron_quality = property(lambda self: self._curved.tetrahedron_quality)
+
+    @property
+    def report(self):
+        """CurveReport, or None."""
+        return self._curved.report if self._measured else None
 
     @property
     def elements(self):
         """The tetrahedra of a volume mesh, the triangles of a surface mesh."""
         return self.tetrahedra if len(self.tetrahedra) else self.triangles
 
-    def to_mesh(self, deviation=None):
-        """A Mesh.Mesh of the curved triangles, cut so that chords keep within `deviation` mm.
+    @property
+    def shown_quality(self):
+        """float64 (T,): of each triangle, or of the tetrahedron behind it where there is one."""
+        behind = self._curved.tetrahedra_behind()
+        return np.where(behind >= 0, self.tetrahedron_quality[np.maximum(behind, 0)],
+                        self.triangle_quality) if len(self.tetrahedra) else self.triangle_quality
 
-        None: a thousandth of the size. One segment a CAD face.
+    def tessellate(self, deviation=None, progress=None):
+        """Flat triangles that the curved ones keep within `deviation` mm of.
+
+        None: a thousandth of the size. Only what bends is cut. The result has `surface()`,
+        `element` (by triangle: index of its curved triangle), `edge_lines` (the curved triangles'
+        edges as runs of vertices, each followed by -1), `normals` of the curved triangles and three
+        `triangle_normals` a triangle.
+        Raises InvalidInput when that takes more than 20 million triangles; Cancelled.
         """
         if deviation is not None and not deviation > 0:
             raise InvalidInput(f"deviation = {deviation!r} is not allowed: it must be greater than "
                                "0 mm")
-        return convert.mesh_of_surface(self._curved.tessellate(deviation or 0.0))
+        return self._curved.tessellate(deviation or 0.0, progress)
+
+    def to_mesh(self, deviation=None):
+        """A Mesh.Mesh of the curved triangles as `tessellate` cuts them; one segment a CAD face."""
+        return convert.mesh_of_surface(self.tessellate(deviation).surface())
 
     def to_fem_mesh(self):
         """A Fem.FemMesh of a mesh of order 1 or 2: tetrahedra of a volume, triangles otherwise.
@@ -136,3 +190,18 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False,
     for name, value in values.items():
         setattr(straight, name, options.to_property(None, value))
     return CurvedMesh(module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress))
+
+
+def add_curved_mesh(source, **values):
+    """Adds a document object that keeps a curved mesh of `source` up to date; one undo step.
+
+    source   document object with a shape: feature, body, link or container
+    values   the options of curve, except progress, and deviation: the largest distance in mm of
+             the triangles that the object shows from its curved elements
+
+    Returns the object; CurvedMesh.of(object) are its elements. Raises what curve raises, and then
+    adds nothing.
+    """
+    from .features import curved_mesh
+
+    return curved_mesh.add(source, values)

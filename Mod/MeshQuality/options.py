@@ -18,7 +18,7 @@ BOOLEAN_METHODS = ("default", "uniform")
 
 @dataclass(frozen=True)
 class Option:
-    """One option. `low` itself is not allowed where `above` is set; None stands for "no bound"."""
+    """One option. `low` itself is not allowed where `above` is set; None stands for `unset`."""
 
     name: str
     kind: type
@@ -30,6 +30,7 @@ class Option:
     above: bool = True
     choices: tuple = ()
     group: str = "Mesh"
+    unset: str = "no bound"
 
     @property
     def property_name(self):
@@ -148,12 +149,21 @@ CURVE = (
            help="Make elements straight that stay invalid after all repairs"),
     Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Straight mesh",
            help="Smallest angle of the straight triangles"),
-    Option("chord_height", float, None, unit="mm", low=0.0, group="Straight mesh",
+    Option("chord_height", float, None, unit="mm", low=0.0, group="Straight mesh", unset="not given",
            help="Largest distance between the straight mesh and the shape"),
     Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Straight mesh",
+           unset="not given",
            help="The same as a fraction of the shape's largest dimension; 0.01 unless one is given"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Straight mesh",
            help="Longest edge of the straight mesh"),
+)
+
+
+# Of the document object, beside those of CURVE.
+CURVED_DISPLAY = (
+    Option("deviation", float, None, unit="mm", low=0.0, group="Display",
+           unset="a thousandth of the size",
+           help="Largest distance between the triangles shown and the curved elements"),
 )
 
 

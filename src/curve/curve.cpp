@@ -82,7 +82,9 @@ void note(const VolumeRepairs& repairs, CurveReport& report) {
 }
 
 /// Volume figures take the place of those of the surface; invalid triangles stay counted.
-void measure_volume(const Volume& volume, CurveReport& report) {
+/// @return the scaled Jacobian of each living tetrahedron.
+std::vector<double> measure_volume(const Volume& volume, CurveReport& report) {
+    std::vector<double> qualities;
     const Lattice& lattice = Lattice::of(3, volume.shapes().order());
     std::vector<Vec3> control;
     report.elements = 0;
@@ -97,6 +99,7 @@ void measure_volume(const Volume& volume, CurveReport& report) {
         const Quality quality = quality_of(form, straight);
         report.min_distortion = std::min(report.min_distortion, quality.distortion);
         report.min_scaled_jacobian = std::min(report.min_scaled_jacobian, quality.scaled_jacobian);
+        qualities.push_back(quality.scaled_jacobian);
         sum += quality.distortion;
         // The mean of the coefficients is the mean of the polynomial; a simplex has a sixth of the cube.
         report.volume += std::accumulate(form.coefficients.begin(), form.coefficients.end(), 0.0) /
@@ -108,6 +111,7 @@ void measure_volume(const Volume& volume, CurveReport& report) {
         }
     }
     report.mean_distortion = report.elements == 0 ? 0.0 : sum / static_cast<double>(report.elements);
+    return qualities;
 }
 
 }  // namespace
@@ -142,6 +146,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     std::size_t straightened = options.straighten ? straighten_triangles(editor) : 0;
     clock.end("repairing the surface");
     std::vector<Region> regions;
+    std::vector<double> qualities;
     if (options.volume) {
         watched.stage("filling", 0.5, 0.6);
         Volume volume = fill_solids(surface, session.topology(), watched);
@@ -151,7 +156,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
         straightened += options.straighten ? straighten_tetrahedra(volume, editor) : 0;
         clock.end("repairing the volume");
         measure_surface(editor, report);
-        measure_volume(volume, report);
+        qualities = measure_volume(volume, report);
         for (const int t : volume.living()) {
             const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
             regions.push_back({tetrahedron.corners, tetrahedron.volume});
@@ -162,6 +167,10 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     report.repairs.emplace_back("elements made straight", straightened);
     clock.end("measuring");
     CurvedMesh result = assemble(surface, regions);
+    result.tetrahedron_quality = std::move(qualities);
+    for (const int t : living(surface)) {
+        result.triangle_quality.push_back(editor.triangle(t).quality);
+    }
     report.vertices = result.vertices;
     report.cpu_seconds = cpu_seconds() - start;
     result.report = std::move(report);

@@ -2,6 +2,7 @@
 #include "curve/curved_mesh.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "curve/gmsh_order.h"
 
@@ -185,6 +186,25 @@ class Assembler {
 
 CurvedMesh assemble(const Surface& surface, const std::vector<Region>& regions) {
     return Assembler(surface, regions).run();
+}
+
+std::vector<std::int32_t> tetrahedra_behind(const CurvedMesh& mesh) {
+    std::unordered_map<FaceKey, std::int32_t, FaceKeyHash> faces;
+    const auto width = static_cast<std::size_t>(mesh.nodes_per_tetrahedron());
+    for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const auto corner = [&](std::size_t i) { return mesh.tetrahedra[e * width + (k + i) % 4]; };
+            faces.try_emplace(face_key(corner(1), corner(2), corner(3)), static_cast<std::int32_t>(e));
+        }
+    }
+    std::vector<std::int32_t> behind;
+    const auto step = static_cast<std::size_t>(mesh.nodes_per_triangle());
+    for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
+        const std::int32_t* corners = &mesh.triangles[t * step];
+        const auto found = faces.find(face_key(corners[0], corners[1], corners[2]));
+        behind.push_back(found == faces.end() ? -1 : found->second);
+    }
+    return behind;
 }
 
 }  // namespace mq::curve

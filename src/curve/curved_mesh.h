@@ -46,6 +46,10 @@ struct CurvedMesh {
     std::vector<std::int32_t> triangle_face;
     std::vector<std::int32_t> tetrahedra;  ///< empty unless the volume was asked for
     std::vector<std::int32_t> tetrahedron_volume;
+    /// By triangle: lower bound of min / max of the normal component, against the CAD; not positive: invalid.
+    std::vector<double> triangle_quality;
+    /// By tetrahedron: lower bound of min J / J of the straight element; not positive: invalid.
+    std::vector<double> tetrahedron_quality;
     CurveReport report;
 
     int nodes_per_edge() const { return Lattice::of(1, order).size(); }
@@ -59,13 +63,12 @@ struct Region {
     int volume = -1;
 };
 
+/// By triangle: a tetrahedron that it is a face of, the one of lowest index; -1 where there is none.
+std::vector<std::int32_t> tetrahedra_behind(const CurvedMesh& mesh);
+
 /// Numbers the nodes of a surface and of the tetrahedra in it, and lists all elements. Vertices no element uses are
 /// left out.
 CurvedMesh assemble(const Surface& surface, const std::vector<Region>& regions);
-
-/// A plain triangle mesh of the curved triangles, for viewers and for Mesh features: every triangle is cut into as many
-/// along each edge as keep the chords within `deviation` (mm) of the curved mesh; 0: a thousandth of its size.
-mesh::TriangleMesh tessellate(const CurvedMesh& mesh, double deviation);
 
 /// Writes .msh or .vtu by extension. @throws IoError naming the path.
 void write(const CurvedMesh& mesh, const std::string& path);

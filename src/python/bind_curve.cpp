@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -93,31 +92,6 @@ CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape&
     });
 }
 
-/// A read-only NumPy view of rows of `width` numbers. `owner` lives as long as the view.
-template <typename T>
-py::array view(const void* data, std::size_t count, int width, const py::object& owner) {
-    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(count) / width};
-    if (width > 1) {
-        shape.push_back(width);
-    }
-    py::array array(py::dtype::of<T>(), shape, static_cast<const T*>(data), owner);
-    array.attr("setflags")(py::arg("write") = false);
-    return array;
-}
-
-template <typename Pick>
-py::array indices(const py::object& self, Pick&& pick, int width) {
-    const std::vector<std::int32_t>& list = pick(self.cast<const CurvedMesh&>());
-    return view<std::int32_t>(list.data(), list.size(), width, self);
-}
-
-std::shared_ptr<triangulate::Result> tessellated(const CurvedMesh& mesh, double deviation) {
-    auto surface = std::make_shared<triangulate::Result>();
-    surface->mesh = curve::tessellate(mesh, deviation);
-    surface->report = mesh::measure(surface->mesh);
-    return surface;
-}
-
 template <typename T>
 py::dict dict_of(const std::vector<std::pair<std::string, T>>& pairs) {
     py::dict result;
@@ -146,54 +120,6 @@ void bind_curve_report(py::module_& m) {
         .def_property_readonly("seconds", [](const CurveReport& r) { return dict_of(r.seconds); })
         .def_readonly("cpu_seconds", &CurveReport::cpu_seconds)
         .def("__str__", &curve::to_text);
-}
-
-void bind_curved_mesh(py::module_& m) {
-    using List = std::vector<std::int32_t>;
-    py::class_<CurvedMesh, CurvedPointer>(m, "Curved", "A curved mesh in the core's memory, and its report.")
-        .def_readonly("order", &CurvedMesh::order)
-        .def_property_readonly("nodes",
-                               [](const py::object& self) {
-                                   const auto& nodes = self.cast<const CurvedMesh&>().nodes;
-                                   return view<double>(nodes.data(), 3 * nodes.size(), 3, self);
-                               })
-        .def_property_readonly("node_entity",
-                               [](const py::object& self) {
-                                   const auto& e = self.cast<const CurvedMesh&>().node_entity;
-                                   return view<std::int32_t>(e.data(), 2 * e.size(), 2, self);
-                               })
-        .def_property_readonly("edges",
-                               [](const py::object& self) {
-                                   const int width = self.cast<const CurvedMesh&>().nodes_per_edge();
-                                   return indices(
-                                       self, [](const CurvedMesh& c) -> const List& { return c.edges; }, width);
-                               })
-        .def_property_readonly("triangles",
-                               [](const py::object& self) {
-                                   const int width = self.cast<const CurvedMesh&>().nodes_per_triangle();
-                                   return indices(
-                                       self, [](const CurvedMesh& c) -> const List& { return c.triangles; }, width);
-                               })
-        .def_property_readonly("tetrahedra",
-                               [](const py::object& self) {
-                                   const int width = self.cast<const CurvedMesh&>().nodes_per_tetrahedron();
-                                   return indices(
-                                       self, [](const CurvedMesh& c) -> const List& { return c.tetrahedra; }, width);
-                               })
-        .def_property_readonly("triangle_face",
-                               [](const py::object& self) {
-                                   return indices(
-                                       self, [](const CurvedMesh& c) -> const List& { return c.triangle_face; }, 1);
-                               })
-        .def_property_readonly("tetrahedron_solid",
-                               [](const py::object& self) {
-                                   return indices(
-                                       self, [](const CurvedMesh& c) -> const List& { return c.tetrahedron_volume; },
-                                       1);
-                               })
-        .def_readonly("report", &CurvedMesh::report)
-        .def("tessellate", &tessellated, py::arg("deviation"), py::call_guard<py::gil_scoped_release>())
-        .def("write", &curve::write, py::arg("path"), py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace

@@ -22,9 +22,6 @@ MEASURED = (
     ("Repaired", "App::PropertyStringList", "What was repaired in the operands"),
     ("Notes", "App::PropertyStringList", "What else happened on the way"),
 )
-HIDDEN = (
-    ("Fingerprint", "App::PropertyString", "Of the operands and the options of this mesh"),
-)
 
 
 class MeshBoolean(mesh_object.MeshObject):
@@ -37,7 +34,7 @@ class MeshBoolean(mesh_object.MeshObject):
                                  "The operands: objects with a mesh or a shape, in their order")
         mesh_object.add_options(obj, options.BOOLEAN)
         mesh_object.add_measured(obj, MEASURED)
-        mesh_object.add_hidden(obj, "Boolean", HIDDEN)
+        mesh_object.add_hidden(obj, "Boolean", (mesh_object.FINGERPRINT,))
 
     def update(self, obj):
         """Computes the Boolean anew, unless no operand and no option has changed."""

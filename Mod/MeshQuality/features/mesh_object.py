@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the document objects that hold a mesh have in common."""
 
+import hashlib
+import json
+
 import FreeCAD
+import numpy as np
 
-from .. import options
+from .. import convert, options
 from ..compat import PlainState
-from ..errors import Error
-
+from ..errors import Error, InvalidInput
 
 # Name, type, what it says: measured on the mesh that an object holds.
 TOPOLOGY = (
@@ -16,6 +19,10 @@ TOPOLOGY = (
     ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside"),
     ("Manifold", "App::PropertyBool", "No edge of three or more triangles, no pinched vertex"),
 )
+# Kept for the object's own use.
+FINGERPRINT = ("Fingerprint", "App::PropertyString", "Of the input and the options of this mesh")
+FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
+             "Pairs (index of a CAD face, number of successive triangles on it)")
 
 
 class MeshObject(PlainState):
@@ -29,9 +36,17 @@ class MeshObject(PlainState):
         obj.Proxy = self
         self.add_properties(obj)
 
+    def attach_view(self, view):
+        """Gives the object's view in the GUI its proxy; 0: FreeCAD's own view of a mesh."""
+        view.Proxy = 0
+
     def onDocumentRestored(self, obj):
-        """Documents of older versions get the properties that were added since."""
+        """Documents of older versions get the properties that were added since; those that were
+        saved without the GUI get a view.
+        """
         self.add_properties(obj)
+        if FreeCAD.GuiUp and obj.ViewObject.Proxy is None:
+            self.attach_view(obj.ViewObject)
 
     def execute(self, obj):
         """Brings the mesh up to date, unless nothing that it depends on has changed."""
@@ -41,6 +56,68 @@ class MeshObject(PlainState):
         except (Error, ImportError, MemoryError) as error:
             self.error = error
             raise type(error)(f"{obj.Label}: {error}") from error
+
+
+class SourceMesh(MeshObject):
+    """Proxy of an object that meshes the shape of its Source, with one segment a CAD face.
+
+    A subclass has the tables OPTIONS, MEASURED and HIDDEN of its properties, and
+    make(obj, shape, values), which makes the mesh anew.
+    """
+
+    OPTIONS = MEASURED = HIDDEN = ()
+
+    def add_properties(self, obj):
+        """Adds those properties that the object has not got yet."""
+        # Global: a mesh may follow a shape inside a container that it does not belong to itself.
+        add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh",
+                     "The object whose shape is meshed")
+        add_options(obj, self.OPTIONS)
+        add_measured(obj, self.MEASURED)
+        add_hidden(obj, "Mesh", (FINGERPRINT, FACE_RUNS, *self.HIDDEN))
+
+    def onDocumentRestored(self, obj):
+        """The mesh gets its segments back, which FreeCAD does not save."""
+        super().onDocumentRestored(obj)
+        segments = convert.face_segments(faces_of_runs(obj.FaceRuns))
+        if segments and obj.Mesh.countSegments() == 0:
+            mesh = obj.Mesh.copy()
+            convert.add_segments(mesh, segments)
+            obj.Mesh = mesh
+            obj.purgeTouched()
+
+    def update(self, obj):
+        """Meshes the source anew, unless neither it nor an option has changed."""
+        if obj.Source is None:
+            raise InvalidInput("Source is empty: choose an object with a shape")
+        values = options_of(obj, self.OPTIONS)
+        options.check(self.OPTIONS, values)
+        shape = convert.shape_of(obj.Source)
+        fingerprint = fingerprint_of(shape, values)
+        if fingerprint == obj.Fingerprint and obj.Mesh.CountFacets > 0:
+            return
+        self.make(obj, shape, values)
+        obj.Fingerprint = fingerprint
+
+
+def fingerprint_of(shape, values):
+    """Changes whenever the shape or an option does; the same after saving and loading."""
+    digest = hashlib.sha256(shape.exportBrepToString().encode())
+    digest.update(json.dumps(values, sort_keys=True).encode())
+    return digest.hexdigest()
+
+
+def runs_of_faces(triangle_face):
+    """triangle_face as a flat list face, count, ...: short, as triangles come sorted."""
+    starts = np.flatnonzero(np.diff(triangle_face, prepend=-2))
+    counts = np.diff(starts, append=len(triangle_face))
+    return np.column_stack((triangle_face[starts], counts)).ravel().tolist()
+
+
+def faces_of_runs(runs):
+    """The inverse of runs_of_faces."""
+    pairs = np.array(runs, dtype=np.int64).reshape(-1, 2)
+    return np.repeat(pairs[:, 0], pairs[:, 1])
 
 
 def add_property(obj, kind, name, group, text):
@@ -74,7 +151,7 @@ def show_topology(obj, report):
 def add_options(obj, table):
     """A property for each option of the table, with its default."""
     for option in table:
-        unit = "" if option.default is not None else "; 0: no bound"
+        unit = "" if option.default is not None else f"; 0: {option.unset}"
         name = option.property_name
         if add_property(obj, option.property_type, name, option.group, option.help + unit):
             if option.choices:
@@ -108,7 +185,7 @@ def add(document, name, title, make):
     try:
         proxy = make(obj)
         if FreeCAD.GuiUp:
-            obj.ViewObject.Proxy = 0
+            proxy.attach_view(obj.ViewObject)
         obj.recompute()
         if proxy.error is not None:
             raise proxy.error
@@ -121,3 +198,20 @@ def add(document, name, title, make):
     if own_transaction:
         document.commitTransaction()
     return obj
+
+
+def add_of_source(proxy_class, source, values, name, title):
+    """Adds an object that meshes the document object `source`; see add."""
+    if not isinstance(source, FreeCAD.DocumentObject):
+        raise InvalidInput("a document object with a shape is needed, not "
+                           f"{type(source).__name__}")
+    checked = options.check(proxy_class.OPTIONS, values)
+
+    def make(obj):
+        proxy = proxy_class(obj)
+        obj.Label = f"{source.Label} {title.lower()}"
+        obj.Source = source
+        set_options(obj, proxy_class.OPTIONS, checked)
+        return proxy
+
+    return add(source.Document, name, title, make)

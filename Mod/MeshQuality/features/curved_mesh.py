@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object "Curved Mesh": curved elements that follow a shape of the document.
+
+Its Mesh is what the elements look like, cut into flat triangles; the elements themselves are kept
+in hidden properties, so that an opened document can write them without curving anew.
+"""
+
+from .. import convert, options
+from ..curved_mesh import ARRAYS, CurvedMesh, curve
+from . import mesh_object
+
+# Name, type, what it says, where the report has it. All read-only.
+_MEASURED = (
+    ("Elements", "App::PropertyInteger", "Number of tetrahedra, or of triangles without a volume",
+     "elements"),
+    ("Vertices", "App::PropertyInteger", "Number of corners of elements", "vertices"),
+    ("Invalid", "App::PropertyInteger",
+     "Elements that are not proven to be free of folds; there should be none", "invalid"),
+    ("InvalidBefore", "App::PropertyInteger", "How many there were before repair",
+     "invalid_before"),
+    ("InvalidElements", "App::PropertyStringList", "Which elements are invalid",
+     "invalid_elements"),
+    ("MinScaledJacobian", "App::PropertyFloat",
+     "Smallest Jacobian of all elements, each against that of its straight element: 1 is best, "
+     "0 or less is invalid", "min_scaled_jacobian"),
+    ("MinDistortion", "App::PropertyFloat",
+     "Smallest ratio of the least to the largest Jacobian of one element: 1 is best, 0 or less is "
+     "invalid", "min_distortion"),
+    ("MeanDistortion", "App::PropertyFloat", "Mean of that ratio over the elements",
+     "mean_distortion"),
+    ("MaxDeviation", "App::PropertyLength", "Largest distance of the elements from the shape",
+     "max_deviation"),
+    ("RmsDeviation", "App::PropertyLength", "Root mean square of that distance", "rms_deviation"),
+    ("MovedVertices", "App::PropertyInteger", "Corners that a repair moved", "moved_vertices"),
+    ("Repairs", "App::PropertyStringList", "What was repaired, and how often", "repairs"),
+    ("Notes", "App::PropertyStringList", "What else happened on the way", "notes"),
+)
+
+
+class CurvedMeshObject(mesh_object.SourceMesh):
+    """Proxy of a Mesh::FeaturePython that holds curved elements on its source's shape."""
+
+    OPTIONS = options.CURVE + options.CURVED_DISPLAY
+    MEASURED = tuple((name, kind, text) for name, kind, text, _ in _MEASURED)
+    HIDDEN = (
+        ("ElementsOrder", "App::PropertyInteger", "Order of the elements that are kept"),
+        ("ElementsFingerprint", "App::PropertyString", "Of what the elements were made of"),
+        ("ShownDeviation", "App::PropertyLength", "What the triangles shown keep within"),
+        *((name, "App::PropertyFloatList", f"The array {array} of the elements, row by row")
+          for name, array in ARRAYS.items()),
+    )
+
+    def attach_view(self, view):
+        """Curved elements are shown with their edges."""
+        from ..gui.curved_view import CurvedMeshView
+
+        CurvedMeshView(view)
+
+    def make(self, obj, shape, values):
+        """Curves the shape, or only cuts the elements anew where the deviation alone changed."""
+        values = dict(values)
+        deviation = values.pop("deviation")
+        fingerprint = mesh_object.fingerprint_of(shape, values)
+        fresh = fingerprint != obj.ElementsFingerprint
+        curved = curve(shape, **values) if fresh else CurvedMesh.of(obj)
+        tessellation = curved.tessellate(deviation)
+        if fresh:
+            curved.keep_in(obj)
+            show_report(obj, curved.report)
+            obj.ElementsFingerprint = fingerprint
+        obj.ShownDeviation = tessellation.deviation
+        surface = tessellation.surface()
+        obj.FaceRuns = mesh_object.runs_of_faces(surface.triangle_face)
+        obj.Mesh = convert.mesh_of_surface(surface)
+
+
+def show_report(obj, report):
+    """Fills the group Quality."""
+    for name, _, _, field in _MEASURED:
+        value = getattr(report, field)
+        if field == "repairs":
+            value = [f"{what}: {count}" for what, count in value.items() if count]
+        setattr(obj, name, value)
+
+
+def add(source, values):
+    """Adds a curved mesh of `source` to its document; see mesh_object.add."""
+    return mesh_object.add_of_source(CurvedMeshObject, source, values, "CurvedMesh", "Curved mesh")

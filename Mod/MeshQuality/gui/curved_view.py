@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a curved mesh is drawn: smooth elements with their curved edges, coloured by quality.
+
+The nodes are made here rather than in the core: pivy comes with every FreeCAD and fits its Coin,
+whereas a core linked to Coin would have to be built for the Coin of each FreeCAD. The numbers
+come from the core as arrays.
+"""
+
+import numpy as np
+from pivy import coin
+
+from ..compat import PlainState
+from ..curved_mesh import CurvedMesh
+from ..errors import Error
+
+MODE = "Curved"
+PLAIN, JACOBIAN = "Nothing", "Scaled Jacobian"
+# Red at 0 and below, where elements are invalid; yellow; green; blue at 1, as good as straight.
+_SCALE = np.array([[0.0, 0.85, 0.1, 0.1], [0.3, 0.95, 0.85, 0.1], [0.6, 0.2, 0.75, 0.3],
+                   [1.0, 0.2, 0.4, 0.9]])
+
+
+class CurvedMeshScene:
+    """The scene graph of a curved mesh; `root` is its node. Works without a window."""
+
+    def __init__(self):
+        self.root = coin.SoSeparator()
+        self._points = coin.SoCoordinate3()
+        self._material = coin.SoMaterial()
+        self._binding = coin.SoMaterialBinding()
+        self._normals = coin.SoNormal()
+        self._faces = coin.SoIndexedFaceSet()
+        self._line_colour = coin.SoBaseColor()
+        self._line_style = coin.SoDrawStyle()
+        self._lines = coin.SoIndexedLineSet()
+        hints, behind = coin.SoShapeHints(), coin.SoPolygonOffset()
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+        normal_binding = coin.SoNormalBinding()
+        normal_binding.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
+        surface, edges = coin.SoSeparator(), coin.SoSeparator()
+        for node in (hints, behind, self._material, self._binding, self._normals, normal_binding,
+                     self._faces):
+            surface.addChild(node)
+        light, plain = coin.SoLightModel(), coin.SoMaterialBinding()
+        light.model = coin.SoLightModel.BASE_COLOR
+        plain.value = coin.SoMaterialBinding.OVERALL
+        for node in (light, plain, self._line_colour, self._line_style, self._lines):
+            edges.addChild(node)
+        for node in (self._points, surface, edges):
+            self.root.addChild(node)
+        self._element = np.zeros(0, dtype=np.int32)
+
+    def show(self, tessellation):
+        """Takes the geometry of a tessellation, in the frame of its surface."""
+        surface = tessellation.surface()
+        self._element = np.array(tessellation.element)
+        _fill(self._points.point, surface.vertices)
+        _fill(self._normals.vector, tessellation.normals)
+        _fill(self._faces.coordIndex, _runs(surface.triangles))
+        _fill(self._faces.normalIndex, _runs(tessellation.triangle_normals.reshape(-1, 3)))
+        _fill(self._lines.coordIndex, tessellation.edge_lines)
+
+    def colour(self, quality, transparency=0.0):
+        """Colours each curved triangle by its quality."""
+        self._binding.value = coin.SoMaterialBinding.PER_FACE
+        _fill(self._material.diffuseColor, colours_of(quality)[self._element])
+        _fill(self._material.transparency, [transparency])
+
+    def paint(self, colour, transparency=0.0):
+        """One colour (red, green, blue) for all."""
+        self._binding.value = coin.SoMaterialBinding.OVERALL
+        _fill(self._material.diffuseColor, [colour])
+        _fill(self._material.transparency, [transparency])
+
+    def draw_edges(self, colour, width):
+        """Colour and width in pixels of the elements' edges."""
+        _fill(self._line_colour.rgb, [colour])
+        self._line_style.lineWidth = width
+
+
+def _fill(field, values):
+    """All values of a Coin field at once."""
+    values = np.asarray(values).tolist()
+    field.setNum(len(values))
+    if values:
+        field.setValues(0, len(values), values)
+
+
+def _runs(rows):
+    """Rows of indices, each followed by -1."""
+    return np.column_stack((rows, np.full(len(rows), -1))).ravel()
+
+
+def colours_of(quality):
+    """float (n, 3): the colours of scaled Jacobians."""
+    quality = np.clip(quality, 0.0, 1.0)
+    return np.column_stack([np.interp(quality, _SCALE[:, 0], _SCALE[:, k]) for k in (1, 2, 3)])
+
+
+class CurvedMeshView(PlainState):
+    """Proxy of the view of a curved mesh. Adds a display mode beside those of every mesh."""
+
+    def __init__(self, view):
+        view.addProperty("App::PropertyEnumeration", "ColorBy", "Curved mesh",
+                         "What the colours of the elements show")
+        view.ColorBy = [PLAIN, JACOBIAN]
+        view.Proxy = self
+        view.DisplayMode = MODE
+
+    def attach(self, view):
+        """Called when the view is made, and when it is read from a file."""
+        self.scene = CurvedMeshScene()
+        self._quality = None
+        view.addDisplayMode(self.scene.root, MODE)
+
+    def getDisplayModes(self, view):
+        return [MODE]
+
+    def getDefaultDisplayMode(self):
+        return MODE
+
+    def setDisplayMode(self, mode):
+        return mode
+
+    def updateData(self, obj, name):
+        """The object's mesh has changed."""
+        if name != "Mesh" or obj.Mesh.CountFacets == 0:
+            return
+        try:
+            curved = CurvedMesh.of(obj)
+        except (Error, ImportError):
+            # Not all properties are read yet, or there is no core: FreeCAD's own modes remain.
+            return
+        self.scene.show(curved.tessellate(obj.ShownDeviation.Value))
+        self._quality = curved.shown_quality
+        self._paint(obj.ViewObject)
+
+    def onChanged(self, view, name):
+        """A property of the view has changed."""
+        if name in ("ColorBy", "ShapeColor", "LineColor", "LineWidth", "Transparency"):
+            self._paint(view)
+
+    def _paint(self, view):
+        transparency = getattr(view, "Transparency", 0) / 100.0
+        if getattr(view, "ColorBy", PLAIN) == JACOBIAN and self._quality is not None:
+            self.scene.colour(self._quality, transparency)
+        else:
+            self.scene.paint(_rgb(view, "ShapeColor", (0.8, 0.8, 0.8)), transparency)
+        self.scene.draw_edges(_rgb(view, "LineColor", (0.0, 0.0, 0.0)),
+                              getattr(view, "LineWidth", 1.0))
+
+
+def _rgb(view, name, default):
+    return tuple(getattr(view, name, default))[:3]

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What GUI tests share: waiting for the event loop, and pictures of views."""
+
+import os
+import time
+
+import FreeCADGui
+import helpers
+import numpy as np
+from PySide import QtCore, QtGui
+
+PICTURES = os.environ.get("MESHQUALITY_GUI_PICTURES", ".")
+WIDTH, HEIGHT = 700, 500
+
+
+def wait(seconds=0.05):
+    """Lets the event loop run."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+
+
+class GuiTest(helpers.DocumentTest):
+    """A test with a document that has a 3D view."""
+
+    def setUp(self):
+        super().setUp()
+        wait()
+        self.view = FreeCADGui.getDocument(self.document.Name).activeView()
+
+    def picture(self, name):
+        """Saves what the 3D view shows as <name>.png; returns it as (height, width, 3) numbers."""
+        self.view.viewAxonometric()
+        self.view.fitAll()
+        wait()
+        path = os.path.join(PICTURES, f"{name}.png")
+        self.view.saveImage(path, WIDTH, HEIGHT, "White")
+        image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)
+        self.assertEqual((image.width(), image.height()), (WIDTH, HEIGHT))
+        rows = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(HEIGHT, -1)
+        return rows[:, :3 * WIDTH].reshape(HEIGHT, WIDTH, 3).astype(int)
