@@ -30,7 +30,7 @@ BOOLEAN_REPORT_FIELDS = (
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_deviation", "rms_deviation", "volume",
-    "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
+    "cad_volume", "volume_error", "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
 )
 
 

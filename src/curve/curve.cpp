@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <set>
 
 #include "base/error.h"
 #include "curve/child_process.h"
+#include "curve/enclosed.h"
 #include "curve/straighten.h"
 #include "curve/surface_repair.h"
 #include "curve/validity.h"
@@ -27,17 +28,22 @@ std::vector<int> living(const Surface& surface) {
 }
 
 /// Surface figures. `invalid` counts on in what is there already.
-void measure_surface(SurfaceEditor& editor, CurveReport& report) {
+/// @param straightened triangles by their index.
+void measure_surface(SurfaceEditor& editor, const std::set<int>& straightened, CurveReport& report) {
     const std::vector<int> triangles = living(editor.surface);
     double sum = 0.0;
     report.min_distortion = 1.0;
-    for (const int t : triangles) {
-        const SurfaceTriangle& triangle = editor.triangle(t);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const SurfaceTriangle& triangle = editor.triangle(triangles[i]);
+        const std::string name = "triangle " + std::to_string(i) + " on " + geometry::name_of({2, triangle.face});
+        if (straightened.count(triangles[i]) > 0) {
+            report.straightened.push_back(name);
+        }
         sum += triangle.quality;
         report.min_distortion = std::min(report.min_distortion, triangle.quality);
         if (!(triangle.quality > 0.0)) {
             ++report.invalid;
-            report.invalid_elements.push_back("a triangle on " + geometry::name_of({2, triangle.face}));
+            report.invalid_elements.push_back(name);
         }
     }
     report.elements = triangles.size();
@@ -82,8 +88,9 @@ void note(const VolumeRepairs& repairs, CurveReport& report) {
 }
 
 /// Volume figures take the place of those of the surface; invalid triangles stay counted.
+/// @param straightened tetrahedra by their index.
 /// @return the scaled Jacobian of each living tetrahedron.
-std::vector<double> measure_volume(const Volume& volume, CurveReport& report) {
+std::vector<double> measure_volume(const Volume& volume, const std::set<int>& straightened, CurveReport& report) {
     std::vector<double> qualities;
     const Lattice& lattice = Lattice::of(3, volume.shapes().order());
     std::vector<Vec3> control;
@@ -101,13 +108,15 @@ std::vector<double> measure_volume(const Volume& volume, CurveReport& report) {
         report.min_scaled_jacobian = std::min(report.min_scaled_jacobian, quality.scaled_jacobian);
         qualities.push_back(quality.scaled_jacobian);
         sum += quality.distortion;
-        // The mean of the coefficients is the mean of the polynomial; a simplex has a sixth of the cube.
-        report.volume += std::accumulate(form.coefficients.begin(), form.coefficients.end(), 0.0) /
-                         (6.0 * static_cast<double>(form.coefficients.size()));
+        const std::string name =
+            "tetrahedron " + std::to_string(report.elements) + " of Solid" + std::to_string(tetrahedron.volume + 1);
+        if (straightened.count(t) > 0) {
+            report.straightened.push_back(name);
+        }
         ++report.elements;
         if (!(tetrahedron.quality > 0.0)) {
             ++report.invalid;
-            report.invalid_elements.push_back("a tetrahedron of Solid" + std::to_string(tetrahedron.volume + 1));
+            report.invalid_elements.push_back(name);
         }
     }
     report.mean_distortion = report.elements == 0 ? 0.0 : sum / static_cast<double>(report.elements);
@@ -143,7 +152,11 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     clock.end("curving the surface");
     watched.stage("repairing the surface", 0.3, 0.5);
     note(repair_surface(editor, watched), report);
-    std::size_t straightened = options.straighten ? straighten_triangles(editor) : 0;
+    std::set<int> straight_triangles;
+    std::set<int> straight_tetrahedra;
+    if (options.straighten) {
+        straight_triangles = straighten_triangles(editor);
+    }
     clock.end("repairing the surface");
     std::vector<Region> regions;
     std::vector<double> qualities;
@@ -153,18 +166,21 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
         clock.end("filling");
         watched.stage("repairing the volume", 0.6, 0.95);
         note(repair_volume(volume, watched), report);
-        straightened += options.straighten ? straighten_tetrahedra(volume, editor) : 0;
+        if (options.straighten) {
+            straight_tetrahedra = straighten_tetrahedra(volume, editor);
+        }
         clock.end("repairing the volume");
-        measure_surface(editor, report);
-        qualities = measure_volume(volume, report);
+        measure_surface(editor, straight_triangles, report);
+        qualities = measure_volume(volume, straight_tetrahedra, report);
         for (const int t : volume.living()) {
             const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
             regions.push_back({tetrahedron.corners, tetrahedron.volume});
         }
     } else {
-        measure_surface(editor, report);
+        measure_surface(editor, straight_triangles, report);
     }
-    report.repairs.emplace_back("elements made straight", straightened);
+    report.repairs.emplace_back("elements made straight", report.straightened.size());
+    report.volume = enclosed_volume(surface, session.topology());
     clock.end("measuring");
     CurvedMesh result = assemble(surface, regions);
     result.tetrahedron_quality = std::move(qualities);

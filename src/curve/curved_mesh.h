@@ -17,20 +17,25 @@ namespace mq::curve {
 struct CurveReport {
     std::size_t elements = 0;
     std::size_t vertices = 0;
-    std::size_t invalid_before = 0;  ///< elements invalid right after curving, before any repair
-    std::size_t invalid = 0;         ///< of the final mesh, tetrahedra and boundary triangles
-    std::vector<std::string> invalid_elements;
-    double min_scaled_jacobian = 0.0;  ///< min over the elements of min J / J of the straight element
-    double min_distortion = 0.0;       ///< min over the elements of I = min J / max J, equation (3)
+    std::size_t invalid_before = 0;             ///< elements invalid right after curving, before any repair
+    std::size_t invalid = 0;                    ///< of the final mesh, tetrahedra and boundary triangles
+    std::vector<std::string> invalid_elements;  ///< "triangle 3 on Face1": numbers as in the lists of the mesh
+    std::vector<std::string> straightened;      ///< elements that were made straight, likewise
+    double min_scaled_jacobian = 0.0;           ///< min over the elements of min J / J of the straight element
+    double min_distortion = 0.0;                ///< min over the elements of I = min J / max J, equation (3)
     double mean_distortion = 0.0;
     double max_deviation = 0.0;  ///< of boundary triangles from their CAD faces, mm
     double rms_deviation = 0.0;
-    double volume = 0.0;             ///< of the curved elements, mm^3; 0 without a volume mesh
+    double volume = 0.0;             ///< that the curved triangles enclose, mm^3; 0 without a solid
+    double cad_volume = 0.0;         ///< of the part's solids; 0: unknown
     std::size_t moved_vertices = 0;  ///< corner vertices that left the place they had when the mesh was straight
     std::vector<std::pair<std::string, std::size_t>> repairs;
     std::vector<std::string> notes;
     StageTimes seconds;
     double cpu_seconds = 0.0;
+
+    /// |volume - cad_volume| / cad_volume; -1: unknown.
+    double volume_error() const;
 };
 
 /// The product: nodes, and elements of one order in Gmsh's node order.

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cmath>
 #include <cstdio>
 
 #include "curve/curved_mesh.h"
 
 namespace mq::curve {
+
+double CurveReport::volume_error() const {
+    return cad_volume > 0.0 ? std::abs(volume - cad_volume) / cad_volume : -1.0;
+}
 
 std::string to_text(const CurveReport& report) {
     char text[512];
@@ -15,6 +20,10 @@ std::string to_text(const CurveReport& report) {
                   report.min_distortion, report.mean_distortion, report.max_deviation, report.rms_deviation,
                   report.moved_vertices);
     std::string result = text;
+    if (report.volume_error() >= 0.0) {
+        std::snprintf(text, sizeof text, "volume off by %.3g of the CAD's\n", report.volume_error());
+        result += text;
+    }
     for (const auto& [operation, count] : report.repairs) {
         if (count > 0) {
             result += operation + ": " + std::to_string(count) + "\n";
@@ -22,6 +31,9 @@ std::string to_text(const CurveReport& report) {
     }
     for (const std::string& element : report.invalid_elements) {
         result += "invalid: " + element + "\n";
+    }
+    for (const std::string& element : report.straightened) {
+        result += "made straight: " + element + "\n";
     }
     for (const std::string& note : report.notes) {
         result += note + "\n";

@@ -2,7 +2,6 @@
 #include "curve/straighten.h"
 
 #include <algorithm>
-#include <set>
 
 namespace mq::curve {
 
@@ -33,7 +32,7 @@ void measure_around(SurfaceEditor& editor, const std::set<int>& vertices) {
 
 }  // namespace
 
-std::size_t straighten_triangles(SurfaceEditor& editor) {
+std::set<int> straighten_triangles(SurfaceEditor& editor) {
     std::set<int> done;
     for (int round = 0; round < kRounds; ++round) {
         std::set<int> vertices;
@@ -49,10 +48,10 @@ std::size_t straighten_triangles(SurfaceEditor& editor) {
         }
         measure_around(editor, vertices);
     }
-    return done.size();
+    return done;
 }
 
-std::size_t straighten_tetrahedra(Volume& volume, SurfaceEditor& editor) {
+std::set<int> straighten_tetrahedra(Volume& volume, SurfaceEditor& editor) {
     std::set<int> done;
     for (int round = 0; round < kRounds; ++round) {
         std::set<int> vertices;
@@ -71,7 +70,7 @@ std::size_t straighten_tetrahedra(Volume& volume, SurfaceEditor& editor) {
         }
         measure_around(editor, vertices);
     }
-    return done.size();
+    return done;
 }
 
 }  // namespace mq::curve

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <set>
+
 #include "curve/surface_editor.h"
 #include "curve/volume.h"
 
@@ -8,9 +10,9 @@ namespace mq::curve {
 
 /// The way out where repairs fail: invalid elements lose the shapes of their edges and faces, also those on the CAD,
 /// and so do neighbours that become invalid by it, until none is left or straight elements are invalid themselves.
-/// @return how many elements were made straight.
-std::size_t straighten_triangles(SurfaceEditor& editor);
+/// @return the elements that were made straight, by their index.
+std::set<int> straighten_triangles(SurfaceEditor& editor);
 /// @param editor of the same surface; its triangles are measured again.
-std::size_t straighten_tetrahedra(Volume& volume, SurfaceEditor& editor);
+std::set<int> straighten_tetrahedra(Volume& volume, SurfaceEditor& editor);
 
 }  // namespace mq::curve

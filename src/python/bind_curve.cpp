@@ -7,6 +7,7 @@
 #include "curve/child_process.h"
 #include "curve/curve.h"
 #include "curve/fill.h"
+#include "geometry/occt/shape_content.h"
 #include "geometry/occt/shape_model.h"
 #include "mesh/io.h"
 #include "python/bindings.h"
@@ -76,6 +77,7 @@ CurvedPointer curve_shape(const PartShape& part, const curve::Options& options, 
         handle.stage("reading the shape", 0.0, 0.0);
         engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
         auto mesh = std::make_shared<CurvedMesh>(curved(engine, model, straight, options, handle));
+        engine.run([&] { mesh->report.cad_volume = geometry::solid_content(*part.shape); });
         mesh->report.cpu_seconds = curve::cpu_seconds() - start;
         return mesh;
     });
@@ -88,7 +90,9 @@ CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape&
     return watch(progress, [&](Progress& handle) {
         std::shared_ptr<geometry::Model> model;
         engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
-        return std::make_shared<CurvedMesh>(curve::curve(engine, model, surface.mesh, options, &handle));
+        auto mesh = std::make_shared<CurvedMesh>(curve::curve(engine, model, surface.mesh, options, &handle));
+        engine.run([&] { mesh->report.cad_volume = geometry::solid_content(*part.shape); });
+        return mesh;
     });
 }
 
@@ -113,7 +117,10 @@ void bind_curve_report(py::module_& m) {
         .def_readonly("mean_distortion", &CurveReport::mean_distortion)
         .def_readonly("max_deviation", &CurveReport::max_deviation, "from the CAD faces, mm")
         .def_readonly("rms_deviation", &CurveReport::rms_deviation)
-        .def_readonly("volume", &CurveReport::volume, "of the curved elements, mm^3")
+        .def_readonly("straightened", &CurveReport::straightened)
+        .def_readonly("volume", &CurveReport::volume, "that the curved triangles enclose, mm^3; 0 without a solid")
+        .def_readonly("cad_volume", &CurveReport::cad_volume, "of the solids, mm^3; 0: unknown")
+        .def_property_readonly("volume_error", &CurveReport::volume_error, "relative; -1: unknown")
         .def_readonly("moved_vertices", &CurveReport::moved_vertices)
         .def_property_readonly("repairs", [](const CurveReport& r) { return dict_of(r.repairs); })
         .def_readonly("notes", &CurveReport::notes)

@@ -44,6 +44,11 @@ class Curve(helpers.DocumentTest):
             report = mq.curve(shape, order=2, volume=True).report
             self.assertEqual(report.invalid, 0, f"{name}: {report}")
             self.assertAlmostEqual(report.volume / shape.Volume, 1.0, delta=5e-3, msg=name)
+            self.assertAlmostEqual(report.volume_error, abs(report.volume / shape.Volume - 1), 9)
+
+    def test_what_has_no_volume_has_no_volume_error(self):
+        report = mq.curve(Part.makePlane(10, 10)).report
+        self.assertEqual((report.volume, report.cad_volume, report.volume_error), (0.0, 0.0, -1.0))
 
     def test_edges_lie_on_their_cad_edges(self):
         shape = Part.makeCylinder(5, 10)
@@ -155,5 +160,7 @@ class Curve(helpers.DocumentTest):
         report = json.loads(done.stdout)
         self.assertEqual(report["invalid"], 0)
         self.assertGreater(report["cpu_seconds"], 0.0)
+        self.assertLess(report["volume_error"], 1e-3)
+        self.assertEqual(report["straightened"], [])
         self.assertIn("order 3", done.stderr.splitlines()[-1])
         self.assertGreater(os.path.getsize(output), 10000)

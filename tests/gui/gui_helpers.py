@@ -28,12 +28,12 @@ class GuiTest(helpers.DocumentTest):
         wait()
         self.view = FreeCADGui.getDocument(self.document.Name).activeView()
 
-    def picture(self, name):
+    def picture(self, name, folder=PICTURES):
         """Saves what the 3D view shows as <name>.png; returns it as (height, width, 3) numbers."""
         self.view.viewAxonometric()
         self.view.fitAll()
         wait()
-        path = os.path.join(PICTURES, f"{name}.png")
+        path = os.path.join(folder, f"{name}.png")
         self.view.saveImage(path, WIDTH, HEIGHT, "White")
         image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)
         self.assertEqual((image.width(), image.height()), (WIDTH, HEIGHT))

@@ -5,17 +5,14 @@ import FreeCAD
 import FreeCADGui
 
 
-class Triangulate:
-    """Adds a quality mesh of each selected object."""
+class _AddMesh:
+    """Adds a mesh of each selected object with a shape, as one undo step.
 
-    NAME = "MeshQuality_Triangulate"
+    A subclass has NAME, TEXT (also of the undo step), TIP, and CALL: the function of the API.
+    """
 
     def GetResources(self):
-        return {
-            "Pixmap": self.NAME,
-            "MenuText": "Quality mesh",
-            "ToolTip": "Mesh the selected shapes with a guaranteed smallest angle",
-        }
+        return {"Pixmap": self.NAME, "MenuText": self.TEXT, "ToolTip": self.TIP}
 
     def IsActive(self):
         return any(_has_shape(obj) for obj in FreeCADGui.Selection.getSelection())
@@ -23,18 +20,32 @@ class Triangulate:
     def Activated(self):
         document = FreeCAD.ActiveDocument
         sources = [o for o in FreeCADGui.Selection.getSelection() if _has_shape(o)]
-        document.openTransaction("Quality mesh")
+        document.openTransaction(self.TEXT)
         try:
             FreeCADGui.doCommand("import MeshQuality as mq")
             for source in sources:
                 FreeCADGui.doCommand(
-                    f"mq.add_quality_mesh(App.getDocument({source.Document.Name!r})"
+                    f"mq.{self.CALL}(App.getDocument({source.Document.Name!r})"
                     f".getObject({source.Name!r}))")
         except Exception as error:  # noqa: BLE001 - a command's last resort is the report view
             document.abortTransaction()
             FreeCAD.Console.PrintError(f"{error}\n")
             return
         document.commitTransaction()
+
+
+class Triangulate(_AddMesh):
+    NAME = "MeshQuality_Triangulate"
+    TEXT = "Quality mesh"
+    TIP = "Mesh the selected shapes with a guaranteed smallest angle"
+    CALL = "add_quality_mesh"
+
+
+class Curve(_AddMesh):
+    NAME = "MeshQuality_Curve"
+    TEXT = "Curved mesh"
+    TIP = "Mesh the selected shapes with curved elements, each proven to be free of folds"
+    CALL = "add_curved_mesh"
 
 
 def _has_shape(obj):
@@ -44,7 +55,7 @@ def _has_shape(obj):
 
 def register():
     """Registers all commands with FreeCAD; returns their names in menu order."""
-    commands = [Triangulate]
+    commands = [Triangulate, Curve]
     for command in commands:
         FreeCADGui.addCommand(command.NAME, command())
     return [command.NAME for command in commands]

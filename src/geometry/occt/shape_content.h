@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+class TopoDS_Shape;
+
+namespace mq::geometry {
+
+/// The volume of the shape's solids by the kernel's own integration, mm^3, also of those that are inside out; 0 without
+/// a solid. Call it on the engine's thread (Engine::run).
+/// @throws GeometryError when the kernel fails.
+double solid_content(const TopoDS_Shape& shape);
+
+}  // namespace mq::geometry
