@@ -147,8 +147,7 @@ inline TopoDS_Shape scaled(const TopoDS_Shape& shape, double factor) {
 
 /// A shape that a modeler made and wrote, from the folder beside this header.
 inline TopoDS_Shape stored(const std::string& name) {
-    const std::string here = __FILE__;
-    std::ifstream file(here.substr(0, here.rfind('/')) + "/parts/" + name + ".brep");
+    std::ifstream file(std::string(MESHQUALITY_STORED_PARTS "/") + name + ".brep");
     EXPECT_TRUE(file) << name;
     std::ostringstream text;
     text << file.rdbuf();
