@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "boolean/arrangement.h"
 #include "boolean/cells.h"
+#include "boolean/disturbance.h"
 #include "boolean/extraction.h"
 #include "boolean/near_coincidence.h"
 #include "boolean/operand.h"
@@ -48,9 +50,32 @@ class Run {
     /// Nothing for a symmetric difference of surfaces that run along each other: it takes several runs.
     std::optional<BooleanResult> run() {
         prepare();
+        const BooleanResult prepared = result_;
+        std::optional<BooleanResult> best;
+        for (std::size_t k = 0; k <= kTries; ++k) {
+            result_ = prepared;
+            if (!run_once()) {
+                return std::nullopt;
+            }
+            if (!best.has_value() || result_.faults_left < best->faults_left) {
+                best = std::move(result_);
+            }
+            if (best->faults_left == 0) {
+                break;
+            }
+            jolts_.push_back(std::move(faulty_));
+        }
+        return best;
+    }
+
+  private:
+    /// Further tries after one that left faults, each with the operands moved a little more where these are.
+    static constexpr std::size_t kTries = 6;
+
+    bool run_once() {
         make_soup();
         if (!find_crossings()) {
-            return std::nullopt;
+            return false;
         }
         stage("dividing", 0.5, 0.7);
         const Arrangement arrangement = arrange(soup_, twins_, crossing_, progress_);
@@ -63,10 +88,30 @@ class Run {
         stage("checking", 0.9, 1.0);
         finish(extraction);
         end_stage();
-        return std::move(result_);
+        return true;
     }
 
-  private:
+    /// Moves operands a little where tries so far left faults; by how much at most, mm.
+    double disturb() {
+        if (jolts_.empty()) {
+            return 0.0;
+        }
+        constexpr double kFirst = 16.0 * kSingleUnit;  // of the size
+        constexpr double kMore = 4.0;
+        constexpr double kMost = 0.08;  // of the tolerance, so that all tries together stay within it
+        double length = kFirst * size_;
+        double sum = 0.0;
+        for (std::size_t k = 0; k < jolts_.size(); ++k) {
+            sum += jolt(soup_, jolts_[k], std::min(length, kMost * tolerance_), k);
+            length *= kMore;
+        }
+        const auto count = [](std::size_t n, const std::vector<std::int32_t>& list) { return n + list.size(); };
+        result_.notes.push_back("operands were moved by up to " + std::to_string(sum) + " mm at " +
+                                std::to_string(std::accumulate(jolts_.begin(), jolts_.end(), std::size_t{0}, count)) +
+                                " triangles, where rounding left faults otherwise");
+        return sum;
+    }
+
     void stage(const char* name, double from, double to) {
         end_stage();
         stage_ = name;
@@ -77,6 +122,7 @@ class Run {
         if (stage_ != nullptr) {
             clock_.end(stage_);
         }
+        stage_ = nullptr;
     }
 
     void prepare() {
@@ -135,6 +181,7 @@ class Run {
 
     /// Pairs of triangles in contact, at most `limit` of them; twins are left out.
     std::vector<mesh::ContactPair> contacts(std::size_t limit) {
+        forget_moved_triangles(soup_);
         merge_vertices(soup_);
         twins_ = find_twins(soup_);
         if (twins_.empty()) {
@@ -162,6 +209,8 @@ class Run {
 
     bool find_crossings() {
         stage("finding crossings", 0.15, 0.5);
+        crossing_.clear();
+        moved_ = 0.0;
         // Curves cross few triangles. When many are crossed a sample shows whether surfaces run along each other.
         const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
         std::vector<mesh::ContactPair> pairs = contacts(many);
@@ -169,13 +218,19 @@ class Run {
         if (along && operation_ == Operation::SymmetricDifference) {
             return false;
         }
-        if (along) {
+        const bool moves = along || !jolts_.empty();
+        if (moves) {
             make_soup();
-            const NearCoincidence done = separate(soup_, operation_, tolerance_, pairs, progress_);
+            const std::vector<Vec3> before = soup_.vertices;
+            NearCoincidence done;
+            if (along) {
+                done = separate(soup_, operation_, tolerance_, pairs, progress_);
+            }
             result_.separated_vertices = done.moved;
-            moved_ = done.largest;
+            moved_ = done.largest + disturb();
+            undo_degenerate_moves(soup_, before);
         }
-        if (along || pairs.size() == many) {
+        if (moves || pairs.size() == many) {
             pairs = contacts(mesh::kAllPairs);
         }
         for (const mesh::ContactPair& pair : pairs) {
@@ -192,13 +247,17 @@ class Run {
         part(extraction, in_single);
         result_.parted_contacts = extraction.copies.size();
         const RepairCount repaired = repair(draft, std::min(tolerance_, kRepairPart * size_), progress_);
-        result_.faults_left = repaired.left;
+        result_.faults_left = repaired.faulty.size();
+        faulty_.clear();
+        for (const std::int32_t t : repaired.faulty) {
+            faulty_.push_back(draft.from[static_cast<std::size_t>(t)]);
+        }
         if (repaired.flakes > 0) {
             result_.notes.push_back(std::to_string(repaired.flakes) +
                                     " flakes thinner than single precision can hold were left out");
         }
-        if (repaired.left > 0) {
-            result_.notes.push_back(std::to_string(repaired.left) +
+        if (result_.faults_left > 0) {
+            result_.notes.push_back(std::to_string(result_.faults_left) +
                                     " triangles touch or cross others: rounding made them, and no change nearby helps");
         }
         result_.error_bound = draft.largest_move + moved_;
@@ -254,6 +313,8 @@ class Run {
     double size_ = 0.0;
     double tolerance_ = 0.0;
     double moved_ = 0.0;
+    std::vector<std::vector<std::int32_t>> jolts_;  ///< triangles of the soup at the faults of each try so far
+    std::vector<std::int32_t> faulty_;              ///< at the faults of this one
     std::vector<Operand> prepared_;
     Soup soup_;
     std::vector<Twin> twins_;

@@ -21,7 +21,8 @@ struct Draft {
     std::vector<Vec3> vertices;
     std::vector<char> made;  ///< of each vertex: kOwn, kMade or kParted
     std::vector<Triangle> triangles;
-    std::vector<Source> source;  ///< of each triangle; operand -1 where it was made or changed here
+    std::vector<Source> source;      ///< of each triangle; operand -1 where it was made or changed here
+    std::vector<std::int32_t> from;  ///< of each triangle: the soup's triangle of which it is a piece, or was
     std::map<std::int32_t, std::vector<Vec3>> places;  ///< of parted vertices: where else they may be
     double largest_move = 0.0;                         ///< of a point from its exact place, mm
 };

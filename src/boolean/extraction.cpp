@@ -184,6 +184,7 @@ class DoubleEdges {
                     draft_.source[piece] = Source{};
                     draft_.triangles.push_back({middle, c[(k + 1) % 3], c[(k + 2) % 3]});
                     draft_.source.push_back(Source{});
+                    draft_.from.push_back(draft_.from[piece]);
                     pieces.push_back(draft_.triangles.size() - 1);
                     return;
                 }
@@ -257,19 +258,6 @@ void take_vertices(const Soup& soup, const PointTable& points,
     }
 }
 
-/// A triangle with a moved vertex is no longer the operand's.
-void forget_moved_sources(const Soup& soup, const Arrangement& arrangement, const std::vector<std::int32_t>& kept,
-                          Draft& draft) {
-    for (std::size_t i = 0; i < kept.size() && !soup.moved.empty(); ++i) {
-        const auto& points = arrangement.faces[static_cast<std::size_t>(kept[i])].points;
-        if (std::any_of(points.begin(), points.end(), [&](std::int32_t p) {
-                return arrangement.points.given(p) && soup.moved[static_cast<std::size_t>(p)] != 0;
-            })) {
-            draft.source[i] = Source{};
-        }
-    }
-}
-
 }  // namespace
 
 Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells& cells, Operation operation,
@@ -292,14 +280,15 @@ Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells
         if (front) {
             std::swap(result.draft.triangles.back()[1], result.draft.triangles.back()[2]);
         }
-        result.draft.source.push_back(face.whole ? soup.source[static_cast<std::size_t>(face.source)] : Source{});
+        result.draft.from.push_back(face.source);
+        const Source& source = soup.source[static_cast<std::size_t>(face.source)];
+        result.draft.source.push_back(face.whole && source.triangle >= 0 ? source : Source{});
     }
     progress.check();
     FanOpener opener(arrangement.points, result.draft.triangles);
     const auto copies = opener.run(suspicious_points(soup, arrangement, kept));
     progress.check();
     take_vertices(soup, arrangement.points, copies, result);
-    forget_moved_sources(soup, arrangement, kept, result.draft);
     DoubleEdges(result).run(opener.wedges());
     return result;
 }

@@ -498,11 +498,39 @@ void remove_gone(Draft& draft) {
     for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
         if (!gone(draft.triangles[t])) {
             draft.triangles[kept] = draft.triangles[t];
+            draft.from[kept] = draft.from[t];
             draft.source[kept++] = draft.source[t];
         }
     }
     draft.triangles.resize(kept);
     draft.source.resize(kept);
+    draft.from.resize(kept);
+}
+
+/// Vertices of collapsed edges and of flakes that were left out go too.
+void remove_unused_vertices(Draft& draft) {
+    std::vector<std::int32_t> index(draft.vertices.size(), -1);
+    for (const Triangle& t : draft.triangles) {
+        for (const std::int32_t v : t) {
+            index[static_cast<std::size_t>(v)] = 0;
+        }
+    }
+    std::size_t kept = 0;
+    for (std::size_t v = 0; v < index.size(); ++v) {
+        if (index[v] == 0) {
+            draft.vertices[kept] = draft.vertices[v];
+            draft.made[kept] = draft.made[v];
+            index[v] = static_cast<std::int32_t>(kept++);
+        }
+    }
+    draft.vertices.resize(kept);
+    draft.made.resize(kept);
+    draft.places.clear();
+    for (Triangle& t : draft.triangles) {
+        for (std::int32_t& v : t) {
+            v = index[static_cast<std::size_t>(v)];
+        }
+    }
 }
 
 }  // namespace
@@ -531,13 +559,12 @@ std::size_t count_parting_faults(const Draft& draft, const Progress& progress) {
 
 RepairCount repair(Draft& draft, double distance, const Progress& progress) {
     constexpr int kRounds = 4;
+    constexpr double kThinnest = 0.02;  // of the distance allowed, some units of single precision
     RepairCount total;
-    for (int round = 0; round < kRounds; ++round) {
-        Faults faults = find_faults(draft, new_triangles(draft), progress);
-        total.left = faults.size();
-        if (faults.empty()) {
-            break;
-        }
+    Faults faults = find_faults(draft, new_triangles(draft), progress);
+    bool changed = true;
+    for (int round = 0; round < kRounds && changed && !faults.empty(); ++round) {
+        const std::size_t before = total.collapsed + total.flipped + total.moved;
         {
             Repairer repairer(draft, distance, faults);
             for (const std::int32_t t : faults) {
@@ -549,19 +576,23 @@ RepairCount repair(Draft& draft, double distance, const Progress& progress) {
             total.flipped += repairer.count.flipped;
             total.moved += repairer.count.moved;
         }
-        const std::size_t done = total.collapsed + total.flipped + total.moved;
+        changed = total.collapsed + total.flipped + total.moved > before;
         remove_gone(draft);
-        if (done == 0) {
-            break;
+        if (changed) {
+            faults = find_faults(draft, new_triangles(draft), progress);
         }
     }
-    if (total.left > 0) {
-        constexpr double kThinnest = 0.02;  // of the distance allowed, some units of single precision
-        const Faults faults = find_faults(draft, new_triangles(draft), progress);
+    if (!faults.empty()) {
         total.flakes = remove_flakes(draft, faults, kThinnest * distance);
         remove_gone(draft);
-        total.left = total.flakes > 0 ? find_faults(draft, new_triangles(draft), progress).size() : faults.size();
+        if (total.flakes > 0) {
+            faults = find_faults(draft, new_triangles(draft), progress);
+        }
     }
+    if (total.collapsed > 0 || total.flakes > 0) {
+        remove_unused_vertices(draft);
+    }
+    total.faulty.assign(faults.begin(), faults.end());
     return total;
 }
 

@@ -59,6 +59,15 @@ struct CornersHash {
 
 }  // namespace
 
+void forget_moved_triangles(Soup& soup) {
+    for (std::size_t t = 0; t < soup.triangles.size() && !soup.moved.empty(); ++t) {
+        const Triangle& c = soup.triangles[t];
+        if (std::any_of(c.begin(), c.end(), [&](int v) { return soup.moved[static_cast<std::size_t>(v)] != 0; })) {
+            soup.source[t].triangle = -1;
+        }
+    }
+}
+
 void merge_vertices(Soup& soup) {
     const std::vector<Box> meeting = meeting_boxes(operand_boxes(soup));
     if (meeting.empty()) {

@@ -22,7 +22,7 @@ struct Source {
 struct Soup {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
-    std::vector<Source> source;  ///< of each triangle
+    std::vector<Source> source;  ///< of each triangle; triangle -1 where corners are not those of the operand's
     std::vector<char> moved;     ///< of each vertex: it is not where the operand has it; empty: none is moved
     int operands = 0;
 };
@@ -33,6 +33,9 @@ struct Twin {
     std::int32_t of = -1;
     int turn = 1;
 };
+
+/// Says of the triangles with moved vertices that they are no operand's own.
+void forget_moved_triangles(Soup& soup);
 
 /// Gives vertices in the same place the same index (the lowest), wherever boxes of operands meet.
 void merge_vertices(Soup& soup);

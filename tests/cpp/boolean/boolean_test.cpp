@@ -222,8 +222,7 @@ TEST(Boolean, CanBeCancelledAndRepeatsItself) {
 class BooleanFuzz : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Seeds, BooleanFuzz, testing::Range(0, 8));
 
-void expect_sound_booleans(std::uint64_t seed) {
-    const fuzz::Pair pair = fuzz::random_pair(seed);
+void expect_sound_booleans(const fuzz::Pair& pair) {
     SCOPED_TRACE(pair.description);
     double v[3];
     for (const Operation operation : {Operation::Union, Operation::Intersection, Operation::Difference}) {
@@ -240,13 +239,29 @@ void expect_sound_booleans(std::uint64_t seed) {
 TEST_P(BooleanFuzz, ResultsAreSoundAndVolumesAddUp) {
     constexpr int kPairs = 6;
     for (int i = 0; i < kPairs; ++i) {
-        expect_sound_booleans(static_cast<std::uint64_t>(GetParam() * kPairs + i));
+        expect_sound_booleans(fuzz::random_pair(static_cast<std::uint64_t>(GetParam() * kPairs + i)));
     }
 }
 
 TEST(Boolean, SeedsThatFailedOnce) {
     for (const std::uint64_t seed : {804, 1117, 1283, 1451, 1646, 1774, 1885}) {
-        expect_sound_booleans(seed);
+        expect_sound_booleans(fuzz::random_pair(seed));
+    }
+    for (const std::uint64_t seed : {239, 361, 783, 2172, 2325}) {
+        expect_sound_booleans(fuzz::turned_pair(seed));
+    }
+}
+
+TEST(Boolean, SymmetricDifferencesThatFailedOnce) {
+    const auto expect_sound_difference = [](const fuzz::Pair& pair) {
+        SCOPED_TRACE(pair.description);
+        run(pair.a, pair.b, Operation::SymmetricDifference);
+    };
+    for (const std::uint64_t seed : {728, 1202, 1524, 1831, 3141, 4083, 5648}) {
+        expect_sound_difference(fuzz::random_pair(seed));
+    }
+    for (const std::uint64_t seed : {107, 222, 239, 305, 371, 390}) {
+        expect_sound_difference(fuzz::turned_pair(seed));
     }
 }
 

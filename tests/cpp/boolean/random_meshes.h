@@ -330,4 +330,16 @@ inline Pair random_pair(std::uint64_t seed) {
     return pair;
 }
 
+/// The same pair turned as a whole, at random: faces that were flush are so only to within rounding.
+inline Pair turned_pair(std::uint64_t seed) {
+    constexpr std::uint64_t kOtherSeed = 77777;
+    Pair pair = random_pair(seed);
+    Random random(seed + kOtherSeed);
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(random.real(0.0, 3.0), random.direction()).toRotationMatrix();
+    move(pair.a, turn, 1.0, Vec3::Zero());
+    move(pair.b, turn, 1.0, Vec3::Zero());
+    pair.description += ", turned";
+    return pair;
+}
+
 }  // namespace mq::boolean::fuzz

@@ -122,15 +122,8 @@ int main(int count, char** arguments) {
     Totals totals;
     const std::clock_t start = std::clock();
     for (long seed = first; seed < last; ++seed) {
-        fuzz::Pair pair = fuzz::random_pair(static_cast<std::uint64_t>(seed));
-        if (turned) {
-            fuzz::Random random(static_cast<std::uint64_t>(seed) + 77777);
-            const Eigen::Matrix3d turn =
-                Eigen::AngleAxisd(random.real(0.0, 3.0), random.direction()).toRotationMatrix();
-            fuzz::move(pair.a, turn, 1.0, Vec3::Zero());
-            fuzz::move(pair.b, turn, 1.0, Vec3::Zero());
-        }
-        run(pair, totals);
+        const auto number = static_cast<std::uint64_t>(seed);
+        run(turned ? fuzz::turned_pair(number) : fuzz::random_pair(number), totals);
         std::fflush(stdout);
     }
     std::printf("%ld pairs, %d results, %d failed, %d refused, %.1f s of processor\n", last - first, totals.results,
