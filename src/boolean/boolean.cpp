@@ -25,6 +25,8 @@ namespace mq::boolean {
 namespace {
 
 constexpr double kSingleUnit = std::numeric_limits<float>::epsilon();
+// Faces this near to each other, as a part of the size, are meant to lie in one plane.
+constexpr double kFlush = 8.0 * kSingleUnit;
 
 std::string operand_name(std::size_t index, std::size_t count) {
     return count <= 26 ? std::string("operand ") + static_cast<char>('A' + index)
@@ -112,6 +114,9 @@ class Run {
         return sum;
     }
 
+    /// How far faces that were meant to lie in one plane are put apart, mm.
+    double clearance() const { return std::min(4.0 * kFlush * size_, 0.25 * tolerance_); }
+
     void stage(const char* name, double from, double to) {
         end_stage();
         stage_ = name;
@@ -180,12 +185,17 @@ class Run {
     }
 
     /// Pairs of triangles in contact, at most `limit` of them; twins are left out.
-    std::vector<mesh::ContactPair> contacts(std::size_t limit) {
+    std::vector<mesh::ContactPair> contacts(std::size_t limit, mesh::FlushPairs* flush = nullptr) {
         forget_moved_triangles(soup_);
         merge_vertices(soup_);
         twins_ = find_twins(soup_);
+        if (flush != nullptr) {
+            for (const Source& source : soup_.source) {
+                flush->body.push_back(source.operand);
+            }
+        }
         if (twins_.empty()) {
-            return mesh::self_intersections(soup_.vertices, soup_.triangles, limit, &progress_);
+            return mesh::self_intersections(soup_.vertices, soup_.triangles, limit, &progress_, flush);
         }
         std::vector<char> twin(soup_.triangles.size(), 0);
         for (const Twin& t : twins_) {
@@ -195,14 +205,24 @@ class Run {
         std::vector<std::int32_t> index;
         for (std::size_t t = 0; t < twin.size(); ++t) {
             if (twin[t] == 0) {
+                if (flush != nullptr) {
+                    flush->body[others.size()] = soup_.source[t].operand;
+                }
                 others.push_back(soup_.triangles[t]);
                 index.push_back(static_cast<std::int32_t>(t));
             }
         }
-        auto pairs = mesh::self_intersections(soup_.vertices, others, limit, &progress_);
+        auto pairs = mesh::self_intersections(soup_.vertices, others, limit, &progress_, flush);
         for (mesh::ContactPair& pair : pairs) {
             pair.a = index[static_cast<std::size_t>(pair.a)];
             pair.b = index[static_cast<std::size_t>(pair.b)];
+        }
+        if (flush != nullptr) {
+            for (auto* found : {&flush->over, &flush->beside}) {
+                for (std::array<std::int32_t, 2>& pair : *found) {
+                    pair = {index[static_cast<std::size_t>(pair[0])], index[static_cast<std::size_t>(pair[1])]};
+                }
+            }
         }
         return pairs;
     }
@@ -213,18 +233,23 @@ class Run {
         moved_ = 0.0;
         // Curves cross few triangles. When many are crossed a sample shows whether surfaces run along each other.
         const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
-        std::vector<mesh::ContactPair> pairs = contacts(many);
+        mesh::FlushPairs flush{kFlush * size_, {}, {}, {}};
+        std::vector<mesh::ContactPair> pairs = contacts(many, &flush);
         const bool along = run_along(soup_, pairs, no_slivers_);
         if (along && operation_ == Operation::SymmetricDifference) {
             return false;
         }
-        const bool moves = along || !jolts_.empty();
+        // Of a symmetric difference either way would be wrong.
+        const bool flushed = !flush.over.empty() && operation_ != Operation::SymmetricDifference;
+        const bool moves = along || flushed || !jolts_.empty();
         if (moves) {
             make_soup();
             const std::vector<Vec3> before = soup_.vertices;
             NearCoincidence done;
             if (along) {
                 done = separate(soup_, operation_, tolerance_, pairs, progress_);
+            } else if (flushed) {
+                done = separate_flush(soup_, operation_, flush, clearance());
             }
             result_.separated_vertices = done.moved;
             moved_ = done.largest + disturb();

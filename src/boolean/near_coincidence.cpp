@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boolean/near_coincidence.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -22,6 +25,10 @@ Vec3 area_normal(const Soup& soup, std::int32_t t) {
     const Triangle& c = soup.triangles[static_cast<std::size_t>(t)];
     const Vec3& a = soup.vertices[static_cast<std::size_t>(c[0])];
     return (soup.vertices[static_cast<std::size_t>(c[1])] - a).cross(soup.vertices[static_cast<std::size_t>(c[2])] - a);
+}
+
+std::int32_t operand_of(const Soup& soup, std::int32_t t) {
+    return soup.source[static_cast<std::size_t>(t)].operand;
 }
 
 bool parallel_operands(const Soup& soup, const mesh::ContactPair& pair) {
@@ -95,6 +102,47 @@ int way_of(Operation operation, std::int32_t earlier) {
     return 0;
 }
 
+/// The planes that a vertex shall leave, each to one side.
+struct PlanesToLeave {
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    Vec3 sum = Vec3::Zero();
+};
+
+/// The shortest way that leads out of all planes by 1 in the sense of least squares; directions that hardly count are
+/// left out.
+Vec3 way(const PlanesToLeave& planes) {
+    constexpr double kHardly = 0.01;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(planes.squares);
+    Vec3 result = Vec3::Zero();
+    for (int i = 0; i < 3; ++i) {
+        if (axes.eigenvalues()[i] > kHardly * axes.eigenvalues()[2]) {
+            result += axes.eigenvectors().col(i).dot(planes.sum) / axes.eigenvalues()[i] * axes.eigenvectors().col(i);
+        }
+    }
+    return result;
+}
+
+/// The later one of two triangles leaves the plane of the earlier one.
+/// @param planes_of  of a vertex, or nullptr if it stays
+template <typename PlanesOf>
+void leave_plane(const Soup& soup, Operation operation, std::array<std::int32_t, 2> pair, PlanesOf&& planes_of) {
+    constexpr double kParallelPlanes = 0.5;
+    if (operand_of(soup, pair[0]) > operand_of(soup, pair[1])) {
+        std::swap(pair[0], pair[1]);
+    }
+    const int inward = way_of(operation, operand_of(soup, pair[0]));
+    const Vec3 n = area_normal(soup, pair[0]).normalized();
+    if (inward == 0 || std::abs(n.dot(area_normal(soup, pair[1]).normalized())) < kParallelPlanes) {
+        return;
+    }
+    for (const std::int32_t v : soup.triangles[static_cast<std::size_t>(pair[1])]) {
+        if (PlanesToLeave* planes = planes_of(v)) {
+            planes->squares += n * n.transpose();
+            planes->sum -= inward * n;
+        }
+    }
+}
+
 }  // namespace
 
 bool run_along(const Soup& soup, const std::vector<mesh::ContactPair>& crossing, bool few) {
@@ -147,6 +195,31 @@ NearCoincidence separate(Soup& soup, Operation operation, double tolerance,
         }
         result.moved += moves.size();
     }
+    return result;
+}
+
+NearCoincidence separate_flush(Soup& soup, Operation operation, const mesh::FlushPairs& flush, double clearance) {
+    std::map<std::int32_t, PlanesToLeave> vertices;
+    for (const auto& pair : flush.over) {
+        leave_plane(soup, operation, pair, [&](std::int32_t v) { return &vertices[v]; });
+    }
+    // What moves anyway leaves the planes beside it too, or it would slide along them.
+    for (const auto& pair : flush.beside) {
+        leave_plane(soup, operation, pair, [&](std::int32_t v) {
+            const auto known = vertices.find(v);
+            return known != vertices.end() ? &known->second : nullptr;
+        });
+    }
+    NearCoincidence result;
+    soup.moved.resize(soup.vertices.size(), 0);
+    for (const auto& [v, planes] : vertices) {
+        Vec3& p = soup.vertices[static_cast<std::size_t>(v)];
+        const Vec3 target = to_single(p + clearance * way(planes));
+        result.largest = std::max(result.largest, (target - p).norm());
+        p = target;
+        soup.moved[static_cast<std::size_t>(v)] = 1;
+    }
+    result.moved = vertices.size();
     return result;
 }
 

@@ -34,4 +34,10 @@ bool run_along(const Soup& soup, const std::vector<mesh::ContactPair>& crossing,
 NearCoincidence separate(Soup& soup, Operation operation, double tolerance,
                          const std::vector<mesh::ContactPair>& crossing, const Progress& progress);
 
+/// Where faces of an operand are flush with those of an operand before it, but so only to within rounding, the exact
+/// result has skins and slivers of that thickness. This moves the later operand's faces there as `separate` does: by
+/// `clearance` (mm) beyond the earlier one's, so that a hole's cap leaves no skin, and bodies that lie on each other
+/// hang together.
+NearCoincidence separate_flush(Soup& soup, Operation operation, const mesh::FlushPairs& flush, double clearance);
+
 }  // namespace mq::boolean

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -21,6 +22,15 @@ struct ContactPair {
 
 constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 
+/// Pairs of triangles of different bodies, a < b, that are nearly in one plane, but not exactly.
+struct FlushPairs {
+    double distance = 0.0;           ///< how near, mm
+    std::vector<std::int32_t> body;  ///< of each triangle
+    /// Found, in no promised order: those of which one lies over the other, and those side by side.
+    std::vector<std::array<std::int32_t, 2>> over;
+    std::vector<std::array<std::int32_t, 2>> beside;
+};
+
 /// All pairs of triangles of a mesh that touch or cross each other, in ascending order; at most `limit` of them. Fewer
 /// than that are all there are.
 ///
@@ -28,9 +38,11 @@ constexpr std::size_t kAllPairs = std::numeric_limits<std::size_t>::max();
 /// that are height fields, so that only pairs of different patches are looked at (see height_fields); where those share
 /// a vertex, its star settles them (see embedded_star).
 /// Every vertex index must be in range and every coordinate finite.
+/// @param flush  when given: also pairs that are nearly coplanar, whether or not they touch
 /// @throws Cancelled.
 std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
-                                            std::size_t limit = kAllPairs, const Progress* progress = nullptr);
+                                            std::size_t limit = kAllPairs, const Progress* progress = nullptr,
+                                            FlushPairs* flush = nullptr);
 
 /// The pairs of which at least one triangle is in `subset` (indices, each once). The time goes with the subset and the
 /// triangles near it, plus 50 ns for every other one.
