@@ -7,6 +7,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
+#include "base/parallel.h"
 #include "boolean/face_division.h"
 #include "boolean/triangle_pair.h"
 
@@ -107,29 +108,57 @@ class Divider {
                 result_.faces.push_back({soup_.triangles[t], static_cast<std::int32_t>(t), -1, true});
             }
         }
+        std::vector<Task> tasks;
         for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
             if (gone[t] == 0 && divided[t] != 0) {
-                check();
-                take(divide_triangle(soup_, static_cast<std::int32_t>(t), found_, result_.points));
+                tasks.push_back({static_cast<std::int32_t>(t), nullptr});
             }
         }
         for (const std::vector<std::int32_t>& cluster : clusters) {
-            check();
-            take(divide_cluster(soup_, cluster, found_, result_.points));
+            tasks.push_back({-1, &cluster});
         }
+        divide(tasks);
     }
 
   private:
-    void check() {
-        constexpr int kBetweenChecks = 64;
-        if (++done_ % kBetweenChecks == 0) {
-            progress_.check();
+    /// One triangle, or one cluster.
+    struct Task {
+        std::int32_t triangle;
+        const std::vector<std::int32_t>* cluster;
+    };
+
+    /// Divides on all cores, and takes the pieces in the order of the tasks.
+    void divide(const std::vector<Task>& tasks) {
+        constexpr std::size_t kAtOnce = 16384;  // tasks whose pieces are kept until they are taken
+        constexpr std::size_t kBlock = 64;
+        for (std::size_t first = 0; first < tasks.size(); first += kAtOnce) {
+            const std::int32_t known = result_.points.size();
+            std::vector<FaceDivision> done(std::min(kAtOnce, tasks.size() - first));
+            for_all(static_cast<int>((done.size() + kBlock - 1) / kBlock), [&](int block) {
+                progress_.check();
+                const std::size_t from = kBlock * static_cast<std::size_t>(block);
+                for (std::size_t i = from; i < std::min(from + kBlock, done.size()); ++i) {
+                    const Task& task = tasks[first + i];
+                    done[i] = task.cluster != nullptr ? divide_cluster(soup_, *task.cluster, found_, result_.points)
+                                                      : divide_triangle(soup_, task.triangle, found_, result_.points);
+                }
+            });
+            for (FaceDivision& division : done) {
+                take(std::move(division), known);
+            }
         }
     }
 
-    void take(FaceDivision&& division) {
+    /// Each division has numbered its crossings as if they were the first after the `known` points.
+    void take(FaceDivision&& division, std::int32_t known) {
+        const std::int32_t shift = result_.points.size() - known;
         for (ExactPoint& p : division.crossings) {
             result_.points.add(std::move(p));
+        }
+        for (DividedFace& f : division.faces) {
+            for (std::int32_t& p : f.points) {
+                p += p >= known ? shift : 0;
+            }
         }
         for (DividedFace& f : division.faces) {
             Face face{f.points, f.covers.front().triangle, -1, false};
@@ -151,7 +180,6 @@ class Divider {
     const Incidences& found_;
     Arrangement& result_;
     const Progress& progress_;
-    int done_ = 0;
 };
 
 /// Twins share the faces of the triangle on which they lie.
