@@ -2,14 +2,26 @@
 """How curved meshes look: smooth elements, their curved edges, colours by quality."""
 
 import os
+import subprocess
 
 import FreeCAD
 import FreeCADGui
 import gui_helpers
+import helpers
 import numpy as np
 
 import MeshQuality as mq
 from MeshQuality.gui import curved_view
+
+HEADLESS = """
+import FreeCAD
+import MeshQuality as mq
+document = FreeCAD.newDocument()
+sphere = document.addObject("Part::Sphere", "Sphere")
+document.recompute()
+mq.add_curved_mesh(sphere, order=3, chord_height_relative=0.05)
+document.saveAs({path!r})
+"""
 
 
 def share(pixels, chosen):
@@ -105,6 +117,27 @@ class CurvedView(gui_helpers.GuiTest):
         self.view = FreeCADGui.getDocument(self.document.Name).activeView()
         after = self.picture("curved_reloaded")
         self.assertLess((np.abs(after - before).max(axis=2) > 40).mean(), 0.01)
+
+    def test_a_document_that_was_saved_without_a_window_gets_the_view(self):
+        path = os.path.join(self.folder, "headless.FCStd")
+        script = os.path.join(self.folder, "make.py")
+        with open(script, "w", encoding="utf-8") as stream:
+            stream.write(HEADLESS.format(path=path))
+        subprocess.run(["freecadcmd", "-P", os.path.join(helpers.ROOT, "Mod"), script], timeout=120,
+                       stdin=subprocess.DEVNULL, capture_output=True, check=True)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.names.append(self.document.Name)
+        gui_helpers.wait(0.2)
+        obj = self.document.getObject("CurvedMesh")
+        obj.ViewObject.Visibility = True  # FreeCAD hides all of what was made without a window
+        self.assertEqual(obj.ViewObject.DisplayMode, curved_view.MODE)
+        self.view = FreeCADGui.getDocument(self.document.Name).activeView()
+        shown = self.picture("curved_headless")
+        obj.ViewObject.DisplayMode = "Shaded"
+        plain = self.picture("curved_headless_shaded")
+        drawn = (shown < 40).all(axis=2) & (plain > 100).all(axis=2)
+        self.assertGreater(share(shown, drawn), 0.02)
 
     def test_undo_and_redo(self):
         obj = self.sphere()

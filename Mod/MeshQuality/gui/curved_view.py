@@ -106,6 +106,8 @@ class CurvedMeshView(PlainState):
         view.ColorBy = [PLAIN, JACOBIAN]
         view.Proxy = self
         view.DisplayMode = MODE
+        # Of a document that was saved without a window the mesh is there already.
+        self.updateData(view.Object, "Mesh")
 
     def attach(self, view):
         """Called when the view is made, and when it is read from a file."""
