@@ -139,6 +139,17 @@ class CurvedView(gui_helpers.GuiTest):
         drawn = (shown < 40).all(axis=2) & (plain > 100).all(axis=2)
         self.assertGreater(share(shown, drawn), 0.02)
 
+    def test_it_can_be_picked_and_shows_that_it_is_selected(self):
+        obj = self.sphere()
+        plain = self.picture("curved_unselected")
+        width, height = self.view.getSize()
+        picked = self.view.getObjectInfo((width // 2, height // 2))
+        self.assertEqual(picked["Object"], obj.Name)
+        FreeCADGui.Selection.addSelection(obj)
+        selected = self.picture("curved_selected")
+        FreeCADGui.Selection.clearSelection()
+        self.assertGreater((np.abs(selected - plain).max(axis=2) > 40).mean(), 0.0005)
+
     def test_undo_and_redo(self):
         obj = self.sphere()
         shown, name = self.picture("curved_before_undo"), obj.Name
