@@ -63,21 +63,26 @@ std::vector<std::optional<FaceSampler::Candidate>> FaceSampler::candidates(const
     Engine::Batch batch;
     for (const Vec2& uv : uvs) {
         batch.push_back(Query::face_curvatures(face_, uv.x(), uv.y()));
-        batch.push_back(Query::face_contains(face_, uv.x(), uv.y()));
     }
     const Engine::Answers answers = context_.session.ask(std::move(batch));
     std::vector<std::optional<Candidate>> found(uvs.size());
+    std::vector<std::size_t> roomy;
+    Engine::Batch places;
     for (std::size_t i = 0; i < uvs.size(); ++i) {
-        const Answer& surface = answers[2 * i];
-        if (surface.status != geometry::Status::Ok || answers[2 * i + 1].side <= 0) {
+        const Answer& a = answers[i];
+        if (a.status != geometry::Status::Ok) {
             continue;
         }
-        Candidate c;
-        c.site.uv = uvs[i];
-        c.site.normal = surface.normal;
-        c.site.point = context_.grid.snap(surface.point);
-        c.spacing = context_.field.at(surface.point, spacing_for(surface.u, context_.bounds));
-        found[i] = c;
+        const double spacing = context_.field.at(a.point, spacing_for(a.u, context_.bounds));
+        found[i] = Candidate{{-1, uvs[i], a.normal, context_.grid.snap(a.point)}, spacing, false};
+        if (!crowded(found[i]->site.point, spacing)) {
+            roomy.push_back(i);
+            places.push_back(Query::face_contains(face_, uvs[i].x(), uvs[i].y()));
+        }
+    }
+    const Engine::Answers sides = context_.session.ask(std::move(places));
+    for (std::size_t k = 0; k < roomy.size(); ++k) {
+        found[roomy[k]]->fits = sides[k].side > 0;
     }
     return found;
 }

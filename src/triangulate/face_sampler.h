@@ -33,13 +33,13 @@ class FaceSampler {
     struct Candidate {
         Site site;
         double spacing = 0.0;  ///< r(K) there, graded
+        bool fits = false;     ///< inside the trimmed face, by the geometry engine, and not crowded
     };
 
     /// The samples of the border count from the start. Two samples may come as close as `closest` times the spacing.
     FaceSampler(const SamplingContext& context, int face, const geometry::FaceBorder& border, double closest);
 
-    /// The points of the surface at (u, v): their spacing and whether they lie inside the trimmed face, both by the
-    /// geometry engine. No value where they do not.
+    /// The points of the surface at (u, v). No value where it has no normal.
     std::vector<std::optional<Candidate>> candidates(const std::vector<Vec2>& uvs) const;
     /// A point of the local frame is too close to a sample, or in the diametral sphere of a piece of the border.
     bool crowded(const Vec3& point, double spacing) const;

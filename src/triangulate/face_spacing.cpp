@@ -13,7 +13,7 @@ using geometry::Answer;
 using geometry::Engine;
 using geometry::Query;
 
-constexpr double kMeasured = 2.0;  // longest side of a cell, in spacings
+constexpr double kMeasured = 1.0;  // longest side of a cell, in spacings
 constexpr int kLeastDepth = 1;
 constexpr int kMostDepth = 10;
 

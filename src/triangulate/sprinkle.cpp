@@ -22,6 +22,7 @@ constexpr double kCovered = 0.95;
 constexpr double kLeastCell = 0.1;
 constexpr int kMostDepth = 24;
 constexpr std::size_t kRound = 1024;
+constexpr std::size_t kBlock = 4096;
 
 // A triangle of the face in (u, v) with its corners in the local frame.
 struct Cell {
@@ -64,10 +65,14 @@ class Sprinkler {
 
   private:
     double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
-    // As std::shuffle, whose order differs from one library to the next.
+    // As std::shuffle, whose order differs from one library to the next; within blocks, so that cells that are near
+    // each other stay so in memory.
     void shuffle() {
-        for (std::size_t i = cells_.size(); i > 1; --i) {
-            std::swap(cells_[i - 1], cells_[random_() % i]);
+        for (std::size_t begin = 0; begin < cells_.size(); begin += kBlock) {
+            const std::size_t size = std::min(kBlock, cells_.size() - begin);
+            for (std::size_t i = size; i > 1; --i) {
+                std::swap(cells_[begin + i - 1], cells_[begin + random_() % i]);
+            }
         }
     }
     void throw_darts(std::size_t from, std::size_t to);
@@ -98,7 +103,7 @@ void Sprinkler::throw_darts(std::size_t from, std::size_t to) {
             continue;
         }
         cells_[from + i].spacing = c->spacing;
-        if (!sampler_.full() && !sampler_.crowded(c->site.point, c->spacing)) {
+        if (c->fits && !sampler_.full() && !sampler_.crowded(c->site.point, c->spacing)) {
             sampler_.accept(*c);
         }
     }

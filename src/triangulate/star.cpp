@@ -41,7 +41,7 @@ class Star {
             const FaceSampler::Site& from = border.sites[piece.from];
             const Vec3 along = border.sites[piece.to].point - from.point;
             if (from.normal.squaredNorm() > 0.0 && along.squaredNorm() > 0.0) {
-                queue_.push_back({{from, sampler_.spacing_at(from.point)}, along});
+                queue_.push_back({{from, sampler_.spacing_at(from.point), true}, along});
             }
         }
     }
@@ -110,7 +110,7 @@ void Star::grow(const std::vector<Corner>& corners) {
     const std::vector<Corner> near = project(corners, uvs);
     const auto candidates = sampler_.candidates(uvs);
     for (std::size_t i = 0; i < near.size() && !sampler_.full(); ++i) {
-        if (!candidates[i]) {
+        if (!candidates[i] || !candidates[i]->fits) {
             continue;
         }
         FaceSampler::Candidate c = *candidates[i];

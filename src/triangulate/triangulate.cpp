@@ -86,7 +86,7 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
 void refine(Workspace& work, const Options& options, double chord, StageClock& clock) {
     SegmentSplitter segments(work);
     const double from = first_share(options);
-    const double middle = from + 0.3 * (0.9 - from);
+    const double middle = from + 0.34 * (0.9 - from);
     work.progress.stage("refining angles", from, chord > 0.0 || options.max_edge > 0.0 ? middle : 0.9);
     Refiner refiner(work, segments, options.min_angle, options.insertion);
     refiner.run();

@@ -1,0 +1,165 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The sampling methods against `refine`: parts, equal chord heights, parameters, growth.
+
+    /usr/bin/python3 benchmarks/sampling.py [--most 1000000]
+
+parts       tests/parts in the manner of Ruiz et al.: polished and raw meshes.
+chords      every method at the chord height that the raw star mesh has, so that the measured chord
+            heights are equal.
+parameters  one surface in other parameters: the speed along a parameter line varies by the factor
+            squared.
+growth      processor time and peak memory against the number of vertices, on a torus.
+Seconds are those of the processor.
+"""
+
+import argparse
+import math
+import time
+
+import inside_freecad
+
+PARTS = ("bearing", "helix", "crank", "support")
+METHODS = ("refine", "star", "sprinkle")
+SAMPLING = METHODS[1:]
+WARPS = ((1.0, 1.0), (8.0, 1.0), (1.0, 0.1), (20.0, 20.0), (0.02, 30.0))
+
+
+def parser():
+    result = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result.add_argument("--most", type=float, default=1e5, help="vertices of the last growth step")
+    result.add_argument("--only", choices=("parts", "chords", "parameters", "growth"))
+    return result
+
+
+def mesh(shape, **options):
+    """One row of a table."""
+    import MeshQuality as mq
+
+    reset_peak_memory()
+    before, start = peak_memory(), time.process_time()
+    report = mq.triangulate(shape, **options).report
+    seconds = time.process_time() - start
+    return {
+        "method": options.get("method", "refine"), "polish": options.get("polish", True),
+        "triangles": report.triangles, "vertices": report.vertices, "seconds": round(seconds, 3),
+        "megabytes": round(peak_memory() - before, 1), "queries": report.queries,
+        "good": report.closed and report.oriented and report.manifold, "euler": report.euler,
+        "min_angle": report.min_angle, "mean_min_angle": report.mean_min_angle,
+        "below_30": sum(report.angle_histogram[:30]) / report.triangles,
+        "chord_height": report.max_chord_height, "exempt": len(report.exempt),
+        "fallback": report.fallback, "histogram": list(report.angle_histogram),
+        "area": report.area,
+    }
+
+
+def reset_peak_memory():
+    with open("/proc/self/clear_refs", "w", encoding="ascii") as stream:
+        stream.write("5")
+
+
+def peak_memory():
+    """The largest resident memory since the last reset, MB."""
+    with open("/proc/self/status", encoding="ascii") as stream:
+        return next(int(line.split()[1]) for line in stream if line.startswith("VmHWM")) / 1024
+
+
+def show(name, row):
+    print(f"{name:<22} {row['method']:<9} {'polished' if row['polish'] else 'raw':<9} "
+          f"{row['triangles']:9,} {row['min_angle']:6.1f} {row['mean_min_angle']:6.1f} "
+          f"{100 * row['below_30']:6.1f} {row['chord_height']:10.5f} {row['seconds']:8.2f} "
+          f"{row['megabytes']:8.0f} {len(row['fallback']):4}{'' if row['good'] else ' OPEN'}",
+          flush=True)
+
+
+def head(title):
+    print(f"\n{title:<32} {'':9} {'triangles':>9} {'min':>6} {'mean':>6} {'<30 %':>6} "
+          f"{'chord mm':>10} {'seconds':>8} {'MB':>8} {'fell':>4}")
+
+
+def compare_parts():
+    import parts
+
+    head("parts, chord height 0.001 L")
+    rows = {}
+    for name in PARTS:
+        shape = parts.ALL[name]()
+        rows[name] = [mesh(shape, method="refine", chord_height_relative=0.001)]
+        rows[name] += [mesh(shape, method=method, polish=polish, chord_height_relative=0.001)
+                       for method in SAMPLING for polish in (True, False)]
+        for row in rows[name]:
+            show(name, row)
+    return rows
+
+
+def compare_chords():
+    """Raw samples have a chord height of their own; the others are asked for that one."""
+    import parts
+
+    head("equal chord heights")
+    rows = {}
+    for name in PARTS:
+        shape = parts.ALL[name]()
+        raw = mesh(shape, method="star", polish=False, chord_height_relative=0.001)
+        rows[name] = [raw] + [mesh(shape, method=method, chord_height=raw["chord_height"])
+                              for method in METHODS]
+        for row in rows[name]:
+            show(name, row)
+    return rows
+
+
+def warped_face(in_u, in_v):
+    """A rational Bezier surface; other weights in geometric progression are other parameters of the
+    same points."""
+    import Part
+    from FreeCAD import Vector
+
+    heights = {(i, j): 4.0 if (i in (1, 2)) != (j in (1, 2)) else 0.0
+               for i in range(4) for j in range(4)}
+    surface = Part.BezierSurface()
+    surface.increase(3, 3)
+    for (i, j), height in heights.items():
+        surface.setPole(i + 1, j + 1, Vector(10 * i / 3, 10 * j / 3, height))
+    for i, j in heights:
+        surface.setWeight(i + 1, j + 1, in_u**i * in_v**j)
+    return surface.toShape()
+
+
+def compare_parameters():
+    head("parameters of one surface")
+    rows = {}
+    for in_u, in_v in WARPS:
+        shape = warped_face(in_u, in_v)
+        rows[f"{in_u} {in_v}"] = [mesh(shape, method=method, polish=polish, chord_height=0.001)
+                                  for method in SAMPLING for polish in (False, True)]
+        for row in rows[f"{in_u} {in_v}"]:
+            show(f"{in_u:g} x {in_v:g}", row)
+    return rows
+
+
+def grow(most):
+    import Part
+
+    head("growth, torus, raw")
+    torus = Part.makeTorus(10.0, 3.0)
+    rows = []
+    count = 1e3
+    while count <= most:
+        spacing = math.sqrt(torus.Area / (0.9 * count))
+        for method in SAMPLING:
+            rows.append(mesh(torus, method=method, polish=False, max_edge=spacing,
+                             max_triangles=10_000_000))
+            show(f"{rows[-1]['vertices']:,} vertices", rows[-1])
+        count *= 10
+    return rows
+
+
+def work(arguments):
+    """All tables on stdout."""
+    tables = {"parts": compare_parts, "chords": compare_chords, "parameters": compare_parameters,
+              "growth": lambda: grow(arguments.most)}
+    return {name: table() for name, table in tables.items() if arguments.only in (None, name)}
+
+
+inside_freecad.start(__file__, parser(), work)
