@@ -22,7 +22,7 @@ import inside_freecad
 PARTS = ("bearing", "helix", "crank", "support")
 METHODS = ("refine", "star", "sprinkle")
 SAMPLING = METHODS[1:]
-WARPS = ((1.0, 1.0), (8.0, 1.0), (1.0, 0.1), (20.0, 20.0), (0.02, 30.0))
+WARPS = ((1.0, 1.0), (8.0, 1.0), (1.0, 0.1), (20.0, 20.0))
 
 
 def parser():
