@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curve/fill.h"
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <cstring>
 
@@ -59,19 +60,22 @@ double box_product(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return (b - a).cross(c - a).dot(d - a);
 }
 
-Filling read_answer(Reader& reader, const std::vector<Vec3>& points) {
+/// `turn` is undone for the inner points; those of the surface are the given ones again, bit for bit.
+Filling read_answer(Reader& reader, const std::vector<Vec3>& turned, const Eigen::Matrix3d& turn) {
     const auto count = static_cast<std::size_t>(reader.take<std::int64_t>());
     const auto elements = static_cast<std::size_t>(reader.take<std::int64_t>());
     std::vector<Vec3> all;
     for (std::size_t i = 0; i < count; ++i) {
         const auto x = reader.take<std::array<double, 3>>();
         all.emplace_back(x[0], x[1], x[2]);
-        if (i < points.size() && all.back() != points[i]) {
+        if (i < turned.size() && all.back() != turned[i]) {
             throw CannotFill("the tetrahedral mesher moved a vertex of the surface");
         }
     }
     Filling filling;
-    filling.inner_points.assign(all.begin() + static_cast<std::ptrdiff_t>(points.size()), all.end());
+    for (std::size_t i = turned.size(); i < all.size(); ++i) {
+        filling.inner_points.push_back(turn.transpose() * all[i]);
+    }
     for (std::size_t i = 0; i < elements; ++i) {
         const auto v = reader.take<std::array<std::int32_t, 4>>();
         std::array<int, 4> corners{v[0], v[1], v[2], v[3]};
@@ -84,6 +88,43 @@ Filling read_answer(Reader& reader, const std::vector<Vec3>& points) {
     return filling;
 }
 
+struct Attempt {
+    Filling filling;
+    std::string fault;  ///< empty: the filling stands
+    bool too_long = false;
+};
+
+Attempt attempt(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                const Eigen::Matrix3d& turn, const Progress& progress) {
+    std::vector<Vec3> turned = points;
+    if (!turn.isIdentity()) {
+        for (Vec3& p : turned) {
+            p = turn * p;
+        }
+    }
+    ChildProcess mesher(fill_program());
+    const std::string answer = mesher.exchange(request(turned, triangles), progress);
+    const ChildProcess::End end = mesher.end();
+    if (!end.fault.empty()) {
+        return {{}, end.fault, end.too_long};
+    }
+    Reader reader(answer);
+    if (reader.take<std::int64_t>() == 0) {
+        return {read_answer(reader, turned, turn), "", false};
+    }
+    reader.take<std::int64_t>();
+    return {{}, reader.rest(), false};
+}
+
+/// Parts have many points on one sphere, as those of a box or a grid, where the mesher's Delaunay method loses its way.
+/// Turned by angles that fit nothing they are a little off by rounding.
+Eigen::Matrix3d turned_by(double angle) {
+    const auto about = [&](double part, const Vec3& axis) {
+        return Eigen::AngleAxisd(part * angle, axis).toRotationMatrix();
+    };
+    return about(0.3, Vec3::UnitZ()) * about(0.7, Vec3::UnitX()) * about(1.1, Vec3::UnitY());
+}
+
 }  // namespace
 
 void set_fill_program(const std::string& path) {
@@ -92,22 +133,18 @@ void set_fill_program(const std::string& path) {
 
 Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
              const Progress& progress) {
-    ChildProcess mesher(fill_program());
-    const std::string answer = mesher.exchange(request(points, triangles), progress);
-    const ChildProcess::End end = mesher.end();
-    if (end.too_long) {
-        throw GeometryError(
-            "filling the surface with tetrahedra did not come to an end: its triangles do not fit each "
-            "other across thin walls; ask for a smaller chord height or shorter edges");
-    }
-    std::string why = end.fault;
-    if (why.empty()) {
-        Reader reader(answer);
-        if (reader.take<std::int64_t>() == 0) {
-            return read_answer(reader, points);
+    std::string why;
+    for (const double angle : {0.0, 1.0, 1.7}) {
+        Attempt result = attempt(points, triangles, turned_by(angle), progress);
+        if (result.fault.empty()) {
+            return std::move(result.filling);
         }
-        reader.take<std::int64_t>();
-        why = reader.rest();
+        if (result.too_long) {
+            throw GeometryError(
+                "filling the surface with tetrahedra did not come to an end: its triangles do not fit each "
+                "other across thin walls; ask for a smaller chord height or shorter edges");
+        }
+        why = result.fault;
     }
     throw CannotFill("the surface could not be filled with tetrahedra (the mesher says: " + why +
                      "): it meets itself, or walls are too thin for its triangles; ask for a smaller chord height");
