@@ -53,26 +53,52 @@ void certify(benchmark::State& state) {
     state.counters["valid"] = static_cast<double>(valid) / static_cast<double>(all.size());
 }
 
-CurvedMesh curved(const std::shared_ptr<geometry::Model>& model, int order, double edge) {
+/// Every triangle cut into four through the middles of its edges on the CAD: the nodes of its curved mesh of order 2.
+mesh::TriangleMesh halved(const std::shared_ptr<geometry::Model>& model, const mesh::TriangleMesh& straight) {
     geometry::Engine engine(geometry::Engine::Mode::Direct);
-    triangulate::Options straight;
-    straight.min_angle = 20.0;
-    straight.max_edge = edge;
-    curve::Options options;
-    options.order = order;
-    return curve::curve(engine, model, triangulate::triangulate(engine, model, straight).mesh, options);
+    const CurvedMesh curved = curve::curve(engine, model, straight, {});
+    mesh::TriangleMesh result;
+    for (const Vec3& node : curved.nodes) {
+        result.vertices.emplace_back(node.cast<float>().cast<double>());
+    }
+    result.vertex_entity = curved.node_entity;
+    for (std::size_t t = 0; t < curved.triangle_face.size(); ++t) {
+        const std::int32_t* n = &curved.triangles[6 * t];
+        for (const mesh::Triangle& part : {mesh::Triangle{n[0], n[3], n[5]}, mesh::Triangle{n[3], n[1], n[4]},
+                                           mesh::Triangle{n[5], n[4], n[2]}, mesh::Triangle{n[3], n[4], n[5]}}) {
+            result.triangles.push_back(part);
+            result.triangle_face.push_back(curved.triangle_face[t]);
+        }
+    }
+    return result;
 }
 
-/// Argument: order. Counters: rms deviation by radius at edges of 0.5 and 0.25, and the rate between them.
+double rms_deviation(const std::shared_ptr<geometry::Model>& model, const mesh::TriangleMesh& straight, int order) {
+    geometry::Engine engine(geometry::Engine::Mode::Direct);
+    curve::Options options;
+    options.order = order;
+    return curve::curve(engine, model, straight, options).report.rms_deviation;
+}
+
+/// Argument: order. Counters: rms deviation of one mesh and of that halved once and twice, and the rates between them:
+/// with the same triangles in smaller, the rate does not depend on how evenly two meshes happen to be sized.
 void deviation(benchmark::State& state, const std::shared_ptr<geometry::Model>& model) {
     const auto order = static_cast<int>(state.range(0));
     for (auto _ : state) {
-        const CurveReport coarse = curved(model, order, 0.4).report;
-        const CurveReport fine = curved(model, order, 0.2).report;
-        const double h = std::sqrt(static_cast<double>(fine.elements) / static_cast<double>(coarse.elements));
-        state.counters["coarse"] = coarse.rms_deviation;
-        state.counters["fine"] = fine.rms_deviation;
-        state.counters["rate"] = std::log(coarse.rms_deviation / fine.rms_deviation) / std::log(h);
+        geometry::Engine engine(geometry::Engine::Mode::Direct);
+        triangulate::Options options;
+        options.min_angle = 20.0;
+        options.max_edge = 0.5;
+        mesh::TriangleMesh straight = triangulate::triangulate(engine, model, options).mesh;
+        std::array<double, 3> rms{};
+        for (double& value : rms) {
+            value = rms_deviation(model, straight, order);
+            straight = halved(model, straight);
+        }
+        state.counters["coarse"] = rms[0];
+        state.counters["fine"] = rms[2];
+        state.counters["rate_1"] = std::log2(rms[0] / rms[1]);
+        state.counters["rate_2"] = std::log2(rms[1] / rms[2]);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "curve/child_process.h"
 #include "curve/enclosed.h"
 #include "curve/straighten.h"
+#include "curve/surface_crossing.h"
 #include "curve/surface_repair.h"
 #include "curve/validity.h"
 #include "curve/volume_repair.h"
@@ -123,6 +124,23 @@ std::vector<double> measure_volume(const Volume& volume, const std::set<int>& st
     return qualities;
 }
 
+/// Before all the work, where a volume is asked for.
+void require_solids(const geometry::Topology& topology, const Options& options) {
+    const auto solid = [](const geometry::Volume& volume) { return volume.kind == geometry::Volume::Kind::Solid; };
+    if (options.volume && std::none_of(topology.volumes.begin(), topology.volumes.end(), solid)) {
+        throw InvalidInput("the shape has no solids to fill: leave volume off to curve its faces");
+    }
+}
+
+void repair(SurfaceEditor& editor, const geometry::Topology& topology, const Options& options, Progress& progress,
+            CurveReport& report) {
+    note(repair_surface(editor, progress), report);
+    if (options.volume) {
+        const int halved = refine_crossings(editor, topology, progress);
+        report.repairs.emplace_back("surface edges split where faces cross", static_cast<std::size_t>(halved));
+    }
+}
+
 }  // namespace
 
 void Options::validate() const {
@@ -143,6 +161,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     const double start = cpu_seconds();
 
     geometry::Session session(engine, model, &watched);
+    require_solids(session.topology(), options);
     watched.stage("classifying", 0.0, 0.1);
     Surface surface = classify(session, straight, options.order);
     clock.end("classifying");
@@ -151,7 +170,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     editor.placement.place(living(surface));
     clock.end("curving the surface");
     watched.stage("repairing the surface", 0.3, 0.5);
-    note(repair_surface(editor, watched), report);
+    repair(editor, session.topology(), options, watched, report);
     std::set<int> straight_triangles;
     std::set<int> straight_tetrahedra;
     if (options.straighten) {

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "curve/fill.h"
+#include "curve/surface_crossing.h"
 #include "curve/validity.h"
 
 namespace mq::curve {
@@ -196,7 +197,6 @@ Shell shell_of(const Surface& surface, std::size_t volume) {
 
 Volume fill_solids(Surface& surface, const geometry::Topology& topology, const Progress& progress) {
     Volume volume(surface);
-    bool any = false;
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
         progress.check();
         if (topology.volumes[i].kind != geometry::Volume::Kind::Solid) {
@@ -207,9 +207,11 @@ Volume fill_solids(Surface& surface, const geometry::Topology& topology, const P
         try {
             filling = fill(shell.points, shell.triangles, progress);
         } catch (const CannotFill& error) {
-            throw CannotFill("Solid" + std::to_string(i + 1) + ": " + error.what());
+            throw CannotFill("Solid" + std::to_string(i + 1) + ": " + error.what() + " (" +
+                             trouble_spot(surface, i, progress) + ")");
         } catch (const GeometryError& error) {
-            throw GeometryError("Solid" + std::to_string(i + 1) + ": " + error.what());
+            throw GeometryError("Solid" + std::to_string(i + 1) + ": " + error.what() + " (" +
+                                trouble_spot(surface, i, progress) + ")");
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {
@@ -219,10 +221,6 @@ Volume fill_solids(Surface& surface, const geometry::Topology& topology, const P
             const auto at = [&](std::size_t k) { return number[static_cast<std::size_t>(t[k])]; };
             volume.add({at(0), at(1), at(2), at(3)}, static_cast<int>(i));
         }
-        any = true;
-    }
-    if (!any) {
-        throw InvalidInput("the shape has no solids to fill: leave volume off to curve its faces");
     }
     return volume;
 }

@@ -50,7 +50,7 @@ bool read(Input& input) {
 
 /// The program ends by a signal rather than run for ever.
 void limit_time(std::size_t triangles) {
-    const auto seconds = static_cast<rlim_t>(20 + triangles / 500);
+    const auto seconds = static_cast<rlim_t>(60 + triangles / 100);
     const rlimit limit{seconds, seconds};
     setrlimit(RLIMIT_CPU, &limit);
     const rlimit no_core{0, 0};

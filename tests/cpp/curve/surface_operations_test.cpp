@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <cmath>
 
 #include "curve/placed_surface.h"
+#include "curve/surface_crossing.h"
 #include "geometry/occt/shape_model.h"
 
 namespace mq::curve {
@@ -117,6 +120,21 @@ TEST(SurfaceOperations, VerticesOnTheBorderAreSnappedToIt) {
         EXPECT_FALSE(placed.surface.has_edge(corners[0], corners[1]));
         placed.expect_closed();
     }
+}
+
+TEST(SurfaceCrossings, CoarseTrianglesOfThinWallsAreRefined) {
+    // Turned, the inner sphere gets triangles that are not parallel to those of the outer one.
+    const gp_Ax2 turned(gp::Origin(), gp::DX());
+    const TopoDS_Shape shell =
+        BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(1.0).Shape(), BRepPrimAPI_MakeSphere(turned, 0.97).Shape()).Shape();
+    PlacedSurface placed(geometry::make_shape_model(shell), 2, 0.9);
+    const Progress progress;
+    ASSERT_FALSE(crossings(placed.surface, 0, progress).empty());
+    EXPECT_NE(trouble_spot(placed.surface, 0, progress).find("meet near"), std::string::npos);
+    EXPECT_GT(refine_crossings(placed.editor, placed.session.topology(), progress), 0);
+    EXPECT_TRUE(crossings(placed.surface, 0, progress).empty());
+    EXPECT_EQ(placed.invalid(), 0);
+    placed.expect_closed();
 }
 
 TEST(SurfaceOperations, NothingIsChangedThatIsWell) {

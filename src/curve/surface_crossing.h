@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "curve/surface_editor.h"
+
+/// Coarse straight triangles of a thin or strongly curved wall may pierce those of its other side, though the CAD faces
+/// do not: such a surface cannot be filled.
+namespace mq::curve {
+
+/// Two triangles of one solid's boundary that touch or cross elsewhere than in shared vertices or edges.
+using Crossing = std::pair<int, int>;
+
+/// Those of the straight triangles around a volume, at most a few hundred.
+std::vector<Crossing> crossings(const Surface& surface, std::size_t volume, const Progress& progress);
+
+/// Halves the longest edges of triangles that cross, over and over, until none do or nothing helps.
+/// @return how many edges were halved.
+int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, const Progress& progress);
+
+/// Where the surface around a volume is hardest to fill: the faces that cross, or the flattest triangle. For messages.
+std::string trouble_spot(const Surface& surface, std::size_t volume, const Progress& progress);
+
+}  // namespace mq::curve
