@@ -27,7 +27,10 @@ OUTPUT_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".msh", ".vtu")
 def _add_options(parser, table):
     for option in table:
         if option.kind is bool:
-            parser.add_argument(option.flag, action="store_true", help=option.help)
+            # --no-... exists for what is on unless it is switched off.
+            action = argparse.BooleanOptionalAction if option.default else "store_true"
+            parser.add_argument(option.flag, action=action, default=option.default,
+                                help=option.help)
             continue
         default = "" if option.default is None else f" (default: {option.default})"
         text = f"{option.help}; {option.range_text}{default}"

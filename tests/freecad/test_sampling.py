@@ -7,6 +7,7 @@ import Part
 from FreeCAD import Vector
 
 import MeshQuality as mq
+from MeshQuality import cli
 
 METHODS = ("star", "sprinkle")
 
@@ -53,6 +54,13 @@ class Sampling(unittest.TestCase):
         mesh = mq.triangulate(shape, method="star")
         self.assertEqual(set(mesh.triangle_face.tolist()), set(range(len(shape.Faces))))
         self.assertEqual(mesh.to_mesh().countSegments(), len(shape.Faces))
+
+    def test_polish_is_on_unless_switched_off_on_the_command_line(self):
+        parser = cli.parser()
+        for flags, expected in (([], True), (["--polish"], True), (["--no-polish"], False)):
+            arguments = parser.parse_args(["triangulate", "part.step", *flags])
+            self.assertIs(arguments.polish, expected)
+            self.assertIs(arguments.allow_missing_faces, False)
 
     def test_cancel(self):
         def refuse(fraction, stage):
