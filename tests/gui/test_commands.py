@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of the workbench, from selection to result."""
+"""The commands of the workbench, from selection over the panel to the result."""
 
+import time
+
+import FreeCAD
 import FreeCADGui
 import gui_helpers
 
-from MeshQuality.gui import commands
+from MeshQuality.gui import commands, jobs
+
+LIMIT = 60  # seconds for a job
+ALL = (commands.Triangulate, commands.Curve, commands.Boolean)
 
 
 class Commands(gui_helpers.GuiTest):
@@ -13,32 +19,166 @@ class Commands(gui_helpers.GuiTest):
         FreeCADGui.activateWorkbench("MeshQualityWorkbench")
         FreeCADGui.Selection.clearSelection()
 
+    def tearDown(self):
+        FreeCADGui.Control.closeDialog()
+        super().tearDown()
+
+    def select(self, *objects):
+        FreeCADGui.Selection.clearSelection()
+        for obj in objects:
+            FreeCADGui.Selection.addSelection(obj)
+
+    def panel(self, command, *objects):
+        """The panel that the command opens for these objects."""
+        self.select(*objects)
+        self.assertTrue(command().IsActive())
+        panel = commands.MeshPanel(command().operations(command().selected()))
+        FreeCADGui.Control.showDialog(panel)
+        gui_helpers.wait()
+        return panel
+
+    def until(self, condition):
+        end = time.monotonic() + LIMIT
+        while not condition() and time.monotonic() < end:
+            gui_helpers.wait(0.02)
+        self.assertTrue(condition())
+
+    def finish(self, panel):
+        """OK, and waits until the work has ended."""
+        panel.accept()
+        self.until(lambda: not panel.jobs)
+
+    def two_boxes(self):
+        first, second = self.box(), self.document.addObject("Part::Box", "Second")
+        second.Placement.Base = FreeCAD.Vector(4, 4, 4)
+        self.document.recompute()
+        return first, second
+
     def test_each_makes_an_object_and_undoes_it_in_one_step(self):
-        box = self.box()
-        for command in (commands.Triangulate, commands.Curve):
+        sources = self.two_boxes()
+        for command in ALL:
             with self.subTest(command.NAME):
-                self.assertFalse(command().IsActive())
-                FreeCADGui.Selection.addSelection(box)
-                self.assertTrue(command().IsActive())
-                FreeCADGui.runCommand(command.NAME)
-                gui_helpers.wait()
+                panel = self.panel(command, *(sources if command is commands.Boolean
+                                              else sources[:1]))
+                self.finish(panel)
+                self.assertEqual(panel.said, "")
+                self.assertFalse(FreeCADGui.Control.activeDialog())
                 obj = self.document.Objects[-1]
-                self.assertEqual(obj.Source, box)
                 self.assertGreater(obj.Mesh.CountFacets, 0)
+                self.assertTrue(obj.Fingerprint)
                 self.assertEqual(self.document.UndoNames[0], command.TEXT)
                 self.document.undo()
-                self.assertEqual(self.document.Objects, [box])
-                FreeCADGui.Selection.clearSelection()
+                self.assertEqual(self.document.Objects, list(sources))
 
-    def test_a_failure_leaves_nothing_behind(self):
+    def test_options_of_the_panel_reach_the_object(self):
+        box = self.box()
+        panel = self.panel(commands.Triangulate, box)
+        panel.options.set_values({"min_angle": 30.0, "max_edge": 2.5, "method": "star"})
+        self.finish(panel)
+        obj = self.document.Objects[-1]
+        self.assertEqual((obj.MinAngle.Value, obj.MaxEdge.Value, obj.Method), (30.0, 2.5, "star"))
+        self.assertGreaterEqual(obj.MeasuredMinAngle.Value, 30.0 - 1e-6)
+
+    def test_several_selected_objects_get_a_mesh_each(self):
+        sources = self.two_boxes()
+        self.finish(self.panel(commands.Triangulate, *sources))
+        self.assertEqual([obj.Source for obj in self.document.Objects[2:]], list(sources))
+
+    def test_the_estimate_is_the_number_of_triangles(self):
+        panel = self.panel(commands.Triangulate, self.box())
+        self.until(lambda: "triangles" in panel.estimate.text()
+                   and "Counting" not in panel.estimate.text())
+        shown = int(panel.estimate.text().split()[0].replace(",", ""))
+        self.finish(panel)
+        self.assertEqual(self.document.Objects[-1].Triangles, shown)
+
+    def test_a_value_out_of_range_is_said_in_the_panel(self):
+        box = self.box()
+        panel = self.panel(commands.Triangulate, box)
+        panel.options.set_values({"min_angle": 50.0})
+        panel.accept()
+        self.assertIn("min_angle", panel.said)
+        self.assertEqual(self.document.Objects, [box])
+        self.assertTrue(panel.reject())
+
+    def test_a_failure_leaves_nothing_behind_and_is_said_in_the_panel(self):
         source = self.document.addObject("Part::Feature", "Empty")
-        FreeCADGui.Selection.addSelection(source)
         for command in (commands.Triangulate, commands.Curve):
-            FreeCADGui.runCommand(command.NAME)
-            gui_helpers.wait()
-            self.assertEqual(self.document.Objects, [source])
-            self.assertFalse(self.document.HasPendingTransaction)
+            with self.subTest(command.NAME):
+                panel = self.panel(command, source)
+                self.finish(panel)
+                self.assertIn("Empty", panel.said)
+                self.assertEqual(self.document.Objects, [source])
+                self.assertFalse(self.document.HasPendingTransaction)
+                panel.reject()
+
+    def test_cancel_ends_the_work_and_changes_nothing(self):
+        box = self.box()
+        panel = self.panel(commands.Triangulate, box)
+        panel.options.set_values({"max_edge": 0.01})
+        panel.accept()
+        self.until(lambda: panel.jobs[0].state == jobs.RUNNING)
+        self.assertFalse(panel.reject())
+        self.until(lambda: not panel.jobs)
+        self.assertIn("Cancelled", panel.said)
+        self.assertEqual(self.document.Objects, [box])
+        self.assertTrue(panel.options.isEnabled())
+        self.assertTrue(panel.reject())
+
+    def test_a_document_closed_meanwhile_ends_its_job(self):
+        other = FreeCAD.newDocument("Other")
+        source = other.addObject("Part::Box", "Box")
+        other.recompute()
+        panel = self.panel(commands.Triangulate, source)
+        panel.options.set_values({"max_edge": 0.01})
+        panel.accept()
+        job = panel.jobs[0]
+        self.until(lambda: job.state == jobs.RUNNING)
+        FreeCAD.closeDocument("Other")
+        self.until(lambda: not job.active)
+        self.assertEqual(job.state, jobs.CANCELLED)
 
     def test_every_command_has_its_icon(self):
-        for command in (commands.Triangulate, commands.Curve):
+        for command in ALL:
             self.assertFalse(FreeCADGui.getIcon(command.NAME).isNull())
+
+    def test_every_panel_is_usable_at_260_pixels(self):
+        sources = self.two_boxes()
+        for command in ALL:
+            with self.subTest(command.NAME):
+                panel = self.panel(command, *sources)
+                panel.form.resize(260, panel.form.sizeHint().height())
+                gui_helpers.wait()
+                self.assertLessEqual(panel.form.minimumSizeHint().width(), 260)
+                panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_{command.__name__}.png")
+                panel.reject()
+
+
+class Queue(gui_helpers.GuiTest):
+    def test_jobs_run_one_after_the_other_and_what_fails_is_kept(self):
+        seen = []
+        queue = jobs.Queue()
+
+        def work(name):
+            def compute(progress):
+                if name == "b":
+                    raise RuntimeError("no luck")
+                return name
+            return compute
+
+        made = [queue.add(jobs.Job(name, work(name), seen.append, quiet=True)) for name in "abc"]
+        end = time.monotonic() + LIMIT
+        while any(job.active for job in made) and time.monotonic() < end:
+            gui_helpers.wait()
+        self.assertEqual(seen, ["a", "c"])
+        self.assertEqual([job.state for job in made], [jobs.DONE, jobs.FAILED, jobs.DONE])
+        self.assertEqual(str(made[1].error), "no luck")
+
+    def test_a_waiting_job_can_be_cancelled(self):
+        queue = jobs.Queue()
+        job = jobs.Job("never", lambda progress: self.fail("it ran"), lambda result: None)
+        queue.add(job)
+        job.cancel()
+        gui_helpers.wait(0.2)
+        self.assertEqual(job.state, jobs.CANCELLED)
+        self.assertEqual(len(queue), 0)

@@ -2,6 +2,7 @@
 """The document object "Boolean": a mesh that follows a Boolean of objects of the document."""
 
 import json
+from functools import partial
 
 import FreeCAD
 
@@ -36,20 +37,33 @@ class MeshBoolean(mesh_object.MeshObject):
         mesh_object.add_measured(obj, MEASURED)
         mesh_object.add_hidden(obj, "Boolean", (mesh_object.FINGERPRINT,))
 
-    def update(self, obj):
-        """Computes the Boolean anew, unless no operand and no option has changed."""
-        if len(obj.Sources) < 2:
-            raise InvalidInput(f"Sources has {len(obj.Sources)} objects: choose two or more with a "
+    def work(self, obj):
+        """To compute the Boolean anew, unless no operand and no option has changed."""
+        work = self.work_on(obj.Sources, mesh_object.options_of(obj, options.BOOLEAN))
+        up_to_date = work.fingerprint == obj.Fingerprint and obj.Mesh.CountFacets == obj.Triangles
+        return None if up_to_date else work
+
+    @classmethod
+    def work_on(cls, sources, values):
+        """The Work of an object with these sources and options."""
+        if len(sources) < 2:
+            raise InvalidInput(f"Sources has {len(sources)} objects: choose two or more with a "
                                "mesh or a shape")
-        values = options.check(options.BOOLEAN, mesh_object.options_of(obj, options.BOOLEAN))
-        operands = Operands(obj.Sources)
-        fingerprint = operands.digest() + json.dumps(values, sort_keys=True)
-        if fingerprint == obj.Fingerprint and obj.Mesh.CountFacets == obj.Triangles:
-            return
-        mesh = run(operands, values)
-        obj.Mesh = mesh.to_mesh()
+        values = options.check(options.BOOLEAN, values)
+        operands = Operands(sources)
+        return mesh_object.Work(operands.digest() + json.dumps(values, sort_keys=True),
+                                partial(cls.compute, operands, values))
+
+    @classmethod
+    def compute(cls, operands, values, progress):
+        """The BooleanMesh of operands that were read, and the Mesh.Mesh made of it."""
+        mesh = run(operands, values, progress)
+        return mesh, mesh.to_mesh()
+
+    def take(self, obj, result):
+        """Shows the mesh and its report."""
+        mesh, obj.Mesh = result
         show_report(obj, mesh.report)
-        obj.Fingerprint = fingerprint
 
 
 def show_report(obj, report):

@@ -5,6 +5,9 @@ Its Mesh is what the elements look like, cut into flat triangles; the elements t
 in hidden properties, so that an opened document can write them without curving anew.
 """
 
+from dataclasses import replace
+from functools import partial
+
 from .. import convert, options
 from ..curved_mesh import ARRAYS, CurvedMesh, curve
 from . import mesh_object
@@ -62,22 +65,41 @@ class CurvedMeshObject(mesh_object.SourceMesh):
 
         CurvedMeshView(view)
 
-    def make(self, obj, shape, values):
-        """Curves the shape, or only cuts the elements anew where the deviation alone changed."""
-        values = dict(values)
-        deviation = values.pop("deviation")
-        fingerprint = mesh_object.fingerprint_of(shape, values)
-        fresh = fingerprint != obj.ElementsFingerprint
-        curved = curve(shape, **values) if fresh else CurvedMesh.of(obj)
-        tessellation = curved.tessellate(deviation)
-        if fresh:
+    def work(self, obj):
+        """As for all; where the deviation alone has changed, the elements are cut anew only."""
+        work = super().work(obj)
+        if work is not None and _elements_fingerprint(*work.compute.args) == obj.ElementsFingerprint:
+            return replace(work, compute=partial(work.compute, kept=CurvedMesh.of(obj)))
+        return work
+
+    @classmethod
+    def compute(cls, shape, values, progress, kept=None):
+        """The elements, their fingerprint, the tessellation, and the Mesh.Mesh made of it."""
+        of_elements = _elements_values(values)
+        curved = kept or curve(shape, **of_elements, progress=progress)
+        tessellation = curved.tessellate(values["deviation"], progress)
+        return (curved, _elements_fingerprint(shape, values), tessellation,
+                convert.mesh_of_surface(tessellation.surface()))
+
+    def take(self, obj, result):
+        """Shows the elements and their report; those that were kept have been shown before."""
+        curved, fingerprint, tessellation, mesh = result
+        if fingerprint != obj.ElementsFingerprint:
             curved.keep_in(obj)
             show_report(obj, curved.report)
             obj.ElementsFingerprint = fingerprint
         obj.ShownDeviation = tessellation.deviation
-        surface = tessellation.surface()
-        obj.FaceRuns = mesh_object.runs_of_faces(surface.triangle_face)
-        obj.Mesh = convert.mesh_of_surface(surface)
+        obj.FaceRuns = mesh_object.runs_of_faces(tessellation.surface().triangle_face)
+        obj.Mesh = mesh
+
+
+def _elements_values(values):
+    """The options on which the elements depend."""
+    return {name: value for name, value in values.items() if name != "deviation"}
+
+
+def _elements_fingerprint(shape, values):
+    return mesh_object.fingerprint_of(shape, _elements_values(values))
 
 
 def show_report(obj, report):

@@ -3,6 +3,9 @@
 
 import hashlib
 import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
 
 import FreeCAD
 import numpy as np
@@ -25,11 +28,29 @@ FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
              "Pairs (index of a CAD face, number of successive triangles on it)")
 
 
+# Results by fingerprint that were computed before the object that asks for them, in the background.
+ahead = {}
+
+
+@dataclass(frozen=True)
+class Work:
+    """What an object has to compute.
+
+    fingerprint  of what it is computed from
+    compute      compute(progress) -> result, progress as for triangulate or None; it touches no
+                 document, so that any thread may call it
+    """
+
+    fingerprint: str
+    compute: Callable
+
+
 class MeshObject(PlainState):
     """Proxy of a Mesh::FeaturePython. Its state is in the object's properties.
 
-    A subclass has add_properties(obj), which adds those the object has not got yet, and
-    update(obj), which sets the mesh. An error in it leaves the last good mesh as it is.
+    A subclass has add_properties(obj), which adds those the object has not got yet; work(obj), the
+    Work that the object needs, None when it is up to date; and take(obj, result), which sets the
+    mesh. An error in them leaves the last good mesh as it is.
     """
 
     def __init__(self, obj):
@@ -52,7 +73,11 @@ class MeshObject(PlainState):
         """Brings the mesh up to date, unless nothing that it depends on has changed."""
         self.error = None
         try:
-            self.update(obj)
+            work = self.work(obj)
+            if work is not None:
+                known = ahead.pop(work.fingerprint, None)
+                self.take(obj, work.compute(None) if known is None else known)
+                obj.Fingerprint = work.fingerprint
         except (Error, ImportError, MemoryError) as error:
             self.error = error
             raise type(error)(f"{obj.Label}: {error}") from error
@@ -61,8 +86,8 @@ class MeshObject(PlainState):
 class SourceMesh(MeshObject):
     """Proxy of an object that meshes the shape of its Source, with one segment a CAD face.
 
-    A subclass has the tables OPTIONS, MEASURED and HIDDEN of its properties, and
-    make(obj, shape, values), which makes the mesh anew.
+    A subclass has the tables OPTIONS, MEASURED and HIDDEN of its properties, the class method
+    compute(shape, values, progress), and take(obj, result).
     """
 
     OPTIONS = MEASURED = HIDDEN = ()
@@ -86,18 +111,20 @@ class SourceMesh(MeshObject):
             obj.Mesh = mesh
             obj.purgeTouched()
 
-    def update(self, obj):
-        """Meshes the source anew, unless neither it nor an option has changed."""
+    def work(self, obj):
+        """To mesh the source anew, unless neither it nor an option has changed."""
         if obj.Source is None:
             raise InvalidInput("Source is empty: choose an object with a shape")
-        values = options_of(obj, self.OPTIONS)
-        options.check(self.OPTIONS, values)
-        shape = convert.shape_of(obj.Source)
-        fingerprint = fingerprint_of(shape, values)
-        if fingerprint == obj.Fingerprint and obj.Mesh.CountFacets > 0:
-            return
-        self.make(obj, shape, values)
-        obj.Fingerprint = fingerprint
+        work = self.work_on(obj.Source, options_of(obj, self.OPTIONS))
+        up_to_date = work.fingerprint == obj.Fingerprint and obj.Mesh.CountFacets > 0
+        return None if up_to_date else work
+
+    @classmethod
+    def work_on(cls, source, values):
+        """The Work of an object with this source and these options."""
+        values = options.check(cls.OPTIONS, values)
+        shape = convert.shape_of(source)
+        return Work(fingerprint_of(shape, values), partial(cls.compute, shape, values))
 
 
 def fingerprint_of(shape, values):

@@ -22,10 +22,15 @@ class QualityMesh(mesh_object.SourceMesh):
     OPTIONS = options.TRIANGULATE
     MEASURED = MEASURED
 
-    def make(self, obj, shape, values):
-        """Meshes the shape."""
-        mesh = triangulate(shape, **values)
-        obj.Mesh = mesh.to_mesh()
+    @classmethod
+    def compute(cls, shape, values, progress):
+        """The SurfaceMesh of the shape, and the Mesh.Mesh made of it."""
+        mesh = triangulate(shape, **values, progress=progress)
+        return mesh, mesh.to_mesh()
+
+    def take(self, obj, result):
+        """Shows the mesh and its report."""
+        mesh, obj.Mesh = result
         show_report(obj, mesh.report)
         obj.FaceRuns = mesh_object.runs_of_faces(mesh.triangle_face)
 

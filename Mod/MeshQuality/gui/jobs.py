@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Work in the background: one job after the other on a thread, watched from the GUI's thread.
+
+A job computes on the thread and touches neither documents nor widgets there; its result is taken
+on the GUI's thread. The core frees Python's lock while it works, so that the window stays alive.
+"""
+
+import collections
+import threading
+
+import FreeCAD
+from PySide import QtCore
+
+from ..errors import Cancelled, Error
+
+WAITING, RUNNING, DONE, FAILED, CANCELLED = "waiting", "running", "done", "failed", "cancelled"
+_POLL = 30  # ms between two looks at the thread
+_GRACE = 5.0  # s that a job has to end in when FreeCAD quits
+
+
+class Job(QtCore.QObject):
+    """One piece of work.
+
+    title    what is shown for it
+    compute  compute(progress) -> result, called on the thread; progress as for triangulate
+    take     take(result), called on the GUI's thread
+    wanted   wanted() -> whether the result still has a place to go to, asked on the GUI's thread
+    quiet    a failure is not reported
+    """
+
+    changed = QtCore.Signal()  # state, fraction or stage
+    ended = QtCore.Signal()
+
+    def __init__(self, title, compute, take, wanted=lambda: True, quiet=False):
+        super().__init__()
+        self.title, self.compute, self.take, self.wanted = title, compute, take, wanted
+        self.quiet = quiet
+        self.state, self.fraction, self.stage, self.error = WAITING, 0.0, "", None
+        self._result = None
+        self._thread = None
+        self._cancel = threading.Event()
+
+    @property
+    def active(self):
+        """Whether it waits or runs."""
+        return self.state in (WAITING, RUNNING)
+
+    def cancel(self):
+        """Asks the work to stop; `ended` tells when it has."""
+        self._cancel.set()
+        if self.state == WAITING:
+            self._end(CANCELLED)
+
+    def start(self):
+        """Begins the work on its thread."""
+        self.state = RUNNING
+        self._thread = threading.Thread(target=self._work, name=self.title, daemon=True)
+        self._thread.start()
+
+    def look(self):
+        """Reports how far the work is, and takes its result once it has ended."""
+        if not self.wanted():
+            self._cancel.set()
+        if self._thread.is_alive():
+            self.changed.emit()
+            return
+        if self.error is None and not self._cancel.is_set():
+            self._take()
+        cancelled = self._cancel.is_set() or isinstance(self.error, Cancelled)
+        self._end(CANCELLED if cancelled else FAILED if self.error is not None else DONE)
+
+    def join(self, seconds):
+        """Waits for the thread."""
+        if self._thread is not None:
+            self._thread.join(seconds)
+
+    def _work(self):
+        try:
+            self._result = self.compute(self._progress)
+        except Exception as error:  # noqa: BLE001 - the thread's last resort; the GUI shows it
+            self.error = error
+
+    def _progress(self, fraction, stage):
+        self.fraction, self.stage = fraction, stage
+        return not self._cancel.is_set()
+
+    def _take(self):
+        try:
+            self.take(self._result)
+        except (Error, ImportError, MemoryError, RuntimeError) as error:
+            self.error = error
+
+    def _end(self, state):
+        self.state, self._result = state, None
+        if state == FAILED and not self.quiet:
+            FreeCAD.Console.PrintError(f"{self.title}: {self.error}\n")
+        self.changed.emit()
+        self.ended.emit()
+
+
+class Queue(QtCore.QObject):
+    """Jobs in the order in which they were added; one runs at a time."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self):
+        super().__init__()
+        self._waiting = collections.deque()
+        self.running = None
+        self._timer = QtCore.QTimer(self)
+        self._timer.setInterval(_POLL)
+        self._timer.timeout.connect(self._look)
+        QtCore.QCoreApplication.instance().aboutToQuit.connect(self.close)
+
+    def __len__(self):
+        return len(self._waiting) + (self.running is not None)
+
+    def add(self, job):
+        """Has a job done, after those that were added before."""
+        self._waiting.append(job)
+        self._timer.start()
+        self.changed.emit()
+        return job
+
+    def close(self):
+        """Ends all jobs; FreeCAD quits."""
+        self._timer.stop()
+        jobs = [*self._waiting, *([self.running] if self.running else [])]
+        self._waiting.clear()
+        for job in jobs:
+            job.cancel()
+        for job in jobs:
+            job.join(_GRACE)
+
+    def _look(self):
+        if self.running is None:
+            self._start_next()
+        if self.running is None:
+            self._timer.stop()
+        else:
+            self.running.look()
+            if not self.running.active:
+                self.running = None
+        self.changed.emit()
+
+    def _start_next(self):
+        while self._waiting:
+            job = self._waiting.popleft()
+            if job.active:
+                self.running = job
+                job.start()
+                return
+
+
+_queue = None
+
+
+def queue():
+    """The queue of this FreeCAD."""
+    global _queue
+    if _queue is None:
+        _queue = Queue()
+    return _queue

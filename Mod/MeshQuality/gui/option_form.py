@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fields for the options of a table, each with the unit, range and help that the table gives it."""
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+_UNITS = {"mm": FreeCAD.Units.Length, "degrees": FreeCAD.Units.Angle}
+_SUFFIX = {"mm": "mm", "degrees": "deg"}
+_LARGEST = 2**31 - 1
+
+
+class OptionForm(QtGui.QWidget):
+    """One field for each option, in a group box for each group of the table."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, table, hidden=()):
+        super().__init__()
+        self._fields = {}
+        boxes = {}
+        layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        for option in table:
+            if option.name in hidden:
+                continue
+            if option.group not in boxes:
+                boxes[option.group] = _group(option.group)
+                layout.addWidget(boxes[option.group])
+            field = _field(option)
+            field.changed.connect(self.changed)
+            self._fields[option.name] = field
+            label = QtGui.QLabel(_title(option))
+            label.setToolTip(option.help)
+            boxes[option.group].layout().addRow(label, field.widget)
+
+    def values(self):
+        """{option: value}; what the table allows is checked by options.check."""
+        return {name: field.value() for name, field in self._fields.items()}
+
+    def set_values(self, values):
+        """Shows the values of those options that have a field."""
+        for name, field in self._fields.items():
+            if name in values:
+                field.set_value(values[name])
+
+    def field(self, name):
+        """The widget of an option."""
+        return self._fields[name].widget
+
+
+def _title(option):
+    return option.name.replace("_", " ").capitalize()
+
+
+def _group(title):
+    box = QtGui.QGroupBox(title)
+    form = QtGui.QFormLayout(box)
+    # The panel may be 260 pixels wide.
+    form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+    form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+    return box
+
+
+def _field(option):
+    if option.choices:
+        return _Choice(option)
+    if option.kind is bool:
+        return _Switch(option)
+    return _Quantity(option) if option.unit else _Number(option)
+
+
+class _Field(QtCore.QObject):
+    """A widget for an option; value() gives None where the option is unset."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, option, widget):
+        super().__init__()
+        self.option, self.widget = option, widget
+        unset = f"\n0: {option.unset}" if option.default is None else ""
+        widget.setToolTip(option.help + unset)
+        widget.setObjectName(option.property_name)
+        self.set_value(option.default)
+
+    def _changed(self, *_):
+        self.changed.emit()
+
+    def _of(self, number):
+        return None if self.option.default is None and number == 0 else number
+
+
+class _Choice(_Field):
+    def __init__(self, option):
+        box = QtGui.QComboBox()
+        for choice in option.choices:
+            box.addItem(choice.replace("_", " "), choice)
+        super().__init__(option, box)
+        box.currentIndexChanged.connect(self._changed)
+
+    def value(self):
+        return self.widget.itemData(self.widget.currentIndex())
+
+    def set_value(self, value):
+        self.widget.setCurrentIndex(self.option.choices.index(value))
+
+
+class _Switch(_Field):
+    def __init__(self, option):
+        super().__init__(option, QtGui.QCheckBox())
+        self.widget.toggled.connect(self._changed)
+
+    def value(self):
+        return self.widget.isChecked()
+
+    def set_value(self, value):
+        self.widget.setChecked(value)
+
+
+class _Number(_Field):
+    def __init__(self, option):
+        whole = option.kind is int
+        box = QtGui.QSpinBox() if whole else QtGui.QDoubleSpinBox()
+        if not whole:
+            box.setDecimals(6)
+            box.setSingleStep(0.001)
+        low = 0 if option.default is None else option.low or 0
+        box.setRange(low, _LARGEST if option.high is None else option.high)
+        if option.default is None:
+            box.setSpecialValueText(option.unset)
+        super().__init__(option, box)
+        box.valueChanged.connect(self._changed)
+
+    def value(self):
+        return self._of(self.widget.value())
+
+    def set_value(self, value):
+        self.widget.setValue(0 if value is None else value)
+
+
+class _Quantity(_Field):
+    """FreeCAD's field for numbers with units and expressions."""
+
+    def __init__(self, option):
+        box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        box.setProperty("unit", _SUFFIX[option.unit])
+        box.setProperty("minimum", 0.0)
+        super().__init__(option, box)
+        box.valueChanged.connect(self._changed)
+
+    def value(self):
+        return self._of(float(self.widget.property("rawValue")))
+
+    def set_value(self, value):
+        self.widget.setProperty("value", FreeCAD.Units.Quantity(value or 0.0, _UNITS[self.option.unit]))
