@@ -34,10 +34,10 @@ struct FlushPairs {
 /// All pairs of triangles of a mesh that touch or cross each other, in ascending order; at most `limit` of them. Fewer
 /// than that are all there are.
 ///
-/// Exact (see contact). About 0.3 s for a million triangles without self-intersection: nearly all of them are in patches
-/// that are height fields, so that only pairs of different patches are looked at (see height_fields); where those share
-/// a vertex, its star settles them (see embedded_star).
-/// Every vertex index must be in range and every coordinate finite.
+/// Exact (see contact). About 0.3 s for a million triangles without self-intersection: nearly all of them are in
+/// patches that are height fields, so that only pairs of different patches are looked at (see height_fields); where
+/// those share a vertex, its star settles them (see embedded_star). Every vertex index must be in range and every
+/// coordinate finite.
 /// @param flush  when given: also pairs that are nearly coplanar, whether or not they touch
 /// @throws Cancelled.
 std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
