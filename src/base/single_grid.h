@@ -22,6 +22,8 @@ class SingleGrid {
     Vec3 to_part(const Vec3& local) const { return local + origin_; }
     /// The largest distance between a point of the part and its snapped image, mm.
     double resolution() const { return resolution_; }
+    /// Sides of triangles shorter than this, mm, would fall together or make angles that are mostly rounding.
+    double shortest_side() const { return 16.0 * resolution_; }
 
   private:
     Vec3 origin_ = Vec3::Zero();

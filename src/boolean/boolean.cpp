@@ -189,12 +189,12 @@ class Run {
         forget_moved_triangles(soup_);
         merge_vertices(soup_);
         twins_ = find_twins(soup_);
-        if (flush != nullptr) {
-            for (const Source& source : soup_.source) {
-                flush->body.push_back(source.operand);
-            }
-        }
         if (twins_.empty()) {
+            if (flush != nullptr) {
+                for (const Source& source : soup_.source) {
+                    flush->body.push_back(source.operand);
+                }
+            }
             return mesh::self_intersections(soup_.vertices, soup_.triangles, limit, &progress_, flush);
         }
         std::vector<char> twin(soup_.triangles.size(), 0);
@@ -206,7 +206,7 @@ class Run {
         for (std::size_t t = 0; t < twin.size(); ++t) {
             if (twin[t] == 0) {
                 if (flush != nullptr) {
-                    flush->body[others.size()] = soup_.source[t].operand;
+                    flush->body.push_back(soup_.source[t].operand);
                 }
                 others.push_back(soup_.triangles[t]);
                 index.push_back(static_cast<std::int32_t>(t));

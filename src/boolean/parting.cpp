@@ -5,6 +5,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/angle.h"
+
 namespace mq::boolean {
 
 namespace {
@@ -32,7 +34,7 @@ std::vector<Mover> look_around(const Draft& draft, const std::vector<std::int32_
             const Vec3& p = draft.vertices[static_cast<std::size_t>(c[k])];
             const Vec3 u = draft.vertices[static_cast<std::size_t>(c[(k + 1) % 3])] - p;
             const Vec3 v = draft.vertices[static_cast<std::size_t>(c[(k + 2) % 3])] - p;
-            mover.against_normals -= std::atan2(u.cross(v).norm(), u.dot(v)) * u.cross(v).normalized();
+            mover.against_normals -= angle_between(u, v) * u.cross(v).normalized();
             mover.along_edges += u.normalized() + v.normalized();
             mover.shortest = std::min({mover.shortest, u.norm(), v.norm()});
         }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
+
 namespace mq::boolean {
 
 namespace {
@@ -29,7 +31,7 @@ VertexOffsets::VertexOffsets(const Soup& soup)
             const Vec3 u = soup.vertices[static_cast<std::size_t>(c[(k + 1) % 3])] - p;
             const Vec3 v = soup.vertices[static_cast<std::size_t>(c[(k + 2) % 3])] - p;
             operand_[static_cast<std::size_t>(c[k])] = soup.source[t].operand;
-            normal_[static_cast<std::size_t>(c[k])] += std::atan2(u.cross(v).norm(), u.dot(v)) * n;
+            normal_[static_cast<std::size_t>(c[k])] += angle_between(u, v) * n;
         }
     }
     for (Vec3& n : normal_) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/angle.h"
 #include "curve/surface_editor.h"
 
 namespace mq::curve {
@@ -17,10 +18,6 @@ constexpr double kEnough = 0.16;
 constexpr double kShare = 0.25;
 /// Cusps are not refined to straight angles below this one: halving the edges halves the angle between their chords.
 constexpr double kThinnest = 0.02;
-
-double angle(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 double worst(const SurfaceEditor& editor, const std::vector<int>& triangles) {
     double least = 1.0;
@@ -72,8 +69,8 @@ CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c) {
     }
     const std::vector<Vec3> to_b = surface.shapes.edge_inner(a, b);
     const std::vector<Vec3> to_c = surface.shapes.edge_inner(a, c);
-    const double curved = angle(to_b.front() - editor.point(a), to_c.front() - editor.point(a));
-    const double straight = angle(editor.point(b) - editor.point(a), editor.point(c) - editor.point(a));
+    const double curved = angle_between(to_b.front() - editor.point(a), to_c.front() - editor.point(a));
+    const double straight = angle_between(editor.point(b) - editor.point(a), editor.point(c) - editor.point(a));
     if (curved > kCusp * straight) {
         return CuspRepair::None;
     }

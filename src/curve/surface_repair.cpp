@@ -75,9 +75,7 @@ class Repair {
             }
             progress_.check();
             any = true;
-            if (repair(t, 1) && !open()) {
-                continue;
-            }
+            repair(t, 1);
             if (open()) {
                 const auto [a, b] = edge_to_split(editor_.triangle(t).corners);
                 done_.splits += split_surface_edge(editor_, a, b, SurfaceEditor::Rule::Try) >= 0 ? 1 : 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/angle.h"
 #include "base/disjoint_sets.h"
 
 namespace mq::geometry {
@@ -13,8 +14,6 @@ namespace {
 
 constexpr double kMaxTurn = 0.5236;  // 30 degrees between the tangents of one piece
 constexpr int kMaxDepth = 14;
-// Vertices closer than this many grid steps would fall together or make triangles without a direction.
-constexpr double kMinSteps = 16.0;
 
 struct Interval {
     int edge;
@@ -23,17 +22,13 @@ struct Interval {
     int depth;
 };
 
-double turn(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 // Does the curve turn too much between the five equidistant samples of one interval?
 bool turns_too_much(const Answer* samples) {
     double worst = 0.0;
     for (int i = 0; i < 5; ++i) {
         for (int j = i + 1; j < 5; ++j) {
             if (samples[i].normal.squaredNorm() > 0.0 && samples[j].normal.squaredNorm() > 0.0) {
-                worst = std::max(worst, turn(samples[i].normal, samples[j].normal));
+                worst = std::max(worst, angle_between(samples[i].normal, samples[j].normal));
             }
         }
     }
@@ -84,7 +79,7 @@ void EdgeChains::sample(Session& session) {
                 (samples[4].point - samples[0].point).norm() + (samples[2].point - samples[0].point).norm();
             found[piece.edge][piece.from] = samples[0].point;
             found[piece.edge][piece.to] = samples[4].point;
-            if (piece.depth < kMaxDepth && chord > kMinSteps * grid_.resolution() && turns_too_much(samples)) {
+            if (piece.depth < kMaxDepth && chord > grid_.shortest_side() && turns_too_much(samples)) {
                 const double middle = 0.5 * (piece.from + piece.to);
                 next.push_back({piece.edge, piece.from, middle, piece.depth + 1});
                 next.push_back({piece.edge, middle, piece.to, piece.depth + 1});
@@ -107,7 +102,7 @@ void EdgeChains::collapse_short_edges(const Topology& topology) {
         for (std::size_t i = 1; i < points_[e].size(); ++i) {
             length += (points_[e][i] - points_[e][i - 1]).norm();
         }
-        double limit = kMinSteps * grid_.resolution();
+        double limit = grid_.shortest_side();
         if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1]) {
             // Nodes whose tolerance balls hold each other are one point to the modeler.
             limit = std::max(
@@ -165,7 +160,7 @@ std::set<int> EdgeChains::halve(Session& session, const std::set<Mark>& marks) {
         const auto [e, i] = order[k];
         EdgeChain& chain = chains_[e];
         const Vec3 point = grid_.snap(answers[k].point);
-        const double reach = kMinSteps * grid_.resolution();
+        const double reach = grid_.shortest_side();
         if (!answers[k].found() || chain.collapsed || answers[k].t <= chain.t[i] || answers[k].t >= chain.t[i + 1] ||
             (point - vertices_[chain.vertices[i]].point).norm() < reach ||
             (point - vertices_[chain.vertices[i + 1]].point).norm() < reach) {
@@ -189,7 +184,7 @@ void EdgeChains::resample(Session& session, int edge, const std::vector<double>&
         batch.push_back(Query::edge_point(edge, t));
     }
     const Engine::Answers answers = session.ask(std::move(batch));
-    const double reach = kMinSteps * grid_.resolution();
+    const double reach = grid_.shortest_side();
     EdgeChain fresh;
     fresh.t.push_back(chain.t.front());
     fresh.vertices.push_back(chain.vertices.front());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/angle.h"
 #include "base/predicates.h"
 #include "geometry/face_border.h"
 #include "geometry/turned_face.h"
@@ -32,7 +33,6 @@ constexpr double kMinPart = 1e-4;
 constexpr int kMaxLevel = 8;
 constexpr int kMaxRounds = 40;
 constexpr int kMaxSites = 40000;
-constexpr double kMinSteps = 16.0;  // as for edges: shorter sides have no direction on the grid
 
 class FaceMesher {
   public:
@@ -73,7 +73,7 @@ class FaceMesher {
     const Site& corner_site(int h) const { return site_at(tri_->corner(h)); }
     bool same_vertex(const Site& a, const Site& b) const { return a.vertex >= 0 && a.vertex == b.vertex; }
     int level(int planar_vertex) const { return level_[site_of_[planar_vertex]]; }
-    double reach() const { return kMinSteps * grid_.resolution(); }
+    double reach() const { return grid_.shortest_side(); }
 
     Session& session_;
     const EdgeChains& chains_;
@@ -378,7 +378,7 @@ int FaceMesher::side_to_split(int t, Fault fault) const {
         const int next = PlanarTriangulation::next(h);
         const Vec3& a = corner_site(h).normal;
         const Vec3& b = corner_site(next).normal;
-        turn[i] = std::atan2(a.cross(b).norm(), a.dot(b));
+        turn[i] = angle_between(a, b);
         length[i] = (tri_->point(tri_->corner(next)) - tri_->point(tri_->corner(h))).norm();
     }
     const int most = static_cast<int>(std::max_element(turn, turn + 3) - turn);

@@ -11,6 +11,7 @@
 #include "geometry/occt/shape_model.h"
 #include "mesh/io.h"
 #include "python/bindings.h"
+#include "python/dict_of.h"
 #include "python/engine.h"
 #include "python/part_shape.h"
 #include "python/watch.h"
@@ -94,15 +95,6 @@ CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape&
         engine.run([&] { mesh->report.cad_volume = geometry::solid_content(*part.shape); });
         return mesh;
     });
-}
-
-template <typename T>
-py::dict dict_of(const std::vector<std::pair<std::string, T>>& pairs) {
-    py::dict result;
-    for (const auto& [name, value] : pairs) {
-        result[py::str(name)] = value;
-    }
-    return result;
 }
 
 void bind_curve_report(py::module_& m) {

@@ -11,6 +11,7 @@
 #include "mesh/report.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
+#include "python/dict_of.h"
 #include "triangulate/triangulate.h"
 
 namespace py = pybind11;
@@ -70,14 +71,6 @@ SurfacePointer surface_from_arrays(
     return surface;
 }
 
-py::dict seconds_of(const MeshReport& report) {
-    py::dict seconds;
-    for (const auto& [stage, value] : report.seconds) {
-        seconds[py::str(stage)] = value;
-    }
-    return seconds;
-}
-
 std::vector<std::pair<std::string, std::size_t>> causes_of(const MeshReport& report) {
     std::vector<std::pair<std::string, std::size_t>> causes;
     for (const mesh::ExemptCause& cause : mesh::exempt_causes(report)) {
@@ -133,7 +126,8 @@ void bind_report(py::module_& m) {
                       "[(face, why its samples were joined in (u, v) instead of in space), ...]")
         .def_readonly("notes", &MeshReport::notes)
         .def_readonly("complete", &MeshReport::complete, "False when a limit ended the work early")
-        .def_property_readonly("seconds", &seconds_of, "{stage: wall-clock seconds}")
+        .def_property_readonly(
+            "seconds", [](const MeshReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")
         .def_readonly("cpu_seconds", &MeshReport::cpu_seconds)
         .def_readonly("queries", &MeshReport::queries, "queries to the geometry engine")
         .def_readonly("predicates", &MeshReport::predicates)

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "base/angle.h"
+
 namespace mq::triangulate {
 
 using mesh::SurfaceMesh;
@@ -11,7 +13,7 @@ double angle_at(const SurfaceMesh& mesh, int h) {
     const Vec3& o = mesh.point_of(h);
     const Vec3 a = mesh.point_of(SurfaceMesh::next(h)) - o;
     const Vec3 b = mesh.point_of(SurfaceMesh::prev(h)) - o;
-    return std::atan2(a.cross(b).norm(), a.dot(b));
+    return angle_between(a, b);
 }
 
 SmallestAngle smallest_angle(const SurfaceMesh& mesh, int triangle) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
+
 namespace mq::triangulate {
 
 namespace {
@@ -18,10 +20,6 @@ constexpr double kSummed = 0.5;
 constexpr int kMaxRounds = 24;
 // So much longer than the spacing a piece may become for the sake of a whole number of them.
 constexpr double kStretch = 0.25;
-
-double turn(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 }  // namespace
 
@@ -64,7 +62,7 @@ EdgeSampler::Knots EdgeSampler::evaluate(int edge, const std::vector<double>& pa
 void EdgeSampler::measure_spacing(int edge, Knots& knots) {
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
         const double length = (knots[i + 1].point - knots[i].point).norm();
-        const double angle = turn(knots[i].tangent, knots[i + 1].tangent);
+        const double angle = angle_between(knots[i].tangent, knots[i + 1].tangent);
         const double spacing = length > 0.0 ? spacing_for(angle / length, bounds_) : bounds_.most;
         knots[i].spacing = std::min(knots[i].spacing, spacing);
         knots[i + 1].spacing = std::min(knots[i + 1].spacing, spacing);

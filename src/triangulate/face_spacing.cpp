@@ -5,6 +5,8 @@
 #include <array>
 #include <string>
 
+#include "triangulate/uv_triangle.h"
+
 namespace mq::triangulate {
 
 namespace {
@@ -22,16 +24,11 @@ bool has_plain_curvature(const char* surface) {
     return std::find(kPlain.begin(), kPlain.end(), std::string(surface)) != kPlain.end();
 }
 
-// A triangle in (u, v) with the places of its corners in space.
+// A part of a coarse triangle.
 struct Cell {
     int face;
     int depth;
-    std::array<Vec2, 3> uv;
-    std::array<Vec3, 3> point;
-
-    double longest_side() const {
-        return std::max({(point[1] - point[0]).norm(), (point[2] - point[1]).norm(), (point[0] - point[2]).norm()});
-    }
+    UvTriangle triangle;
 };
 
 std::vector<Cell> coarse_cells(const geometry::Topology& topology, const geometry::InitialTriangulation& coarse) {
@@ -44,8 +41,8 @@ std::vector<Cell> coarse_cells(const geometry::Topology& topology, const geometr
         for (const auto& t : coarse.faces[f].triangles) {
             cells.push_back({f,
                              0,
-                             {sites[t[0]].uv, sites[t[1]].uv, sites[t[2]].uv},
-                             {sites[t[0]].point, sites[t[1]].point, sites[t[2]].point}});
+                             {{sites[t[0]].uv, sites[t[1]].uv, sites[t[2]].uv},
+                              {sites[t[0]].point, sites[t[1]].point, sites[t[2]].point}}});
         }
     }
     return cells;
@@ -55,7 +52,7 @@ std::vector<Cell> quarters(geometry::Session& session, const std::vector<Cell>& 
     Engine::Batch batch;
     for (const Cell& c : cells) {
         for (int i = 0; i < 3; ++i) {
-            const Vec2 uv = 0.5 * (c.uv[i] + c.uv[(i + 1) % 3]);
+            const Vec2 uv = c.triangle.middle(i);
             batch.push_back(Query::face_point(c.face, uv.x(), uv.y()));
         }
     }
@@ -67,17 +64,9 @@ std::vector<Cell> quarters(geometry::Session& session, const std::vector<Cell>& 
         if (!a[0].found() || !a[1].found() || !a[2].found()) {
             continue;
         }
-        Cell middle{c.face, c.depth + 1, {}, {a[0].point, a[1].point, a[2].point}};
-        for (int i = 0; i < 3; ++i) {
-            middle.uv[i] = 0.5 * (c.uv[i] + c.uv[(i + 1) % 3]);
+        for (const UvTriangle& quarter : c.triangle.quarters({a[0].point, a[1].point, a[2].point})) {
+            found.push_back({c.face, c.depth + 1, quarter});
         }
-        for (int i = 0; i < 3; ++i) {
-            found.push_back({c.face,
-                             c.depth + 1,
-                             {c.uv[i], middle.uv[i], middle.uv[(i + 2) % 3]},
-                             {c.point[i], middle.point[i], middle.point[(i + 2) % 3]}});
-        }
-        found.push_back(middle);
     }
     return found;
 }
@@ -91,7 +80,7 @@ void add_face_spacings(geometry::Session& session, const geometry::InitialTriang
         progress.check();
         Engine::Batch batch;
         for (const Cell& c : open) {
-            const Vec2 uv = (c.uv[0] + c.uv[1] + c.uv[2]) / 3.0;
+            const Vec2 uv = (c.triangle.uv[0] + c.triangle.uv[1] + c.triangle.uv[2]) / 3.0;
             batch.push_back(Query::face_curvatures(c.face, uv.x(), uv.y()));
         }
         const Engine::Answers answers = session.ask(std::move(batch));
@@ -102,7 +91,7 @@ void add_face_spacings(geometry::Session& session, const geometry::InitialTriang
             if (spacing < bounds.most) {
                 field.add(answers[k].point, spacing);
             }
-            const bool coarse_cell = open[k].longest_side() > kMeasured * spacing;
+            const bool coarse_cell = open[k].triangle.longest_side() > kMeasured * spacing;
             if (open[k].depth < kMostDepth && (open[k].depth < kLeastDepth || coarse_cell)) {
                 next.push_back(open[k]);
             }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/disjoint_sets.h"
 
 namespace mq::triangulate {
@@ -70,7 +71,7 @@ void FrontBorder::check_angles() {
         }
         const Vec3 in = border_.sites[before_[s][0]].point - border_.sites[s].point;
         const Vec3 out = border_.sites[after_[s][0]].point - border_.sites[s].point;
-        if (std::atan2(in.cross(out).norm(), in.dot(out)) < kCusp) {
+        if (angle_between(in, out) < kCusp) {
             failure_ = "two edges of its border meet at an angle of zero";
         }
     }

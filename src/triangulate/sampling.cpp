@@ -24,21 +24,19 @@ using Site = FaceTriangulation::Site;
 // Of the part's largest dimension, where no bound is asked for: the samples of flat faces, and the finest ones.
 constexpr double kMost = 0.1;
 constexpr double kLeast = 1e-3;
-constexpr double kFloorSteps = 16.0;
 // On a sphere the centre of an equilateral triangle lies r^2 / (6 R) below, the middles of its sides only r^2 / (8 R).
 constexpr double kCentre = 0.75;
-constexpr std::size_t kDefaultBudget = 5'000'000;
 // Every round halves the pieces that stand in some face's way, as in the initial triangulation.
 constexpr int kMaxRounds = 24;
 constexpr int kShapingRounds = 8;
 
-SpacingBounds bounds_of(const Options& options, double chord, double size, double resolution) {
+SpacingBounds bounds_of(const Options& options, double chord, double size, double shortest) {
     SpacingBounds bounds;
     bounds.chord = kCentre * chord;
     bounds.most = options.max_edge > 0.0 ? options.max_edge : kMost * size;
     // Where the spacing is no longer than the chord height, no curvature takes a triangle farther from the surface.
     const double least = chord > 0.0 ? chord : kLeast * size;
-    bounds.least = std::min(bounds.most, std::max({options.min_edge, kFloorSteps * resolution, least}));
+    bounds.least = std::min(bounds.most, std::max({options.min_edge, shortest, least}));
     return bounds;
 }
 
@@ -82,7 +80,7 @@ class PartSampler {
           grid_(grid),
           options_(options),
           progress_(progress),
-          bounds_(bounds_of(options, chord, session.topology().box.largest_side(), grid.resolution())),
+          bounds_(bounds_of(options, chord, session.topology().box.largest_side(), grid.shortest_side())),
           coarse_(std::move(coarse)),
           result_{{coarse_.chains, {}, coarse_.failures}, {}, true} {
         add_face_spacings(session_, coarse_, bounds_, field_, progress_);
@@ -176,12 +174,11 @@ void PartSampler::name_failures() {
 
 // Every sample brings two triangles.
 std::size_t PartSampler::room_for(int face) const {
-    const std::size_t budget = options_.max_triangles > 0 ? options_.max_triangles : kDefaultBudget;
     std::size_t others = 0;
     for (const auto& [f, count] : samples_) {
         others += f != face ? count : 0;
     }
-    return budget / 2 > others ? budget / 2 - others : 0;
+    return options_.budget() / 2 > others ? options_.budget() / 2 - others : 0;
 }
 
 std::vector<FaceSampler::Candidate> PartSampler::samples_of(const SamplingContext& context, int face,

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "triangulate/uv_triangle.h"
+
 namespace mq::triangulate {
 
 namespace {
@@ -24,16 +26,11 @@ constexpr int kMostDepth = 24;
 constexpr std::size_t kRound = 1024;
 constexpr std::size_t kBlock = 4096;
 
-// A triangle of the face in (u, v) with its corners in the local frame.
+// A part of the face with its corners in the local frame.
 struct Cell {
     int depth;
     double spacing;  // where the last dart in it or around it fell
-    std::array<Vec2, 3> uv;
-    std::array<Vec3, 3> point;
-
-    double longest_side() const {
-        return std::max({(point[1] - point[0]).norm(), (point[2] - point[1]).norm(), (point[0] - point[2]).norm()});
-    }
+    UvTriangle triangle;
 };
 
 class Sprinkler {
@@ -42,10 +39,10 @@ class Sprinkler {
               const geometry::FaceTriangulation& coarse, std::uint64_t seed)
         : sampler_(context, face, border, kClosest), random_(seed + static_cast<std::uint64_t>(face)) {
         for (const auto& t : coarse.triangles) {
-            Cell cell{0, context.bounds.most, {}, {}};
+            Cell cell{0, context.bounds.most, {}};
             for (int i = 0; i < 3; ++i) {
-                cell.uv[i] = coarse.sites[t[i]].uv;
-                cell.point[i] = coarse.sites[t[i]].point;
+                cell.triangle.uv[i] = coarse.sites[t[i]].uv;
+                cell.triangle.point[i] = coarse.sites[t[i]].point;
             }
             cells_.push_back(cell);
         }
@@ -93,8 +90,8 @@ void Sprinkler::throw_darts(std::size_t from, std::size_t to) {
             a = 1.0 - a;
             b = 1.0 - b;
         }
-        const Cell& c = cells_[i];
-        uvs.emplace_back(c.uv[0] + a * (c.uv[1] - c.uv[0]) + b * (c.uv[2] - c.uv[0]));
+        const std::array<Vec2, 3>& uv = cells_[i].triangle.uv;
+        uvs.emplace_back(uv[0] + a * (uv[1] - uv[0]) + b * (uv[2] - uv[0]));
     }
     const auto darts = sampler_.candidates(uvs);
     for (std::size_t i = 0; i < darts.size(); ++i) {
@@ -110,8 +107,8 @@ void Sprinkler::throw_darts(std::size_t from, std::size_t to) {
 }
 
 bool Sprinkler::covered(const Cell& cell) const {
-    return cell.longest_side() < kLeastCell * cell.spacing ||
-           sampler_.one_ball_covers(cell.point, kCovered * cell.spacing);
+    return cell.triangle.longest_side() < kLeastCell * cell.spacing ||
+           sampler_.one_ball_covers(cell.triangle.point, kCovered * cell.spacing);
 }
 
 void Sprinkler::quarter() {
@@ -121,7 +118,7 @@ void Sprinkler::quarter() {
         if (c.depth < kMostDepth && !covered(c)) {
             open.push_back(c);
             for (int i = 0; i < 3; ++i) {
-                const Vec2 uv = 0.5 * (c.uv[i] + c.uv[(i + 1) % 3]);
+                const Vec2 uv = c.triangle.middle(i);
                 batch.push_back(Query::face_point(sampler_.face(), uv.x(), uv.y()));
             }
         }
@@ -131,19 +128,13 @@ void Sprinkler::quarter() {
     cells_.clear();
     for (std::size_t k = 0; k < open.size(); ++k) {
         const Cell& c = open[k];
-        Cell middle{c.depth + 1, c.spacing, {}, {}};
+        std::array<Vec3, 3> middles;
         for (int i = 0; i < 3; ++i) {
-            middle.uv[i] = 0.5 * (c.uv[i] + c.uv[(i + 1) % 3]);
-            middle.point[i] = answers[3 * k + i].point - origin;
+            middles[i] = answers[3 * k + i].point - origin;
         }
-        for (int i = 0; i < 3; ++i) {
-            const int before = (i + 2) % 3;
-            cells_.push_back({c.depth + 1,
-                              c.spacing,
-                              {c.uv[i], middle.uv[i], middle.uv[before]},
-                              {c.point[i], middle.point[i], middle.point[before]}});
+        for (const UvTriangle& quarter : c.triangle.quarters(middles)) {
+            cells_.push_back({c.depth + 1, c.spacing, quarter});
         }
-        cells_.push_back(middle);
     }
     cells_.erase(std::remove_if(cells_.begin(), cells_.end(), [this](const Cell& c) { return covered(c); }),
                  cells_.end());

@@ -17,9 +17,6 @@ namespace mq::triangulate {
 
 namespace {
 
-constexpr std::size_t kDefaultBudget = 5'000'000;
-// Neighbours closer than this many grid steps make triangles whose angles are mostly rounding.
-constexpr double kFloorSteps = 16.0;
 constexpr int kMaxChordRounds = 12;
 
 // Of the whole work, for the progress.
@@ -188,9 +185,9 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
 
     Maxmin maxmin(surface);
     Workspace work{session, grid, surface, maxmin, watched};
-    work.floor = kFloorSteps * grid.resolution();
+    work.floor = grid.shortest_side();
     work.min_edge = options.min_edge;
-    work.budget = options.max_triangles > 0 ? options.max_triangles : kDefaultBudget;
+    work.budget = options.budget();
     std::vector<int> touched;
     separate_doubled_edges(work, touched);
     if (polished(options)) {

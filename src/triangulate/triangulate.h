@@ -49,6 +49,7 @@ struct Options {
     bool polish = true;      ///< swaps and rounds of Algorithms M and E follow, so that the bounds hold
     std::uint64_t seed = 0;  ///< of the Sprinkle method
 
+    std::size_t budget() const { return max_triangles > 0 ? max_triangles : 5'000'000; }
     /// @throws InvalidInput naming the option, its value and its range.
     void validate() const;
 };
