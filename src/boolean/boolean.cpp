@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -27,6 +28,13 @@ namespace {
 constexpr double kSingleUnit = std::numeric_limits<float>::epsilon();
 // Faces this near to each other, as a part of the size, are meant to lie in one plane.
 constexpr double kFlush = 8.0 * kSingleUnit;
+
+/// With two digits.
+std::string in_short(double length) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", length);
+    return text;
+}
 
 std::string operand_name(std::size_t index, std::size_t count) {
     return count <= 26 ? std::string("operand ") + static_cast<char>('A' + index)
@@ -108,7 +116,7 @@ class Run {
             length *= kMore;
         }
         const auto count = [](std::size_t n, const std::vector<std::int32_t>& list) { return n + list.size(); };
-        result_.notes.push_back("operands were moved by up to " + std::to_string(sum) + " mm at " +
+        result_.notes.push_back("operands were moved by up to " + in_short(sum) + " mm at " +
                                 std::to_string(std::accumulate(jolts_.begin(), jolts_.end(), std::size_t{0}, count)) +
                                 " triangles, where rounding left faults otherwise");
         return sum;
@@ -253,6 +261,10 @@ class Run {
             }
             result_.separated_vertices = done.moved;
             moved_ = done.largest + disturb();
+            if (along && done.moved > 0) {
+                result_.notes.push_back("surfaces that run along each other were put apart: slivers and gaps up to " +
+                                        in_short(2.0 * moved_) + " mm thin may be gone");
+            }
             undo_degenerate_moves(soup_, before);
         }
         if (moves || pairs.size() == many) {
@@ -414,10 +426,15 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Op
     }
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
-    if (auto result = Run(operands, operation, options, watched, operation == Operation::SymmetricDifference).run()) {
-        return std::move(*result);
+    const bool symmetric = operation == Operation::SymmetricDifference;
+    std::optional<BooleanResult> result = Run(operands, operation, options, watched, symmetric).run();
+    if (symmetric && (!result || result->faults_left > 0)) {
+        BooleanResult joined = join_differences(operands, options, watched);
+        if (!result || joined.faults_left < result->faults_left) {
+            return joined;
+        }
     }
-    return join_differences(operands, options, watched);
+    return std::move(*result);
 }
 
 }  // namespace mq::boolean

@@ -31,7 +31,9 @@ struct BooleanResult {
     /// Operand and triangle index there of each triangle that is an operand's own, bit for bit (turned around where the
     /// result has its outside within the operand); {-1, -1} for triangles made or changed here.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
-    /// No point of the result is farther from the exact result than this, mm.
+    /// mm. The result is the exact Boolean of operands whose surfaces were moved by no more than this, rounded within
+    /// it. Its surface and that of the exact result are nowhere farther from each other, in both directions, but for
+    /// slivers and gaps thinner than twice this, which may come or go: see separated_vertices.
     double error_bound = 0.0;
     std::size_t retained = 0;       ///< triangles that are an operand's own
     std::size_t reconstructed = 0;  ///< all others

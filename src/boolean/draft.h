@@ -24,7 +24,19 @@ struct Draft {
     std::vector<Source> source;      ///< of each triangle; operand -1 where it was made or changed here
     std::vector<std::int32_t> from;  ///< of each triangle: the soup's triangle of which it is a piece, or was
     std::map<std::int32_t, std::vector<Vec3>> places;  ///< of parted vertices: where else they may be
-    double largest_move = 0.0;                         ///< of a point from its exact place, mm
+    double largest_move = 0.0;                         ///< of the surface from its exact place, mm: two-sided
 };
+
+/// What stands for a triangle that has been removed, until remove_gone.
+constexpr Triangle kGone{-1, -1, -1};
+
+inline bool gone(const Triangle& t) {
+    return t[0] < 0;
+}
+
+void remove_gone(Draft& draft);
+
+/// Removes vertices that no triangle uses, and all other places.
+void remove_unused_vertices(Draft& draft);
 
 }  // namespace mq::boolean

@@ -73,10 +73,11 @@ PartingPlan plan_parting(const Extraction& extraction, double distance, double l
 }
 
 void move_copies(Draft& draft, const PartingPlan& plan, std::size_t variant) {
+    const double before = draft.largest_move;
     for (std::size_t i = 0; i < plan.copies.size(); ++i) {
         const auto v = static_cast<std::size_t>(plan.copies[i]);
         const Vec3& target = plan.variants[variant][i];
-        draft.largest_move = std::max(draft.largest_move, (target - draft.vertices[v]).norm());
+        draft.largest_move = std::max(draft.largest_move, before + (target - draft.vertices[v]).norm());
         draft.vertices[v] = target;
         draft.made[v] = kParted;
     }

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "base/disjoint_sets.h"
 #include "base/predicates.h"
+#include "boolean/flakes.h"
 #include "mesh/self_intersection.h"
 #include "mesh/triangle_contact.h"
 #include "mesh/triangle_tree.h"
@@ -21,14 +21,24 @@ namespace {
 
 using Faults = std::set<std::int32_t>;  // triangles
 
-constexpr Triangle kGone{-1, -1, -1};
-
-bool gone(const Triangle& t) {
-    return t[0] < 0;
-}
-
 bool has(const Triangle& t, std::int32_t v) {
     return t[0] == v || t[1] == v || t[2] == v;
+}
+
+/// The distance of the segments p-q and r-s (Ericson, Real-Time Collision Detection, section 5.1.9).
+double segment_distance(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+    const Vec3 u = q - p;
+    const Vec3 v = s - r;
+    const Vec3 w = p - r;
+    const double uu = u.dot(u);
+    const double vv = v.dot(v);
+    const double uv = u.dot(v);
+    const double determinant = uu * vv - uv * uv;
+    const auto part = [](double value, double of) { return of > 0.0 ? std::clamp(value / of, 0.0, 1.0) : 0.0; };
+    double along_u = part(uv * v.dot(w) - vv * u.dot(w), determinant);
+    const double along_v = part(uv * along_u + v.dot(w), vv);
+    along_u = part(uv * along_v - u.dot(w), uu);
+    return (w + along_u * u - along_v * v).norm();
 }
 
 /// The triangles that do not come unchanged from an operand, and those that touch their vertices.
@@ -59,6 +69,7 @@ class Repairer {
     }
 
     RepairCount count;
+    double largest_drift = 0.0;
 
     /// Works on the faults of one triangle; true when there are fewer afterwards.
     bool work_on(std::int32_t t) {
@@ -303,7 +314,7 @@ class Repairer {
         });
         if (done) {
             ++count.collapsed;
-            draft_.largest_move = std::max(draft_.largest_move, step);
+            drift(to, std::max(drift_[to], drift_[from] + step));
         }
         return done;
     }
@@ -353,7 +364,7 @@ class Repairer {
                 }
             }
         }
-        if (other < 0 || d == c || joined(c, d) || height(a, b, c, d) > distance_) {
+        if (other < 0 || d == c || joined(c, d) || segment_distance(at(a), at(b), at(c), at(d)) > distance_) {
             return false;
         }
         const bool done = attempt({t, other}, [&](Undo& taken) {
@@ -363,7 +374,15 @@ class Repairer {
             replace(other, {c, a, d});
             return true;
         });
-        count.flipped += done ? 1 : 0;
+        if (done) {
+            // Seen from where the two edges come nearest, either pair of triangles is four, each near one of the other.
+            const double step = segment_distance(at(a), at(b), at(c), at(d));
+            const double sum = step + std::max({drift_[a], drift_[b], drift_[c], drift_[d]});
+            for (const std::int32_t v : {a, b, c, d}) {
+                drift(v, sum);
+            }
+            ++count.flipped;
+        }
         return done;
     }
 
@@ -372,11 +391,10 @@ class Repairer {
         return std::any_of(list.begin(), list.end(), [&](std::int32_t t) { return has(triangle(t), b); });
     }
 
-    /// Of the lines a-b and c-d: what a swap moves the surface by.
-    double height(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) const {
-        const Vec3 n = (at(b) - at(a)).cross(at(d) - at(c));
-        const double size = n.norm();
-        return size > 0.0 ? std::abs(n.dot(at(c) - at(a))) / size : std::numeric_limits<double>::infinity();
+    /// The surface at a vertex has moved so far in all, mm.
+    void drift(std::int32_t v, double length) {
+        drift_[v] = length;
+        largest_drift = std::max(largest_drift, length);
     }
 
     bool move_some(std::int32_t t) {
@@ -417,7 +435,7 @@ class Repairer {
         });
         if (done) {
             ++count.moved;
-            draft_.largest_move = std::max(draft_.largest_move, (p - before).norm());
+            drift(v, drift_[v] + (p - before).norm());
         }
         return done;
     }
@@ -431,6 +449,7 @@ class Repairer {
     std::vector<Box> regions_;  ///< that the tree knows; none: all
     double size_ = 0.0;
     std::map<std::int32_t, std::vector<std::int32_t>> star_;  ///< of vertices looked at, as it is now
+    std::map<std::int32_t, double> drift_;                    ///< of vertices
     std::vector<char> changed_;                               ///< triangles that the tree no longer knows
     std::vector<std::int32_t> changed_list_;
 };
@@ -451,86 +470,6 @@ Faults find_faults(const Draft& draft, const std::vector<std::int32_t>& fresh, c
         }
     }
     return faults;
-}
-
-/// Marks as gone the components of some triangles that are flakes: thinner on average than `thinnest`.
-std::size_t remove_flakes(Draft& draft, const Faults& faults, double thinnest) {
-    DisjointSets<std::int32_t> components(draft.vertices.size());
-    for (const Triangle& c : draft.triangles) {
-        components.unite(c[0], c[1]);
-        components.unite(c[0], c[2]);
-    }
-    struct Size {
-        Vec3 origin;
-        double six_volumes = 0.0;
-        double two_areas = 0.0;
-    };
-    std::map<std::int32_t, Size> sizes;
-    for (const std::int32_t t : faults) {
-        const std::int32_t v = draft.triangles[static_cast<std::size_t>(t)][0];
-        sizes[components.find(v)].origin = draft.vertices[static_cast<std::size_t>(v)];
-    }
-    for (const Triangle& c : draft.triangles) {
-        const auto found = sizes.find(components.find(c[0]));
-        if (found != sizes.end()) {
-            const auto at = [&](std::size_t k) -> Vec3 {
-                return draft.vertices[static_cast<std::size_t>(c[k])] - found->second.origin;
-            };
-            found->second.six_volumes += at(0).dot(at(1).cross(at(2)));
-            found->second.two_areas += (at(1) - at(0)).cross(at(2) - at(0)).norm();
-        }
-    }
-    // A slab has its area twice: thickness = 2 volume / area = 2 / 3 (six volumes) / (two areas).
-    const auto thick = [&](const auto& entry) {
-        return 2.0 / 3.0 * std::abs(entry.second.six_volumes) > thinnest * entry.second.two_areas;
-    };
-    for (auto it = sizes.begin(); it != sizes.end();) {
-        it = thick(*it) ? sizes.erase(it) : std::next(it);
-    }
-    for (Triangle& c : draft.triangles) {
-        c = sizes.count(components.find(c[0])) > 0 ? kGone : c;
-    }
-    return sizes.size();
-}
-
-void remove_gone(Draft& draft) {
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
-        if (!gone(draft.triangles[t])) {
-            draft.triangles[kept] = draft.triangles[t];
-            draft.from[kept] = draft.from[t];
-            draft.source[kept++] = draft.source[t];
-        }
-    }
-    draft.triangles.resize(kept);
-    draft.source.resize(kept);
-    draft.from.resize(kept);
-}
-
-/// Vertices of collapsed edges and of flakes that were left out go too.
-void remove_unused_vertices(Draft& draft) {
-    std::vector<std::int32_t> index(draft.vertices.size(), -1);
-    for (const Triangle& t : draft.triangles) {
-        for (const std::int32_t v : t) {
-            index[static_cast<std::size_t>(v)] = 0;
-        }
-    }
-    std::size_t kept = 0;
-    for (std::size_t v = 0; v < index.size(); ++v) {
-        if (index[v] == 0) {
-            draft.vertices[kept] = draft.vertices[v];
-            draft.made[kept] = draft.made[v];
-            index[v] = static_cast<std::int32_t>(kept++);
-        }
-    }
-    draft.vertices.resize(kept);
-    draft.made.resize(kept);
-    draft.places.clear();
-    for (Triangle& t : draft.triangles) {
-        for (std::int32_t& v : t) {
-            v = index[static_cast<std::size_t>(v)];
-        }
-    }
 }
 
 }  // namespace
@@ -575,6 +514,7 @@ RepairCount repair(Draft& draft, double distance, const Progress& progress) {
             total.collapsed += repairer.count.collapsed;
             total.flipped += repairer.count.flipped;
             total.moved += repairer.count.moved;
+            draft.largest_move += repairer.largest_drift;
         }
         changed = total.collapsed + total.flipped + total.moved > before;
         remove_gone(draft);
