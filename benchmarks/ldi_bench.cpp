@@ -12,7 +12,7 @@
 #include "mesh/io.h"
 #include "mesh/report.h"
 #include "mesh/self_intersection.h"
-#include "mesh/triangle_tree.h"
+#include "mesh/surface_distance.h"
 
 /// The uniform scheme on two binary PLY files:   ldi_bench A.ply B.ply OPERATION [-r RAYS]... [-o OUT] [-e EXACT.ply]
 /// prints for each resolution the seconds of each stage, what was retained and reconstructed, what a check of the
@@ -63,35 +63,6 @@ mesh::TriangleMesh read_ply(const std::string& path) {
         throw IoError(path + ": not a binary PLY file of triangles");
     }
     return mesh;
-}
-
-struct Deviation {
-    double mean = 0.0, largest = 0.0;
-    Vec3 where = Vec3::Zero();
-};
-
-/// Mean and largest distance of a surface's centroids and vertices from another, weighted by area.
-Deviation deviation(const mesh::TriangleMesh& from, const mesh::TriangleMesh& to) {
-    const mesh::TriangleTree tree(to.vertices, to.triangles);
-    Deviation result;
-    double area = 0.0;
-    for (const mesh::Triangle& t : from.triangles) {
-        const Vec3 a = from.vertices[t[0]], b = from.vertices[t[1]], c = from.vertices[t[2]];
-        const double weight = (b - a).cross(c - a).norm();
-        double sum = 0.0;
-        for (const Vec3& p : {a, b, c, Vec3((a + b + c) / 3.0)}) {
-            const double d = tree.nearest(p).distance;
-            sum += 0.25 * d;
-            if (d > result.largest) {
-                result.largest = d;
-                result.where = p;
-            }
-        }
-        result.mean += weight * sum;
-        area += weight;
-    }
-    result.mean /= area > 0.0 ? area : 1.0;
-    return result;
 }
 
 void print(const boolean::UniformResult& r, int resolution, double wall, double cpu) {
@@ -164,7 +135,8 @@ int main(int argc, char** argv) {
                     box.add(p);
                 }
                 const double per_cent = 100.0 / (box.high - box.low).norm();
-                const Deviation to = deviation(r.mesh, reference), from = deviation(reference, r.mesh);
+                const mesh::SurfaceDistance to = mesh::surface_distance(r.mesh, reference, Progress());
+                const mesh::SurfaceDistance from = mesh::surface_distance(reference, r.mesh, Progress());
                 std::printf("   error %%: mean %.3g max %.3g, back mean %.3g max %.3g; bound %.3g\n",
                             to.mean * per_cent, to.largest * per_cent, from.mean * per_cent, from.largest * per_cent,
                             r.error_bound * per_cent);

@@ -15,6 +15,7 @@
 #include "boolean/verification.h"
 #include "geometry/occt/shape_model.h"
 #include "mesh/report.h"
+#include "mesh/surface_distance.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/engine.h"
@@ -235,6 +236,12 @@ py::dict verify_surface(const Surface& surface, const py::object& progress) {
     return faults;
 }
 
+py::tuple surface_distance(const Surface& from, const Surface& to, const py::object& progress) {
+    const mesh::SurfaceDistance distance =
+        watch(progress, [&](Progress& handle) { return mesh::surface_distance(from.mesh, to.mesh, handle); });
+    return py::make_tuple(distance.mean, distance.largest);
+}
+
 std::string to_text(const BooleanReport& report) {
     std::string text = mesh::to_text(report);
     const auto number = [](double value) {
@@ -302,6 +309,8 @@ void bind_boolean(py::module_& m) {
           "None), ...]; returns a BooleanSurface.");
     m.def("verify", &verify_surface, py::arg("surface"), py::arg("progress") = py::none(),
           "{kind of fault: how many} of a Surface, found exactly; contacts are counted up to 1000.");
+    m.def("surface_distance", &surface_distance, py::arg("start"), py::arg("target"), py::arg("progress") = py::none(),
+          "Mean and largest distance of the corners and centres of a Surface's triangles from another Surface, mm.");
 }
 
 }  // namespace mq::python
