@@ -26,9 +26,9 @@ def read_off(path):
     import numpy as np
 
     words = Path(path).read_text(encoding="ascii").split()
-    count, faces = int(words[1]), int(words[2])
+    count = int(words[1])
     vertices = np.array(words[4:4 + 3 * count], dtype=float).reshape(-1, 3)
-    corners = np.array(words[4 + 3 * count:], dtype=np.int64).reshape(faces, -1)
+    corners = np.array(words[4 + 3 * count:], dtype=np.int64).reshape(-1, 4)
     return vertices, corners[:, 1:4].astype(np.int32)
 
 
