@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Inventor/nodes/SoSeparator.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "python/bindings.h"
+#include "view/quality_scene.h"
+
+namespace py = pybind11;
+
+namespace mq::python {
+
+namespace {
+
+using view::Colour;
+using view::QualityScene;
+
+template <typename Number>
+using Array = py::array_t<Number, py::array::c_style | py::array::forcecast>;
+
+/// The number of rows of an array of shape (n, ...) with so many numbers a row.
+std::size_t rows(const py::array& array, py::ssize_t width, const char* name) {
+    if (array.size() % width != 0) {
+        throw InvalidInput(std::string(name) + " must have " + std::to_string(width) + " numbers a row");
+    }
+    return static_cast<std::size_t>(array.size() / width);
+}
+
+std::vector<Colour> colours_of(const Array<std::uint8_t>& array) {
+    std::vector<Colour> colours(rows(array, 4, "colours"));
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+        std::copy_n(array.data() + 4 * i, 4, colours[i].begin());
+    }
+    return colours;
+}
+
+/// pivy finds nodes of this process by their names.
+std::string give_name(QualityScene& scene) {
+    static int count = 0;
+    const std::string name = "MeshQualityScene" + std::to_string(++count);
+    scene.root()->setName(name.c_str());
+    return name;
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_view, m) {
+    m.doc() = "What MeshQuality draws in FreeCAD's 3D view, by Coin.";
+    bind_errors(m);
+    py::class_<QualityScene>(m, "QualityScene", "A coloured mesh with edges, lit triangles and a legend.")
+        .def(py::init<>())
+        .def("give_name", &give_name, "A new name under which coin.SoNode.getByName finds the root node.")
+        .def_property_readonly("triangles", &QualityScene::triangles)
+        .def(
+            "show",
+            [](QualityScene& scene, const Array<float>& corners) {
+                scene.show(corners.data(), rows(corners, 9, "corners"));
+            },
+            py::arg("corners"), "Takes triangles as float32 (T, 3, 3).")
+        .def(
+            "colour",
+            [](QualityScene& scene, const Array<std::uint8_t>& colours) { scene.colour(colours_of(colours)); },
+            py::arg("colours"), "uint8 (T, 4): red, green, blue, opacity of each triangle.")
+        .def(
+            "draw_edges",
+            [](QualityScene& scene, const Array<float>& points, const Array<std::int32_t>& lines) {
+                scene.draw_edges(points.data(), rows(points, 3, "points"),
+                                 std::vector<std::int32_t>(lines.data(), lines.data() + lines.size()));
+            },
+            py::arg("points"), py::arg("lines"), "float32 (P, 3), and runs of point indices, each ended by -1.")
+        .def(
+            "light_up",
+            [](QualityScene& scene, const Array<float>& corners) {
+                scene.light_up(corners.data(), rows(corners, 9, "corners"));
+            },
+            py::arg("corners"), "Lights up triangles, float32 (n, 3, 3), instead of those before.")
+        .def(
+            "legend",
+            [](QualityScene& scene, const std::string& title, const Array<std::uint8_t>& colours,
+               const std::vector<std::string>& labels) { scene.legend(title, colours_of(colours), labels); },
+            py::arg("title"), py::arg("colours"), py::arg("labels"), "Colours from bottom to top; none: no legend.");
+}
+
+}  // namespace mq::python

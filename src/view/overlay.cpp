@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "view/overlay.h"
+
+#include <Inventor/actions/SoGLRenderAction.h>
+
+namespace mq::view {
+
+SO_NODE_SOURCE(Overlay);
+
+void Overlay::initClass() {
+    if (getClassTypeId() == SoType::badType()) {
+        SO_NODE_INIT_CLASS(Overlay, SoSeparator, "Separator");
+    }
+}
+
+Overlay::Overlay() {
+    SO_NODE_CONSTRUCTOR(Overlay);
+}
+
+void Overlay::GLRenderBelowPath(SoGLRenderAction* action) {
+    if (action->isRenderingDelayedPaths()) {
+        SoSeparator::GLRenderBelowPath(action);
+    } else {
+        action->addDelayedPath(action->getCurPath()->copy());
+    }
+}
+
+}  // namespace mq::view

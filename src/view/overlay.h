@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Inventor/nodes/SoSeparator.h>
+
+namespace mq::view {
+
+/// A part of the scene that lies on the window rather than in space: it is drawn last, is not in the way of picking,
+/// and "fit all" does not see it.
+class Overlay : public SoSeparator {
+    SO_NODE_HEADER(Overlay);
+
+  public:
+    /// Makes the class known to Coin; any number of calls.
+    static void initClass();
+    Overlay();
+
+    void GLRenderBelowPath(SoGLRenderAction* action) override;
+    void getBoundingBox(SoGetBoundingBoxAction*) override {}
+    void rayPick(SoRayPickAction*) override {}
+
+  protected:
+    ~Overlay() override = default;
+};
+
+}  // namespace mq::view
