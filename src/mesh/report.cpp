@@ -10,48 +10,13 @@
 #include "base/predicates.h"
 #include "mesh/edge_table.h"
 #include "mesh/exemptions.h"
+#include "mesh/triangle_shape.h"
 
 namespace mq::mesh {
 
 namespace {
 
-constexpr double kDegrees = 57.295779513082320876798;
-
 using Sets = DisjointSets<std::uint32_t>;
-
-struct Shape {
-    double min_angle = 0.0;
-    double max_angle = 0.0;
-    double aspect = 0.0;
-    bool degenerate = false;
-};
-
-/// The cross product is taken between the two shortest sides, where it loses least in a sliver.
-Shape shape_of(const std::array<Vec3, 3>& p, double& twice_area) {
-    const std::array<Vec3, 3> side{p[2] - p[1], p[0] - p[2], p[1] - p[0]};
-    const std::array<double, 3> length{side[0].norm(), side[1].norm(), side[2].norm()};
-    const int longest = static_cast<int>(std::max_element(length.begin(), length.end()) - length.begin());
-    const double shortest = std::min({length[0], length[1], length[2]});
-    twice_area = side[(longest + 1) % 3].cross(side[(longest + 2) % 3]).norm();
-
-    Shape shape;
-    shape.aspect = shortest > 0.0 ? length[longest] / shortest : HUGE_VAL;
-    const double scale = length[(longest + 1) % 3] * length[(longest + 2) % 3];
-    shape.degenerate = shortest == 0.0 || (twice_area <= 1e-10 * scale && collinear(p[0], p[1], p[2]));
-    if (shape.degenerate) {
-        twice_area = 0.0;
-        shape.max_angle = 180.0;
-        return shape;
-    }
-    std::array<double, 3> angle;
-    for (int i = 0; i < 3; ++i) {
-        angle[i] = kDegrees * std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3]));
-    }
-    const auto [low, high] = std::minmax_element(angle.begin(), angle.end());
-    shape.min_angle = *low;
-    shape.max_angle = *high;
-    return shape;
-}
 
 void measure_shapes(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
     Pace pace(progress);
@@ -59,9 +24,8 @@ void measure_shapes(const TriangleMesh& mesh, MeshReport& report, const Progress
     double sum = 0.0;
     double area = 0.0;
     for (const Triangle& t : mesh.triangles) {
-        double twice_area = 0.0;
         pace.step();
-        const Shape shape = shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, twice_area);
+        const TriangleShape shape = shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
         report.degenerate_triangles += shape.degenerate;
         report.min_angle = std::min(report.min_angle, shape.min_angle);
         report.max_angle = std::max(report.max_angle, shape.max_angle);
@@ -69,7 +33,7 @@ void measure_shapes(const TriangleMesh& mesh, MeshReport& report, const Progress
         const std::size_t bin = std::min(static_cast<std::size_t>(shape.min_angle), report.angle_histogram.size() - 1);
         ++report.angle_histogram[bin];
         sum += shape.min_angle;
-        area += 0.5 * twice_area;
+        area += shape.area;
     }
     report.mean_min_angle = mesh.triangles.empty() ? 0.0 : sum / static_cast<double>(mesh.triangles.size());
     report.area = area;

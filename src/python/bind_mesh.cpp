@@ -9,6 +9,7 @@
 #include "mesh/exemptions.h"
 #include "mesh/io.h"
 #include "mesh/report.h"
+#include "mesh/triangle_shape.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"
@@ -69,6 +70,25 @@ SurfacePointer surface_from_arrays(
         surface->report = mesh::measure(mesh);
     }
     return surface;
+}
+
+/// float64 (T,) each: smallest angles in degrees, and longest edges / shortest edges.
+py::tuple triangle_shapes(const Surface& surface) {
+    const TriangleMesh& mesh = surface.mesh;
+    const auto count = static_cast<py::ssize_t>(mesh.triangles.size());
+    py::array_t<double> angles(count), aspects(count);
+    double* angle = angles.mutable_data();
+    double* aspect = aspects.mutable_data();
+    {
+        const py::gil_scoped_release release;
+        for (const mesh::Triangle& t : mesh.triangles) {
+            const mesh::TriangleShape shape =
+                mesh::shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+            *angle++ = shape.min_angle;
+            *aspect++ = shape.aspect;
+        }
+    }
+    return py::make_tuple(angles, aspects);
 }
 
 std::vector<std::pair<std::string, std::size_t>> causes_of(const MeshReport& report) {
@@ -167,6 +187,8 @@ void bind_mesh(py::module_& m) {
             "write", [](const Surface& self, const std::string& path) { mesh::write(self.mesh, path); },
             py::arg("path"), py::call_guard<py::gil_scoped_release>())
         .def("to_bms", [](const Surface& self) { return py::bytes(mesh::to_bms(self.mesh)); });
+    m.def("triangle_shapes", &triangle_shapes, py::arg("surface"),
+          "float64 (T,) each: the smallest angle of each triangle in degrees, and its longest edge / shortest edge.");
     m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
           py::arg("triangle_face") = py::array_t<std::int32_t>(0), py::arg("measured") = true,
           "A Surface of arrays (V, 3) and (T, 3).");

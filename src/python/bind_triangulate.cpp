@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/numpy.h>
+
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -52,9 +54,18 @@ mesh::MeshReport measure_against(const Result& surface, const PartShape& part, c
         mesh::MeshReport report = surface.report;
         handle.stage("measuring the distance", 0.0, 1.0);
         report.max_chord_height =
-            geometry::largest_distance_to_faces(*part.shape, mesh::deviation_samples(surface.mesh), &handle);
+            geometry::largest_distance_to_faces(*part.shape, mesh::deviation_samples(surface.mesh).points, &handle);
         return report;
     });
+}
+
+py::array_t<double> triangle_deviations(const Result& surface, const PartShape& part, const py::object& progress) {
+    const std::vector<double> found = watch(progress, [&](Progress& handle) {
+        handle.stage("measuring the distance", 0.0, 1.0);
+        const mesh::DeviationSamples samples = mesh::deviation_samples(surface.mesh);
+        return samples.largest(geometry::distances_to_faces(*part.shape, samples.points, &handle));
+    });
+    return py::array_t<double>(static_cast<py::ssize_t>(found.size()), found.data());
 }
 
 template <typename Value>
@@ -119,6 +130,10 @@ void bind_triangulate(py::module_& m) {
           "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel.");
     m.def("measure_against", &measure_against, py::arg("surface"), py::arg("shape"), py::arg("progress") = py::none(),
           "The surface's report with its largest distance to the faces of a Part.Shape.");
+    m.def("triangle_deviations", &triangle_deviations, py::arg("surface"), py::arg("shape"),
+          py::arg("progress") = py::none(),
+          "float64 (T,): the largest distance of each triangle's corners, edge middles and centroid from the faces of "
+          "a Part.Shape, mm.");
     m.def("shape_identity", &shape_identity, py::arg("shape"), py::arg("copy") = false,
           "(address of the TShape, hash) of a Part.Shape as the core sees it; copy=True: of its copy by BREP text.");
 }

@@ -105,7 +105,7 @@ double nearest(std::vector<std::unique_ptr<FaceDistance>>& faces, const Vec3& po
 
 }  // namespace
 
-double largest_distance_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points, Progress* progress) {
+std::vector<double> distances_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points, Progress* progress) {
     try {
         TopTools_IndexedMapOfShape map;
         TopExp::MapShapes(shape, TopAbs_FACE, map);
@@ -116,7 +116,7 @@ double largest_distance_to_faces(const TopoDS_Shape& shape, const std::vector<Ve
         if (faces.empty()) {
             throw InvalidInput("the shape to measure against has no faces");
         }
-        double largest = 0.0;
+        std::vector<double> distances(points.size());
         std::size_t start = 0;
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -124,12 +124,17 @@ double largest_distance_to_faces(const TopoDS_Shape& shape, const std::vector<Ve
                 progress->check();
                 progress->advance(static_cast<double>(i) / static_cast<double>(points.size()));
             }
-            largest = std::max(largest, nearest(faces, points[i], start, order));
+            distances[i] = nearest(faces, points[i], start, order);
         }
-        return largest;
+        return distances;
     } catch (const Standard_Failure& failure) {
         throw GeometryError(std::string("the distance to the shape cannot be measured: ") + failure.GetMessageString());
     }
+}
+
+double largest_distance_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points, Progress* progress) {
+    const std::vector<double> distances = distances_to_faces(shape, points, progress);
+    return distances.empty() ? 0.0 : *std::max_element(distances.begin(), distances.end());
 }
 
 }  // namespace mq::geometry

@@ -10,9 +10,12 @@ class TopoDS_Shape;
 
 namespace mq::geometry {
 
-/// The largest distance of any of the points from the shape's trimmed faces, mm. A point inside a solid is not at
+/// The distance of each point from the shape's trimmed faces, mm. A point inside a solid is not at
 /// distance 0. Independent of the model and its queries, so that it can check what they led to. The shape is only read.
 /// @throws GeometryError when a face cannot be measured against; Cancelled.
+std::vector<double> distances_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points,
+                                       Progress* progress = nullptr);
+/// The largest of them; 0 for no points.
 double largest_distance_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points,
                                  Progress* progress = nullptr);
 

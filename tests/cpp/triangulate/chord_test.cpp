@@ -113,7 +113,7 @@ TEST(Chord, HoldsOnShapes) {
         expect_sound(result, 2, true);
         expect_angles(result, options.min_angle);
         EXPECT_LE(result.report.max_chord_height, 0.02 + 1e-6);
-        EXPECT_LE(geometry::largest_distance_to_faces(shape, mesh::deviation_samples(result.mesh)), 0.02 + 1e-6);
+        EXPECT_LE(geometry::largest_distance_to_faces(shape, mesh::deviation_samples(result.mesh).points), 0.02 + 1e-6);
     }
 }
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/triangle_shape.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/predicates.h"
+
+namespace mq::mesh {
+
+namespace {
+
+constexpr double kDegrees = 57.295779513082320876798;
+
+}  // namespace
+
+// The cross product is taken between the two shortest sides, where it loses least in a sliver.
+TriangleShape shape_of(const std::array<Vec3, 3>& p) {
+    const std::array<Vec3, 3> side{p[2] - p[1], p[0] - p[2], p[1] - p[0]};
+    const std::array<double, 3> length{side[0].norm(), side[1].norm(), side[2].norm()};
+    const int longest = static_cast<int>(std::max_element(length.begin(), length.end()) - length.begin());
+    const double shortest = std::min({length[0], length[1], length[2]});
+    const double twice_area = side[(longest + 1) % 3].cross(side[(longest + 2) % 3]).norm();
+
+    TriangleShape shape;
+    shape.aspect = shortest > 0.0 ? length[longest] / shortest : HUGE_VAL;
+    const double scale = length[(longest + 1) % 3] * length[(longest + 2) % 3];
+    shape.degenerate = shortest == 0.0 || (twice_area <= 1e-10 * scale && collinear(p[0], p[1], p[2]));
+    if (shape.degenerate) {
+        shape.max_angle = 180.0;
+        return shape;
+    }
+    shape.area = 0.5 * twice_area;
+    std::array<double, 3> angle;
+    for (int i = 0; i < 3; ++i) {
+        angle[i] = kDegrees * std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3]));
+    }
+    const auto [low, high] = std::minmax_element(angle.begin(), angle.end());
+    shape.min_angle = *low;
+    shape.max_angle = *high;
+    return shape;
+}
+
+}  // namespace mq::mesh

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+
+#include "base/vec.h"
+
+namespace mq::mesh {
+
+/// How good a triangle is by itself. Angles in degrees.
+struct TriangleShape {
+    double min_angle = 0.0;
+    double max_angle = 0.0;
+    double aspect = 0.0;      ///< longest edge / shortest edge; infinite for an edge without length
+    double area = 0.0;        ///< mm^2; 0 when degenerate
+    bool degenerate = false;  ///< two equal corners, or corners on one line
+};
+
+TriangleShape shape_of(const std::array<Vec3, 3>& corners);
+
+}  // namespace mq::mesh
