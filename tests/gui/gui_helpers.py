@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 
 PICTURES = os.environ.get("MESHQUALITY_GUI_PICTURES", ".")
 WIDTH, HEIGHT = 700, 500
+LIMIT = 60  # seconds for what a test waits for
 
 
 def wait(seconds=0.05):
@@ -27,6 +28,13 @@ class GuiTest(helpers.DocumentTest):
         super().setUp()
         wait()
         self.view = FreeCADGui.getDocument(self.document.Name).activeView()
+
+    def until(self, condition):
+        """Lets the event loop run until a condition holds."""
+        end = time.monotonic() + LIMIT
+        while not condition() and time.monotonic() < end:
+            wait(0.02)
+        self.assertTrue(condition())
 
     def picture(self, name, folder=PICTURES):
         """Saves what the 3D view shows as <name>.png; returns it as (height, width, 3) numbers."""

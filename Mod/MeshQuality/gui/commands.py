@@ -6,6 +6,7 @@ import FreeCADGui
 from .. import convert, options
 from ..api import triangulate
 from ..features import boolean, curved_mesh, quality_mesh
+from . import quality_panel
 from .mesh_panel import MeshPanel, Operation
 
 
@@ -96,6 +97,19 @@ class Boolean(_Command):
             lambda values: f"mq.add_boolean([{names}]{_arguments(options.BOOLEAN, values)})")]
 
 
+class Analyse(_Command):
+    NAME = "MeshQuality_Analyse"
+    TEXT = "Analyse quality"
+    TIP = "Colour the selected mesh by its quality and find its worst elements"
+
+    def Activated(self):
+        quality_panel.open_panel(self.selected()[0])
+
+    def selected(self):
+        found = FreeCADGui.Selection.getSelection()
+        return found if len(found) == 1 and found[0].isDerivedFrom("Mesh::Feature") else []
+
+
 def _name(obj):
     """The object, in Python."""
     return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
@@ -115,7 +129,7 @@ def _has_shape(obj):
 
 def register():
     """Registers all commands with FreeCAD; returns their names in menu order."""
-    commands = [Triangulate, Curve, Boolean]
+    commands = [Triangulate, Curve, Boolean, Analyse]
     for command in commands:
         FreeCADGui.addCommand(command.NAME, command())
     return [command.NAME for command in commands]

@@ -12,12 +12,10 @@ from pivy import coin
 from ..compat import PlainState
 from ..curved_mesh import CurvedMesh
 from ..errors import Error
+from .colour_scale import colours_of
 
 MODE = "Curved"
 PLAIN, JACOBIAN = "Nothing", "Scaled Jacobian"
-# Red at 0 and below, where elements are invalid; yellow; green; blue at 1, as good as straight.
-_SCALE = np.array([[0.0, 0.85, 0.1, 0.1], [0.3, 0.95, 0.85, 0.1], [0.6, 0.2, 0.75, 0.3],
-                   [1.0, 0.2, 0.4, 0.9]])
 
 
 class CurvedMeshScene:
@@ -89,12 +87,6 @@ def _fill(field, values):
 def _runs(rows):
     """Rows of indices, each followed by -1."""
     return np.column_stack((rows, np.full(len(rows), -1))).ravel()
-
-
-def colours_of(quality):
-    """float (n, 3): the colours of scaled Jacobians."""
-    quality = np.clip(quality, 0.0, 1.0)
-    return np.column_stack([np.interp(quality, _SCALE[:, 0], _SCALE[:, k]) for k in (1, 2, 3)])
 
 
 class CurvedMeshView(PlainState):

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The numbers behind the quality view: what is measured, element by element. No windows here."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+
+from .. import convert
+from ..compat import core
+from ..curved_mesh import CurvedMesh
+from ..errors import InvalidInput
+from ..features import mesh_object
+
+_EXEMPT = re.compile(r"triangle (\d+): (.*)", re.DOTALL)
+BARS = 40
+
+
+@dataclass(frozen=True)
+class Measure:
+    """What can be shown of each element.
+
+    title    for people
+    unit     after a number, with a blank where one is wanted
+    bad      the number that is shown red, or None: the worst one found
+    good     the number that is shown blue
+    values   values(data, progress) -> float64 (elements,); any thread may call it
+    """
+
+    title: str
+    unit: str
+    bad: Optional[float]
+    good: float
+    values: Callable
+
+    @property
+    def low_is_bad(self):
+        """Whether small numbers are the bad ones."""
+        return self.bad is not None and self.bad < self.good
+
+    def text(self, number):
+        """A number with its unit."""
+        return f"{number:.4g}{self.unit}"
+
+    def range(self, values):
+        """(bad, good) numbers of the colour scale for these values."""
+        if self.bad is not None:
+            return self.bad, self.good
+        finite = values[np.isfinite(values)]
+        worst = float(finite.max()) if len(finite) else self.good
+        return max(worst, self.good + 1e-12), self.good
+
+    def goodness(self, values):
+        """float64: 0 where bad, 1 where good."""
+        bad, good = self.range(values)
+        return np.clip((values - bad) / (good - bad), 0.0, 1.0)
+
+    def order(self, values):
+        """Indices of the elements, the worst first; the lower index where they are alike."""
+        return np.argsort(values if self.low_is_bad else -values, kind="stable")
+
+
+MIN_ANGLE = Measure("Smallest angle", "°", 0.0, 60.0, lambda data, _: data.shapes()[0])
+ASPECT = Measure("Longest edge / shortest edge", "", 10.0, 1.0, lambda data, _: data.shapes()[1])
+DISTANCE = Measure("Distance to the shape", " mm", None, 0.0,
+                   lambda data, progress: data.distances(progress))
+JACOBIAN = Measure("Scaled Jacobian", "", 0.0, 1.0, lambda data, _: data.jacobians)
+
+
+@dataclass(frozen=True)
+class Histogram:
+    """How many elements lie in each of BARS equal parts from `low` to `high`; those beyond are in
+    the first and the last bar.
+    """
+
+    low: float
+    high: float
+    bar: np.ndarray  # of each element
+    counts: np.ndarray
+
+    @classmethod
+    def of(cls, values, measure):
+        bad, good = measure.range(values)
+        low, high = min(bad, good), max(bad, good)
+        part = (np.nan_to_num(values, nan=low, posinf=high, neginf=low) - low) / (high - low)
+        bar = np.clip((part * BARS).astype(int), 0, BARS - 1)
+        return cls(low, high, bar, np.bincount(bar, minlength=BARS))
+
+    def edges(self):
+        """The BARS + 1 numbers between which the bars lie."""
+        return np.linspace(self.low, self.high, BARS + 1)
+
+
+@dataclass(frozen=True)
+class FaceRow:
+    """One CAD face: its index, how many elements lie on it, their worst and mean value."""
+
+    face: int
+    elements: int
+    worst: float
+    mean: float
+
+
+class QualityData:
+    """The elements of a mesh object, taken from it once; later changes of the object do not show.
+
+    corners   float32 (T, 3, 3): the triangles that are drawn, in the document's frame
+    element   int (T,): the element that each of them is a part of
+    face      int (E,): the CAD face of each element, -1 where there is none
+    lines     (float32 (P, 3), int32 runs ended by -1): the elements' edges
+    measures  those that make sense here
+    jacobians float64 (E,) of curved elements
+    """
+
+    def __init__(self, obj):
+        self.kind = "triangle"
+        self._shape = None
+        source = getattr(obj, "Source", None)
+        if source is not None:
+            self._shape = convert.shape_of(source)
+        if getattr(obj, "ElementsOrder", 0):
+            self._take_curved(obj)
+        else:
+            self._take_flat(obj)
+        if not len(self.corners):
+            raise InvalidInput(f"{obj.Label} has no triangles")
+        self._why = dict(self._reasons(obj))
+
+    def _take_flat(self, obj):
+        vertices, triangles = convert.arrays_of_mesh(obj)
+        self._surface = convert.surface_of_arrays(core(), vertices, triangles, measured=False)
+        self.corners = vertices[triangles].astype(np.float32)
+        self.element = np.arange(len(triangles))
+        face = mesh_object.faces_of_runs(getattr(obj, "FaceRuns", []))
+        known = len(face) == len(triangles)
+        self.face = face if known else np.full(len(triangles), -1)
+        self.lines = vertices.astype(np.float32), runs_of_edges(triangles)
+        self.measures = [MIN_ANGLE, ASPECT] + ([DISTANCE] if self._shape is not None else [])
+        self._shapes = None
+
+    def _take_curved(self, obj):
+        curved = CurvedMesh.of(obj)
+        shown = curved.tessellate(obj.ShownDeviation.Value)
+        surface = shown.surface()
+        self.corners = np.asarray(surface.vertices)[surface.triangles].astype(np.float32)
+        self.element = np.array(shown.element)
+        self.face = np.array(curved.triangle_face)
+        self.lines = (np.asarray(surface.vertices).astype(np.float32),
+                      np.array(shown.edge_lines, dtype=np.int32))
+        self.jacobians = np.array(curved.shown_quality)
+        self.measures = [JACOBIAN]
+        self.kind = "curved element"
+
+    @property
+    def elements(self):
+        """How many there are."""
+        return len(self.face)
+
+    def shapes(self):
+        """(smallest angles, aspects) of the triangles."""
+        if self._shapes is None:
+            self._shapes = core().triangle_shapes(self._surface)
+        return self._shapes
+
+    def distances(self, progress=None):
+        """The largest distance of each triangle from the shape that was meshed, mm."""
+        return core().triangle_deviations(self._surface, self._shape, progress)
+
+    def faces(self, values, measure):
+        """A FaceRow for each CAD face, the worst first."""
+        order = np.argsort(self.face, kind="stable")
+        faces, starts, counts = np.unique(self.face[order], return_index=True, return_counts=True)
+        sums = np.add.reduceat(values[order], starts)
+        extreme = np.minimum if measure.low_is_bad else np.maximum
+        worst = extreme.reduceat(values[order], starts)
+        rows = [FaceRow(int(f), int(n), float(w), float(s / n))
+                for f, n, w, s in zip(faces, counts, worst, sums) if f >= 0]
+        return [rows[i] for i in measure.order(np.array([row.worst for row in rows]))]
+
+    def place(self, element):
+        """Words for where an element lies."""
+        face = self.face[element]
+        return f"{self.kind} {element}" + (f" on Face{face + 1}" if face >= 0 else "")
+
+    def reason(self, element):
+        """Why the mesher could not do better there, or an empty text."""
+        return self._why.get(int(element), "")
+
+    def triangles_of(self, chosen):
+        """Those drawn triangles, float32 (n, 3, 3), that belong to elements chosen by a mask."""
+        return self.corners[chosen[self.element]]
+
+    @staticmethod
+    def _reasons(obj):
+        for sentence in getattr(obj, "Exempt", []):
+            found = _EXEMPT.match(sentence)
+            if found:
+                yield int(found[1]), found[2]
+
+
+def runs_of_edges(triangles):
+    """int32: each edge of the triangles once, as two indices and -1."""
+    sides = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(np.int64), axis=1)
+    keys = np.unique(sides[:, 0] << 32 | sides[:, 1])
+    runs = np.column_stack((keys >> 32, keys & 0xffffffff, np.full(len(keys), -1)))
+    return runs.ravel().astype(np.int32)

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of Analyse Quality: how good a mesh is, where it is worst, and why."""
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from PySide import QtGui
+
+from ..errors import Error
+from . import colour_scale, jobs
+from .histogram import HistogramView
+from .quality_data import Histogram, QualityData
+from .quality_scene import QualityScene
+
+WORST = 50  # elements in the list
+_EDGES = 300_000  # triangles up to which edges are drawn from the beginning
+
+
+class QualityPanel:
+    """A panel for FreeCADGui.Control.showDialog. The mesh and its source are hidden meanwhile, as
+    the coloured mesh takes their place.
+
+    obj  a document object with a mesh
+    """
+
+    def __init__(self, obj):
+        self.obj, self._document = obj, obj.Document.Name
+        self.data = QualityData(obj)
+        self.values = self.measure = None
+        self.lit = np.zeros(self.data.elements, dtype=bool)  # elements
+        self.ended = False
+        self._found = {}  # values by title of the measure
+        self._job = None
+        self._make_form()
+        view = FreeCADGui.getDocument(self._document).activeView()
+        try:
+            self.scene = QualityScene(view)
+            self.scene.show(self.data)
+        except ImportError as error:
+            self.scene = None
+            self._say(f"The mesh cannot be drawn in colour: {error}")
+        self._hidden = [o for o in (obj, getattr(obj, "Source", None))
+                        if self.scene and o is not None and o.ViewObject.Visibility]
+        for hidden in self._hidden:
+            hidden.ViewObject.Visibility = False
+        self.edges.setChecked(len(self.data.corners) <= _EDGES)
+        self._draw_edges()
+        FreeCAD.addDocumentObserver(self)
+        self._choose_measure()
+
+    def _make_form(self):
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle("Mesh quality")
+        of, self.summary = QtGui.QLabel(f"Of {self.obj.Label}"), QtGui.QLabel()
+        self.measures, self.histogram = QtGui.QComboBox(), HistogramView()
+        self.hint = QtGui.QLabel("Click a bar to see where its elements are.")
+        self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
+        self.edges = QtGui.QCheckBox("Draw edges")
+        for measure in self.data.measures:
+            self.measures.addItem(measure.title)
+        for label in (of, self.summary, self.hint):
+            label.setWordWrap(True)
+        self.worst.setWordWrap(True)
+        self.faces.setHorizontalHeaderLabels(["Face", "Elements", "Worst", "Mean"])
+        self.faces.verticalHeader().hide()
+        self.faces.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+        self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
+        tabs = QtGui.QTabWidget()
+        tabs.addTab(self.worst, "Worst elements")
+        tabs.addTab(self.faces, "Faces")
+        layout = QtGui.QVBoxLayout(self.form)
+        for widget in (of, self.measures, self.summary, self.histogram, self.hint, tabs,
+                       self.edges):
+            layout.addWidget(widget)
+        self.measures.currentIndexChanged.connect(self._choose_measure)
+        self.histogram.picked.connect(self._pick_bar)
+        self.worst.currentRowChanged.connect(self._pick_worst)
+        self.worst.itemClicked.connect(lambda _: self._pick_worst(self.worst.currentRow()))
+        self.faces.itemSelectionChanged.connect(self._pick_face)
+        self.edges.toggled.connect(self._draw_edges)
+
+    def getStandardButtons(self):
+        button = QtGui.QDialogButtonBox.Close
+        return int(getattr(button, "value", button))
+
+    def reject(self):
+        """Close: the view is as it was before."""
+        self._end()
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def slotDeletedDocument(self, document):
+        """FreeCAD closes a document."""
+        if document.Name == self._document:
+            self._end(gone=True)
+            FreeCADGui.Control.closeDialog()
+
+    def slotDeletedObject(self, obj):
+        """An object goes."""
+        if obj is self.obj:
+            self._end()
+            FreeCADGui.Control.closeDialog()
+
+    def _end(self, gone=False):
+        if self.ended:
+            return
+        self.ended = True
+        FreeCAD.removeDocumentObserver(self)
+        if self._job is not None and self._job.active:
+            self._job.cancel()
+        if gone:
+            return
+        if self.scene is not None:
+            self.scene.close()
+        for hidden in self._hidden:
+            if hidden in hidden.Document.Objects:
+                hidden.ViewObject.Visibility = True
+
+    def _choose_measure(self, *_):
+        measure = self.data.measures[self.measures.currentIndex()]
+        if self._job is not None and self._job.active:
+            self._job.cancel()
+        if measure.title in self._found:
+            self._show(measure, *self._found[measure.title])
+            return
+        self._say("Measuring ...")
+        self._job = jobs.queue().add(jobs.Job(
+            measure.title, lambda progress: self._compute(measure, progress),
+            lambda found: self._take(measure, found), quiet=True))
+        job = self._job
+        job.changed.connect(lambda: job.active and job.fraction and self._say(
+            f"Measuring: {100 * job.fraction:.0f} %"))
+        job.ended.connect(lambda: job.error and self._say(str(job.error)))
+
+    def _compute(self, measure, progress):
+        values = np.asarray(measure.values(self.data, progress))
+        colours = colour_scale.bytes_of(measure.goodness(values))[self.data.element]
+        return values, colours, Histogram.of(values, measure), self.data.faces(values, measure)
+
+    def _take(self, measure, found):
+        self._found[measure.title] = found
+        self._show(measure, *found)
+
+    def _show(self, measure, values, colours, histogram, faces):
+        self.measure, self.values, self._bars = measure, values, histogram
+        order = measure.order(values)
+        self._worst = order[:WORST]
+        self._say(f"{self.data.elements:,} {self.data.kind}s: worst "
+                  f"{measure.text(values[order[0]])}, mean {measure.text(values.mean())}")
+        self.histogram.show_histogram(histogram, measure)
+        self._list_worst()
+        self._list_faces(faces)
+        if self.scene is not None:
+            self.scene.colour(colours, measure, values)
+        self._light_up(np.zeros(self.data.elements, dtype=bool))
+
+    def _list_worst(self):
+        self.worst.blockSignals(True)
+        self.worst.clear()
+        for element in self._worst:
+            words = f"{self.measure.text(self.values[element])}: {self.data.place(element)}"
+            reason = self.data.reason(element)
+            item = QtGui.QListWidgetItem(words + (f"\n{reason}" if reason else ""))
+            item.setToolTip(reason or "Click to fly there")
+            self.worst.addItem(item)
+        self.worst.blockSignals(False)
+
+    def _list_faces(self, faces):
+        self._faces = faces
+        self.faces.blockSignals(True)
+        self.faces.setRowCount(len(faces))
+        for i, row in enumerate(faces):
+            texts = (f"Face{row.face + 1}", f"{row.elements:,}", self.measure.text(row.worst),
+                     self.measure.text(row.mean))
+            for k, text in enumerate(texts):
+                self.faces.setItem(i, k, QtGui.QTableWidgetItem(text))
+        self.faces.blockSignals(False)
+
+    def _pick_bar(self, bar):
+        chosen = self._bars.bar == bar
+        self.hint.setText(self.histogram.words(bar) if bar >= 0 else
+                          "Click a bar to see where its elements are.")
+        self._light_up(chosen)
+
+    def _pick_worst(self, row):
+        if row < 0 or self.scene is None:
+            return
+        chosen = np.zeros(self.data.elements, dtype=bool)
+        chosen[self._worst[row]] = True
+        self._light_up(chosen)
+        self.scene.fly_to(self.data.triangles_of(chosen))
+
+    def _pick_face(self):
+        rows = {index.row() for index in self.faces.selectedIndexes()}
+        self._light_up(np.isin(self.data.face, [self._faces[row].face for row in rows]))
+
+    def _light_up(self, chosen):
+        self.lit = chosen
+        if self.scene is not None:
+            self.scene.light_up(self.data.triangles_of(chosen))
+
+    def _draw_edges(self, *_):
+        if self.scene is not None:
+            self.scene.draw_edges(self.data, self.edges.isChecked())
+
+    def _say(self, text):
+        self.summary.setText(text)
+
+
+def open_panel(obj):
+    """Opens the panel for an object; what is wrong with it goes to the report view."""
+    try:
+        panel = QualityPanel(obj)
+    except (Error, ImportError) as error:
+        FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
+        QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(), "Mesh quality", str(error))
+        return None
+    FreeCADGui.Control.showDialog(panel)
+    return panel

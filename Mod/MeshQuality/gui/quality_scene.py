@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The quality of a mesh in a 3D view: colours, lit elements, a legend, and the camera's flight."""
+
+import importlib
+
+import numpy as np
+from pivy import coin
+from PySide import QtCore
+
+from . import colour_scale
+
+LEGEND = 64  # colours
+LABELS = 5
+_STEPS, _TICK = 16, 25  # of a flight; ms
+_AROUND = 25.0  # a place is shown with so many times its size around it
+
+
+class QualityScene:
+    """Draws in one 3D view until `close`."""
+
+    def __init__(self, view):
+        # Built for one Coin, unlike the rest: without it there are no colours, but all numbers.
+        module = importlib.import_module("MeshQuality._view")
+        self.scene = module.QualityScene()
+        self.view = view
+        self.node = coin.SoNode.getByName(self.scene.give_name())
+        self._graph = view.getSceneGraph()
+        self._graph.addChild(self.node)
+        self.flight = None
+
+    def close(self):
+        """Leaves the view as it was."""
+        if self.flight is not None:
+            self.flight.stop()
+        self._graph.removeChild(self.node)
+        self._graph, self.node = None, None
+
+    def show(self, data):
+        """Takes the triangles and edges of a QualityData."""
+        self.scene.show(data.corners)
+        self.scene.draw_edges(*data.lines)
+
+    def draw_edges(self, data, wanted):
+        """Draws the edges, or not."""
+        lines = data.lines if wanted else (np.zeros((0, 3)), np.zeros(0, dtype=np.int32))
+        self.scene.draw_edges(*lines)
+
+    def colour(self, colours, measure, values):
+        """uint8 (T, 4) colours of the triangles, and the legend of the measure they show."""
+        self.scene.colour(colours)
+        bad, good = measure.range(values)
+        low, high = min(bad, good), max(bad, good)
+        numbers = np.linspace(low, high, LEGEND)
+        labels = [measure.text(number) for number in np.linspace(low, high, LABELS)]
+        self.scene.legend(measure.title, colour_scale.bytes_of(measure.goodness(numbers)), labels)
+
+    def light_up(self, corners):
+        """Lights up triangles, float32 (n, 3, 3), instead of those before."""
+        self.scene.light_up(corners)
+
+    def fly_to(self, corners):
+        """Moves the camera to look at triangles, from outside."""
+        points = corners.reshape(-1, 3).astype(float)
+        centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        size = float(np.linalg.norm(np.ptp(points, axis=0)))
+        sides = corners.astype(float)
+        normal = np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]).sum(axis=0)
+        self.flight = Flight(self.view.getCameraNode(), centre, normal, _AROUND * size)
+
+
+class Flight(QtCore.QObject):
+    """Turns and moves a camera step by step to look at a place."""
+
+    def __init__(self, camera, centre, normal, height):
+        super().__init__()
+        self.camera = camera
+        self._perspective = camera.isOfType(coin.SoPerspectiveCamera.getClassTypeId())
+        self._from = self._now()
+        distance = height
+        if self._perspective:
+            distance = 0.5 * height / np.tan(0.5 * camera.heightAngle.getValue())
+        turn = self._from[1]
+        if np.linalg.norm(normal) > 0.0:
+            # A camera looks along its -z.
+            to = coin.SbVec3f(*(-normal / np.linalg.norm(normal)))
+            ahead = turn.multVec(coin.SbVec3f(0, 0, -1))
+            turn = turn * coin.SbRotation(ahead, to)
+        back = turn.multVec(coin.SbVec3f(0, 0, 1)).getValue()
+        self._to = (np.asarray(centre) + distance * np.array(back), turn, height, distance)
+        self._step = 0
+        self._timer = QtCore.QTimer(self)
+        self._timer.setInterval(_TICK)
+        self._timer.timeout.connect(self._next)
+        self._timer.start()
+
+    @property
+    def active(self):
+        """Whether it has not arrived."""
+        return self._timer.isActive()
+
+    def stop(self):
+        """Stays where it is."""
+        self._timer.stop()
+
+    def _now(self):
+        height = 0.0 if self._perspective else self.camera.height.getValue()
+        return (np.array(self.camera.position.getValue().getValue()),
+                coin.SbRotation(*self.camera.orientation.getValue().getValue()), height,
+                self.camera.focalDistance.getValue())
+
+    def _next(self):
+        self._step += 1
+        part = self._step / _STEPS
+        part = part * part * (3.0 - 2.0 * part)
+        start, end = self._from, self._to
+        self.camera.position.setValue(*(start[0] + part * (end[0] - start[0])))
+        self.camera.orientation.setValue(coin.SbRotation.slerp(start[1], end[1], part))
+        self.camera.focalDistance.setValue(start[3] + part * (end[3] - start[3]))
+        if not self._perspective:
+            # Heights change by factors: each step halves or doubles what is seen alike.
+            self.camera.height.setValue(start[2] * (end[2] / start[2]) ** part)
+        if self._step >= _STEPS:
+            self._timer.stop()

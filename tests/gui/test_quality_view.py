@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Analyse Quality: the numbers, the colours, what lights up, and where the camera flies."""
+
+import FreeCAD
+import FreeCADGui
+import gui_helpers
+import Mesh
+import numpy as np
+import Part
+
+import MeshQuality as mq
+from MeshQuality.gui import commands, quality_data, quality_panel
+
+MAGENTA = (255, 32, 255)
+
+
+def share_of(pixels, colour, width=40):
+    """Which part of a picture has nearly this colour."""
+    return (np.abs(pixels - np.array(colour)) < width).all(axis=2).mean()
+
+
+class QualityView(gui_helpers.GuiTest):
+    def tearDown(self):
+        if FreeCADGui.Control.activeDialog():
+            FreeCADGui.Control.closeDialog()
+        super().tearDown()
+
+    def meshed(self, shape, **values):
+        source = self.document.addObject("Part::Feature", "Part")
+        source.Shape = shape
+        self.document.recompute()
+        return mq.add_quality_mesh(source, **values)
+
+    def open(self, obj):
+        panel = quality_panel.open_panel(obj)
+        self.addCleanup(lambda: panel.ended or panel.reject())
+        self.until(lambda: panel.values is not None)
+        return panel
+
+    def choose(self, panel, measure):
+        panel.measures.setCurrentIndex(panel.data.measures.index(measure))
+        self.until(lambda: panel.measure is measure)
+
+    def test_command_is_for_one_mesh(self):
+        obj = self.meshed(Part.makeBox(3, 4, 5))
+        FreeCADGui.activateWorkbench("MeshQualityWorkbench")
+        for chosen, active in (([obj], True), ([obj.Source], False), ([obj, obj.Source], False)):
+            FreeCADGui.Selection.clearSelection()
+            for one in chosen:
+                FreeCADGui.Selection.addSelection(one)
+            self.assertEqual(commands.Analyse().IsActive(), active)
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(obj)
+        FreeCADGui.runCommand(commands.Analyse.NAME)
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+
+    def test_numbers_are_those_of_the_report(self):
+        obj = self.meshed(Part.makeCylinder(5, 20), chord_height=0.05)
+        report = mq.quality(obj, obj.Source)
+        panel = self.open(obj)
+        self.assertAlmostEqual(panel.values.min(), report.min_angle, places=9)
+        self.assertAlmostEqual(panel.values.mean(), report.mean_min_angle, places=9)
+        self.assertEqual(panel.histogram._histogram.counts.sum(), obj.Mesh.CountFacets)
+        self.choose(panel, quality_data.ASPECT)
+        self.assertAlmostEqual(panel.values.max(), report.max_aspect, places=9)
+        self.choose(panel, quality_data.DISTANCE)
+        self.assertAlmostEqual(panel.values.max(), report.max_chord_height, places=9)
+        self.assertLessEqual(panel.values.max(), 0.05 + 1e-9)
+
+    def test_colours_follow_the_quality(self):
+        obj = self.meshed(Part.makeBox(10, 10, 10))
+        panel = self.open(obj)
+        before = self.picture("quality_angles")
+        # All triangles of a cube's sides are half squares: 45 degrees are green.
+        self.assertGreater(share_of(before, (40, 130, 90), 90), 0.1)
+        self.choose(panel, quality_data.DISTANCE)
+        self.assertGreater(share_of(self.picture("quality_distance"), (40, 80, 180), 90), 0.1)
+
+    def test_a_bar_lights_up_its_triangles(self):
+        panel = self.open(self.meshed(Part.makeSphere(5), chord_height=0.05))
+        self.assertEqual(share_of(self.picture("quality_dark"), MAGENTA), 0.0)
+        bar = int(panel.histogram._histogram.counts.argmax())
+        panel.histogram.pick(bar)
+        self.assertIn(f"{panel.histogram._histogram.counts[bar]:,} from", panel.hint.text())
+        self.assertGreater(share_of(self.picture("quality_lit"), MAGENTA), 0.005)
+        panel.histogram.pick(-1)
+        self.assertEqual(share_of(self.picture("quality_dark"), MAGENTA), 0.0)
+
+    def test_worst_elements_name_their_face_and_the_reason(self):
+        # A wedge of 3 degrees: no mesh can do better in its corner.
+        wedge = Part.Face(Part.makePolygon([FreeCAD.Vector(*p) for p in (
+            (0, 0, 0), (20, 0, 0), (20, 20 * np.tan(np.radians(3)), 0), (0, 0, 0))]))
+        obj = self.meshed(wedge.extrude(FreeCAD.Vector(0, 0, 5)))
+        panel = self.open(obj)
+        self.assertEqual(panel.worst.count(), min(quality_panel.WORST, obj.Mesh.CountFacets))
+        first = panel.worst.item(0).text()
+        self.assertRegex(first, r"^3°: triangle \d+ on Face[45]\n.")
+        self.assertIn(first.split("\n")[1], "\n".join(obj.Exempt))
+
+    def test_the_camera_flies_to_an_element(self):
+        panel = self.open(self.meshed(Part.makeSphere(5), chord_height=0.02))
+        self.view.viewAxonometric()
+        self.view.fitAll()
+        panel.worst.setCurrentRow(3)
+        self.until(lambda: not panel.scene.flight.active)
+        element = panel._worst[3]
+        centre = panel.data.corners[element].mean(axis=0)
+        ahead = np.array(self.view.getViewDirection())
+        camera = np.array(self.view.getCameraNode().position.getValue().getValue())
+        self.assertGreater(-ahead @ centre / np.linalg.norm(centre), 0.99)
+        off = (centre - camera) - ((centre - camera) @ ahead) * ahead
+        self.assertLess(np.linalg.norm(off), 0.2)
+
+    def test_faces_are_listed_and_light_up(self):
+        obj = self.meshed(Part.makeCylinder(5, 20), chord_height=0.05)
+        panel = self.open(obj)
+        self.assertEqual(panel.faces.rowCount(), 3)
+        counts = sum(int(panel.faces.item(i, 1).text().replace(",", "")) for i in range(3))
+        self.assertEqual(counts, obj.Mesh.CountFacets)
+        self.assertEqual({panel.faces.item(i, 0).text() for i in range(3)},
+                         {"Face1", "Face2", "Face3"})
+        panel.faces.selectRow(0)
+        face = int(panel.faces.item(0, 0).text()[4:]) - 1
+        self.assertTrue((panel.data.face[panel.lit] == face).all())
+        self.assertEqual(panel.lit.sum(), (panel.data.face == face).sum())
+
+    def test_a_mesh_without_cad(self):
+        obj = self.document.addObject("Mesh::Feature", "Imported")
+        obj.Mesh = Mesh.createSphere(5.0, 20)
+        obj.Placement.Base = FreeCAD.Vector(100, 0, 0)
+        panel = self.open(obj)
+        self.assertEqual(panel.data.measures, [quality_data.MIN_ANGLE, quality_data.ASPECT])
+        self.assertNotIn("Face", panel.worst.item(0).text())
+        self.assertGreater(panel.data.corners[..., 0].min(), 94)
+
+    def test_curved_elements(self):
+        source = self.document.addObject("Part::Torus", "Torus")
+        self.document.recompute()
+        obj = mq.add_curved_mesh(source, order=2, volume=True)
+        panel = self.open(obj)
+        self.assertIs(panel.measure, quality_data.JACOBIAN)
+        self.assertEqual(panel.data.elements, len(mq.CurvedMesh.of(obj).triangles))
+        self.assertGreater(len(panel.data.corners), panel.data.elements)
+        self.assertGreaterEqual(panel.values.min(), obj.MinScaledJacobian)
+        self.assertIn("curved elements", panel.summary.text())
+
+    def test_an_empty_mesh_is_refused_with_its_name(self):
+        obj = self.document.addObject("Mesh::Feature", "Empty")
+        with self.assertRaisesRegex(mq.InvalidInput, "Empty has no triangles"):
+            quality_panel.QualityPanel(obj)
+
+    def test_closing_leaves_the_view_as_it_was(self):
+        obj = self.meshed(Part.makeBox(3, 4, 5))
+        graph = self.view.getSceneGraph()
+        children = graph.getNumChildren()
+        panel = self.open(obj)
+        self.assertFalse(obj.ViewObject.Visibility or obj.Source.ViewObject.Visibility)
+        self.assertEqual(graph.getNumChildren(), children + 1)
+        panel.reject()
+        self.assertTrue(obj.ViewObject.Visibility and obj.Source.ViewObject.Visibility)
+        self.assertEqual(graph.getNumChildren(), children)
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+
+    def test_object_or_document_deleted_meanwhile(self):
+        panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
+        self.document.removeObject(panel.obj.Name)
+        self.until(lambda: not FreeCADGui.Control.activeDialog())
+        self.assertTrue(panel.ended)
+        document = FreeCAD.newDocument("Other")
+        obj = document.addObject("Mesh::Feature", "Imported")
+        obj.Mesh = Mesh.createSphere(5.0, 20)
+        gui_helpers.wait()
+        panel = self.open(obj)
+        FreeCAD.closeDocument("Other")
+        self.until(lambda: not FreeCADGui.Control.activeDialog())
+        self.assertTrue(panel.ended)
