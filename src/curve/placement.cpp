@@ -446,7 +446,7 @@ bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
     return true;
 }
 
-bool Placement::on_edge(int vertex, int edge, double t_from, double t_to, double& t, Vec3& point) {
+bool Placement::on_edge(int vertex, int edge, double t_from, double t_to, double allowed, double& t, Vec3& point) {
     // Vertices of the triangulation are rounded to single precision, and twice the tolerance of an edge is the distance
     // of two curves that stand for it.
     constexpr double kRounding = 4e-7;
@@ -461,7 +461,7 @@ bool Placement::on_edge(int vertex, int edge, double t_from, double t_to, double
         const Vec3& p = surface_.shapes.vertices[static_cast<std::size_t>(vertex)].point;
         batch.push_back(Query::edge_nearest(edge, p, low + (k + 0.5) / kStarts * (high - low), low, high));
     }
-    double nearest = tolerance;
+    double nearest = std::max(tolerance, allowed);
     bool found = false;
     for (const Answer& answer : session_.ask(std::move(batch))) {
         const bool between = answer.t > low && answer.t < high;

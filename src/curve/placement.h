@@ -41,8 +41,9 @@ class Placement {
     };
     Middle middle_of(int a, int b);
 
-    /// Whether a vertex lies, within tolerance, on a CAD edge between two of its parameters; where, if so.
-    bool on_edge(int vertex, int edge, double t_from, double t_to, double& t, Vec3& point);
+    /// Whether a vertex lies on a CAD edge between two of its parameters, within tolerance or nearer than `allowed`;
+    /// where, if so.
+    bool on_edge(int vertex, int edge, double t_from, double t_to, double allowed, double& t, Vec3& point);
     /// Gives a vertex on a CAD edge its (u, v) on the faces there.
     void set_uv_on_edge(int vertex, int edge, double t);
 

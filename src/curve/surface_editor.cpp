@@ -71,7 +71,10 @@ bool SurfaceEditor::straight_sound(const std::vector<int>& removed, const std::v
 }
 
 bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<Corners>& added, Rule rule) {
-    if (rule == Rule::Improve && !straight_sound(removed, added)) {
+    // Of folded triangles the sum of the areas says nothing.
+    const bool sound_before =
+        std::all_of(removed.begin(), removed.end(), [&](int t) { return triangle(t).quality > 0.0; });
+    if (rule == Rule::Improve && sound_before && !straight_sound(removed, added)) {
         return false;
     }
     const double floor = rule == Rule::RefinePoor ? kHardlyValid : 0.0;

@@ -66,13 +66,13 @@ enum class CuspRepair { None, Opened, Refined };
 /// vertex later.
 CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c);
 
-/// Vertices of a face may lie on its border within tolerance, behind a long mesh edge that bends up to them once it is
-/// curved: the triangle on that edge, `triangle`, and others behind it have no area then. They go, and the vertices
-/// become vertices of the CAD edge.
+/// Vertices of a face may lie on its border within tolerance, or nearly so, behind a long mesh edge that bends up to
+/// them once it is curved: the triangle on that edge, `triangle` or one beside it, and others behind it have no area
+/// then. They go, and the vertices become vertices of the CAD edge.
 /// @return how many.
-int snap_to_border(SurfaceEditor& editor, int triangle);
+int snap_to_border(SurfaceEditor& editor, int triangle, SurfaceEditor::Rule rule);
 
-/// Takes the bad triangles around `triangle` out of their face, with a layer of others where that is not enough, and
+/// Takes the bad triangles around `triangle` out of their face, with layers of others where that is not enough, and
 /// fills the cavity anew between the curved edges around it: of all triangulations without vertices inside, the one
 /// whose worst curved triangle is best (section 5.5, figure 15).
 bool regrow_surface_cavity(SurfaceEditor& editor, int triangle);

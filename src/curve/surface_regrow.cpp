@@ -10,7 +10,8 @@ namespace mq::curve {
 
 namespace {
 
-constexpr std::size_t kLargestBorder = 12;
+/// Vertices around a cavity: triangles to be tried grow with the third power.
+constexpr std::size_t kLargestBorder = 24;
 /// Triangles below this quality belong to the cavity.
 constexpr double kBad = 0.15;
 
@@ -81,6 +82,23 @@ std::vector<int> with_layer(const SurfaceEditor& editor, std::vector<int> triang
         }
     }
     return triangles;
+}
+
+/// With the triangles of the face beside them.
+std::vector<int> with_neighbours(const SurfaceEditor& editor, const std::vector<int>& triangles) {
+    std::vector<int> result = triangles;
+    for (const int t : triangles) {
+        const auto v = editor.triangle(t).corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (const int other : editor.surface.triangles_of_edge(v[k], v[(k + 1) % 3])) {
+                if (editor.triangle(other).face == editor.triangle(t).face &&
+                    std::find(result.begin(), result.end(), other) == result.end()) {
+                    result.push_back(other);
+                }
+            }
+        }
+    }
+    return result;
 }
 
 /// The triangulation of a polygon whose worst triangle is best, by dynamic programming over its chords.
@@ -196,8 +214,10 @@ bool regrow(SurfaceEditor& editor, const std::vector<int>& triangles) {
 
 bool regrow_surface_cavity(SurfaceEditor& editor, int triangle) {
     const std::vector<int> bad = bad_ones_around(editor, triangle);
+    const std::vector<int> beside = with_neighbours(editor, bad);
     return regrow(editor, bad) || regrow(editor, with_layer(editor, {triangle})) ||
-           regrow(editor, with_layer(editor, bad));
+           regrow(editor, with_layer(editor, bad)) || regrow(editor, beside) ||
+           regrow(editor, with_neighbours(editor, beside));
 }
 
 }  // namespace mq::curve

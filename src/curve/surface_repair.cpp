@@ -14,6 +14,8 @@ constexpr double kAllowableBulge = 0.134;
 constexpr double kGoodTriangle = 0.15;
 /// Below this quality a triangle may be one whose vertices lie on one CAD edge.
 constexpr double kHardlyValid = 0.02;
+/// Edges that bulge by less than this part of the height of the triangle on them are not what folds it.
+constexpr double kBulges = 0.05;
 constexpr int kBulgeRounds = 6;
 constexpr int kRepairRounds = 10;
 constexpr int kRefineRounds = 8;
@@ -27,6 +29,8 @@ class Repair {
         done_.invalid_before = invalid();
         for (int round = 0; round < kBulgeRounds && split_bulging(); ++round) {
         }
+        for (int round = 0; round < kRepairRounds && snap_all(); ++round) {
+        }
         for (int round = 0; round < kRepairRounds && repair_round(round); ++round) {
         }
         for (int pass = 0; pass < kPasses && refine_faces(); ++pass) {
@@ -37,8 +41,8 @@ class Repair {
 
   private:
     /// Where coarse edges bend by more than the triangles at them are thick, halving a triangle leaves two that are
-    /// invalid: only finer ones fit. Each face in turn is refined around its invalid triangles, with repairs in
-    /// between, and all of it is taken back unless fewer are invalid in the end.
+    /// invalid: only finer ones fit; and one vertex put on a border may fold what only several could mend. Each face in
+    /// turn is changed so around its invalid triangles, with repairs in between.
     bool refine_faces() {
         bool any = false;
         std::set<int> faces;
@@ -48,23 +52,35 @@ class Repair {
             }
         }
         for (const int face : faces) {
-            const int before = invalid();
-            const Surface snapshot = editor_.surface;
-            const SurfaceRepairs done = done_;
-            for (int round = 0; round < kRefineRounds && refine_face(face); ++round) {
-            }
-            if (invalid() < before) {
-                ++done_.refined_faces;
-                any = true;
-            } else {
-                editor_.surface = snapshot;
-                done_ = done;
-            }
+            any = refine_best(face, true) || any;
+            any = refine_best(face, false) || any;
         }
         return any;
     }
 
-    bool refine_face(int face) {
+    /// @param snapping put vertices on the border rather than refine.
+    /// @return whether fewer triangles are invalid: whatever comes after the fewest is taken back.
+    bool refine_best(int face, bool snapping) {
+        int fewest = invalid();
+        Surface best = editor_.surface;
+        SurfaceRepairs done = done_;
+        bool better = false;
+        for (int round = 0; round < kRefineRounds && refine_face(face, snapping); ++round) {
+            const int now = invalid();
+            if (now < fewest) {
+                fewest = now;
+                best = editor_.surface;
+                done = done_;
+                better = true;
+            }
+        }
+        editor_.surface = std::move(best);
+        done_ = done;
+        done_.refined_faces += better ? 1 : 0;
+        return better;
+    }
+
+    bool refine_face(int face, bool snapping) {
         bool any = false;
         const std::size_t count = editor_.surface.triangles.size();
         for (std::size_t i = 0; i < count; ++i) {
@@ -76,8 +92,10 @@ class Repair {
             progress_.check();
             any = true;
             repair(t, 1);
-            if (open()) {
-                const auto [a, b] = edge_to_split(editor_.triangle(t).corners);
+            if (open() && snapping) {
+                done_.snapped += snap_to_border(editor_, t, SurfaceEditor::Rule::Try);
+            } else if (open()) {
+                const auto [a, b] = edge_to_split_around(t);
                 done_.splits += split_surface_edge(editor_, a, b, SurfaceEditor::Rule::Try) >= 0 ? 1 : 0;
             }
         }
@@ -111,6 +129,20 @@ class Repair {
         return any;
     }
 
+    /// Before other repairs, which would tear apart the rows of such vertices.
+    bool snap_all() {
+        int snapped = 0;
+        const std::size_t count = editor_.surface.triangles.size();
+        for (std::size_t t = 0; t < count; ++t) {
+            if (editor_.surface.triangles[t].alive && editor_.surface.triangles[t].quality <= kHardlyValid) {
+                progress_.check();
+                snapped += snap_to_border(editor_, static_cast<int>(t), SurfaceEditor::Rule::Refine);
+            }
+        }
+        done_.snapped += snapped;
+        return snapped > 0;
+    }
+
     /// @return whether anything changed.
     bool repair_round(int round) {
         std::vector<std::pair<double, int>> bad;
@@ -133,7 +165,8 @@ class Repair {
 
     bool repair(int t, int round) {
         const std::array<int, 3> v = editor_.triangle(t).corners;
-        const int snapped = editor_.triangle(t).quality > kHardlyValid ? 0 : snap_to_border(editor_, t);
+        const int snapped =
+            editor_.triangle(t).quality > kHardlyValid ? 0 : snap_to_border(editor_, t, SurfaceEditor::Rule::Refine);
         if (snapped > 0) {
             done_.snapped += snapped;
             return true;
@@ -212,31 +245,60 @@ class Repair {
         return false;
     }
 
-    /// The edge that bulges most against the height of the triangle on it; the longest where none bulges.
-    std::pair<int, int> edge_to_split(const std::array<int, 3>& v) const {
-        constexpr double kBulges = 0.05;
+    /// An edge of a triangle, and its deviation from the chord by the height of the triangle on it.
+    struct Bulge {
+        std::pair<int, int> edge{-1, -1};
+        double ratio = 0.0;
+    };
+
+    /// The edge that bulges most against the height of the triangle on it.
+    Bulge most_bulging(const std::array<int, 3>& v) const {
         const Vec3 normal =
             (editor_.point(v[1]) - editor_.point(v[0])).cross(editor_.point(v[2]) - editor_.point(v[0]));
-        std::pair<int, int> bulging{v[0], v[1]};
-        std::pair<int, int> longest = bulging;
-        double most = 0.0;
-        double length = 0.0;
+        Bulge most;
         for (std::size_t k = 0; k < 3; ++k) {
             const int a = v[k];
             const int b = v[(k + 1) % 3];
             const double edge = editor_.length(a, b);
             const double height = normal.norm() / edge;
             const double ratio = editor_.deviation(a, b) / std::max(height, 1e-12 * edge);
-            if (ratio > most) {
-                most = ratio;
-                bulging = {a, b};
-            }
-            if (edge > length) {
-                length = edge;
-                longest = {a, b};
+            if (ratio > most.ratio || most.edge.first < 0) {
+                most = {{a, b}, ratio};
             }
         }
-        return most > kBulges ? bulging : longest;
+        return most;
+    }
+
+    std::pair<int, int> longest(const std::array<int, 3>& v) const {
+        std::size_t at = 0;
+        for (std::size_t k = 1; k < 3; ++k) {
+            if (editor_.length(v[k], v[(k + 1) % 3]) > editor_.length(v[at], v[(at + 1) % 3])) {
+                at = k;
+            }
+        }
+        return {v[at], v[(at + 1) % 3]};
+    }
+
+    /// The edge that bulges most; the longest where none bulges.
+    std::pair<int, int> edge_to_split(const std::array<int, 3>& v) const {
+        const Bulge bulge = most_bulging(v);
+        return bulge.ratio > kBulges ? bulge.edge : longest(v);
+    }
+
+    /// That of the triangle or of one beside it that bulges most: what folds a triangle may be the edge of the next
+    /// one, behind which its vertices lie.
+    std::pair<int, int> edge_to_split_around(int t) const {
+        const SurfaceTriangle& bad = editor_.triangle(t);
+        Bulge most = most_bulging(bad.corners);
+        for (const int v : bad.corners) {
+            for (const int other : editor_.surface.triangles_of_vertex(v)) {
+                if (editor_.triangle(other).face == bad.face) {
+                    const Bulge bulge = most_bulging(editor_.triangle(other).corners);
+                    most = bulge.ratio > most.ratio ? bulge : most;
+                }
+            }
+        }
+        return most.ratio > kBulges ? most.edge : longest(bad.corners);
     }
 
     SurfaceEditor& editor_;

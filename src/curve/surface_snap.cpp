@@ -9,6 +9,10 @@ namespace mq::curve {
 
 namespace {
 
+/// A vertex this near to the CAD edge, by how far that bends away from the mesh edge on it, leaves the triangle between
+/// them nearly no area.
+constexpr double kHugs = 0.05;
+
 /// A vertex that has come to lie on a CAD edge.
 struct Snap {
     int vertex;
@@ -31,12 +35,12 @@ class Snapping {
 
     int count() const { return static_cast<int>(snaps_.size()); }
 
-    bool carry_out() {
+    bool carry_out(SurfaceEditor::Rule rule) {
         const std::vector<int> removed = touched();
         const std::vector<SurfaceEditor::Corners> added = replacement(removed);
         const Before before = keep(removed);
         move_vertices();
-        if (editor_.replace(removed, added, SurfaceEditor::Rule::Refine)) {
+        if (editor_.replace(removed, added, rule)) {
             return true;
         }
         restore(before, removed);
@@ -58,7 +62,7 @@ class Snapping {
         Snap snap{x, 0.0, Vec3::Zero()};
         const bool fresh = std::none_of(snaps_.begin(), snaps_.end(), [&](const Snap& s) { return s.vertex == x; });
         if (!fresh || surface_.shapes.vertices[static_cast<std::size_t>(x)].entity[0] != 2 ||
-            !editor_.placement.on_edge(x, edge_, t_a, t_b, snap.t, snap.point)) {
+            !editor_.placement.on_edge(x, edge_, t_a, t_b, kHugs * bulge(a, b), snap.t, snap.point)) {
             return;
         }
         flat_.push_back(triangle);
@@ -72,6 +76,12 @@ class Snapping {
                 }
             }
         }
+    }
+
+    /// How far the CAD edge bends away from the chord between two vertices on it, about.
+    double bulge(int a, int b) const {
+        const double part = editor_.length(a, b) / editor_.length(a_, b_);
+        return part * part * editor_.deviation(a_, b_);
     }
 
     /// All triangles at the vertices that move, and those beyond the old mesh edge.
@@ -171,18 +181,35 @@ class Snapping {
 
 }  // namespace
 
-int snap_to_border(SurfaceEditor& editor, int triangle) {
+namespace {
+
+/// Tries each side of the triangle that lies on a CAD edge.
+int snap_at(SurfaceEditor& editor, int triangle, SurfaceEditor::Rule rule) {
     const auto v = editor.triangle(triangle).corners;
     for (std::size_t k = 0; k < 3; ++k) {
         if (editor.surface.segment(v[k], v[(k + 1) % 3]) == nullptr) {
             continue;
         }
         Snapping snapping(editor, triangle, v[k], v[(k + 1) % 3]);
-        if (snapping.count() > 0 && snapping.carry_out()) {
+        if (snapping.count() > 0 && snapping.carry_out(rule)) {
             return snapping.count();
         }
     }
     return 0;
+}
+
+}  // namespace
+
+int snap_to_border(SurfaceEditor& editor, int triangle, SurfaceEditor::Rule rule) {
+    const SurfaceTriangle bad = editor.triangle(triangle);
+    int snapped = snap_at(editor, triangle, rule);
+    for (std::size_t k = 0; k < 3 && snapped == 0; ++k) {
+        const std::vector<int> around = editor.surface.triangles_of_vertex(bad.corners[k]);
+        for (std::size_t i = 0; i < around.size() && snapped == 0; ++i) {
+            snapped = editor.triangle(around[i]).face == bad.face ? snap_at(editor, around[i], rule) : 0;
+        }
+    }
+    return snapped;
 }
 
 }  // namespace mq::curve

@@ -6,6 +6,7 @@
 
 #include "curve/placed_surface.h"
 #include "curve/surface_crossing.h"
+#include "curve/surface_repair.h"
 #include "geometry/occt/shape_model.h"
 
 namespace mq::curve {
@@ -88,16 +89,19 @@ TEST(SurfaceOperations, CavitiesAreFilledAnew) {
     }
 }
 
-/// A vertex on a circle of the cylinder that counts as one of the plane face inside it.
-int put_vertex_on_border(PlacedSurface& placed, int triangle, const std::array<int, 3>& corners) {
+/// A vertex on a circle of the cylinder, or inside it by `inside` of how far the circle bends away from the mesh edge
+/// (a, b), that counts as one of the plane face inside.
+int put_vertex_at_border(PlacedSurface& placed, int triangle, const std::array<int, 3>& corners, double inside) {
     Surface& surface = placed.surface;
     const auto& [a, b, c] = corners;
     const Segment& segment = *surface.segment(a, b);
     const int face = placed.editor.triangle(triangle).face;
     const auto on =
         placed.session.ask(geometry::Query::edge_point(segment.edge, 0.5 * (segment.t_low + segment.t_high)));
-    const int p = surface.add_vertex({on.point, {2, face}});
-    const auto at = placed.session.ask(geometry::Query::face_nearest_global(face, on.point));
+    const Vec3 middle = 0.5 * (placed.editor.point(a) + placed.editor.point(b));
+    const auto at =
+        placed.session.ask(geometry::Query::face_nearest_global(face, on.point + inside * (middle - on.point)));
+    const int p = surface.add_vertex({at.point, {2, face}});
     surface.uv[Surface::key(p, face)] = Vec2(at.u, at.v);
     surface.remove_triangle(triangle);
     placed.editor.placement.place({surface.add_triangle({a, b, p}, face), surface.add_triangle({b, c, p}, face),
@@ -106,19 +110,46 @@ int put_vertex_on_border(PlacedSurface& placed, int triangle, const std::array<i
 }
 
 TEST(SurfaceOperations, VerticesOnTheBorderAreSnappedToIt) {
-    for (int order = 2; order <= 4; ++order) {
-        PlacedSurface placed(cylinder(), order, 0.6);
-        std::array<int, 3> corners{};
-        const int triangle = placed.find("plane", true, corners);
-        const int p = put_vertex_on_border(placed, triangle, corners);
-        EXPECT_EQ(placed.invalid(), 1) << order;
-        const int flat = placed.surface.triangles_of_vertex(p).front();
-        EXPECT_EQ(snap_to_border(placed.editor, flat), 1) << order;
-        EXPECT_EQ(placed.invalid(), 0) << order;
-        EXPECT_EQ(placed.surface.shapes.vertices[static_cast<std::size_t>(p)].entity[0], 1);
-        EXPECT_NE(placed.surface.segment(corners[0], p), nullptr);
-        EXPECT_FALSE(placed.surface.has_edge(corners[0], corners[1]));
-        placed.expect_closed();
+    for (const double inside : {0.0, 0.03}) {
+        for (int order = 2; order <= 4; ++order) {
+            PlacedSurface placed(cylinder(), order, 0.6);
+            std::array<int, 3> corners{};
+            const int triangle = placed.find("plane", true, corners);
+            const int p = put_vertex_at_border(placed, triangle, corners, inside);
+            EXPECT_EQ(placed.invalid(), 1) << order;
+            const int flat = placed.surface.triangles_of_vertex(p).front();
+            EXPECT_EQ(snap_to_border(placed.editor, flat, SurfaceEditor::Rule::Refine), 1) << order;
+            EXPECT_EQ(placed.invalid(), 0) << order;
+            EXPECT_EQ(placed.surface.shapes.vertices[static_cast<std::size_t>(p)].entity[0], 1);
+            EXPECT_NE(placed.surface.segment(corners[0], p), nullptr);
+            EXPECT_FALSE(placed.surface.has_edge(corners[0], corners[1]));
+            placed.expect_closed();
+        }
+    }
+}
+
+TEST(SurfaceOperations, VerticesAwayFromTheBorderStayOnTheirFace) {
+    PlacedSurface placed(cylinder(), 3, 0.6);
+    std::array<int, 3> corners{};
+    const int triangle = placed.find("plane", true, corners);
+    const int p = put_vertex_at_border(placed, triangle, corners, 0.3);
+    EXPECT_EQ(snap_to_border(placed.editor, placed.surface.triangles_of_vertex(p).front(), SurfaceEditor::Rule::Try),
+              0);
+}
+
+TEST(SurfaceOperations, WhatLiesBehindACoarseBorderIsRepaired) {
+    for (const double inside : {0.0, 0.03, 0.1, 0.3, 0.7}) {
+        for (int order = 2; order <= 4; ++order) {
+            PlacedSurface placed(cylinder(), order, 0.6);
+            std::array<int, 3> corners{};
+            const int triangle = placed.find("plane", true, corners);
+            put_vertex_at_border(placed, triangle, corners, inside);
+            EXPECT_GT(placed.invalid(), 0) << inside << " " << order;
+            const Progress progress;
+            EXPECT_EQ(repair_surface(placed.editor, progress).invalid_after, 0) << inside << " " << order;
+            EXPECT_EQ(placed.invalid(), 0) << inside << " " << order;
+            placed.expect_closed();
+        }
     }
 }
 
@@ -141,7 +172,7 @@ TEST(SurfaceOperations, NothingIsChangedThatIsWell) {
     PlacedSurface placed(cylinder(), 3, 0.6);
     std::array<int, 3> corners{};
     const int triangle = placed.find("cylinder", false, corners);
-    EXPECT_EQ(snap_to_border(placed.editor, triangle), 0);
+    EXPECT_EQ(snap_to_border(placed.editor, triangle, SurfaceEditor::Rule::Refine), 0);
     EXPECT_FALSE(curve_face_edge(placed.editor, corners[0], corners[1], corners[2]));
     EXPECT_EQ(placed.invalid(), 0);
     placed.expect_closed();
