@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <Inventor/nodes/SoSeparator.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -41,14 +40,6 @@ std::vector<Colour> colours_of(const Array<std::uint8_t>& array) {
     return colours;
 }
 
-/// pivy finds nodes of this process by their names.
-std::string give_name(QualityScene& scene) {
-    static int count = 0;
-    const std::string name = "MeshQualityScene" + std::to_string(++count);
-    scene.root()->setName(name.c_str());
-    return name;
-}
-
 }  // namespace
 
 PYBIND11_MODULE(_view, m) {
@@ -56,7 +47,7 @@ PYBIND11_MODULE(_view, m) {
     bind_errors(m);
     py::class_<QualityScene>(m, "QualityScene", "A coloured mesh with edges, lit triangles and a legend.")
         .def(py::init<>())
-        .def("give_name", &give_name, "A new name under which coin.SoNode.getByName finds the root node.")
+        .def_property_readonly("name", &QualityScene::name, "By which coin.SoNode.getByName finds the root node.")
         .def_property_readonly("triangles", &QualityScene::triangles)
         .def(
             "show",

@@ -69,6 +69,9 @@ QualityScene::QualityScene() {
     }
     root_ = new SoSeparator;
     root_->ref();
+    static int count = 0;
+    name_ = "MeshQualityScene" + std::to_string(++count);
+    root_->setName(name_.c_str());
     make_surface();
     make_edges();
     make_lit();

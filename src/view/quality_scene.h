@@ -29,6 +29,8 @@ class QualityScene {
     QualityScene& operator=(const QualityScene&) = delete;
 
     SoSeparator* root() const { return root_; }
+    /// Of the root; no other node of this process has it. pivy finds nodes by their names.
+    const std::string& name() const { return name_; }
     std::size_t triangles() const { return triangles_; }
 
     /// Takes triangles as nine coordinates each. Grey until they are coloured; nothing is lit up.
@@ -48,6 +50,7 @@ class QualityScene {
     void make_edges();
     void make_lit();
 
+    std::string name_;
     SoSeparator* root_ = nullptr;
     SoVertexProperty* surface_ = nullptr;
     SoFaceSet* faces_ = nullptr;

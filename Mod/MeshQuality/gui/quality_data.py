@@ -4,6 +4,7 @@
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Optional
 
 import numpy as np
@@ -106,12 +107,14 @@ class FaceRow:
 class QualityData:
     """The elements of a mesh object, taken from it once; later changes of the object do not show.
 
+    After prepare(), which any thread may call, there are
     corners   float32 (T, 3, 3): the triangles that are drawn, in the document's frame
     element   int (T,): the element that each of them is a part of
     face      int (E,): the CAD face of each element, -1 where there is none
+    jacobians float64 (E,), of curved elements only
     lines     (float32 (P, 3), int32 runs ended by -1): the elements' edges
+    and before it already
     measures  those that make sense here
-    jacobians float64 (E,) of curved elements
     """
 
     def __init__(self, obj):
@@ -120,29 +123,35 @@ class QualityData:
         source = getattr(obj, "Source", None)
         if source is not None:
             self._shape = convert.shape_of(source)
-        if getattr(obj, "ElementsOrder", 0):
-            self._take_curved(obj)
-        else:
-            self._take_flat(obj)
-        if not len(self.corners):
+        self.corners = None
+        if obj.Mesh.CountFacets == 0:
             raise InvalidInput(f"{obj.Label} has no triangles")
         self._why = dict(self._reasons(obj))
+        if getattr(obj, "ElementsOrder", 0):
+            self.measures = [JACOBIAN]
+            self._prepare = partial(self._take_curved, CurvedMesh.of(obj), obj.ShownDeviation.Value)
+        else:
+            self.measures = [MIN_ANGLE, ASPECT] + ([DISTANCE] if self._shape is not None else [])
+            self._prepare = partial(self._take_flat, *convert.arrays_of_mesh(obj),
+                                    list(getattr(obj, "FaceRuns", [])))
 
-    def _take_flat(self, obj):
-        vertices, triangles = convert.arrays_of_mesh(obj)
+    def prepare(self):
+        """Makes what is drawn; once."""
+        if self.corners is None:
+            self._prepare()
+
+    def _take_flat(self, vertices, triangles, runs):
         self._surface = convert.surface_of_arrays(core(), vertices, triangles, measured=False)
         self.corners = vertices[triangles].astype(np.float32)
         self.element = np.arange(len(triangles))
-        face = mesh_object.faces_of_runs(getattr(obj, "FaceRuns", []))
+        face = mesh_object.faces_of_runs(runs)
         known = len(face) == len(triangles)
         self.face = face if known else np.full(len(triangles), -1)
         self.lines = vertices.astype(np.float32), runs_of_edges(triangles)
-        self.measures = [MIN_ANGLE, ASPECT] + ([DISTANCE] if self._shape is not None else [])
         self._shapes = None
 
-    def _take_curved(self, obj):
-        curved = CurvedMesh.of(obj)
-        shown = curved.tessellate(obj.ShownDeviation.Value)
+    def _take_curved(self, curved, deviation):
+        shown = curved.tessellate(deviation)
         surface = shown.surface()
         self.corners = np.asarray(surface.vertices)[surface.triangles].astype(np.float32)
         self.element = np.array(shown.element)
@@ -150,7 +159,6 @@ class QualityData:
         self.lines = (np.asarray(surface.vertices).astype(np.float32),
                       np.array(shown.edge_lines, dtype=np.int32))
         self.jacobians = np.array(curved.shown_quality)
-        self.measures = [JACOBIAN]
         self.kind = "curved element"
 
     @property

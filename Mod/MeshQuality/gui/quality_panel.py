@@ -27,7 +27,7 @@ class QualityPanel:
         self.obj, self._document = obj, obj.Document.Name
         self.data = QualityData(obj)
         self.values = self.measure = None
-        self.lit = np.zeros(self.data.elements, dtype=bool)  # elements
+        self.lit = None  # of each element: whether it is lit up
         self.ended = False
         self._found = {}  # values by title of the measure
         self._job = None
@@ -35,7 +35,6 @@ class QualityPanel:
         view = FreeCADGui.getDocument(self._document).activeView()
         try:
             self.scene = QualityScene(view)
-            self.scene.show(self.data)
         except ImportError as error:
             self.scene = None
             self._say(f"The mesh cannot be drawn in colour: {error}")
@@ -43,8 +42,6 @@ class QualityPanel:
                         if self.scene and o is not None and o.ViewObject.Visibility]
         for hidden in self._hidden:
             hidden.ViewObject.Visibility = False
-        self.edges.setChecked(len(self.data.corners) <= _EDGES)
-        self._draw_edges()
         FreeCAD.addDocumentObserver(self)
         self._choose_measure()
 
@@ -56,6 +53,7 @@ class QualityPanel:
         self.hint = QtGui.QLabel("Click a bar to see where its elements are.")
         self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
         self.edges = QtGui.QCheckBox("Draw edges")
+        self.edges.setEnabled(False)
         for measure in self.data.measures:
             self.measures.addItem(measure.title)
         for label in (of, self.summary, self.hint):
@@ -134,11 +132,17 @@ class QualityPanel:
         job.ended.connect(lambda: job.error and self._say(str(job.error)))
 
     def _compute(self, measure, progress):
+        self.data.prepare()
         values = np.asarray(measure.values(self.data, progress))
         colours = colour_scale.bytes_of(measure.goodness(values))[self.data.element]
         return values, colours, Histogram.of(values, measure), self.data.faces(values, measure)
 
     def _take(self, measure, found):
+        if not self._found and self.scene is not None:
+            self.scene.show(self.data)
+            self.edges.setChecked(len(self.data.corners) <= _EDGES)
+            self._draw_edges()
+            self.edges.setEnabled(True)
         self._found[measure.title] = found
         self._show(measure, *found)
 

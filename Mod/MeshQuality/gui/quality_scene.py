@@ -23,7 +23,7 @@ class QualityScene:
         module = importlib.import_module("MeshQuality._view")
         self.scene = module.QualityScene()
         self.view = view
-        self.node = coin.SoNode.getByName(self.scene.give_name())
+        self.node = coin.SoNode.getByName(self.scene.name)
         self._graph = view.getSceneGraph()
         self._graph.addChild(self.node)
         self.flight = None

@@ -34,6 +34,13 @@ class Scene : public testing::Test {
     QualityScene scene;
 };
 
+TEST_F(Scene, IsFoundByItsName) {
+    const QualityScene other;
+    EXPECT_EQ(SoNode::getByName(scene.name().c_str()), scene.root());
+    EXPECT_EQ(SoNode::getByName(other.name().c_str()), other.root());
+    EXPECT_NE(scene.root(), other.root());
+}
+
 TEST_F(Scene, IsEmptyAtFirst) {
     EXPECT_EQ(scene.triangles(), 0U);
     EXPECT_EQ(triangles(), 0);
