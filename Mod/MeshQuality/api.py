@@ -90,3 +90,18 @@ def add_quality_mesh(source, **values):
     from .features import quality_mesh
 
     return quality_mesh.add(source, values)
+
+
+def update(obj, progress=None, **values):
+    """Brings a document object of this package up to date, with changed options; one undo step.
+
+    obj       of add_quality_mesh, add_curved_mesh or add_boolean
+    progress  callable(fraction 0..1, stage); returning False cancels
+    values    options to change; the others stay as they are
+
+    Raises what adding such an object raises, and then leaves it as it was.
+    """
+    from .features import mesh_object
+
+    _require_callable(progress)
+    mesh_object.update(obj, values, progress)

@@ -4,10 +4,13 @@
 import os
 import time
 
+import FreeCAD
 import FreeCADGui
 import helpers
 import numpy as np
 from PySide import QtCore, QtGui
+
+from MeshQuality.gui import mesh_panel
 
 PICTURES = os.environ.get("MESHQUALITY_GUI_PICTURES", ".")
 WIDTH, HEIGHT = 700, 500
@@ -47,3 +50,46 @@ class GuiTest(helpers.DocumentTest):
         self.assertEqual((image.width(), image.height()), (WIDTH, HEIGHT))
         rows = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(HEIGHT, -1)
         return rows[:, :3 * WIDTH].reshape(HEIGHT, WIDTH, 3).astype(int)
+
+
+class PanelTest(GuiTest):
+    """A test that opens task panels."""
+
+    def setUp(self):
+        super().setUp()
+        FreeCADGui.activateWorkbench("MeshQualityWorkbench")
+        FreeCADGui.Selection.clearSelection()
+
+    def tearDown(self):
+        FreeCADGui.Control.closeDialog()
+        super().tearDown()
+
+    def select(self, *objects):
+        FreeCADGui.Selection.clearSelection()
+        for obj in objects:
+            FreeCADGui.Selection.addSelection(obj)
+
+    def panel(self, command, *objects):
+        """The panel that the command opens for these objects."""
+        self.select(*objects)
+        self.assertTrue(command().IsActive())
+        panel = mesh_panel.MeshPanel(command().operations(command().selected()))
+        FreeCADGui.Control.showDialog(panel)
+        wait()
+        return panel
+
+    def finish(self, panel):
+        """OK, and waits until the work has ended."""
+        panel.accept()
+        self.until(lambda: not panel.jobs)
+
+    def apply(self, panel):
+        """Apply, and waits until the work has ended."""
+        panel.clicked(int(QtGui.QDialogButtonBox.Apply))
+        self.until(lambda: not panel.jobs)
+
+    def two_boxes(self):
+        first, second = self.box(), self.document.addObject("Part::Box", "Second")
+        second.Placement.Base = FreeCAD.Vector(4, 4, 4)
+        self.document.recompute()
+        return first, second

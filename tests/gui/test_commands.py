@@ -1,59 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The commands of the workbench, from selection over the panel to the result."""
 
-import time
-
 import FreeCAD
 import FreeCADGui
 import gui_helpers
 
 from MeshQuality.gui import commands, jobs
 
-LIMIT = 60  # seconds for a job
 ALL = (commands.Triangulate, commands.Curve, commands.Boolean)
 
 
-class Commands(gui_helpers.GuiTest):
-    def setUp(self):
-        super().setUp()
-        FreeCADGui.activateWorkbench("MeshQualityWorkbench")
-        FreeCADGui.Selection.clearSelection()
-
-    def tearDown(self):
-        FreeCADGui.Control.closeDialog()
-        super().tearDown()
-
-    def select(self, *objects):
-        FreeCADGui.Selection.clearSelection()
-        for obj in objects:
-            FreeCADGui.Selection.addSelection(obj)
-
-    def panel(self, command, *objects):
-        """The panel that the command opens for these objects."""
-        self.select(*objects)
-        self.assertTrue(command().IsActive())
-        panel = commands.MeshPanel(command().operations(command().selected()))
-        FreeCADGui.Control.showDialog(panel)
-        gui_helpers.wait()
-        return panel
-
-    def until(self, condition):
-        end = time.monotonic() + LIMIT
-        while not condition() and time.monotonic() < end:
-            gui_helpers.wait(0.02)
-        self.assertTrue(condition())
-
-    def finish(self, panel):
-        """OK, and waits until the work has ended."""
-        panel.accept()
-        self.until(lambda: not panel.jobs)
-
-    def two_boxes(self):
-        first, second = self.box(), self.document.addObject("Part::Box", "Second")
-        second.Placement.Base = FreeCAD.Vector(4, 4, 4)
-        self.document.recompute()
-        return first, second
-
+class Commands(gui_helpers.PanelTest):
     def test_each_makes_an_object_and_undoes_it_in_one_step(self):
         sources = self.two_boxes()
         for command in ALL:
@@ -167,9 +124,7 @@ class Queue(gui_helpers.GuiTest):
             return compute
 
         made = [queue.add(jobs.Job(name, work(name), seen.append, quiet=True)) for name in "abc"]
-        end = time.monotonic() + LIMIT
-        while any(job.active for job in made) and time.monotonic() < end:
-            gui_helpers.wait()
+        self.until(lambda: not any(job.active for job in made))
         self.assertEqual(seen, ["a", "c"])
         self.assertEqual([job.state for job in made], [jobs.DONE, jobs.FAILED, jobs.DONE])
         self.assertEqual(str(made[1].error), "no luck")

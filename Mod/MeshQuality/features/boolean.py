@@ -11,6 +11,7 @@ from ..boolean_mesh import run
 from ..errors import InvalidInput
 from ..operands import Operands
 from . import mesh_object
+from .work import Work
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
@@ -28,6 +29,17 @@ MEASURED = (
 class MeshBoolean(mesh_object.MeshObject):
     """Proxy of a Mesh::FeaturePython that holds a Boolean of its sources."""
 
+    COMMAND, CALL = "MeshQuality_Boolean", "add_boolean"
+    OPTIONS = options.BOOLEAN
+
+    def sources(self, obj):
+        """The Sources."""
+        return obj.Sources
+
+    def holds_mesh(self, obj):
+        """A Boolean may be empty."""
+        return obj.Mesh.CountFacets == obj.Triangles
+
     def add_properties(self, obj):
         """Adds those properties that the object has not got yet."""
         # Global: operands may lie inside a container that the mesh does not belong to itself.
@@ -37,22 +49,17 @@ class MeshBoolean(mesh_object.MeshObject):
         mesh_object.add_measured(obj, MEASURED)
         mesh_object.add_hidden(obj, "Boolean", (mesh_object.FINGERPRINT,))
 
-    def work(self, obj):
-        """To compute the Boolean anew, unless no operand and no option has changed."""
-        work = self.work_on(obj.Sources, mesh_object.options_of(obj, options.BOOLEAN))
-        up_to_date = work.fingerprint == obj.Fingerprint and obj.Mesh.CountFacets == obj.Triangles
-        return None if up_to_date else work
-
     @classmethod
-    def work_on(cls, sources, values):
-        """The Work of an object with these sources and options."""
+    def work_on(cls, sources, values, obj=None):
+        """The Boolean of these sources."""
         if len(sources) < 2:
             raise InvalidInput(f"Sources has {len(sources)} objects: choose two or more with a "
                                "mesh or a shape")
         values = options.check(options.BOOLEAN, values)
         operands = Operands(sources)
-        return mesh_object.Work(operands.digest() + json.dumps(values, sort_keys=True),
-                                partial(cls.compute, operands, values))
+        return Work(cls, sources, values,
+                    lambda: operands.digest() + json.dumps(values, sort_keys=True),
+                    partial(cls.compute, operands, values))
 
     @classmethod
     def compute(cls, operands, values, progress):

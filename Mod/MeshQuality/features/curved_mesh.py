@@ -5,7 +5,6 @@ Its Mesh is what the elements look like, cut into flat triangles; the elements t
 in hidden properties, so that an opened document can write them without curving anew.
 """
 
-from dataclasses import replace
 from functools import partial
 
 from .. import convert, options
@@ -49,6 +48,7 @@ _MEASURED = (
 class CurvedMeshObject(mesh_object.SourceMesh):
     """Proxy of a Mesh::FeaturePython that holds curved elements on its source's shape."""
 
+    COMMAND, CALL = "MeshQuality_Curve", "add_curved_mesh"
     OPTIONS = options.CURVE + options.CURVED_DISPLAY
     MEASURED = tuple((name, kind, text) for name, kind, text, _ in _MEASURED)
     HIDDEN = (
@@ -65,11 +65,14 @@ class CurvedMeshObject(mesh_object.SourceMesh):
 
         CurvedMeshView(view)
 
-    def work(self, obj):
+    @classmethod
+    def work_on(cls, sources, values, obj=None):
         """As for all; where the deviation alone has changed, the elements are cut anew only."""
-        work = super().work(obj)
-        if work is not None and _elements_fingerprint(*work.compute.args) == obj.ElementsFingerprint:
-            return replace(work, compute=partial(work.compute, kept=CurvedMesh.of(obj)))
+        work = super().work_on(sources, values, obj)
+        if obj is not None and obj.ElementsFingerprint:
+            shape, values = work.compute.args
+            if _elements_fingerprint(shape, values) == obj.ElementsFingerprint:
+                work.compute = partial(work.compute, kept=CurvedMesh.of(obj))
         return work
 
     @classmethod

@@ -3,8 +3,7 @@
 
 import hashlib
 import json
-from collections.abc import Callable
-from dataclasses import dataclass
+from contextlib import contextmanager
 from functools import partial
 
 import FreeCAD
@@ -13,6 +12,7 @@ import numpy as np
 from .. import convert, options
 from ..compat import PlainState
 from ..errors import Error, InvalidInput
+from .work import Work, handed_over, result_for
 
 # Name, type, what it says: measured on the mesh that an object holds.
 TOPOLOGY = (
@@ -28,29 +28,22 @@ FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
              "Pairs (index of a CAD face, number of successive triangles on it)")
 
 
-# Results by fingerprint that were computed before the object that asks for them, in the background.
-ahead = {}
-
-
-@dataclass(frozen=True)
-class Work:
-    """What an object has to compute.
-
-    fingerprint  of what it is computed from
-    compute      compute(progress) -> result, progress as for triangulate or None; it touches no
-                 document, so that any thread may call it
-    """
-
-    fingerprint: str
-    compute: Callable
-
 
 class MeshObject(PlainState):
     """Proxy of a Mesh::FeaturePython. Its state is in the object's properties.
 
-    A subclass has add_properties(obj), which adds those the object has not got yet; work(obj), the
-    Work that the object needs, None when it is up to date; and take(obj, result), which sets the
-    mesh. An error in them leaves the last good mesh as it is.
+    A subclass has
+    COMMAND             the command that adds one, by which it also gets its icon
+    CALL                the function of the API that adds one
+    OPTIONS             the table of its options
+    sources(obj)        the document objects that it is made of
+    add_properties(obj) adds those properties that the object has not got yet
+    work_on(sources, values, obj=None)
+                        class method: the Work of an object with these sources and options, `obj`
+                        itself where it is there already
+    holds_mesh(obj)     whether the mesh of its last result is there
+    take(obj, result)   shows a result
+    An error leaves the last good mesh as it is.
     """
 
     def __init__(self, obj):
@@ -58,29 +51,44 @@ class MeshObject(PlainState):
         self.add_properties(obj)
 
     def attach_view(self, view):
-        """Gives the object's view in the GUI its proxy; 0: FreeCAD's own view of a mesh."""
-        view.Proxy = 0
+        """Gives the object's view in the GUI its proxy."""
+        from ..gui.mesh_view import MeshView
+
+        MeshView(view)
 
     def onDocumentRestored(self, obj):
         """Documents of older versions get the properties that were added since; those that were
-        saved without the GUI get a view.
+        saved without the GUI, or by a version without views of its own, get a view.
         """
         self.add_properties(obj)
-        if FreeCAD.GuiUp and obj.ViewObject.Proxy is None:
+        if FreeCAD.GuiUp and not isinstance(obj.ViewObject.Proxy, PlainState):
             self.attach_view(obj.ViewObject)
 
     def execute(self, obj):
         """Brings the mesh up to date, unless nothing that it depends on has changed."""
         self.error = None
         try:
-            work = self.work(obj)
-            if work is not None:
-                known = ahead.pop(work.fingerprint, None)
-                self.take(obj, work.compute(None) if known is None else known)
+            done = self._result(obj)
+            if done is not None:
+                work, result = done
+                self.take(obj, result)
                 obj.Fingerprint = work.fingerprint
         except (Error, ImportError, MemoryError) as error:
             self.error = error
             raise type(error)(f"{obj.Label}: {error}") from error
+
+    def _result(self, obj):
+        """The (Work, result) that the object needs, None when it is up to date."""
+        sources, values = self.sources(obj), options_of(obj, self.OPTIONS)
+        done = result_for(type(self), sources, values)
+        if done is not None:
+            return done
+        work = self.work_on(sources, values, obj)
+        return None if self.is_result(obj, work) else (work, work.result(None))
+
+    def is_result(self, obj, work):
+        """Whether the object holds what the work would give."""
+        return work.fingerprint == obj.Fingerprint and self.holds_mesh(obj)
 
 
 class SourceMesh(MeshObject):
@@ -91,6 +99,14 @@ class SourceMesh(MeshObject):
     """
 
     OPTIONS = MEASURED = HIDDEN = ()
+
+    def sources(self, obj):
+        """The Source."""
+        return [obj.Source]
+
+    def holds_mesh(self, obj):
+        """A shape has a mesh of at least one triangle."""
+        return obj.Mesh.CountFacets > 0
 
     def add_properties(self, obj):
         """Adds those properties that the object has not got yet."""
@@ -111,20 +127,15 @@ class SourceMesh(MeshObject):
             obj.Mesh = mesh
             obj.purgeTouched()
 
-    def work(self, obj):
-        """To mesh the source anew, unless neither it nor an option has changed."""
-        if obj.Source is None:
-            raise InvalidInput("Source is empty: choose an object with a shape")
-        work = self.work_on(obj.Source, options_of(obj, self.OPTIONS))
-        up_to_date = work.fingerprint == obj.Fingerprint and obj.Mesh.CountFacets > 0
-        return None if up_to_date else work
-
     @classmethod
-    def work_on(cls, source, values):
-        """The Work of an object with this source and these options."""
+    def work_on(cls, sources, values, obj=None):
+        """To mesh the source with these options."""
+        if sources == [None]:
+            raise InvalidInput("Source is empty: choose an object with a shape")
         values = options.check(cls.OPTIONS, values)
-        shape = convert.shape_of(source)
-        return Work(fingerprint_of(shape, values), partial(cls.compute, shape, values))
+        shape = convert.shape_of(sources[0])
+        return Work(cls, sources, values, partial(fingerprint_of, shape, values),
+                    partial(cls.compute, shape, values))
 
 
 def fingerprint_of(shape, values):
@@ -204,27 +215,64 @@ def add(document, name, title, make):
 
     Returns the object; on an error nothing is added.
     """
+    with _undo_step(document, title):
+        obj = document.addObject("Mesh::FeaturePython", name)
+        try:
+            proxy = make(obj)
+            if FreeCAD.GuiUp:
+                proxy.attach_view(obj.ViewObject)
+            obj.recompute()
+            if proxy.error is not None:
+                raise proxy.error
+            obj.purgeTouched()
+        except BaseException:
+            document.removeObject(obj.Name)
+            raise
+    return obj
+
+
+def update(obj, values, progress=None):
+    """Gives the object those options and computes it, as one undo step of its own or as a part of
+    the transaction that is open. On an error all stays as it was.
+    """
+    proxy = getattr(obj, "Proxy", None)
+    if not isinstance(proxy, MeshObject):
+        raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
+                           "add_quality_mesh, add_curved_mesh or add_boolean")
+    table, sources = proxy.OPTIONS, proxy.sources(obj)
+    values = options.check(table, {**options_of(obj, table), **values})
+    done = result_for(type(proxy), sources, values)
+    if done is None:
+        work = proxy.work_on(sources, values, obj)
+        done = work, None if proxy.is_result(obj, work) else work.result(progress)
+    with _undo_step(obj.Document, f"Update {obj.Label}"):
+        set_options(obj, table, values)
+        if done[1] is None:
+            return
+        with handed_over(*done):
+            obj.recompute()
+        if proxy.error is not None:
+            raise proxy.error
+        obj.purgeTouched()
+        for dependent in obj.InList:
+            dependent.touch()
+
+
+@contextmanager
+def _undo_step(document, title):
+    """One undo step, or a part of the transaction that is open; none after an error."""
     # A transaction that was opened shows in the document only after its first change.
     own_transaction = not (document.HasPendingTransaction or FreeCAD.getActiveTransaction())
     if own_transaction:
         document.openTransaction(title)
-    obj = document.addObject("Mesh::FeaturePython", name)
     try:
-        proxy = make(obj)
-        if FreeCAD.GuiUp:
-            proxy.attach_view(obj.ViewObject)
-        obj.recompute()
-        if proxy.error is not None:
-            raise proxy.error
-        obj.purgeTouched()
+        yield
     except BaseException:
-        document.removeObject(obj.Name)
         if own_transaction:
             document.abortTransaction()
         raise
     if own_transaction:
         document.commitTransaction()
-    return obj
 
 
 def add_of_source(proxy_class, source, values, name, title):

@@ -19,6 +19,7 @@ MEASURED = (
 class QualityMesh(mesh_object.SourceMesh):
     """Proxy of a Mesh::FeaturePython that holds a mesh of its source."""
 
+    COMMAND, CALL = "MeshQuality_Triangulate", "add_quality_mesh"
     OPTIONS = options.TRIANGULATE
     MEASURED = MEASURED
 

@@ -3,15 +3,20 @@
 
 import FreeCADGui
 
-from .. import convert, options
+from .. import convert
 from ..api import triangulate
 from ..features import boolean, curved_mesh, quality_mesh
 from . import quality_panel
-from .mesh_panel import MeshPanel, Operation
+from .mesh_panel import MeshPanel
+from .operation import Operation
 
 
 class _Command:
-    """A subclass has NAME, TEXT (also of the undo step), TIP, and operations(selected objects)."""
+    """A subclass has NAME, TEXT (also of the undo step), TIP, and KIND, the class of the objects that
+    it adds, if any.
+    """
+
+    KIND = None
 
     def GetResources(self):
         return {"Pixmap": self.NAME, "MenuText": self.TEXT + "...", "ToolTip": self.TIP}
@@ -26,38 +31,29 @@ class _Command:
         """The selected objects that the command is for; none when it cannot be used."""
         return [obj for obj in FreeCADGui.Selection.getSelection() if _has_shape(obj)]
 
-
-class _MeshCommand(_Command):
-    """Adds a mesh of each selected object with a shape.
-
-    A subclass also has PROXY and CALL, the function of the API that adds one.
-    """
-
     def operations(self, selected):
-        return [self._operation(source) for source in selected]
+        """What the panel is to do: here, a mesh of each."""
+        return [Operation(self.TEXT, self.KIND, [source], self.trial([source]))
+                for source in selected]
 
-    def trial(self, source):
+    def editing(self, obj):
+        """What the panel of an object that is there is to do."""
+        return Operation.of_object(self.TEXT, obj, self.trial(obj.Proxy.sources(obj)))
+
+    def trial(self, sources):
         """Estimates the number of triangles; None: that would take as long as the work itself."""
         return None
 
-    def _operation(self, source):
-        table = self.PROXY.OPTIONS
-        return Operation(
-            self.TEXT, table, [source], lambda values: self.PROXY.work_on(source, values),
-            lambda values: f"mq.{self.CALL}({_name(source)}{_arguments(table, values)})",
-            self.trial(source))
 
-
-class Triangulate(_MeshCommand):
-    NAME = "MeshQuality_Triangulate"
+class Triangulate(_Command):
+    KIND = quality_mesh.QualityMesh
+    NAME = KIND.COMMAND
     TEXT = "Quality mesh"
     TIP = "Mesh the selected shapes with a guaranteed smallest angle"
-    CALL = "add_quality_mesh"
-    PROXY = quality_mesh.QualityMesh
 
-    def trial(self, source):
+    def trial(self, sources):
         def prepare(values, most):
-            shape = convert.shape_of(source)
+            shape = convert.shape_of(sources[0])
             limit = min(most, values["max_triangles"] or most)
 
             def compute(progress):
@@ -70,16 +66,16 @@ class Triangulate(_MeshCommand):
         return prepare
 
 
-class Curve(_MeshCommand):
-    NAME = "MeshQuality_Curve"
+class Curve(_Command):
+    KIND = curved_mesh.CurvedMeshObject
+    NAME = KIND.COMMAND
     TEXT = "Curved mesh"
     TIP = "Mesh the selected shapes with curved elements, each proven to be free of folds"
-    CALL = "add_curved_mesh"
-    PROXY = curved_mesh.CurvedMeshObject
 
 
 class Boolean(_Command):
-    NAME = "MeshQuality_Boolean"
+    KIND = boolean.MeshBoolean
+    NAME = KIND.COMMAND
     TEXT = "Mesh Boolean"
     TIP = "Join, intersect or subtract the selected meshes and shapes, in the order of selection"
 
@@ -90,11 +86,7 @@ class Boolean(_Command):
         return found if len(found) > 1 and one_document else []
 
     def operations(self, selected):
-        names = ", ".join(map(_name, selected))
-        return [Operation(
-            self.TEXT, options.BOOLEAN, selected,
-            lambda values: boolean.MeshBoolean.work_on(selected, values),
-            lambda values: f"mq.add_boolean([{names}]{_arguments(options.BOOLEAN, values)})")]
+        return [Operation(self.TEXT, self.KIND, selected)]
 
 
 class Analyse(_Command):
@@ -110,26 +102,22 @@ class Analyse(_Command):
         return found if len(found) == 1 and found[0].isDerivedFrom("Mesh::Feature") else []
 
 
-def _name(obj):
-    """The object, in Python."""
-    return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
-
-
-def _arguments(table, values):
-    """Those values that are not the default, as arguments in Python."""
-    defaults = {option.name: option.default for option in table}
-    return "".join(f", {name}={value!r}" for name, value in values.items()
-                   if value != defaults[name])
-
-
 def _has_shape(obj):
     return hasattr(obj, "Shape") or obj.hasExtension("App::GroupExtension") \
         or obj.TypeId == "App::Link"
 
 
+_COMMANDS = (Triangulate, Curve, Boolean, Analyse)
+
+
+def panel_of(obj):
+    """The panel that edits a document object."""
+    command = next(command for command in _COMMANDS if command.KIND is type(obj.Proxy))
+    return MeshPanel([command().editing(obj)], editing=True)
+
+
 def register():
     """Registers all commands with FreeCAD; returns their names in menu order."""
-    commands = [Triangulate, Curve, Boolean, Analyse]
-    for command in commands:
+    for command in _COMMANDS:
         FreeCADGui.addCommand(command.NAME, command())
-    return [command.NAME for command in commands]
+    return [command.NAME for command in _COMMANDS]

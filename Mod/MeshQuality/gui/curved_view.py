@@ -9,10 +9,10 @@ come from the core as arrays.
 import numpy as np
 from pivy import coin
 
-from ..compat import PlainState
 from ..curved_mesh import CurvedMesh
 from ..errors import Error
 from .colour_scale import colours_of
+from .mesh_view import MeshView
 
 MODE = "Curved"
 PLAIN, JACOBIAN = "Nothing", "Scaled Jacobian"
@@ -89,20 +89,21 @@ def _runs(rows):
     return np.column_stack((rows, np.full(len(rows), -1))).ravel()
 
 
-class CurvedMeshView(PlainState):
+class CurvedMeshView(MeshView):
     """Proxy of the view of a curved mesh. Adds a display mode beside those of every mesh."""
 
     def __init__(self, view):
         view.addProperty("App::PropertyEnumeration", "ColorBy", "Curved mesh",
                          "What the colours of the elements show")
         view.ColorBy = [PLAIN, JACOBIAN]
-        view.Proxy = self
+        super().__init__(view)
         view.DisplayMode = MODE
         # Of a document that was saved without a window the mesh is there already.
         self.updateData(view.Object, "Mesh")
 
     def attach(self, view):
         """Called when the view is made, and when it is read from a file."""
+        super().attach(view)
         self.scene = CurvedMeshScene()
         self._quality = None
         view.addDisplayMode(self.scene.root, MODE)

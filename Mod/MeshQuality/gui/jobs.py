@@ -101,8 +101,6 @@ class Job(QtCore.QObject):
 class Queue(QtCore.QObject):
     """Jobs in the order in which they were added; one runs at a time."""
 
-    changed = QtCore.Signal()
-
     def __init__(self):
         super().__init__()
         self._waiting = collections.deque()
@@ -119,7 +117,6 @@ class Queue(QtCore.QObject):
         """Has a job done, after those that were added before."""
         self._waiting.append(job)
         self._timer.start()
-        self.changed.emit()
         return job
 
     def close(self):
@@ -141,7 +138,6 @@ class Queue(QtCore.QObject):
             self.running.look()
             if not self.running.active:
                 self.running = None
-        self.changed.emit()
 
     def _start_next(self):
         while self._waiting:

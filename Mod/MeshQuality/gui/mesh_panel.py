@@ -1,65 +1,39 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of objects that are computed: options, progress in the background, and errors."""
 
-import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from .. import options
 from ..errors import Error
-from ..features import mesh_object
-from . import jobs
+from . import jobs, operation
 from .option_form import OptionForm
 
 _TRIAL = 50_000  # triangles of a trial for the estimate
 _PAUSE = 400  # ms without a change before a trial begins
-
-
-class Operation:
-    """What a panel does: a command's name for people, its table of options, and its objects.
-
-    title     for windows and undo
-    table     of options
-    sources   document objects
-    work      work(values) -> mesh_object.Work
-    call      call(values) -> the line of Python that adds the object, for the macro too
-    trial     trial(values, most) -> compute(progress) -> (number of triangles, whether these are
-              all), for an estimate with `most` triangles; None: no estimate
-    """
-
-    def __init__(self, title, table, sources, work, call, trial=None):
-        self.title, self.table, self.sources = title, table, sources
-        self.work, self.call, self.trial = work, call, trial
+_Buttons = QtGui.QDialogButtonBox
 
 
 class MeshPanel:
-    """A panel for FreeCADGui.Control.showDialog: OK computes in the background, then closes.
+    """A panel for FreeCADGui.Control.showDialog. Apply computes in the background, OK closes the
+    panel besides when that has succeeded.
 
-    operations  one for each object to be added, all with the same table
-    While jobs run Cancel ends them; else it closes the panel.
+    operations  one for each object, all with the same table
+    editing     whether the panel was opened by a double click on its object
+    While jobs run Cancel ends them; else it closes the panel. What Apply has done stays.
     """
 
-    def __init__(self, operations, values=None, hidden=()):
+    def __init__(self, operations, editing=False):
         self.operations = operations
         self.jobs = []
         self.said = ""  # the message, which ends with the panel
+        self._editing = editing
+        self._closing = False  # whether the panel closes once its jobs are done
         self._trial = None
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(operations[0].title)
-        layout = QtGui.QVBoxLayout(self.form)
-        of = QtGui.QLabel("Of " + ", ".join(source.Label for operation in operations
-                                           for source in operation.sources))
-        self.options = OptionForm(operations[0].table, hidden)
-        self.options.set_values(values or {})
-        self.estimate, self.message, self.bar = QtGui.QLabel(), QtGui.QLabel(), QtGui.QProgressBar()
-        self.estimate.setVisible(operations[0].trial is not None)
-        for label in (of, self.estimate, self.message):
-            label.setWordWrap(True)
-        for widget in (of, self.options, self.estimate, self.bar, self.message):
-            layout.addWidget(widget)
-        layout.addStretch()
-        self.bar.setRange(0, 1000)
-        self.bar.hide()
+        self.options = OptionForm(operations[0].kind.OPTIONS)
+        self.options.set_values(operations[0].values())
+        self._lay_out()
         self._timer = QtCore.QTimer(self.form)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_PAUSE)
@@ -67,15 +41,38 @@ class MeshPanel:
         self.options.changed.connect(self._options_changed)
         self._options_changed()
 
+    def _lay_out(self):
+        of = QtGui.QLabel("Of " + ", ".join(source.Label for made in self.operations
+                                           for source in made.sources if source is not None))
+        self.estimate, self.message, self.bar = QtGui.QLabel(), QtGui.QLabel(), QtGui.QProgressBar()
+        self.estimate.setVisible(self.operations[0].trial is not None)
+        layout = QtGui.QVBoxLayout(self.form)
+        for label in (of, self.estimate, self.message):
+            label.setWordWrap(True)
+        for widget in (of, self.options, self.estimate, self.bar, self.message):
+            layout.addWidget(widget)
+        layout.addStretch()
+        self.bar.setRange(0, 1000)
+        self.bar.hide()
+
     def getStandardButtons(self):
-        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel
-        return int(getattr(buttons, "value", buttons))
+        buttons = _Buttons.Ok | _Buttons.Apply | _Buttons.Cancel
+        return _number(buttons)
+
+    def clicked(self, button):
+        """FreeCAD tells of every button; OK and Cancel have their own functions."""
+        if _number(button) == _number(_Buttons.Apply):
+            self.apply()
+
+    def apply(self):
+        """Begins the work; the panel stays open, and edits what was made."""
+        self._closing = False
+        self._start()
 
     def accept(self):
         """OK: begins the work; the panel closes when it has succeeded."""
-        self._end_trial()
-        if not self.jobs:
-            self._start()
+        self._closing = True
+        self._start()
         return False
 
     def reject(self):
@@ -84,40 +81,50 @@ class MeshPanel:
             for job in list(self.jobs):
                 job.cancel()
             return False
-        self._end_trial()
-        FreeCADGui.Control.closeDialog()
+        self._close()
         return True
 
+    def _close(self):
+        self._end_trial()
+        if self._editing:
+            self._editing = False
+            FreeCADGui.ActiveDocument.resetEdit()
+        FreeCADGui.Control.closeDialog()
+
     def _start(self):
+        if self.jobs:
+            return
+        self._end_trial()
         try:
-            values = options.check(self.operations[0].table, self.options.values())
-            works = [operation.work(values) for operation in self.operations]
+            values = operation.check(self.operations, self.options.values())
+            works = [made.work(values) for made in self.operations]
         except (Error, ImportError) as error:
             self._say(str(error))
             return
-        self.options.setEnabled(False)
-        self.bar.setValue(0)
-        self.bar.show()
         self._say("")
-        self.jobs = [self._job(operation, work, values)
-                     for operation, work in zip(self.operations, works)]
+        self.jobs = [self._job(made, work) for made, work in zip(self.operations, works)
+                     if not made.is_done(work)]
+        self.options.setEnabled(not self.jobs)
+        self.bar.setValue(0)
+        self.bar.setVisible(bool(self.jobs))
         for job in list(self.jobs):
             jobs.queue().add(job)
+        self._close_if_done()
 
-    def _job(self, operation, work, values):
-        document = operation.sources[0].Document.Name
-        job = jobs.Job(operation.title, work.compute,
-                       lambda result: _add(operation, document, work.fingerprint, values, result),
-                       lambda: _present(document, operation.sources))
+    def _job(self, made, work):
+        watch, edited = operation.Watch(made.sources), made.obj
+        job = jobs.Job(made.title, work.result, lambda result: made.land(work, result, watch),
+                       lambda: made.possible(edited))
         job.changed.connect(lambda: self._show_progress(job))
-        job.ended.connect(lambda: self._ended(job))
+        job.ended.connect(lambda: self._ended(job, watch))
         return job
 
     def _show_progress(self, job):
         self.bar.setValue(int(1000 * job.fraction))
         self.bar.setFormat(f"{job.stage or job.state}: %p %")
 
-    def _ended(self, job):
+    def _ended(self, job, watch):
+        watch.end()
         self.jobs.remove(job)
         if job.state == jobs.CANCELLED:
             self._say("Cancelled; nothing was changed.")
@@ -127,8 +134,11 @@ class MeshPanel:
             return
         self.bar.hide()
         self.options.setEnabled(True)
-        if not self.said:
-            FreeCADGui.Control.closeDialog()
+        self._close_if_done()
+
+    def _close_if_done(self):
+        if self._closing and not self.jobs and not self.said:
+            self._close()
 
     def _say(self, text):
         self.said = text
@@ -144,8 +154,8 @@ class MeshPanel:
 
     def _start_trial(self):
         try:
-            values = options.check(self.operations[0].table, self.options.values())
-            trials = [operation.trial(values, _TRIAL) for operation in self.operations]
+            values = operation.check(self.operations, self.options.values())
+            trials = [made.trial(values, _TRIAL) for made in self.operations]
         except Error as error:
             self.estimate.setText("")
             self._say(str(error))
@@ -166,25 +176,6 @@ class MeshPanel:
         self._trial = None
 
 
-def _present(document, sources):
-    """Whether the sources still are in the document of this name."""
-    if document not in FreeCAD.listDocuments():
-        return False
-    objects = FreeCAD.getDocument(document).Objects
-    return all(source in objects for source in sources)
-
-
-def _add(operation, document, fingerprint, values, result):
-    """Adds the object by a line of Python that the macro records; it finds its result ready."""
-    document = FreeCAD.getDocument(document)
-    mesh_object.ahead[fingerprint] = result
-    document.openTransaction(operation.title)
-    try:
-        FreeCADGui.doCommand("import MeshQuality as mq")
-        FreeCADGui.doCommand(operation.call(values))
-    except BaseException:
-        document.abortTransaction()
-        raise
-    finally:
-        mesh_object.ahead.pop(fingerprint, None)
-    document.commitTransaction()
+def _number(buttons):
+    """Qt 6 has enumerations where Qt 5 has numbers."""
+    return int(getattr(buttons, "value", buttons))

@@ -15,15 +15,13 @@ class OptionForm(QtGui.QWidget):
 
     changed = QtCore.Signal()
 
-    def __init__(self, table, hidden=()):
+    def __init__(self, table):
         super().__init__()
         self._fields = {}
         boxes = {}
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         for option in table:
-            if option.name in hidden:
-                continue
             if option.group not in boxes:
                 boxes[option.group] = _group(option.group)
                 layout.addWidget(boxes[option.group])

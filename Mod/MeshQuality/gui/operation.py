@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a panel does to the document: it adds a mesh, or gives one other options.
+
+The change is a line of Python that the macro records. Its result has been computed before, in the
+background, and is handed over to it.
+"""
+
+import FreeCAD
+import FreeCADGui
+
+from .. import options
+from ..features import mesh_object
+from ..features.work import handed_over
+
+# Properties of a source that do not change its shape or mesh.
+_LOOKS = ("Label", "Label2", "Visibility", "Proxy", "ExpressionEngine")
+
+
+class Operation:
+    """One mesh that a panel makes.
+
+    title    for windows and undo
+    kind     class of the object's proxy
+    sources  document objects that the mesh is made of
+    trial    trial(values, most) -> compute(progress) -> (number of triangles, whether these are
+             all), for an estimate with `most` triangles; None: no estimate
+    obj      the document object, once there is one
+    """
+
+    def __init__(self, title, kind, sources, trial=None, obj=None):
+        self.title, self.kind, self.sources = title, kind, list(sources)
+        self.trial, self._obj = trial, obj
+        self._document = (obj or self.sources[0]).Document.Name
+
+    @classmethod
+    def of_object(cls, title, obj, trial=None):
+        """The operation that edits an object."""
+        return cls(title, type(obj.Proxy), obj.Proxy.sources(obj), trial, obj)
+
+    @property
+    def obj(self):
+        """The document object; None before it was added and after it was removed."""
+        return self._obj if self._obj is not None and _is_there(self._document, self._obj) else None
+
+    def values(self):
+        """The options of the object, {} without one."""
+        return mesh_object.options_of(self.obj, self.kind.OPTIONS) if self.obj else {}
+
+    def work(self, values):
+        """The Work to be done."""
+        return self.kind.work_on(self.sources, values, self.obj)
+
+    def is_done(self, work):
+        """Whether the object already holds what the work would give, and says so."""
+        return self.obj is not None and work.values == self.values() \
+            and self.obj.Proxy.is_result(self.obj, work)
+
+    def possible(self, edited):
+        """Whether the document still has the sources, and the object that is edited unless None."""
+        needed = [*self.sources, *([edited] if edited is not None else [])]
+        return all(_is_there(self._document, obj) for obj in needed)
+
+    @property
+    def step(self):
+        """What undo calls it."""
+        return f"Edit {self.obj.Label}" if self.obj is not None else self.title
+
+    def line(self, values):
+        """The line of Python that does it."""
+        if self.obj is not None:
+            return f"mq.update({_name(self.obj)}{_arguments(values, self.values())})"
+        given = _name(self.sources[0])
+        if len(self.sources) > 1:
+            given = f"[{', '.join(map(_name, self.sources))}]"
+        defaults = {option.name: option.default for option in self.kind.OPTIONS}
+        return f"mq.{self.kind.CALL}({given}{_arguments(values, defaults)})"
+
+    def land(self, work, result, watch):
+        """Changes the document by that line, as one undo step. Where a source has changed while the
+        work ran, the object is left touched: the next recompute brings it up to date.
+        """
+        document, line = FreeCAD.getDocument(self._document), self.line(work.values)
+        document.openTransaction(self.step)
+        try:
+            with handed_over(work, result):
+                FreeCADGui.doCommand("import MeshQuality as mq")
+                FreeCADGui.doCommand(line)
+        except BaseException:
+            document.abortTransaction()
+            raise
+        if self.obj is None:
+            self._obj = document.ActiveObject
+        document.commitTransaction()
+        if watch.changed:
+            self._obj.touch()
+
+
+class Watch:
+    """Notes whether one of the objects, or what they are made of, changes."""
+
+    def __init__(self, objects):
+        self._objects = {(obj.Document.Name, obj.Name)
+                         for source in objects for obj in (source, *source.OutListRecursive)}
+        self.changed = False
+        FreeCAD.addDocumentObserver(self)
+
+    def end(self):
+        """Watches no longer."""
+        FreeCAD.removeDocumentObserver(self)
+
+    def slotChangedObject(self, obj, name):
+        """Called by FreeCAD."""
+        if name not in _LOOKS and (obj.Document.Name, obj.Name) in self._objects:
+            self.changed = True
+
+
+def _is_there(document, obj):
+    return document in FreeCAD.listDocuments() and obj in FreeCAD.getDocument(document).Objects
+
+
+def _name(obj):
+    """The object, in Python."""
+    return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
+
+
+def _arguments(values, known):
+    """Those values that are not known, as arguments in Python."""
+    return "".join(f", {name}={value!r}" for name, value in values.items() if value != known[name])
+
+
+def check(operations, values):
+    """The checked options of operations with one table; raises InvalidInput."""
+    return options.check(operations[0].kind.OPTIONS, values)
