@@ -18,7 +18,11 @@ BOOLEAN_METHODS = ("default", "uniform")
 
 @dataclass(frozen=True)
 class Option:
-    """One option. `low` itself is not allowed where `above` is set; None stands for `unset`."""
+    """One option. `low` itself is not allowed where `above` is set; None stands for `unset`.
+
+    In panels it is called `title`, and its choices as `choice_titles` says; `rare` ones are folded
+    away there.
+    """
 
     name: str
     kind: type
@@ -31,6 +35,9 @@ class Option:
     choices: tuple = ()
     group: str = "Mesh"
     unset: str = "no bound"
+    title: str = ""
+    choice_titles: tuple = ()
+    rare: bool = False
 
     @property
     def property_name(self):
@@ -112,49 +119,59 @@ def _plain_number(value, option):
 
 
 TRIANGULATE = (
-    Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0,
+    Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
            help="Smallest angle of a triangle; beyond about 30 the triangles grow many"),
     Option("chord_height", float, None, unit="mm", low=0.0, group="Accuracy",
+           title="Distance to the shape",
            help="Largest distance between the mesh and the shape"),
     Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Accuracy",
-           help="The same as a fraction of the shape's largest dimension"),
-    Option("max_edge", float, None, unit="mm", low=0.0, group="Size",
+           title="The same, as a part of the size",
+           help="The same as a part of the shape's largest dimension"),
+    Option("max_edge", float, None, unit="mm", low=0.0, group="Size", title="Longest edge",
            help="Longest edge of a triangle"),
-    Option("min_edge", float, None, unit="mm", low=0.0, group="Size",
-           help="No edge is split into shorter ones than this"),
-    Option("method", str, "refine", choices=METHODS,
-           help="Algorithm: refine inserts points until every angle and chord fits; star (hexagons) "
-                "and sprinkle (random points) first sample the faces by their curvature"),
-    Option("insertion", str, "off-centre", choices=INSERTIONS,
+    Option("min_edge", float, None, unit="mm", low=0.0, group="Size", title="Shortest edge",
+           rare=True, help="No edge is split into shorter ones than this"),
+    Option("method", str, "refine", choices=METHODS, title="Method", rare=True,
+           choice_titles=("refine where needed", "sample in hexagons", "sample at random"),
+           help="refine inserts points until every angle and distance fits; star (hexagons) and "
+                "sprinkle (random points) first lay points on the faces, denser where they bend"),
+    Option("insertion", str, "off-centre", choices=INSERTIONS, title="New points",
+           rare=True, choice_titles=("few triangles", "as Aftosmis 1999"),
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, paper is the rule of Aftosmis 1999"),
-    Option("max_triangles", int, None, low=1, above=False, group="Size",
-           help="Work ends with an incomplete mesh at this number; 5 million unless given"),
-    Option("allow_missing_faces", bool, False,
+    Option("max_triangles", int, None, low=1, above=False, group="Size", title="Most triangles",
+           rare=True, help="Work ends, incomplete, at this number; 5 million unless given"),
+    Option("allow_missing_faces", bool, False, title="Leave out faces that fail", rare=True,
            help="Mesh the rest of a part whose faces fail, and name those in the report"),
     Option("connectivity", str, "pseudo-delaunay", choices=CONNECTIVITIES, group="Sampling",
+           title="Samples are joined", rare=True,
+           choice_titles=("in space", "in face parameters"),
            help="How samples are joined: pseudo-delaunay in space, parametric in (u, v)"),
-    Option("polish", bool, True, group="Sampling",
-           help="Refine after sampling, so that the angle and chord bounds hold"),
+    Option("polish", bool, True, group="Sampling", title="Refine after sampling", rare=True,
+           help="Refine after sampling, so that the bounds on angle and distance hold"),
     Option("seed", int, 0, low=0, high=2**31 - 1, above=False, group="Sampling",
+           title="Random seed", rare=True,
            help="Of the random points of sprinkle; the same seed gives the same mesh"),
 )
 
 
 CURVE = (
-    Option("order", int, 2, low=1, high=5, above=False,
+    Option("order", int, 2, low=1, high=5, above=False, title="Order of the elements",
            help="Order of the elements: 1 to 5, with tetrahedra to 4"),
-    Option("volume", bool, False, help="Fill the solids with tetrahedra"),
-    Option("straighten", bool, False,
+    Option("volume", bool, False, title="Fill solids with tetrahedra",
+           help="Fill the solids with tetrahedra"),
+    Option("straighten", bool, False, title="Straighten faulty elements",
            help="Make elements straight that stay invalid after all repairs"),
     Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Straight mesh",
+           title="Smallest angle",
            help="Smallest angle of the straight triangles"),
-    Option("chord_height", float, None, unit="mm", low=0.0, group="Straight mesh", unset="not given",
+    Option("chord_height", float, None, unit="mm", low=0.0, group="Straight mesh",
+           unset="not given", title="Distance to the shape",
            help="Largest distance between the straight mesh and the shape"),
     Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Straight mesh",
-           unset="not given",
-           help="The same as a fraction of the shape's largest dimension; 0.01 unless one is given"),
-    Option("max_edge", float, None, unit="mm", low=0.0, group="Straight mesh",
+           unset="not given", title="The same, as a part of the size",
+           help="The same as a part of the shape's largest dimension; 0.01 unless one is given"),
+    Option("max_edge", float, None, unit="mm", low=0.0, group="Straight mesh", title="Longest edge",
            help="Longest edge of the straight mesh"),
 )
 
@@ -162,22 +179,50 @@ CURVE = (
 # Of the document object, beside those of CURVE.
 CURVED_DISPLAY = (
     Option("deviation", float, None, unit="mm", low=0.0, group="Display",
-           unset="a thousandth of the size",
+           unset="size / 1000", title="Display within",
            help="Largest distance between the triangles shown and the curved elements"),
 )
 
 
 BOOLEAN = (
-    Option("operation", str, "union", choices=OPERATIONS, group="Boolean",
+    Option("operation", str, "union", choices=OPERATIONS, group="Boolean", title="Operation",
+           choice_titles=("join", "keep the common part", "cut off", "keep what is in one only"),
            help="Applied from the first operand on"),
     Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
+           title="Resolution",
            help="Parts along the longest side; gives the tolerance where that is not given"),
-    Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean",
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Tolerance",
            help="Largest distance of the result from the exact one"),
-    Option("method", str, "default", choices=BOOLEAN_METHODS, group="Boolean",
+    Option("method", str, "default", choices=BOOLEAN_METHODS, group="Boolean", title="Method",
+           rare=True, choice_titles=("exact intersection", "sampling (Wang 2010)"),
            help="Algorithm: default divides triangles along the exact intersection; uniform is the "
                 "sampling scheme of Wang 2010, for two operands"),
 )
+
+
+@dataclass(frozen=True)
+class Preset:
+    """Values that go together; `title` is a word for the box at the top of a panel."""
+
+    title: str
+    values: dict
+
+
+def _fineness(title, relative, **values):
+    return Preset(title, {"chord_height": None, "chord_height_relative": relative,
+                          "max_edge": None, **values})
+
+
+# From coarse to fine, by the distance to the shape as a part of its largest dimension.
+TRIANGULATE_PRESETS = (
+    _fineness("Coarse", 0.01), _fineness("Medium", 0.003), _fineness("Fine", 0.001),
+    _fineness("Very fine", 0.0003),
+)
+CURVE_PRESETS = (
+    _fineness("Coarse", 0.03, order=2), _fineness("Medium", 0.01, order=2),
+    _fineness("Fine", 0.005, order=3), _fineness("Very fine", 0.001, order=3),
+)
+FIRST_PRESET = "Medium"  # where nothing was chosen yet
 
 
 def check(table, values):

@@ -10,7 +10,7 @@ import helpers
 import numpy as np
 from PySide import QtCore, QtGui
 
-from MeshQuality.gui import mesh_panel
+from MeshQuality.gui import mesh_panel, preferences
 
 PICTURES = os.environ.get("MESHQUALITY_GUI_PICTURES", ".")
 WIDTH, HEIGHT = 700, 500
@@ -57,6 +57,7 @@ class PanelTest(GuiTest):
 
     def setUp(self):
         super().setUp()
+        preferences.stored().Clear()
         FreeCADGui.activateWorkbench("MeshQualityWorkbench")
         FreeCADGui.Selection.clearSelection()
 

@@ -35,7 +35,7 @@ class MeshObject(PlainState):
     A subclass has
     COMMAND             the command that adds one, by which it also gets its icon
     CALL                the function of the API that adds one
-    OPTIONS             the table of its options
+    OPTIONS, PRESETS    the table of its options, and values of them that go together
     sources(obj)        the document objects that it is made of
     add_properties(obj) adds those properties that the object has not got yet
     work_on(sources, values, obj=None)
@@ -45,6 +45,8 @@ class MeshObject(PlainState):
     take(obj, result)   shows a result
     An error leaves the last good mesh as it is.
     """
+
+    PRESETS = ()
 
     def __init__(self, obj):
         obj.Proxy = self

@@ -21,6 +21,7 @@ class QualityMesh(mesh_object.SourceMesh):
 
     COMMAND, CALL = "MeshQuality_Triangulate", "add_quality_mesh"
     OPTIONS = options.TRIANGULATE
+    PRESETS = options.TRIANGULATE_PRESETS
     MEASURED = MEASURED
 
     @classmethod

@@ -5,8 +5,9 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from ..errors import Error
-from . import jobs, operation
+from . import jobs, operation, preferences
 from .option_form import OptionForm
+from .preset_box import PresetBox
 
 _TRIAL = 50_000  # triangles of a trial for the estimate
 _PAUSE = 400  # ms without a change before a trial begins
@@ -29,11 +30,15 @@ class MeshPanel:
         self._editing = editing
         self._closing = False  # whether the panel closes once its jobs are done
         self._trial = None
+        self._size = max(made.size() for made in operations)
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(operations[0].title)
         self.options = OptionForm(operations[0].kind.OPTIONS)
-        self.options.set_values(operations[0].values())
+        self.options.set_values(
+            operations[0].values() or preferences.first_values(operations[0].kind))
+        self.presets = PresetBox(operations[0].kind.PRESETS)
         self._lay_out()
+        self.presets.chosen.connect(self.options.set_values)
         self._timer = QtCore.QTimer(self.form)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_PAUSE)
@@ -49,7 +54,7 @@ class MeshPanel:
         layout = QtGui.QVBoxLayout(self.form)
         for label in (of, self.estimate, self.message):
             label.setWordWrap(True)
-        for widget in (of, self.options, self.estimate, self.bar, self.message):
+        for widget in (of, self.presets, self.options, self.estimate, self.bar, self.message):
             layout.addWidget(widget)
         layout.addStretch()
         self.bar.setRange(0, 1000)
@@ -102,9 +107,10 @@ class MeshPanel:
             self._say(str(error))
             return
         self._say("")
+        preferences.remember(self.operations[0].kind, values)
         self.jobs = [self._job(made, work) for made, work in zip(self.operations, works)
                      if not made.is_done(work)]
-        self.options.setEnabled(not self.jobs)
+        self._enable(not self.jobs)
         self.bar.setValue(0)
         self.bar.setVisible(bool(self.jobs))
         for job in list(self.jobs):
@@ -133,8 +139,12 @@ class MeshPanel:
         if self.jobs:
             return
         self.bar.hide()
-        self.options.setEnabled(True)
+        self._enable(True)
         self._close_if_done()
+
+    def _enable(self, enabled):
+        self.presets.setEnabled(enabled)
+        self.options.setEnabled(enabled)
 
     def _close_if_done(self):
         if self._closing and not self.jobs and not self.said:
@@ -148,6 +158,7 @@ class MeshPanel:
     def _options_changed(self):
         self._say("")
         self._end_trial()
+        self.presets.show(self.options.values(), self._size)
         if self.operations[0].trial is not None:
             self.estimate.setText("Counting triangles ...")
             self._timer.start()

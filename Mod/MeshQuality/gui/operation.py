@@ -42,6 +42,12 @@ class Operation:
         """The document object; None before it was added and after it was removed."""
         return self._obj if self._obj is not None and _is_there(self._document, self._obj) else None
 
+    def size(self):
+        """Largest dimension of the source in mm, for people; 0: unknown."""
+        box = getattr(getattr(self.sources[0], "ViewObject", None), "getBoundingBox", None)
+        box = box() if box else None
+        return max(box.XLength, box.YLength, box.ZLength) if box and box.isValid() else 0.0
+
     def values(self):
         """The options of the object, {} without one."""
         return mesh_object.options_of(self.obj, self.kind.OPTIONS) if self.obj else {}

@@ -11,16 +11,36 @@ _LARGEST = 2**31 - 1
 
 
 class OptionForm(QtGui.QWidget):
-    """One field for each option, in a group box for each group of the table."""
+    """One field for each option, in a group box for each group of the table; those that are rarely
+    needed can be folded away.
+    """
 
     changed = QtCore.Signal()
 
     def __init__(self, table):
         super().__init__()
         self._fields = {}
-        boxes = {}
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
+        self._add_groups(layout, [option for option in table if not option.rare])
+        self.more = QtGui.QToolButton()
+        self.more.setText("More options")
+        self.more.setCheckable(True)
+        self.more.setAutoRaise(True)
+        self.more.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+        self.more.toggled.connect(self._fold)
+        self._rare = QtGui.QWidget()
+        inner = QtGui.QVBoxLayout(self._rare)
+        inner.setContentsMargins(0, 0, 0, 0)
+        rare = [option for option in table if option.rare]
+        self._add_groups(inner, rare)
+        layout.addWidget(self.more)
+        layout.addWidget(self._rare)
+        self.more.setVisible(bool(rare))
+        self._fold(False)
+
+    def _add_groups(self, layout, table):
+        boxes = {}
         for option in table:
             if option.group not in boxes:
                 boxes[option.group] = _group(option.group)
@@ -28,9 +48,16 @@ class OptionForm(QtGui.QWidget):
             field = _field(option)
             field.changed.connect(self.changed)
             self._fields[option.name] = field
+            if option.kind is bool:
+                boxes[option.group].layout().addRow(field.widget)
+                continue
             label = QtGui.QLabel(_title(option))
             label.setToolTip(option.help)
             boxes[option.group].layout().addRow(label, field.widget)
+
+    def _fold(self, shown):
+        self.more.setArrowType(QtCore.Qt.DownArrow if shown else QtCore.Qt.RightArrow)
+        self._rare.setVisible(shown)
 
     def values(self):
         """{option: value}; what the table allows is checked by options.check."""
@@ -41,6 +68,8 @@ class OptionForm(QtGui.QWidget):
         for name, field in self._fields.items():
             if name in values:
                 field.set_value(values[name])
+                if field.option.rare and values[name] != field.option.default:
+                    self.more.setChecked(True)
 
     def field(self, name):
         """The widget of an option."""
@@ -48,7 +77,9 @@ class OptionForm(QtGui.QWidget):
 
 
 def _title(option):
-    return option.name.replace("_", " ").capitalize()
+    # A spin box says itself what 0 stands for; a field with a unit cannot.
+    return f"{option.title} (0: {option.unset})" if option.unit and option.default is None \
+        else option.title
 
 
 def _group(title):
@@ -91,8 +122,8 @@ class _Field(QtCore.QObject):
 class _Choice(_Field):
     def __init__(self, option):
         box = QtGui.QComboBox()
-        for choice in option.choices:
-            box.addItem(choice.replace("_", " "), choice)
+        for choice, title in zip(option.choices, option.choice_titles):
+            box.addItem(title, choice)
         super().__init__(option, box)
         box.currentIndexChanged.connect(self._changed)
 
@@ -105,7 +136,7 @@ class _Choice(_Field):
 
 class _Switch(_Field):
     def __init__(self, option):
-        super().__init__(option, QtGui.QCheckBox())
+        super().__init__(option, QtGui.QCheckBox(option.title))
         self.widget.toggled.connect(self._changed)
 
     def value(self):

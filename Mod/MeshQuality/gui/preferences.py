@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the user prefers, as FreeCAD keeps it, and the values that a panel begins with."""
+
+import json
+
+import FreeCAD
+
+from .. import options
+from ..errors import InvalidInput
+
+PATH = "User parameter:BaseApp/Preferences/Mod/MeshQuality"
+
+
+def stored():
+    """FreeCAD's group of our parameters."""
+    return FreeCAD.ParamGet(PATH)
+
+
+def first_values(kind):
+    """{option: value} that a panel for a new object of this kind begins with: those that were used
+    last, else a preset.
+    """
+    values = {option.name: option.default for option in kind.OPTIONS}
+    if "min_angle" in values:
+        values["min_angle"] = stored().GetFloat("MinAngle", values["min_angle"])
+    for preset in kind.PRESETS:
+        if preset.title == options.FIRST_PRESET:
+            values.update(preset.values)
+    if stored().GetBool("RememberValues", True):
+        values.update(_last(kind))
+    return values
+
+
+def remember(kind, values):
+    """Keeps the values for the next panel of this kind."""
+    if stored().GetBool("RememberValues", True):
+        stored().SetString(_entry(kind), json.dumps(values))
+
+
+def _last(kind):
+    """Values that were used last; {} when there are none, or of another version's options."""
+    text = stored().GetString(_entry(kind), "")
+    try:
+        return options.check(kind.OPTIONS, json.loads(text)) if text else {}
+    except (ValueError, InvalidInput):
+        FreeCAD.Console.PrintLog(f"MeshQuality: last values of {kind.COMMAND} are not used: {text}\n")
+        return {}
+
+
+def _entry(kind):
+    return "Last" + kind.COMMAND.split("_")[1]

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The box at the top of a panel that offers how fine a mesh shall be."""
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+
+class PresetBox(QtGui.QWidget):
+    """A choice among presets, and what the present values promise in words; hidden without presets."""
+
+    chosen = QtCore.Signal(dict)  # values
+
+    def __init__(self, presets):
+        super().__init__()
+        self._presets = presets
+        self.box = QtGui.QComboBox()
+        for preset in presets:
+            self.box.addItem(preset.title)
+        self.box.addItem("Custom")
+        self.promise = QtGui.QLabel()
+        self.promise.setWordWrap(True)
+        layout = QtGui.QFormLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addRow("Fineness", self.box)
+        layout.addRow(self.promise)
+        # Not at every change of the index: `show` changes it too.
+        self.box.activated[int].connect(self._choose)
+        self.setVisible(bool(presets))
+
+    def show(self, values, size):
+        """Shows which preset the values are, and what they promise of a part of this size in mm."""
+        names = [i for i, preset in enumerate(self._presets)
+                 if all(values[name] == value for name, value in preset.values.items())]
+        self.box.setCurrentIndex(names[0] if names else len(self._presets))
+        if self._presets:
+            self.promise.setText(_promise(values, size))
+
+    def _choose(self, index):
+        if index < len(self._presets):
+            self.chosen.emit(self._presets[index].values)
+
+
+def _promise(values, size):
+    """What the bound on the distance means, as a sentence."""
+    height, relative = values["chord_height"], values["chord_height_relative"]
+    if height is None and relative is None:
+        return "The distance from the shape is not bounded."
+    if height is None and not size:
+        return f"Keeps within {relative:g} of the part's size of the shape."
+    length = FreeCAD.Units.Quantity(height or relative * size, FreeCAD.Units.Length).UserString
+    return f"Keeps within {length} of the shape."
