@@ -192,6 +192,7 @@ BOOLEAN = (
            title="Resolution",
            help="Parts along the longest side; gives the tolerance where that is not given"),
     Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Tolerance",
+           unset="by resolution",
            help="Largest distance of the result from the exact one"),
     Option("method", str, "default", choices=BOOLEAN_METHODS, group="Boolean", title="Method",
            rare=True, choice_titles=("exact intersection", "sampling (Wang 2010)"),

@@ -46,6 +46,7 @@ def _promise(values, size):
     if height is None and relative is None:
         return "The distance from the shape is not bounded."
     if height is None and not size:
-        return f"Keeps within {relative:g} of the part's size of the shape."
+        return ""
+    keeps = "Before it is curved, the mesh keeps" if "order" in values else "Keeps"
     length = FreeCAD.Units.Quantity(height or relative * size, FreeCAD.Units.Length).UserString
-    return f"Keeps within {length} of the shape."
+    return f"{keeps} within {length} of the shape."
