@@ -2,7 +2,6 @@
 """What panels begin with: presets, and the values that were used last."""
 
 import gui_helpers
-from gui_helpers import until
 
 from MeshQuality import options
 from MeshQuality.gui import commands, preferences
@@ -83,7 +82,7 @@ class Remembered(gui_helpers.PanelTest):
         panel = self.panel(commands.Triangulate, self.box())
         panel.options.set_values(values)
         panel.accept()
-        until(lambda: not panel.jobs)
+        self.until(lambda: not panel.jobs)
 
     def first(self):
         panel = self.panel(commands.Triangulate, self.box("Another"))
