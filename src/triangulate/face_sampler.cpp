@@ -50,12 +50,16 @@ bool FaceSampler::crowded(const Vec3& point, double spacing) const {
     });
 }
 
-bool FaceSampler::one_ball_covers(const std::array<Vec3, 3>& points, double spacing) const {
-    const double reach = closest_ * spacing;
-    return index_.any_near(points[0], reach, [&](int i) {
-        const double limit = half_piece_[i] > 0.0 ? half_piece_[i] : reach;
-        return std::all_of(points.begin(), points.end(),
-                           [&](const Vec3& p) { return (index_.point(i) - p).squaredNorm() < limit * limit; });
+void FaceSampler::balls_around(const Vec3& point, double radius, double spacing,
+                               std::vector<GapSearch::Ball>& balls) const {
+    balls.clear();
+    const double reach = radius + closest(spacing);
+    index_.any_near(point, reach, [&](int i) {
+        const double limit = half_piece_[i] > 0.0 ? radius + half_piece_[i] : reach;
+        if ((index_.point(i) - point).squaredNorm() < limit * limit) {
+            balls.push_back({index_.point(i), half_piece_[i]});
+        }
+        return false;
     });
 }
 
@@ -73,7 +77,7 @@ std::vector<std::optional<FaceSampler::Candidate>> FaceSampler::candidates(const
         if (a.status != geometry::Status::Ok) {
             continue;
         }
-        const double spacing = context_.field.at(a.point, spacing_for(a.u, context_.bounds));
+        const double spacing = context_.spacing_at(a);
         found[i] = Candidate{{-1, uvs[i], a.normal, context_.grid.snap(a.point)}, spacing, false};
         if (!crowded(found[i]->site.point, spacing)) {
             roomy.push_back(i);

@@ -10,6 +10,7 @@
 #include "geometry/face_border.h"
 #include "geometry/session.h"
 #include "triangulate/curvature_radius.h"
+#include "triangulate/gap_search.h"
 #include "triangulate/sample_index.h"
 
 namespace mq::triangulate {
@@ -22,6 +23,12 @@ struct SamplingContext {
     const SpacingField& field;
     const Progress& progress;
     std::size_t most_samples = 0;  ///< on one face
+
+    /// r(K), graded, from the answer to Query::face_curvatures.
+    double spacing_at(const geometry::Answer& answer) const {
+        const bool regular = answer.status == geometry::Status::Ok;
+        return field.at(answer.point, regular ? spacing_for(answer.u, bounds) : bounds.most);
+    }
 };
 
 /// The samples of one face: what the two algorithms of Ruiz et al. have in common. All distances are in space.
@@ -43,8 +50,10 @@ class FaceSampler {
     std::vector<std::optional<Candidate>> candidates(const std::vector<Vec2>& uvs) const;
     /// A point of the local frame is too close to a sample, or in the diametral sphere of a piece of the border.
     bool crowded(const Vec3& point, double spacing) const;
-    /// One sample crowds all three points, and so whatever lies between them.
-    bool one_ball_covers(const std::array<Vec3, 3>& points, double spacing) const;
+    /// The balls that crowd places within `radius` of a point, where the spacing is `spacing` at most.
+    void balls_around(const Vec3& point, double radius, double spacing, std::vector<GapSearch::Ball>& balls) const;
+    /// How close a sample may come to one where the spacing is such.
+    double closest(double spacing) const { return closest_ * spacing; }
     void accept(const Candidate& candidate);
     /// (u, v) of a periodic surface, moved into the bounds of the face.
     Vec2 into_bounds(Vec2 uv) const;

@@ -185,7 +185,7 @@ std::vector<FaceSampler::Candidate> PartSampler::samples_of(const SamplingContex
                                                             const geometry::FaceBorder& border) {
     auto samples = options_.method == Method::Star
                        ? sample_star(context, face, border)
-                       : sample_sprinkle(context, face, border, coarse_.faces[face], options_.seed);
+                       : sample_sprinkle(context, face, border, options_.seed);
     samples_[face] = samples.size();
     result_.complete = result_.complete && samples.size() < context.most_samples;
     return samples;

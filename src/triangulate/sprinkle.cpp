@@ -3,149 +3,131 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <random>
 
-#include "triangulate/uv_triangle.h"
+#include "triangulate/face_cells.h"
+#include "triangulate/gap_search.h"
 
 namespace mq::triangulate {
 
 namespace {
 
 using geometry::Answer;
-using geometry::Engine;
-using geometry::Query;
 
 // At saturation the edges between balls of radius 1 are 1.3 long on average: so that they are as long as the spacing.
 constexpr double kClosest = 0.75;
-// A cell is covered when one ball holds its corners; by so much it must, as the surface bulges between them.
+// Cells are flat to the search for gaps, the surface is not quite: balls are taken for so much smaller there.
 constexpr double kCovered = 0.95;
-// Smaller cells, in spacings, are no room for another sample.
-constexpr double kLeastCell = 0.1;
-constexpr int kMostDepth = 24;
+// In spacings: the longest side of a cell; the least one of a cell that is halved once more; gaps without room.
+constexpr double kCell = 1.0;
+constexpr double kLeastCell = 0.25;
+constexpr double kLeastGap = 0.1;
 constexpr std::size_t kRound = 1024;
 constexpr std::size_t kBlock = 4096;
 
-// A part of the face with its corners in the local frame.
-struct Cell {
-    int depth;
-    double spacing;  // where the last dart in it or around it fell
-    UvTriangle triangle;
-};
-
 class Sprinkler {
   public:
-    Sprinkler(const SamplingContext& context, int face, const geometry::FaceBorder& border,
-              const geometry::FaceTriangulation& coarse, std::uint64_t seed)
-        : sampler_(context, face, border, kClosest), random_(seed + static_cast<std::uint64_t>(face)) {
-        for (const auto& t : coarse.triangles) {
-            Cell cell{0, context.bounds.most, {}};
-            for (int i = 0; i < 3; ++i) {
-                cell.triangle.uv[i] = coarse.sites[t[i]].uv;
-                cell.triangle.point[i] = coarse.sites[t[i]].point;
-            }
-            cells_.push_back(cell);
-        }
-    }
+    Sprinkler(const SamplingContext& context, int face, const geometry::FaceBorder& border, std::uint64_t seed)
+        : sampler_(context, face, border, kClosest),
+          cells_(context.session, face, outline_of(border),
+                 [&context](const Answer& a) { return context.spacing_at(a); }),
+          random_(seed + static_cast<std::uint64_t>(face)) {}
 
     std::vector<FaceSampler::Candidate> run() {
-        while (!cells_.empty() && !sampler_.full()) {
-            shuffle();
-            for (std::size_t from = 0; from < cells_.size() && !sampler_.full(); from += kRound) {
+        cells_.divide(kCell, sampler_.context().progress);
+        std::vector<std::size_t> open = cells_.all();
+        while (!open.empty() && !sampler_.full()) {
+            shuffle(open);
+            std::vector<std::size_t> left;
+            for (std::size_t from = 0; from < open.size() && !sampler_.full(); from += kRound) {
                 sampler_.context().progress.check();
-                throw_darts(from, std::min(cells_.size(), from + kRound));
+                throw_darts(open, from, std::min(open.size(), from + kRound), left);
             }
-            quarter();
+            open.swap(left);
         }
         return sampler_.samples();
     }
 
   private:
-    double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
     // As std::shuffle, whose order differs from one library to the next; within blocks, so that cells that are near
     // each other stay so in memory.
-    void shuffle() {
-        for (std::size_t begin = 0; begin < cells_.size(); begin += kBlock) {
-            const std::size_t size = std::min(kBlock, cells_.size() - begin);
+    void shuffle(std::vector<std::size_t>& cells) {
+        for (std::size_t begin = 0; begin < cells.size(); begin += kBlock) {
+            const std::size_t size = std::min(kBlock, cells.size() - begin);
             for (std::size_t i = size; i > 1; --i) {
-                std::swap(cells_[begin + i - 1], cells_[begin + random_() % i]);
+                std::swap(cells[begin + i - 1], cells[begin + random_() % i]);
             }
         }
     }
-    void throw_darts(std::size_t from, std::size_t to);
-    bool covered(const Cell& cell) const;
-    void quarter();
+    void throw_darts(const std::vector<std::size_t>& cells, std::size_t from, std::size_t to,
+                     std::vector<std::size_t>& left);
+    std::optional<Vec2> dart(std::size_t cell);
 
     FaceSampler sampler_;
+    FaceCells cells_;
     std::mt19937_64 random_;
-    std::vector<Cell> cells_;
+    std::vector<GapSearch::Ball> balls_;
 };
 
-void Sprinkler::throw_darts(std::size_t from, std::size_t to) {
+// (u, v) of a place in the cell where no sample is near, as far as is known without asking for the surface there.
+std::optional<Vec2> Sprinkler::dart(std::size_t cell) {
+    std::array<Vec3, 3> points;
+    std::array<double, 3> radii{};
+    for (int i = 0; i < 3; ++i) {
+        points[i] = cells_.corner(cell, i).point - sampler_.context().grid.origin();
+        radii[i] = kCovered * sampler_.closest(cells_.corner(cell, i).spacing);
+    }
+    const Vec3 centre = (points[0] + points[1] + points[2]) / 3.0;
+    const double most = std::max({radii[0], radii[1], radii[2]});
+    sampler_.balls_around(centre, cells_.longest_side(cell), most, balls_);
+    const Vec2& origin = cells_.corner(cell, 0).uv;
+    Eigen::Matrix2d sides;
+    sides << cells_.corner(cell, 1).uv - origin, cells_.corner(cell, 2).uv - origin;
+    const Eigen::Matrix2d weights = sides.inverse();
+    const auto to_place = [&](const Vec2& uv) { return Vec2(weights * (uv - origin)); };
+    GapSearch::Outline outline{{}, to_place(cells_.reference(cell)), cells_.inside(cell)};
+    for (const Segment2& s : cells_.outline(cell)) {
+        outline.segments.push_back({to_place(s[0]), to_place(s[1])});
+    }
+    const double least = kLeastGap * cells_.least_spacing(cell);
+    const std::optional<Vec2> place = GapSearch(points, radii, balls_, outline).find(least, random_);
+    return place ? std::optional<Vec2>(origin + sides * *place) : std::nullopt;
+}
+
+// One dart into every cell that has a gap. Where it shows that the surface or its border is not where the cell has
+// them, the cell is halved. `left` are the cells for the next round.
+void Sprinkler::throw_darts(const std::vector<std::size_t>& cells, std::size_t from, std::size_t to,
+                            std::vector<std::size_t>& left) {
+    std::vector<std::size_t> aimed;
     std::vector<Vec2> uvs;
-    for (std::size_t i = from; i < to; ++i) {
-        double a = uniform();
-        double b = uniform();
-        if (a + b > 1.0) {
-            a = 1.0 - a;
-            b = 1.0 - b;
+    for (std::size_t k = from; k < to; ++k) {
+        if (const auto uv = dart(cells[k])) {
+            aimed.push_back(cells[k]);
+            uvs.push_back(*uv);
         }
-        const std::array<Vec2, 3>& uv = cells_[i].triangle.uv;
-        uvs.emplace_back(uv[0] + a * (uv[1] - uv[0]) + b * (uv[2] - uv[0]));
     }
     const auto darts = sampler_.candidates(uvs);
-    for (std::size_t i = 0; i < darts.size(); ++i) {
-        const auto& c = darts[i];
-        if (!c) {
-            continue;
-        }
-        cells_[from + i].spacing = c->spacing;
-        if (c->fits && !sampler_.full() && !sampler_.crowded(c->site.point, c->spacing)) {
-            sampler_.accept(*c);
-        }
-    }
-}
-
-bool Sprinkler::covered(const Cell& cell) const {
-    return cell.triangle.longest_side() < kLeastCell * cell.spacing ||
-           sampler_.one_ball_covers(cell.triangle.point, kCovered * cell.spacing);
-}
-
-void Sprinkler::quarter() {
-    std::vector<Cell> open;
-    Engine::Batch batch;
-    for (const Cell& c : cells_) {
-        if (c.depth < kMostDepth && !covered(c)) {
-            open.push_back(c);
-            for (int i = 0; i < 3; ++i) {
-                const Vec2 uv = c.triangle.middle(i);
-                batch.push_back(Query::face_point(sampler_.face(), uv.x(), uv.y()));
+    std::vector<std::size_t> missed;
+    for (std::size_t k = 0; k < aimed.size() && !sampler_.full(); ++k) {
+        const auto& c = darts[k];
+        if (c && c->fits) {
+            left.push_back(aimed[k]);
+            if (!sampler_.crowded(c->site.point, c->spacing)) {
+                sampler_.accept(*c);
             }
+        } else if (cells_.longest_side(aimed[k]) > kLeastCell * cells_.least_spacing(aimed[k])) {
+            missed.push_back(aimed[k]);
         }
     }
-    const Engine::Answers answers = sampler_.context().session.ask(std::move(batch));
-    const Vec3 origin = sampler_.context().grid.origin();
-    cells_.clear();
-    for (std::size_t k = 0; k < open.size(); ++k) {
-        const Cell& c = open[k];
-        std::array<Vec3, 3> middles;
-        for (int i = 0; i < 3; ++i) {
-            middles[i] = answers[3 * k + i].point - origin;
-        }
-        for (const UvTriangle& quarter : c.triangle.quarters(middles)) {
-            cells_.push_back({c.depth + 1, c.spacing, quarter});
-        }
-    }
-    cells_.erase(std::remove_if(cells_.begin(), cells_.end(), [this](const Cell& c) { return covered(c); }),
-                 cells_.end());
+    const std::vector<std::size_t> halves = cells_.halve(missed);
+    left.insert(left.end(), halves.begin(), halves.end());
 }
 
 }  // namespace
 
 std::vector<FaceSampler::Candidate> sample_sprinkle(const SamplingContext& context, int face,
-                                                    const geometry::FaceBorder& border,
-                                                    const geometry::FaceTriangulation& coarse, std::uint64_t seed) {
-    return Sprinkler(context, face, border, coarse, seed).run();
+                                                    const geometry::FaceBorder& border, std::uint64_t seed) {
+    return Sprinkler(context, face, border, seed).run();
 }
 
 }  // namespace mq::triangulate

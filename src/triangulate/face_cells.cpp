@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/face_cells.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/key_set.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Engine;
+using geometry::Query;
+
+// The sides of the first cells, parts of the rectangle's, show how long the surface is between their ends: a quarter
+// of a period does.
+constexpr int kRoots = 4;
+// Where the surface jumps, sides never get shorter.
+constexpr int kMostDepth = 48;
+constexpr std::size_t kBlock = 4096;
+
+std::uint64_t key(int a, int b) {
+    const auto low = static_cast<std::uint64_t>(std::min(a, b));
+    return low << 32 | static_cast<std::uint64_t>(std::max(a, b));
+}
+
+}  // namespace
+
+FaceCells::FaceCells(geometry::Session& session, int face, std::vector<Segment2> outline, Spacing spacing)
+    : session_(session), face_(face), outline_(std::move(outline)), spacing_(std::move(spacing)) {
+    make_roots();
+}
+
+void FaceCells::make_roots() {
+    if (outline_.empty()) {
+        return;
+    }
+    Vec2 low = outline_[0][0];
+    Vec2 high = low;
+    for (const Segment2& s : outline_) {
+        low = low.cwiseMin(s[0]).cwiseMin(s[1]);
+        high = high.cwiseMax(s[0]).cwiseMax(s[1]);
+    }
+    for (int j = 0; j <= kRoots; ++j) {
+        for (int i = 0; i <= kRoots; ++i) {
+            const Vec2 part(static_cast<double>(i) / kRoots, static_cast<double>(j) / kRoots);
+            corners_.push_back({low + part.cwiseProduct(high - low), Vec3::Zero(), 0.0});
+        }
+    }
+    measure(0);
+    std::vector<int> all(outline_.size());
+    std::iota(all.begin(), all.end(), 0);
+    const Vec2 beyond = low - 0.1 * (high - low);
+    for (int j = 0; j < kRoots; ++j) {
+        for (int i = 0; i < kRoots; ++i) {
+            const int a = j * (kRoots + 1) + i;
+            const int d = a + kRoots + 1;
+            for (const std::array<int, 3>& corners : {std::array<int, 3>{a, a + 1, d + 1}, {a, d + 1, d}}) {
+                Cell cell{corners, -1, false, 0};
+                place(cell, all, beyond, false);
+                const bool found =
+                    std::all_of(corners.begin(), corners.end(), [this](int c) { return corners_[c].spacing > 0.0; });
+                if (found && !outside(cell)) {
+                    cells_.push_back(cell);
+                }
+            }
+        }
+    }
+}
+
+void FaceCells::measure(std::size_t first) {
+    for (std::size_t from = first; from < corners_.size(); from += kBlock) {
+        const std::size_t to = std::min(corners_.size(), from + kBlock);
+        Engine::Batch batch;
+        for (std::size_t i = from; i < to; ++i) {
+            batch.push_back(Query::face_curvatures(face_, corners_[i].uv.x(), corners_[i].uv.y()));
+        }
+        const Engine::Answers answers = session_.ask(std::move(batch));
+        for (std::size_t i = from; i < to; ++i) {
+            const geometry::Answer& a = answers[i - from];
+            if (a.found()) {
+                corners_[i].point = a.point;
+                corners_[i].spacing = spacing_(a);
+            }
+        }
+    }
+}
+
+// Of no special place in it, so that it is not on the outline of regular faces.
+Vec2 FaceCells::reference(const Cell& cell) const {
+    const Triangle2 t = triangle(cell);
+    return 0.341 * t[0] + 0.326 * t[1] + 0.333 * t[2];
+}
+
+Triangle2 FaceCells::triangle(const Cell& cell) const {
+    return {corners_[cell.corners[0]].uv, corners_[cell.corners[1]].uv, corners_[cell.corners[2]].uv};
+}
+
+// Where the cell lies, given a point of which that is known and the segments that are between them or in the cell.
+void FaceCells::place(Cell& cell, const std::vector<int>& among, const Vec2& known, bool inside) {
+    const Triangle2 t = triangle(cell);
+    const Vec2 here = reference(cell);
+    std::vector<int> met;
+    cell.inside = inside;
+    for (const int s : among) {
+        if (crosses(known, here, outline_[s])) {
+            cell.inside = !cell.inside;
+        }
+        if (meets(t, outline_[s])) {
+            met.push_back(s);
+        }
+    }
+    cell.list = met.empty() ? -1 : static_cast<int>(lists_.size());
+    if (!met.empty()) {
+        lists_.push_back(std::move(met));
+    }
+}
+
+int FaceCells::longest_of(const Cell& cell) const {
+    int longest = 0;
+    double most = -1.0;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3& from = corners_[cell.corners[i]].point;
+        const double side = (corners_[cell.corners[(i + 1) % 3]].point - from).squaredNorm();
+        if (side > most) {
+            most = side;
+            longest = i;
+        }
+    }
+    return longest;
+}
+
+double FaceCells::longest_side(std::size_t cell) const {
+    const int i = longest_of(cells_[cell]);
+    return (corner(cell, (i + 1) % 3).point - corner(cell, i).point).norm();
+}
+
+double FaceCells::least_spacing(std::size_t cell) const {
+    return std::min({corner(cell, 0).spacing, corner(cell, 1).spacing, corner(cell, 2).spacing});
+}
+
+std::vector<Segment2> FaceCells::outline(std::size_t cell) const {
+    std::vector<Segment2> found;
+    if (cells_[cell].list >= 0) {
+        for (const int s : lists_[cells_[cell].list]) {
+            found.push_back(outline_[s]);
+        }
+    }
+    return found;
+}
+
+std::vector<std::size_t> FaceCells::all() const {
+    std::vector<std::size_t> found;
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+        if (!outside(cells_[c])) {
+            found.push_back(c);
+        }
+    }
+    return found;
+}
+
+std::vector<FaceCells::Corner> FaceCells::inner_corners() const {
+    std::vector<bool> inner(corners_.size(), false);
+    for (const std::size_t c : all()) {
+        const std::vector<Segment2> segments = outline(c);
+        for (const int k : cells_[c].corners) {
+            const auto crossings = std::count_if(segments.begin(), segments.end(), [&](const Segment2& s) {
+                return crosses(reference(c), corners_[k].uv, s);
+            });
+            inner[k] = inner[k] || inside(c) == (crossings % 2 == 0);
+        }
+    }
+    std::vector<Corner> found;
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+        if (inner[k]) {
+            found.push_back(corners_[k]);
+        }
+    }
+    return found;
+}
+
+void FaceCells::divide(double share, const Progress& progress) {
+    std::vector<std::size_t> open = all();
+    while (!open.empty()) {
+        progress.check();
+        const auto small = [&](std::size_t c) { return longest_side(c) <= share * least_spacing(c); };
+        open.erase(std::remove_if(open.begin(), open.end(), small), open.end());
+        open = halve(open);
+    }
+}
+
+std::vector<std::size_t> FaceCells::halve(const std::vector<std::size_t>& cells) {
+    const std::size_t first = corners_.size();
+    std::vector<int> middles;
+    KeyMap<int> known;
+    for (const std::size_t c : cells) {
+        const int i = longest_of(cells_[c]);
+        const int a = cells_[c].corners[i];
+        const int b = cells_[c].corners[(i + 1) % 3];
+        const auto entry = known.insert({key(a, b), static_cast<int>(corners_.size())});
+        if (entry.second) {
+            corners_.push_back({0.5 * (corners_[a].uv + corners_[b].uv), Vec3::Zero(), 0.0});
+        }
+        middles.push_back(entry.first->second);
+    }
+    measure(first);
+    std::vector<std::size_t> halves;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        halve(cells[k], middles[k], halves);
+    }
+    return halves;
+}
+
+void FaceCells::halve(std::size_t number, int middle, std::vector<std::size_t>& halves) {
+    const Cell whole = cells_[number];
+    const int i = longest_of(whole);
+    const int from = whole.corners[i];
+    const int to = whole.corners[(i + 1) % 3];
+    const int apex = whole.corners[(i + 2) % 3];
+    const Vec2& uv = corners_[middle].uv;
+    if (!(corners_[middle].spacing > 0.0) || whole.depth >= kMostDepth || uv == corners_[from].uv ||
+        uv == corners_[to].uv) {
+        return;
+    }
+    const auto depth = static_cast<std::uint8_t>(whole.depth + 1);
+    const std::vector<int> among = whole.list < 0 ? std::vector<int>() : std::move(lists_[whole.list]);
+    for (const std::array<int, 3>& corners : {std::array<int, 3>{from, middle, apex}, {middle, to, apex}}) {
+        Cell half{corners, -1, whole.inside, depth};
+        if (whole.list >= 0) {
+            place(half, among, reference(whole), whole.inside);
+        }
+        const bool first = corners[0] == from;
+        if (first) {
+            cells_[number] = half;
+        }
+        if (!outside(half)) {
+            halves.push_back(first ? number : cells_.size());
+            if (!first) {
+                cells_.push_back(half);
+            }
+        }
+    }
+}
+
+}  // namespace mq::triangulate
