@@ -3,27 +3,42 @@
 
 namespace mq::triangulate {
 
-SampleIndex::Cell SampleIndex::cell_of(const Vec3& p, double cell) {
-    return {static_cast<std::int64_t>(std::floor(p.x() / cell)), static_cast<std::int64_t>(std::floor(p.y() / cell)),
-            static_cast<std::int64_t>(std::floor(p.z() / cell))};
-}
-
-std::uint64_t SampleIndex::key(const Cell& cell) {
-    constexpr std::uint64_t kMask = (1ULL << 21) - 1;
-    return (static_cast<std::uint64_t>(cell[0]) & kMask) << 42 | (static_cast<std::uint64_t>(cell[1]) & kMask) << 21 |
-           (static_cast<std::uint64_t>(cell[2]) & kMask);
-}
-
 int SampleIndex::add(const Vec3& point, double spacing) {
     const int i = size();
-    const int level = static_cast<int>(std::ceil(std::log2(spacing)));
+    const int k = level_of(spacing);
     points_.push_back(point);
-    Grid& grid = grids_[level];
-    grid.members.push_back(i);
-    const auto entry = grid.first.insert({key(cell_of(point, std::ldexp(1.0, level))), -1}).first;
+    own_level_.push_back(static_cast<std::int16_t>(k));
+    add_levels(k);
+    ++level(k).points;
+    const auto entry = level(k).first.insert({key(cell_of(point, k)), -1}).first;
     next_.push_back(entry->second);
     entry.value() = i;
+    mark_parents(point, k + 1);
     return i;
+}
+
+// All levels up to the highest one know the cells with points below.
+void SampleIndex::mark_parents(const Vec3& point, int from) {
+    for (int k = from; k <= top() && level(k).parents.insert(key(cell_of(point, k))).second; ++k) {
+    }
+}
+
+void SampleIndex::add_levels(int k) {
+    if (levels_.empty()) {
+        lowest_ = k;
+        levels_.resize(1);
+    }
+    if (k < lowest_) {
+        levels_.insert(levels_.begin(), static_cast<std::size_t>(lowest_ - k), Level());
+        lowest_ = k;
+    }
+    if (k > top()) {
+        const int from = top() + 1;
+        levels_.resize(static_cast<std::size_t>(k - lowest_ + 1));
+        for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+            mark_parents(points_[i], from);
+        }
+    }
 }
 
 }  // namespace mq::triangulate
