@@ -56,14 +56,12 @@ void FaceCells::make_roots() {
         for (int i = 0; i < kRoots; ++i) {
             const int a = j * (kRoots + 1) + i;
             const int d = a + kRoots + 1;
-            for (const std::array<int, 3>& corners : {std::array<int, 3>{a, a + 1, d + 1}, {a, d + 1, d}}) {
-                Cell cell{corners, -1, false, 0};
-                place(cell, all, beyond, false);
-                const bool found =
-                    std::all_of(corners.begin(), corners.end(), [this](int c) { return corners_[c].spacing > 0.0; });
-                if (found && !outside(cell)) {
-                    cells_.push_back(cell);
-                }
+            Cell cell{{a, a + 1, d + 1, d}, -1, false, 0};
+            place(cell, all, beyond, false);
+            const bool found = std::all_of(cell.corners.begin(), cell.corners.end(),
+                                           [this](int c) { return corners_[c].spacing > 0.0; });
+            if (found && !outside(cell)) {
+                cells_.push_back(cell);
             }
         }
     }
@@ -89,17 +87,20 @@ void FaceCells::measure(std::size_t first) {
 
 // Of no special place in it, so that it is not on the outline of regular faces.
 Vec2 FaceCells::reference(const Cell& cell) const {
-    const Triangle2 t = triangle(cell);
-    return 0.341 * t[0] + 0.326 * t[1] + 0.333 * t[2];
+    const Vec2& low = corners_[cell.corners[0]].uv;
+    const Vec2& high = corners_[cell.corners[2]].uv;
+    return low + Vec2(0.497, 0.511).cwiseProduct(high - low);
 }
 
-Triangle2 FaceCells::triangle(const Cell& cell) const {
-    return {corners_[cell.corners[0]].uv, corners_[cell.corners[1]].uv, corners_[cell.corners[2]].uv};
+// Half 0 has the corners 0, 1, 2, half 1 has 0, 2, 3.
+Triangle2 FaceCells::triangle(const Cell& cell, int half) const {
+    return {corners_[cell.corners[0]].uv, corners_[cell.corners[1 + half]].uv, corners_[cell.corners[2 + half]].uv};
 }
 
 // Where the cell lies, given a point of which that is known and the segments that are between them or in the cell.
 void FaceCells::place(Cell& cell, const std::vector<int>& among, const Vec2& known, bool inside) {
-    const Triangle2 t = triangle(cell);
+    const Triangle2 first = triangle(cell, 0);
+    const Triangle2 second = triangle(cell, 1);
     const Vec2 here = reference(cell);
     std::vector<int> met;
     cell.inside = inside;
@@ -107,7 +108,7 @@ void FaceCells::place(Cell& cell, const std::vector<int>& among, const Vec2& kno
         if (crosses(known, here, outline_[s])) {
             cell.inside = !cell.inside;
         }
-        if (meets(t, outline_[s])) {
+        if (meets(first, outline_[s]) || meets(second, outline_[s])) {
             met.push_back(s);
         }
     }
@@ -117,27 +118,18 @@ void FaceCells::place(Cell& cell, const std::vector<int>& among, const Vec2& kno
     }
 }
 
-int FaceCells::longest_of(const Cell& cell) const {
-    int longest = 0;
-    double most = -1.0;
-    for (int i = 0; i < 3; ++i) {
-        const Vec3& from = corners_[cell.corners[i]].point;
-        const double side = (corners_[cell.corners[(i + 1) % 3]].point - from).squaredNorm();
-        if (side > most) {
-            most = side;
-            longest = i;
-        }
-    }
-    return longest;
+double FaceCells::extent(const Cell& cell, int axis) const {
+    const std::array<int, 4>& c = cell.corners;
+    return axis == 0 ? std::max(side(c[0], c[1]), side(c[3], c[2])) : std::max(side(c[0], c[3]), side(c[1], c[2]));
 }
 
 double FaceCells::longest_side(std::size_t cell) const {
-    const int i = longest_of(cells_[cell]);
-    return (corner(cell, (i + 1) % 3).point - corner(cell, i).point).norm();
+    return std::max(extent(cells_[cell], 0), extent(cells_[cell], 1));
 }
 
 double FaceCells::least_spacing(std::size_t cell) const {
-    return std::min({corner(cell, 0).spacing, corner(cell, 1).spacing, corner(cell, 2).spacing});
+    return std::min(
+        {corner(cell, 0).spacing, corner(cell, 1).spacing, corner(cell, 2).spacing, corner(cell, 3).spacing});
 }
 
 std::vector<Segment2> FaceCells::outline(std::size_t cell) const {
@@ -192,54 +184,57 @@ void FaceCells::divide(double share, const Progress& progress) {
 
 std::vector<std::size_t> FaceCells::halve(const std::vector<std::size_t>& cells) {
     const std::size_t first = corners_.size();
-    std::vector<int> middles;
+    std::vector<std::array<int, 2>> middles;
     KeyMap<int> known;
-    for (const std::size_t c : cells) {
-        const int i = longest_of(cells_[c]);
-        const int a = cells_[c].corners[i];
-        const int b = cells_[c].corners[(i + 1) % 3];
+    const auto middle = [&](int a, int b) {
         const auto entry = known.insert({key(a, b), static_cast<int>(corners_.size())});
         if (entry.second) {
             corners_.push_back({0.5 * (corners_[a].uv + corners_[b].uv), Vec3::Zero(), 0.0});
         }
-        middles.push_back(entry.first->second);
+        return entry.first->second;
+    };
+    for (const std::size_t c : cells) {
+        const std::array<int, 4>& k = cells_[c].corners;
+        const bool in_u = longer_axis(cells_[c]) == 0;
+        const int from = middle(k[0], in_u ? k[1] : k[3]);
+        middles.push_back({from, middle(k[2], in_u ? k[3] : k[1])});
     }
     measure(first);
     std::vector<std::size_t> halves;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-        halve(cells[k], middles[k], halves);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        halve(cells[i], middles[i], halves);
     }
     return halves;
 }
 
-void FaceCells::halve(std::size_t number, int middle, std::vector<std::size_t>& halves) {
+void FaceCells::halve(std::size_t number, const std::array<int, 2>& middles, std::vector<std::size_t>& halves) {
     const Cell whole = cells_[number];
-    const int i = longest_of(whole);
-    const int from = whole.corners[i];
-    const int to = whole.corners[(i + 1) % 3];
-    const int apex = whole.corners[(i + 2) % 3];
-    const Vec2& uv = corners_[middle].uv;
-    if (!(corners_[middle].spacing > 0.0) || whole.depth >= kMostDepth || uv == corners_[from].uv ||
-        uv == corners_[to].uv) {
+    const int axis = longer_axis(whole);
+    const auto& [low, right, high, left] = whole.corners;
+    const auto& [from, to] = middles;
+    const double middle = corners_[from].uv[axis];
+    if (!(corners_[from].spacing > 0.0) || !(corners_[to].spacing > 0.0) || whole.depth >= kMostDepth ||
+        middle == corners_[low].uv[axis] || middle == corners_[high].uv[axis]) {
         return;
     }
     const auto depth = static_cast<std::uint8_t>(whole.depth + 1);
     const std::vector<int> among = whole.list < 0 ? std::vector<int>() : std::move(lists_[whole.list]);
-    for (const std::array<int, 3>& corners : {std::array<int, 3>{from, middle, apex}, {middle, to, apex}}) {
-        Cell half{corners, -1, whole.inside, depth};
+    const Vec2 known = reference(whole);
+    const auto half = [&](const std::array<int, 4>& corners) {
+        Cell made{corners, -1, whole.inside, depth};
         if (whole.list >= 0) {
-            place(half, among, reference(whole), whole.inside);
+            place(made, among, known, whole.inside);
         }
-        const bool first = corners[0] == from;
-        if (first) {
-            cells_[number] = half;
-        }
-        if (!outside(half)) {
-            halves.push_back(first ? number : cells_.size());
-            if (!first) {
-                cells_.push_back(half);
-            }
-        }
+        return made;
+    };
+    cells_[number] = axis == 0 ? half({low, from, to, left}) : half({low, right, to, from});
+    if (!outside(cells_[number])) {
+        halves.push_back(number);
+    }
+    const Cell second = axis == 0 ? half({from, right, high, to}) : half({from, to, high, left});
+    if (!outside(second)) {
+        halves.push_back(cells_.size());
+        cells_.push_back(second);
     }
 }
 

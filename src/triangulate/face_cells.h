@@ -13,11 +13,11 @@
 
 namespace mq::triangulate {
 
-/// A face divided into cells, triangles in (u, v) that are as small in space as the spacing of samples there.
+/// A face divided into cells, rectangles in (u, v) that are as small in space as the spacing of samples there.
 ///
-/// At first they divide the rectangle around the outline. A cell that is too long is halved across the side that is
-/// longest in space (Rivara 1984): neither the parameters nor the border make slivers, of which there would be many.
-/// What lies outside of the outline is dropped.
+/// At first they divide the rectangle around the outline. A cell that is too long is halved across that of u and v
+/// along which it is longer in space: neither the parameters nor the border make slivers, of which there would be
+/// many. What lies outside of the outline is dropped.
 class FaceCells {
   public:
     struct Corner {
@@ -40,6 +40,7 @@ class FaceCells {
 
     /// The cells that are not outside, by number.
     std::vector<std::size_t> all() const;
+    /// Corner 0 to 3, counter-clockwise in (u, v) from the least.
     const Corner& corner(std::size_t cell, int i) const { return corners_[cells_[cell].corners[i]]; }
     /// Those of all cells that lie inside of the outline.
     std::vector<Corner> inner_corners() const;
@@ -53,17 +54,20 @@ class FaceCells {
 
   private:
     struct Cell {
-        std::array<int, 3> corners;
+        std::array<int, 4> corners;
         int list;  // of the segments that it meets; -1: none
         bool inside;
         std::uint8_t depth;  // how often it has been halved
     };
     void make_roots();
-    void halve(std::size_t number, int middle, std::vector<std::size_t>& halves);
+    void halve(std::size_t number, const std::array<int, 2>& middles, std::vector<std::size_t>& halves);
     void measure(std::size_t first);
-    int longest_of(const Cell& cell) const;
+    /// Its larger extent in space along u (0) and along v (1).
+    double extent(const Cell& cell, int axis) const;
+    int longer_axis(const Cell& cell) const { return extent(cell, 0) >= extent(cell, 1) ? 0 : 1; }
+    double side(int a, int b) const { return (corners_[b].point - corners_[a].point).norm(); }
     Vec2 reference(const Cell& cell) const;
-    Triangle2 triangle(const Cell& cell) const;
+    Triangle2 triangle(const Cell& cell, int half) const;
     bool outside(const Cell& cell) const { return cell.list < 0 && !cell.inside; }
     void place(Cell& cell, const std::vector<int>& among, const Vec2& known, bool inside);
 

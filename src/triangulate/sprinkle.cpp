@@ -62,6 +62,7 @@ class Sprinkler {
     void throw_darts(const std::vector<std::size_t>& cells, std::size_t from, std::size_t to,
                      std::vector<std::size_t>& left);
     std::optional<Vec2> dart(std::size_t cell);
+    std::optional<Vec2> dart(std::size_t cell, int half);
 
     FaceSampler sampler_;
     FaceCells cells_;
@@ -71,18 +72,29 @@ class Sprinkler {
 
 // (u, v) of a place in the cell where no sample is near, as far as is known without asking for the surface there.
 std::optional<Vec2> Sprinkler::dart(std::size_t cell) {
+    const int first = static_cast<int>(random_() % 2);
+    const auto found = dart(cell, first);
+    return found ? found : dart(cell, 1 - first);
+}
+
+// Half 0 of a cell has the corners 0, 1, 2, half 1 has 0, 2, 3.
+std::optional<Vec2> Sprinkler::dart(std::size_t cell, int half) {
+    const FaceCells::Corner* corners[3] = {&cells_.corner(cell, 0), &cells_.corner(cell, 1 + half),
+                                           &cells_.corner(cell, 2 + half)};
     std::array<Vec3, 3> points;
     std::array<double, 3> radii{};
     for (int i = 0; i < 3; ++i) {
-        points[i] = cells_.corner(cell, i).point - sampler_.context().grid.origin();
-        radii[i] = kCovered * sampler_.closest(cells_.corner(cell, i).spacing);
+        points[i] = corners[i]->point - sampler_.context().grid.origin();
+        radii[i] = kCovered * sampler_.closest(corners[i]->spacing);
     }
     const Vec3 centre = (points[0] + points[1] + points[2]) / 3.0;
     const double most = std::max({radii[0], radii[1], radii[2]});
-    sampler_.balls_around(centre, cells_.longest_side(cell), most, balls_);
-    const Vec2& origin = cells_.corner(cell, 0).uv;
+    const double size =
+        std::max({(points[0] - centre).norm(), (points[1] - centre).norm(), (points[2] - centre).norm()});
+    sampler_.balls_around(centre, size, most, balls_);
+    const Vec2& origin = corners[0]->uv;
     Eigen::Matrix2d sides;
-    sides << cells_.corner(cell, 1).uv - origin, cells_.corner(cell, 2).uv - origin;
+    sides << corners[1]->uv - origin, corners[2]->uv - origin;
     const Eigen::Matrix2d weights = sides.inverse();
     const auto to_place = [&](const Vec2& uv) { return Vec2(weights * (uv - origin)); };
     GapSearch::Outline outline{{}, to_place(cells_.reference(cell)), cells_.inside(cell)};
