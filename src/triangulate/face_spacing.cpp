@@ -20,16 +20,18 @@ bool has_plain_curvature(const char* surface) {
 
 }  // namespace
 
-void add_face_spacings(geometry::Session& session, const geometry::InitialTriangulation& coarse,
+void add_face_spacings(geometry::Session& session, const geometry::InitialTriangulation& coarse, const SingleGrid& grid,
                        const SpacingBounds& bounds, SpacingField& field, const Progress& progress) {
     const auto spacing = [&bounds](const geometry::Answer& a) {
         return a.status == geometry::Status::Ok ? spacing_for(a.u, bounds) : bounds.most;
     };
     for (int f = 0; f < static_cast<int>(coarse.faces.size()); ++f) {
-        if (has_plain_curvature(session.topology().faces[f].surface)) {
+        if (coarse.faces[f].triangles.empty() || has_plain_curvature(session.topology().faces[f].surface)) {
             continue;
         }
-        FaceCells cells(session, f, outline_of(coarse.faces[f]), spacing);
+        std::string failure;
+        const geometry::FaceBorder border = geometry::face_border(session, coarse.chains, grid, f, failure);
+        FaceCells cells(session, f, outline_of(border), spacing);
         cells.divide(kMeasured, progress);
         for (const FaceCells::Corner& corner : cells.inner_corners()) {
             if (corner.spacing < bounds.most) {

@@ -83,7 +83,7 @@ class PartSampler {
           bounds_(bounds_of(options, chord, session.topology().box.largest_side(), grid.shortest_side())),
           coarse_(std::move(coarse)),
           result_{{coarse_.chains, {}, coarse_.failures}, {}, true} {
-        add_face_spacings(session_, coarse_, bounds_, field_, progress_);
+        add_face_spacings(session_, coarse_, grid_, bounds_, field_, progress_);
         EdgeSampler edges(session_, coarse_.chains, bounds_, field_);
         field_.build();
         edges.resample(result_.faces.chains);

@@ -17,18 +17,6 @@ std::vector<Segment2> outline_of(const geometry::FaceBorder& border) {
     return outline;
 }
 
-std::vector<Segment2> outline_of(const geometry::FaceTriangulation& face) {
-    std::vector<Segment2> outline;
-    for (std::size_t t = 0; t < face.triangles.size(); ++t) {
-        for (int i = 0; i < 3; ++i) {
-            if (face.links[t][i].border >= 0) {
-                outline.push_back({face.sites[face.triangles[t][i]].uv, face.sites[face.triangles[t][(i + 1) % 3]].uv});
-            }
-        }
-    }
-    return outline;
-}
-
 bool meets(const Triangle2& triangle, const Segment2& segment) {
     const auto& [a, b, c] = triangle;
     const int turn = orient2d(a, b, c);

@@ -6,7 +6,6 @@
 
 #include "base/vec.h"
 #include "geometry/face_border.h"
-#include "geometry/face_triangulation.h"
 
 namespace mq::triangulate {
 
@@ -16,8 +15,6 @@ using Triangle2 = std::array<Vec2, 3>;
 
 /// The border of a face in (u, v), closed also where it runs along one vertex; without edges inside the face.
 std::vector<Segment2> outline_of(const geometry::FaceBorder& border);
-/// The same of a triangulation; edges inside the face come twice.
-std::vector<Segment2> outline_of(const geometry::FaceTriangulation& face);
 
 /// The segment has a point in the closed triangle, whose corners may run either way. Exact.
 bool meets(const Triangle2& triangle, const Segment2& segment);
