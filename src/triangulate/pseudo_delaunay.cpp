@@ -6,6 +6,7 @@
 #include <deque>
 #include <optional>
 
+#include "base/angle.h"
 #include "base/key_set.h"
 #include "triangulate/corner_fan.h"
 #include "triangulate/front_border.h"
@@ -20,9 +21,13 @@ using geometry::FaceBorder;
 using geometry::FaceTriangulation;
 using Site = FaceTriangulation::Site;
 
-constexpr double kRound = 1e-9;     // of a ball's radius: vertices this close to it lie on it
-constexpr double kSees = 0.0;       // cosine between normals of vertices that see each other
-constexpr double kTurned = 0.25;    // least cosine between a triangle's normal and its corners'
+constexpr double kRound = 1e-9;      // of a ball's radius: vertices this close to it lie on it
+constexpr double kSees = 0.0;        // cosine between normals of vertices that see each other
+constexpr double kRise = 0.6;        // radians that one may lie higher than an arc would
+constexpr double kTurned = 0.25;     // least cosine between a triangle's normal and its corners'
+constexpr double kTurnedLast = 0.0;  // the same where nothing else fits, as the surface turns too much for the spacing
+constexpr double kSheet =
+    0.5;  // of an edge's length: what is farther away along the normal is another turn of a thread
 constexpr std::size_t kTries = 12;  // candidates of one edge
 constexpr int kWidenings = 40;
 
@@ -48,15 +53,21 @@ class Front {
         Vec3 centre;
     };
 
+    // What a new triangle must keep to.
+    struct Pass {
+        bool only_empty_balls;
+        double turned;  // kTurned or kTurnedLast
+    };
+
     void place_sites(const std::vector<FaceSampler::Candidate>& samples);
     void replace_normal(int site);
     std::vector<Option> options(const Edge& edge) const;
     std::optional<Option> option(const Edge& edge, int apex, const Vec3& up) const;
     bool empty(const Edge& edge, const Option& ball) const;
-    bool fits(const Edge& edge, int apex) const;
+    bool fits(const Edge& edge, int apex, const Pass& pass) const;
     bool side_fits(int from, int to) const;
     bool crosses_front(int from, int to) const;
-    bool advance(const Edge& edge, bool only_empty_balls);
+    bool advance(const Edge& edge, const Pass& pass);
     void add_triangle(int a, int b, int c);
     void close_or_open(int from, int to, int half_edge);
     void collect(FaceTriangulation& made) const;
@@ -64,6 +75,7 @@ class Front {
     const Vec3& point(int s) const { return sites_[s].point; }
     const Vec3& normal(int s) const { return normals_[s]; }
     bool same_place(int a, int b) const { return point(a) == point(b); }
+    bool sees(const Vec3& from, const Vec3& up, int s) const;
     // The surface faces that way at the site; at an apex it faces every way.
     bool faces(int s, const Vec3& up, double least) const {
         return !(sites_[s].normal.squaredNorm() > 0.0) || up.dot(normal(s)) > least;
@@ -126,18 +138,39 @@ void Front::place_sites(const std::vector<FaceSampler::Candidate>& samples) {
     }
 }
 
-// At an apex: the mean normal of what lies around it.
+// At an apex: the direction from which all of the surface around it is seen, so that the angles around it add up to a
+// full turn. That is the centre of the smallest ball around the normals there (Badoiu and Clarkson 2003); their mean
+// would lean towards where samples are dense.
 void Front::replace_normal(int site) {
     constexpr double kAround = 3.0;
+    constexpr int kRounds = 100;
     const double radius = kAround * std::max(outline_.scales()[site], context_.bounds.least);
-    Vec3 sum = Vec3::Zero();
+    std::vector<Vec3> around;
     index_.any_near(point(site), radius, [&](int s) {
-        if ((point(s) - point(site)).norm() <= radius) {
-            sum += sites_[s].normal;
+        if ((point(s) - point(site)).norm() <= radius && sites_[s].normal.squaredNorm() > 0.0) {
+            around.push_back(sites_[s].normal);
         }
         return false;
     });
-    normals_[site] = sum.squaredNorm() > 0.0 ? Vec3(sum.normalized()) : Vec3(Vec3::UnitZ());
+    Vec3 centre = around.empty() ? Vec3::UnitZ() : around[0];
+    for (int round = 1; round < kRounds && !around.empty(); ++round) {
+        const Vec3 farthest = *std::max_element(around.begin(), around.end(), [&](const Vec3& a, const Vec3& b) {
+            return (a - centre).squaredNorm() < (b - centre).squaredNorm();
+        });
+        centre += (farthest - centre) / (round + 1.0);
+    }
+    normals_[site] = centre.squaredNorm() > 0.0 ? Vec3(centre.normalized()) : Vec3(Vec3::UnitZ());
+}
+
+// A site faces about the same way as the surface does at a point, and rises over the tangent plane there little more
+// than an arc between the two would: otherwise it belongs to the other side of a thin wall or to another turn.
+bool Front::sees(const Vec3& from, const Vec3& up, int s) const {
+    if (!(sites_[s].normal.squaredNorm() > 0.0)) {
+        return true;
+    }
+    const Vec3 arm = point(s) - from;
+    const double rise = std::asin(std::min(1.0, std::abs(arm.dot(up)) / (arm.norm() * up.norm())));
+    return up.dot(normal(s)) > kSees && (rise < kRise || rise < kRise + 0.5 * angle_between(up, normal(s)));
 }
 
 // The ball through the edge and an apex on its left. Among all apexes the one with the smallest reach has a ball that
@@ -149,7 +182,7 @@ std::optional<Front::Option> Front::option(const Edge& edge, int apex, const Vec
     const Vec3 arm = point(apex) - middle;
     const Vec3 across = arm - along * (arm.dot(along) / (length * length));
     const double height = across.norm();
-    if (!(height > kRound * length) || up.cross(along).dot(across) <= 0.0 || !faces(apex, up, kSees)) {
+    if (!(height > kRound * length) || up.cross(along).dot(across) <= 0.0 || !sees(middle, up, apex)) {
         return std::nullopt;
     }
     const double reach = (arm.squaredNorm() - 0.25 * length * length) / (2.0 * height);
@@ -190,10 +223,11 @@ std::vector<Front::Option> Front::options(const Edge& edge) const {
 bool Front::empty(const Edge& edge, const Option& ball) const {
     const double radius = (point(edge.from) - ball.centre).norm();
     const double inside = radius * (1.0 - kRound);
+    const Vec3 middle = 0.5 * (point(edge.from) + point(edge.to));
     const Vec3 up = normal(edge.from) + normal(edge.to);
     return !index_.any_near(ball.centre, radius, [&](int s) {
         return (point(s) - ball.centre).squaredNorm() < inside * inside && !same_place(s, edge.from) &&
-               !same_place(s, edge.to) && !same_place(s, ball.apex) && faces(s, up, kSees);
+               !same_place(s, edge.to) && !same_place(s, ball.apex) && sees(middle, up, s);
     });
 }
 
@@ -204,50 +238,52 @@ bool Front::side_fits(int from, int to) const {
 }
 
 // A triangle fits when it is not turned away, does not overlap others at its corners, and its sides cross no others.
-bool Front::fits(const Edge& edge, int apex) const {
+bool Front::fits(const Edge& edge, int apex, const Pass& pass) const {
     const int corners[3] = {edge.from, edge.to, apex};
     const Vec3 own = (point(edge.to) - point(edge.from)).cross(point(apex) - point(edge.from)).normalized();
     for (int i = 0; i < 3; ++i) {
         const int s = corners[i];
         const Vec3 right = point(corners[(i + 1) % 3]) - point(s);
         const Vec3 left = point(corners[(i + 2) % 3]) - point(s);
-        if (!faces(s, own, kTurned) || !fans_[s].free(fans_[s].angle_of(right), fans_[s].angle_of(left))) {
+        if (!faces(s, own, pass.turned) || !fans_[s].free(fans_[s].angle_of(right), fans_[s].angle_of(left))) {
             return false;
         }
     }
     return side_fits(edge.to, apex) && side_fits(apex, edge.from);
 }
 
-// Seen along the normals at its ends, the side from a to b crosses an open edge.
+// Seen along the normals at its ends, the side from a to b crosses an open edge of the same sheet of the surface.
 bool Front::crosses_front(int a, int b) const {
     const Vec3 along = point(b) - point(a);
     const double length = along.norm();
-    const Vec3 up = normal(a) + normal(b);
+    const Vec3 up = (normal(a) + normal(b)).normalized();
     const auto side = [&](const Vec3& p, const Vec3& q, const Vec3& r) { return (q - p).cross(r - p).dot(up); };
-    return index_.any_near(point(a) + 0.5 * along, length, [&](int s) {
-        if (same_place(s, a) || same_place(s, b) || !faces(s, up, kSees)) {
+    const auto crosses = [&](int s, int t) {
+        const Vec3 other = point(t) - point(s);
+        const double s1 = side(point(a), point(b), point(s));
+        const double s2 = side(point(a), point(b), point(t));
+        const double s3 = side(point(s), point(t), point(a));
+        const double s4 = side(point(s), point(t), point(b));
+        if ((s1 > 0.0) == (s2 > 0.0) || (s3 > 0.0) == (s4 > 0.0)) {
             return false;
         }
-        return std::any_of(next_[s].begin(), next_[s].end(), [&](int t) {
-            if (same_place(t, a) || same_place(t, b)) {
-                return false;
-            }
-            const double s1 = side(point(a), point(b), point(s));
-            const double s2 = side(point(a), point(b), point(t));
-            const double s3 = side(point(s), point(t), point(a));
-            const double s4 = side(point(s), point(t), point(b));
-            return ((s1 > 0.0) != (s2 > 0.0)) && ((s3 > 0.0) != (s4 > 0.0));
-        });
+        const Vec3 gap = point(a) + along * (s3 / (s3 - s4)) - point(s) - other * (s1 / (s1 - s2));
+        return std::abs(gap.dot(up)) < kSheet * length;
+    };
+    return index_.any_near(point(a) + 0.5 * along, length, [&](int s) {
+        return !same_place(s, a) && !same_place(s, b) && faces(s, up, kSees) &&
+               std::any_of(next_[s].begin(), next_[s].end(),
+                           [&](int t) { return !same_place(t, a) && !same_place(t, b) && crosses(s, t); });
     });
 }
 
-bool Front::advance(const Edge& edge, bool only_empty_balls) {
+bool Front::advance(const Edge& edge, const Pass& pass) {
     const std::vector<Option> all = options(edge);
     for (std::size_t i = 0; i < std::min(all.size(), kTries); ++i) {
-        if (only_empty_balls && !empty(edge, all[i])) {
+        if (pass.only_empty_balls && !empty(edge, all[i])) {
             break;  // the later ones hold what this one holds, or this one's apex
         }
-        if (fits(edge, all[i].apex)) {
+        if (fits(edge, all[i].apex, pass)) {
             add_triangle(edge.from, edge.to, all[i].apex);
             return true;
         }
@@ -291,14 +327,14 @@ FaceTriangulation Front::run(const FaceTriangulation& coarse) {
     }
     Pace pace(context_.progress);
     std::deque<Edge> left;
-    for (const bool only_empty_balls : {true, false}) {
+    for (const Pass& pass : {Pass{true, kTurned}, Pass{false, kTurned}, Pass{false, kTurnedLast}}) {
         queue_.insert(queue_.end(), left.begin(), left.end());
         left.clear();
         while (!queue_.empty()) {
             pace.step();
             const Edge edge = queue_.front();
             queue_.pop_front();
-            if (open_.count(key(edge.from, edge.to)) != 0 && !advance(edge, only_empty_balls)) {
+            if (open_.count(key(edge.from, edge.to)) != 0 && !advance(edge, pass)) {
                 left.push_back(edge);
             }
         }

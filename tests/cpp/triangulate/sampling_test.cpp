@@ -56,6 +56,28 @@ TEST(Sampling, PolishedMeshesKeepTheBoundsOnEveryPart) {
     }
 }
 
+/// Around an apex the angles must add up to a full turn however samples lie there.
+TEST(Sampling, FrontsCloseAroundTheApexOfACone) {
+    for (const Method method : kMethods) {
+        for (std::uint64_t seed = 0; seed < (method == Method::Star ? 1 : 5); ++seed) {
+            Options options = sampled(method, false);
+            options.seed = seed;
+            const Result result = mesh_of(geometry::make_cone(2.0, 5.0), options);
+            expect_sound(result, 2, true);
+            EXPECT_TRUE(result.report.fallback.empty());
+        }
+    }
+}
+
+TEST(Sampling, TurnsOfAThreadDoNotStandInEachOthersWay) {
+    for (const Method method : kMethods) {
+        SCOPED_TRACE(name_of(method));
+        const Result result = mesh_of(thread_face(), sampled(method, false));
+        expect_sound(result, 1, false);
+        EXPECT_TRUE(result.report.fallback.empty());
+    }
+}
+
 template <typename T>
 bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <GeomAPI_PointsToBSplineSurface.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -11,7 +13,7 @@
 
 #include "geometry/occt/shape_model.h"
 
-/// Faces on Bezier surfaces for the tests of sampling.
+/// Faces on free-form surfaces for the tests of sampling.
 namespace mq::triangulate {
 
 /// A square of side 10 with the given heights over its 4 x 4 poles, in two parameterisations: with weights c^i d^j
@@ -47,6 +49,24 @@ inline std::shared_ptr<geometry::Model> peaked_face() {
     }
     const Handle(Geom_BezierSurface) surface = new Geom_BezierSurface(poles);
     return geometry::make_shape_model(BRepBuilderAPI_MakeFace(surface, 1e-7).Face());
+}
+
+/// A steep flank of a thread: five turns that lie close above each other and face the same way.
+inline std::shared_ptr<geometry::Model> thread_face() {
+    constexpr int kAround = 101;
+    TColgp_Array2OfPnt points(1, kAround, 1, 2);
+    for (int i = 0; i < kAround; ++i) {
+        const double angle = 10.0 * M_PI * i / (kAround - 1);
+        for (int j = 0; j < 2; ++j) {
+            const double radius = 2.4 + 0.6 * j;
+            points.SetValue(
+                i + 1, j + 1,
+                gp_Pnt(radius * std::cos(angle), radius * std::sin(angle), 0.5 * (angle / (2.0 * M_PI) + 0.35 * j)));
+        }
+    }
+    GeomAPI_PointsToBSplineSurface surface;
+    surface.Interpolate(points);
+    return geometry::make_shape_model(BRepBuilderAPI_MakeFace(surface.Surface(), 1e-7).Face());
 }
 
 }  // namespace mq::triangulate
