@@ -49,12 +49,16 @@ class Operands:
         if not shapes:
             return False
         with self._stage("meshing shapes"):
-            wanted = tolerance or 3.0**0.5 * self._size() / resolution
+            wanted = self.tolerance(resolution, tolerance)
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
                 self._found[i] = self._mesh_shape(i, 0.5 * wanted, part)
         self.surfaces = self._found
         return True
+
+    def tolerance(self, resolution, tolerance):
+        """The tolerance in mm: as it was given, else by the resolution."""
+        return tolerance or 3.0**0.5 * self._size() / resolution
 
     def digest(self):
         """A hash of the operands as they were read; the same after saving and loading."""

@@ -10,19 +10,25 @@ from .. import options
 from ..boolean_mesh import run
 from ..errors import InvalidInput
 from ..operands import Operands
-from . import mesh_object
+from . import certificate, mesh_object
 from .work import Work
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
     *mesh_object.TOPOLOGY,
     ("Volume", "App::PropertyVolume", "Enclosed volume"),
-    ("ErrorBound", "App::PropertyLength", "Largest distance from the exact Boolean of the meshes"),
     ("Retained", "App::PropertyInteger", "Triangles that are an operand's own"),
     ("Reconstructed", "App::PropertyInteger", "Triangles that were made or changed"),
-    ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
     ("Repaired", "App::PropertyStringList", "What was repaired in the operands"),
     ("Notes", "App::PropertyStringList", "What else happened on the way"),
+)
+
+# Name, type, what it says: beside mesh_object.PROMISES.
+PROMISES = (
+    ("AskedTolerance", "App::PropertyLength",
+     "Distance from the exact Boolean that the mesh was to keep within"),
+    ("ErrorBound", "App::PropertyLength", "Largest distance from the exact Boolean of the meshes"),
+    ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
 )
 
 
@@ -31,6 +37,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
     COMMAND, CALL = "MeshQuality_Boolean", "add_boolean"
     OPTIONS = options.BOOLEAN
+    PROMISES = PROMISES
 
     def sources(self, obj):
         """The Sources."""
@@ -47,7 +54,7 @@ class MeshBoolean(mesh_object.MeshObject):
                                  "The operands: objects with a mesh or a shape, in their order")
         mesh_object.add_options(obj, options.BOOLEAN)
         mesh_object.add_measured(obj, MEASURED)
-        mesh_object.add_hidden(obj, "Boolean", (mesh_object.FINGERPRINT,))
+        self.add_common_properties(obj)
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
@@ -63,18 +70,33 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def compute(cls, operands, values, progress):
-        """The BooleanMesh of operands that were read, and the Mesh.Mesh made of it."""
+        """The BooleanMesh of operands that were read, the Mesh.Mesh made of it, the tolerance asked
+        for, and the faults of its certificate.
+        """
+        tolerance = operands.tolerance(values["resolution"], values["tolerance"])
         mesh = run(operands, values, progress)
-        return mesh, mesh.to_mesh()
+        return mesh, mesh.to_mesh(), tolerance, _faults(mesh.report, tolerance)
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, obj.Mesh = result
+        mesh, obj.Mesh, tolerance, faults = result
         show_report(obj, mesh.report)
+        obj.AskedTolerance = tolerance
+        mesh_object.show_certificate(obj, mesh.report, True, faults)
+
+
+def _faults(report, tolerance):
+    found = certificate.distance_faults(report.error_bound, tolerance,
+                                        "distance from the exact result")
+    if report.faults_left:
+        found.append(certificate.Fault(f"{report.faults_left} faults are left that no repair "
+                                       "removed"))
+    # Of nothing nothing is promised.
+    return found + (certificate.topology_faults(report, True) if report.triangles else [])
 
 
 def show_report(obj, report):
-    """Fills the group Quality."""
+    """Fills the group Quality, and what the certificate says of the distance."""
     mesh_object.show_topology(obj, report)
     obj.Volume, obj.ErrorBound = report.volume, report.error_bound
     obj.Retained, obj.Reconstructed = report.retained, report.reconstructed

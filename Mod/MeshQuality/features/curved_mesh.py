@@ -5,19 +5,19 @@ Its Mesh is what the elements look like, cut into flat triangles; the elements t
 in hidden properties, so that an opened document can write them without curving anew.
 """
 
+from dataclasses import dataclass
 from functools import partial
 
 from .. import convert, options
+from ..compat import core
 from ..curved_mesh import ARRAYS, CurvedMesh, curve
-from . import mesh_object
+from . import certificate, mesh_object
 
 # Name, type, what it says, where the report has it. All read-only.
 _MEASURED = (
     ("Elements", "App::PropertyInteger", "Number of tetrahedra, or of triangles without a volume",
      "elements"),
     ("Vertices", "App::PropertyInteger", "Number of corners of elements", "vertices"),
-    ("Invalid", "App::PropertyInteger",
-     "Elements that are not proven to be free of folds; there should be none", "invalid"),
     ("InvalidBefore", "App::PropertyInteger", "How many there were before repair",
      "invalid_before"),
     ("InvalidElements", "App::PropertyStringList", "Which elements are invalid",
@@ -44,6 +44,12 @@ _MEASURED = (
     ("Notes", "App::PropertyStringList", "What else happened on the way", "notes"),
 )
 
+# Name, type, what it says: beside mesh_object.PROMISES.
+PROMISES = (
+    ("Invalid", "App::PropertyInteger",
+     "Elements that are not proven to be free of folds; there should be none"),
+)
+
 
 class CurvedMeshObject(mesh_object.SourceMesh):
     """Proxy of a Mesh::FeaturePython that holds curved elements on its source's shape."""
@@ -51,6 +57,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
     COMMAND, CALL = "MeshQuality_Curve", "add_curved_mesh"
     OPTIONS = options.CURVE + options.CURVED_DISPLAY
     PRESETS = options.CURVE_PRESETS
+    PROMISES = PROMISES
     MEASURED = tuple((name, kind, text) for name, kind, text, _ in _MEASURED)
     HIDDEN = (
         ("ElementsOrder", "App::PropertyInteger", "Order of the elements that are kept"),
@@ -72,29 +79,61 @@ class CurvedMeshObject(mesh_object.SourceMesh):
         work = super().work_on(sources, values, obj)
         if obj is not None and obj.ElementsFingerprint:
             shape, values = work.compute.args
-            if _elements_fingerprint(shape, values) == obj.ElementsFingerprint:
+            known = obj.Certificate != certificate.UNKNOWN
+            if known and _elements_fingerprint(shape, values) == obj.ElementsFingerprint:
                 work.compute = partial(work.compute, kept=CurvedMesh.of(obj))
         return work
 
     @classmethod
     def compute(cls, shape, values, progress, kept=None):
-        """The elements, their fingerprint, the tessellation, and the Mesh.Mesh made of it."""
+        """The Result; `kept` are the elements where they are there already."""
         of_elements = _elements_values(values)
         curved = kept or curve(shape, **of_elements, progress=progress)
         tessellation = curved.tessellate(values["deviation"], progress)
-        return (curved, _elements_fingerprint(shape, values), tessellation,
-                convert.mesh_of_surface(tessellation.surface()))
+        proof = None if kept else _Proof(curved, certificate.shall_be_closed(shape))
+        return Result(curved, _elements_fingerprint(shape, values), tessellation,
+                      convert.mesh_of_surface(tessellation.surface()), proof)
 
     def take(self, obj, result):
         """Shows the elements and their report; those that were kept have been shown before."""
-        curved, fingerprint, tessellation, mesh = result
-        if fingerprint != obj.ElementsFingerprint:
-            curved.keep_in(obj)
-            show_report(obj, curved.report)
-            obj.ElementsFingerprint = fingerprint
-        obj.ShownDeviation = tessellation.deviation
-        obj.FaceRuns = mesh_object.runs_of_faces(tessellation.surface().triangle_face)
-        obj.Mesh = mesh
+        if result.proof is not None:
+            proof = result.proof
+            result.curved.keep_in(obj)
+            show_report(obj, result.curved.report)
+            mesh_object.show_certificate(obj, proof.topology, proof.closed, proof.faults)
+            obj.ElementsFingerprint = result.fingerprint
+        obj.ShownDeviation = result.tessellation.deviation
+        obj.FaceRuns = mesh_object.runs_of_faces(result.tessellation.surface().triangle_face)
+        obj.Mesh = result.mesh
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a curved mesh object computes.
+
+    curved        CurvedMesh
+    fingerprint   of its elements
+    tessellation  what is shown of it, and the Mesh.Mesh made of that
+    proof         of elements that are new
+    """
+
+    curved: CurvedMesh
+    fingerprint: str
+    tessellation: object
+    mesh: object
+    proof: object
+
+
+class _Proof:
+    """What the certificate is made of: the topology of the elements' corners, and the faults."""
+
+    def __init__(self, curved, closed):
+        corners = curved.triangles[:, :3]
+        last = corners.max(initial=-1) + 1
+        self.topology = convert.surface_of_arrays(core(), curved.nodes[:last], corners).report
+        self.closed = closed
+        self.faults = certificate.element_faults(curved.report) \
+            + certificate.topology_faults(self.topology, closed)
 
 
 def _elements_values(values):
@@ -113,6 +152,7 @@ def show_report(obj, report):
         if field == "repairs":
             value = [f"{what}: {count}" for what, count in value.items() if count]
         setattr(obj, name, value)
+    obj.Invalid = report.invalid
 
 
 def add(source, values):

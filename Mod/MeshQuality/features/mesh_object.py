@@ -12,16 +12,29 @@ import numpy as np
 from .. import convert, options
 from ..compat import PlainState
 from ..errors import Error, InvalidInput
+from . import certificate
 from .work import Work, handed_over, result_for
 
 # Name, type, what it says: measured on the mesh that an object holds.
 TOPOLOGY = (
     ("Triangles", "App::PropertyInteger", "Number of triangles"),
     ("Vertices", "App::PropertyInteger", "Number of vertices"),
-    ("Closed", "App::PropertyBool", "No border edge"),
     ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside"),
-    ("Manifold", "App::PropertyBool", "No edge of three or more triangles, no pinched vertex"),
 )
+# Of the group Certificate, for every kind of object.
+PROMISES = (
+    ("Certificate", "App::PropertyString",
+     "Whether the mesh keeps what was asked for; where not, what it misses and where"),
+    ("AskedClosed", "App::PropertyBool", "The mesh was to have no border edge"),
+    ("Closed", "App::PropertyBool", "The mesh has no border edge"),
+    ("Manifold", "App::PropertyBool",
+     "The mesh has no edge of three or more triangles and no pinched vertex"),
+)
+CERTIFICATE_FACES = ("CertificateFaces", "App::PropertyStringList",
+                     "CAD faces on which the mesh misses what was asked for")
+AUTOMATIC, MANUAL = "Automatic", "Manual"
+UP_TO_DATE = "up to date"
+OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
 # Kept for the object's own use.
 FINGERPRINT = ("Fingerprint", "App::PropertyString", "Of the input and the options of this mesh")
 FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
@@ -46,11 +59,29 @@ class MeshObject(PlainState):
     An error leaves the last good mesh as it is.
     """
 
-    PRESETS = ()
+    PRESETS = PROMISES = ()
 
     def __init__(self, obj):
         obj.Proxy = self
         self.add_properties(obj)
+
+    def add_common_properties(self, obj):
+        """Adds what every kind of object has."""
+        for name, kind, text in (*PROMISES, *self.PROMISES):
+            if not add_property(obj, kind, name, "Certificate", text):
+                obj.setGroupOfProperty(name, "Certificate")  # older versions had some elsewhere
+            elif name == "Certificate" and obj.Mesh.CountFacets:
+                obj.Certificate = certificate.UNKNOWN
+            obj.setEditorMode(name, 1)
+        add_hidden(obj, "Certificate", (CERTIFICATE_FACES, FINGERPRINT))
+        if add_property(obj, "App::PropertyEnumeration", "Recompute", "Update",
+                        "Whether the mesh follows its sources and options by itself, or when it is "
+                        "asked to"):
+            obj.Recompute = [AUTOMATIC, MANUAL]
+        if add_property(obj, "App::PropertyString", "Status", "Update",
+                        "Whether the mesh is that of its sources and options"):
+            obj.Status = UP_TO_DATE
+        obj.setEditorMode("Status", 1)
 
     def attach_view(self, view):
         """Gives the object's view in the GUI its proxy."""
@@ -74,23 +105,32 @@ class MeshObject(PlainState):
             if done is not None:
                 work, result = done
                 self.take(obj, result)
-                obj.Fingerprint = work.fingerprint
+                obj.Fingerprint, obj.Status = work.fingerprint, UP_TO_DATE
         except (Error, ImportError, MemoryError) as error:
             self.error = error
             raise type(error)(f"{obj.Label}: {error}") from error
 
     def _result(self, obj):
-        """The (Work, result) that the object needs, None when it is up to date."""
+        """The (Work, result) that the object takes; None when it is up to date, or is to stay as it
+        is until it is asked for.
+        """
         sources, values = self.sources(obj), options_of(obj, self.OPTIONS)
         done = result_for(type(self), sources, values)
         if done is not None:
             return done
         work = self.work_on(sources, values, obj)
-        return None if self.is_result(obj, work) else (work, work.result(None))
+        if self.is_result(obj, work):
+            obj.Status = UP_TO_DATE
+            return None
+        if obj.Recompute == MANUAL and obj.Fingerprint:
+            obj.Status = OUT_OF_DATE
+            return None
+        return work, work.result(None)
 
     def is_result(self, obj, work):
         """Whether the object holds what the work would give."""
-        return work.fingerprint == obj.Fingerprint and self.holds_mesh(obj)
+        known = obj.Certificate != certificate.UNKNOWN
+        return known and work.fingerprint == obj.Fingerprint and self.holds_mesh(obj)
 
 
 class SourceMesh(MeshObject):
@@ -117,7 +157,8 @@ class SourceMesh(MeshObject):
                      "The object whose shape is meshed")
         add_options(obj, self.OPTIONS)
         add_measured(obj, self.MEASURED)
-        add_hidden(obj, "Mesh", (FINGERPRINT, FACE_RUNS, *self.HIDDEN))
+        add_hidden(obj, "Mesh", (FACE_RUNS, *self.HIDDEN))
+        self.add_common_properties(obj)
 
     def onDocumentRestored(self, obj):
         """The mesh gets its segments back, which FreeCAD does not save."""
@@ -185,7 +226,18 @@ def add_hidden(obj, group, table):
 def show_topology(obj, report):
     """Fills the properties of TOPOLOGY."""
     obj.Triangles, obj.Vertices = report.triangles, report.vertices
-    obj.Closed, obj.Oriented, obj.Manifold = report.closed, report.oriented, report.manifold
+    obj.Oriented = report.oriented
+
+
+def show_certificate(obj, report, closed, faults):
+    """Fills what every kind of object has in the group Certificate.
+
+    report  a MeshReport
+    closed  whether the mesh was to be closed
+    """
+    obj.AskedClosed, obj.Closed, obj.Manifold = closed, report.closed, report.manifold
+    obj.Certificate = certificate.sentence(faults)
+    obj.CertificateFaces = certificate.faces(faults)
 
 
 def add_options(obj, table):
@@ -226,11 +278,20 @@ def add(document, name, title, make):
             obj.recompute()
             if proxy.error is not None:
                 raise proxy.error
+            if FreeCAD.GuiUp:
+                _leave_heavy_to_the_user(obj)
             obj.purgeTouched()
         except BaseException:
             document.removeObject(obj.Name)
             raise
     return obj
+
+
+def _leave_heavy_to_the_user(obj):
+    from ..gui import preferences
+
+    if obj.Mesh.CountFacets > preferences.manual_above():
+        obj.Recompute = MANUAL
 
 
 def update(obj, values, progress=None):
@@ -250,6 +311,7 @@ def update(obj, values, progress=None):
     with _undo_step(obj.Document, f"Update {obj.Label}"):
         set_options(obj, table, values)
         if done[1] is None:
+            obj.Status = UP_TO_DATE
             return
         with handed_over(*done):
             obj.recompute()

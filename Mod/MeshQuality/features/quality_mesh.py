@@ -3,16 +3,23 @@
 
 from .. import options
 from ..api import triangulate
-from . import mesh_object
+from . import certificate, mesh_object
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
     *mesh_object.TOPOLOGY,
-    ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
     ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
-    ("MaxChordHeight", "App::PropertyLength", "Largest measured distance to the shape"),
     ("Exempt", "App::PropertyStringList", "Triangles below the angle asked for, and why"),
     ("Notes", "App::PropertyStringList", "What else happened on the way"),
+)
+
+# Name, type, what it says: beside mesh_object.PROMISES.
+PROMISES = (
+    ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was asked for"),
+    ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
+    ("AskedChordHeight", "App::PropertyLength",
+     "Distance to the shape that the mesh was to keep within; 0: none"),
+    ("MaxChordHeight", "App::PropertyLength", "Largest measured distance to the shape"),
 )
 
 
@@ -22,26 +29,40 @@ class QualityMesh(mesh_object.SourceMesh):
     COMMAND, CALL = "MeshQuality_Triangulate", "add_quality_mesh"
     OPTIONS = options.TRIANGULATE
     PRESETS = options.TRIANGULATE_PRESETS
-    MEASURED = MEASURED
+    MEASURED, PROMISES = MEASURED, PROMISES
 
     @classmethod
     def compute(cls, shape, values, progress):
-        """The SurfaceMesh of the shape, and the Mesh.Mesh made of it."""
+        """The SurfaceMesh of the shape, the Mesh.Mesh made of it, whether it was to be closed, and
+        the faults of its certificate.
+        """
         mesh = triangulate(shape, **values, progress=progress)
-        return mesh, mesh.to_mesh()
+        closed = certificate.shall_be_closed(shape)
+        return mesh, mesh.to_mesh(), closed, _faults(mesh, closed)
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, obj.Mesh = result
+        mesh, obj.Mesh, closed, faults = result
         show_report(obj, mesh.report)
+        mesh_object.show_certificate(obj, mesh.report, closed, faults)
         obj.FaceRuns = mesh_object.runs_of_faces(mesh.triangle_face)
 
 
+def _faults(mesh, closed):
+    report = mesh.report
+    found = certificate.angle_faults(mesh) + certificate.distance_faults(
+        report.max_chord_height, report.chord_height_asked, "distance to the shape")
+    if not report.complete:
+        found.append(certificate.Fault("a limit ended the work early"))
+    return found + certificate.topology_faults(report, closed)
+
+
 def show_report(obj, report):
-    """Fills the group Quality."""
+    """Fills the group Quality, and what the certificate says of the angle and the distance."""
     mesh_object.show_topology(obj, report)
     obj.MeasuredMinAngle, obj.MeasuredMaxAngle = report.min_angle, report.max_angle
     obj.MaxChordHeight = max(report.max_chord_height, 0.0)
+    obj.AskedMinAngle, obj.AskedChordHeight = report.min_angle_asked, report.chord_height_asked
     obj.Exempt = [f"triangle {triangle}: {why}" for triangle, why in report.exempt]
     obj.Notes = list(report.notes)
 

@@ -118,7 +118,8 @@ class CurvedMeshView(MeshView):
         return mode
 
     def updateData(self, obj, name):
-        """The object's mesh has changed."""
+        """The object's mesh has changed, or what its icon shows."""
+        super().updateData(obj, name)
         if name != "Mesh" or obj.Mesh.CountFacets == 0:
             return
         try:

@@ -6,6 +6,7 @@ from PySide import QtCore, QtGui
 
 from ..errors import Error
 from . import jobs, operation, preferences
+from .certificate_box import CertificateBox
 from .option_form import OptionForm
 from .preset_box import PresetBox
 
@@ -51,14 +52,20 @@ class MeshPanel:
                                            for source in made.sources if source is not None))
         self.estimate, self.message, self.bar = QtGui.QLabel(), QtGui.QLabel(), QtGui.QProgressBar()
         self.estimate.setVisible(self.operations[0].trial is not None)
+        self.certificate = CertificateBox()
         layout = QtGui.QVBoxLayout(self.form)
         for label in (of, self.estimate, self.message):
             label.setWordWrap(True)
-        for widget in (of, self.presets, self.options, self.estimate, self.bar, self.message):
+        for widget in (of, self.certificate, self.presets, self.options, self.estimate, self.bar, self.message):
             layout.addWidget(widget)
         layout.addStretch()
         self.bar.setRange(0, 1000)
         self.bar.hide()
+        self.certificate.show(self._edited())
+
+    def _edited(self):
+        """The object that the panel edits; None when it adds, or edits several."""
+        return self.operations[0].obj if len(self.operations) == 1 else None
 
     def getStandardButtons(self):
         buttons = _Buttons.Ok | _Buttons.Apply | _Buttons.Cancel
@@ -91,6 +98,8 @@ class MeshPanel:
 
     def _close(self):
         self._end_trial()
+        if self._edited() is not None:
+            self.certificate.end()
         if self._editing:
             self._editing = False
             FreeCADGui.ActiveDocument.resetEdit()
@@ -140,6 +149,7 @@ class MeshPanel:
             return
         self.bar.hide()
         self._enable(True)
+        self.certificate.show(self._edited())
         self._close_if_done()
 
     def _enable(self, enabled):

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How the document objects behave in the tree and the 3D view: icon, and editing by double click."""
-
-import os
+"""How the document objects behave in the tree and the 3D view: icon with a badge where the mesh
+misses what was asked for or is out of date, editing by double click, the context menu.
+"""
 
 import FreeCADGui
 
 from ..compat import PlainState
-
-ICONS = os.path.normpath(os.path.join(os.path.dirname(__file__), os.pardir, os.pardir, os.pardir,
-                                      "Resources", "icons"))
+from ..features import certificate, mesh_object
+from . import badge
 
 
 class MeshView(PlainState):
@@ -22,10 +21,20 @@ class MeshView(PlainState):
         self.view = view
 
     def getIcon(self):
-        """That of the command which adds such objects."""
+        """That of the command which adds such objects, as the path of a file or as a picture."""
+        obj = self.view.Object
         # A document that is being read has no proxy yet.
-        command = getattr(self.view.Object.Proxy, "COMMAND", "MeshQuality")
-        return os.path.join(ICONS, f"{command}.svg")
+        icon = getattr(obj.Proxy, "COMMAND", "MeshQuality")
+        if getattr(obj, "Certificate", "").startswith(certificate.MISSED):
+            return badge.with_badge(icon, badge.MISSED)
+        if getattr(obj, "Status", "") == mesh_object.OUT_OF_DATE:
+            return badge.with_badge(icon, badge.OUTDATED)
+        return badge.path_of(icon)
+
+    def updateData(self, obj, name):
+        """A property of the object has changed."""
+        if name in ("Certificate", "Status"):
+            obj.ViewObject.signalChangeIcon()
 
     def doubleClicked(self, view):
         """Opens the panel with the object's options."""
@@ -44,3 +53,10 @@ class MeshView(PlainState):
         """Editing has ended: by the panel, or because the object is no more."""
         FreeCADGui.Control.closeDialog()
         return True
+
+    def setupContextMenu(self, view, menu):
+        """Called by FreeCAD for the menu of the object in the tree."""
+        from .update import update_in_background
+
+        menu.addAction("Edit options", lambda: self.doubleClicked(view))
+        menu.addAction("Update mesh", lambda: update_in_background(view.Object))

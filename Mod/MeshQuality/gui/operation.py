@@ -98,6 +98,7 @@ class Operation:
             self._obj = document.ActiveObject
         document.commitTransaction()
         if watch.changed:
+            self._obj.Status = mesh_object.OUT_OF_DATE
             self._obj.touch()
 
 

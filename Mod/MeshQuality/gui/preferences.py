@@ -37,6 +37,11 @@ def remember(kind, values):
         stored().SetString(_entry(kind), json.dumps(values))
 
 
+def manual_above():
+    """Number of triangles above which a new mesh does not follow its source by itself."""
+    return stored().GetInt("ManualAbove", 200_000)
+
+
 def _last(kind):
     """Values that were used last; {} when there are none, or of another version's options."""
     text = stored().GetString(_entry(kind), "")

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Icons of the tree with a badge in their corner."""
+
+import os
+from functools import lru_cache
+
+from PySide import QtCore, QtGui, QtSvg
+
+ICONS = os.path.normpath(os.path.join(os.path.dirname(__file__), os.pardir, os.pardir, os.pardir,
+                                      "Resources", "icons"))
+MISSED, OUTDATED = "MeshQuality_missed", "MeshQuality_outdated"
+_SIDE = 64  # pixels
+
+
+def path_of(name):
+    """The file of an icon."""
+    return os.path.join(ICONS, f"{name}.svg")
+
+
+@lru_cache(maxsize=None)
+def with_badge(name, badge):
+    """The icon with the badge over it, as the text of an XPM picture, which views may return."""
+    picture = QtGui.QImage(_SIDE, _SIDE, QtGui.QImage.Format_ARGB32)
+    picture.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(picture)
+    for layer in (name, badge):
+        QtSvg.QSvgRenderer(path_of(layer)).render(painter)
+    painter.end()
+    buffer = QtCore.QBuffer()
+    buffer.open(QtCore.QIODevice.WriteOnly)
+    picture.save(buffer, "XPM")
+    return bytes(buffer.data()).decode("ascii")

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Brings the mesh of an object up to date in the background, told of in the status bar."""
+
+import FreeCAD
+import FreeCADGui
+
+from ..errors import Error
+from . import jobs
+from .operation import Operation, Watch
+
+
+def update_in_background(obj):
+    """Begins the work; returns its Job, None when there is nothing to do."""
+    title = f"Update {obj.Label}"
+    made = Operation.of_object(title, obj)
+    try:
+        work = made.work(made.values())
+    except (Error, ImportError) as error:
+        FreeCAD.Console.PrintError(f"{title}: {error}\n")
+        return None
+    watch = Watch(made.sources)
+    job = jobs.Job(title, work.result, lambda result: made.land(work, result, watch),
+                   lambda: made.possible(obj))
+    bar = FreeCADGui.getMainWindow().statusBar()
+    job.changed.connect(lambda: bar.showMessage(
+        f"{title}: {job.stage or job.state} {100 * job.fraction:.0f} %"))
+    job.ended.connect(lambda: (watch.end(), bar.showMessage(f"{title}: {job.error or job.state}")))
+    return jobs.queue().add(job)

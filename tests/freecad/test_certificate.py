@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Certificates: what is kept, what is missed and where; and when objects are computed anew."""
+
+import os
+
+import FreeCAD
+import helpers
+import numpy as np
+import Part
+
+import MeshQuality as mq
+from MeshQuality.features import certificate, mesh_object
+
+
+def wedge(tip=0.8, length=10.0):
+    """A solid with a narrow corner: atan(tip / length) at two of its vertices."""
+    corners = [FreeCAD.Vector(*p) for p in ((0, 0, 0), (length, 0, 0), (length, tip, 0), (0, 0, 0))]
+    return Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 0, 3))
+
+
+class CertificateTest(helpers.DocumentTest):
+    def feature(self, shape, name="Part"):
+        obj = self.document.addObject("Part::Feature", name)
+        obj.Shape = shape
+        self.document.recompute()
+        return obj
+
+
+class Certificates(CertificateTest):
+    def test_a_good_mesh_keeps_what_was_asked(self):
+        cylinder = self.feature(Part.makeCylinder(5, 10))
+        obj = mq.add_quality_mesh(cylinder, min_angle=28, chord_height=0.01)
+        self.assertEqual(obj.Certificate, "kept")
+        self.assertEqual((obj.AskedMinAngle.Value, obj.AskedChordHeight.Value), (28.0, 0.01))
+        self.assertGreaterEqual(obj.MeasuredMinAngle.Value, 28.0 - 1e-9)
+        self.assertLessEqual(obj.MaxChordHeight.Value, 0.01)
+        self.assertTrue(obj.AskedClosed and obj.Closed and obj.Manifold)
+        self.assertEqual(list(obj.CertificateFaces), [])
+
+    def test_properties_are_read_only_in_their_group(self):
+        box = self.box()
+        for obj in (mq.add_quality_mesh(box), mq.add_curved_mesh(box),
+                    mq.add_boolean(box, self.box("Other", Height=20), "union")):
+            for name in ("Certificate", "AskedClosed", "Closed", "Manifold"):
+                self.assertEqual(obj.getGroupOfProperty(name), "Certificate")
+                self.assertEqual(obj.getEditorMode(name), ["ReadOnly"])
+                self.assertTrue(obj.getDocumentationOfProperty(name))
+            self.assertEqual(obj.Certificate, "kept")
+
+    def test_a_narrow_corner_is_missed_with_its_place(self):
+        source = self.feature(wedge())
+        obj = mq.add_quality_mesh(source)
+        mesh = mq.triangulate(source)
+        angles = certificate.smallest_angles(mesh.vertices[mesh.triangles])
+        worst = int(np.argmin(angles))
+        self.assertRegex(obj.Certificate, rf"^missed: smallest angle 4\.57 of 25 degrees at triangle "
+                                          rf"{worst}: .* on Face{mesh.triangle_face[worst] + 1}\b")
+        self.assertAlmostEqual(angles[worst], mesh.report.min_angle, places=6)
+        below = {f"Face{face + 1}" for face in mesh.triangle_face[angles < 25.0]}
+        self.assertEqual(set(obj.CertificateFaces), below)
+
+    def test_an_open_shape_need_not_be_closed(self):
+        obj = mq.add_quality_mesh(self.feature(Part.makePlane(10, 10)))
+        self.assertEqual((obj.AskedClosed, obj.Closed, obj.Certificate), (False, False, "kept"))
+
+    def test_a_distance_that_is_not_kept(self):
+        source = self.feature(Part.makeCylinder(5, 10))
+        obj = mq.add_quality_mesh(source, method="star", polish=False, chord_height=0.01)
+        self.assertGreater(obj.MaxChordHeight.Value, 0.01)
+        self.assertIn("distance to the shape 0.0171 of 0.01 mm", obj.Certificate)
+        self.assertNotIn("angle", obj.Certificate)
+
+    def test_work_that_a_limit_ended(self):
+        obj = mq.add_quality_mesh(self.box(), max_edge=0.5, max_triangles=50)
+        self.assertIn("a limit ended the work early", obj.Certificate)
+
+    def test_curved_elements_that_fold(self):
+        class Report:
+            invalid, elements = 4, 90
+            invalid_elements = [f"triangle {i} on Face{i % 2 + 1}" for i in range(4)]
+
+        faults = certificate.element_faults(Report)
+        self.assertEqual(certificate.sentence(faults),
+                         "missed: 4 of 90 elements are not proven free of folds: triangle 0 on "
+                         "Face1, triangle 1 on Face2, triangle 2 on Face1 and 1 more")
+        self.assertEqual(certificate.faces(faults), ["Face1", "Face2"])
+
+    def test_a_boolean_tells_its_tolerance(self):
+        obj = mq.add_boolean(self.box(), self.feature(Part.makeSphere(6)), "union", tolerance=0.02)
+        self.assertEqual((obj.AskedTolerance.Value, obj.Certificate), (0.02, "kept"))
+        self.assertLessEqual(obj.ErrorBound.Value, 0.02)
+        mq.update(obj, tolerance=None, resolution=100)
+        self.assertAlmostEqual(obj.AskedTolerance.Value, 3**0.5 * 16 / 100)
+
+    def test_nothing_is_promised_of_an_empty_boolean(self):
+        far = self.feature(Part.makeBox(1, 1, 1, FreeCAD.Vector(50, 0, 0)))
+        obj = mq.add_boolean(self.box(), far, "intersection")
+        self.assertEqual((obj.Triangles, obj.Certificate), (0, "kept"))
+
+    def test_documents_of_older_versions(self):
+        for add in (mq.add_quality_mesh, mq.add_curved_mesh):
+            obj = add(self.box())
+            for name in ("Certificate", "Status", "Recompute"):
+                obj.removeProperty(name)
+            obj.Proxy.onDocumentRestored(obj)
+            self.assertTrue(obj.Certificate.startswith("unknown"))
+            self.assertEqual((obj.Recompute, obj.Status), ("Automatic", "up to date"))
+            mq.update(obj)
+            self.assertEqual(obj.Certificate, "kept")
+
+
+class RecomputeRules(CertificateTest):
+    def three(self):
+        box, other = self.box(), self.box("Other", Length=20)
+        return box, [mq.add_quality_mesh(box), mq.add_curved_mesh(box),
+                     mq.add_boolean(box, other, "union")]
+
+    def test_automatic_follows_the_source(self):
+        box, made = self.three()
+        box.Height = 33
+        self.document.recompute()
+        for obj in made:
+            self.assertAlmostEqual(obj.Mesh.BoundBox.ZLength, 33.0, places=4)
+            self.assertEqual(obj.Status, "up to date")
+
+    def test_manual_waits_until_it_is_asked(self):
+        box, made = self.three()
+        for obj in made:
+            obj.Recompute = "Manual"
+        self.document.recompute()
+        box.Height = 33
+        self.document.recompute()
+        for obj in made:
+            with self.subTest(obj.Label):
+                self.assertAlmostEqual(obj.Mesh.BoundBox.ZLength, 10.0)
+                self.assertEqual(obj.Status, mesh_object.OUT_OF_DATE)
+                self.assertTrue(obj.isValid())
+                self.assertNotIn("Touched", obj.State)
+                mq.update(obj)
+                self.assertAlmostEqual(obj.Mesh.BoundBox.ZLength, 33.0, places=4)
+                self.assertEqual((obj.Status, obj.Recompute), ("up to date", "Manual"))
+
+    def test_a_change_taken_back_is_up_to_date_again(self):
+        box, made = self.three()
+        made[0].Recompute = "Manual"
+        for height, status in ((33, mesh_object.OUT_OF_DATE), (10, mesh_object.UP_TO_DATE)):
+            box.Height = height
+            self.document.recompute()
+            self.assertEqual(made[0].Status, status)
+
+    def test_back_to_automatic_computes(self):
+        box, made = self.three()
+        made[0].Recompute = "Manual"
+        box.Height = 33
+        self.document.recompute()
+        made[0].Recompute = "Automatic"
+        self.document.recompute()
+        self.assertAlmostEqual(made[0].Mesh.BoundBox.ZLength, 33.0, places=4)
+        self.assertEqual(made[0].Status, "up to date")
+
+    def test_it_is_saved(self):
+        box, made = self.three()
+        made[0].Recompute = "Manual"
+        box.Height = 33
+        self.document.recompute()
+        path = os.path.join(self.folder, "manual.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        document = FreeCAD.openDocument(path)
+        self.names.append(document.Name)
+        obj = document.getObject("QualityMesh")
+        self.assertEqual((obj.Recompute, obj.Status), ("Manual", mesh_object.OUT_OF_DATE))
+        mq.update(obj)
+        self.assertAlmostEqual(obj.Mesh.BoundBox.ZLength, 33.0, places=4)
+
+    def test_update_is_one_undo_step(self):
+        _, made = self.three()
+        steps, before = self.document.UndoCount, made[0].Triangles
+        mq.update(made[0], max_edge=3.0)
+        self.assertGreater(made[0].Triangles, before)
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        self.document.undo()
+        self.assertEqual((made[0].Triangles, made[0].MaxEdge.Value), (before, 0.0))
+
+    def test_update_can_be_cancelled(self):
+        _, made = self.three()
+        before = made[0].Triangles
+        with self.assertRaises(mq.Cancelled):
+            mq.update(made[0], max_edge=0.05, progress=lambda fraction, stage: False)
+        self.assertEqual((made[0].Triangles, made[0].MaxEdge.Value), (before, 0.0))
