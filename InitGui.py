@@ -11,10 +11,8 @@ class MeshQualityWorkbench(FreeCADGui.Workbench):
     ToolTip = "Meshes of CAD shapes with guaranteed quality"
 
     def Initialize(self):
-        import FreeCADGui
         from MeshQuality.gui import commands
 
-        FreeCADGui.addIconPath(self.__class__.icons)
         names = commands.register()
         self.appendToolbar("Mesh Quality", names)
         self.appendMenu("Mesh Quality", names)
@@ -23,7 +21,9 @@ class MeshQualityWorkbench(FreeCADGui.Workbench):
         return "Gui::PythonWorkbench"
 
 
-MeshQualityWorkbench.icons = os.path.normpath(os.path.join(
-    os.path.dirname(MeshQuality.__file__), os.pardir, os.pardir, "Resources", "icons"))
-MeshQualityWorkbench.Icon = os.path.join(MeshQualityWorkbench.icons, "MeshQuality.svg")
+_resources = os.path.normpath(os.path.join(
+    os.path.dirname(MeshQuality.__file__), os.pardir, os.pardir, "Resources"))
+MeshQualityWorkbench.Icon = os.path.join(_resources, "icons", "MeshQuality.svg")
+FreeCADGui.addIconPath(os.path.join(_resources, "icons"))
+FreeCADGui.addPreferencePage(os.path.join(_resources, "ui", "preferences.ui"), "MeshQuality")
 FreeCADGui.addWorkbench(MeshQualityWorkbench())

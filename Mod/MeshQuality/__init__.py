@@ -26,6 +26,7 @@ _LAZY = {
     "add_quality_mesh": "MeshQuality.api",
     "add_curved_mesh": "MeshQuality.curved_mesh",
     "add_boolean": "MeshQuality.boolean_mesh",
+    "export_curved_mesh": "MeshQuality.export",
     "update": "MeshQuality.api",
     "SurfaceMesh": "MeshQuality.surface_mesh",
     "MeshReport": "MeshQuality._core",

@@ -7,6 +7,7 @@ from .. import convert
 from ..api import triangulate
 from ..features import boolean, curved_mesh, quality_mesh
 from . import quality_panel
+from .export_panel import ExportPanel
 from .mesh_panel import MeshPanel
 from .operation import Operation
 
@@ -102,12 +103,25 @@ class Analyse(_Command):
         return found if len(found) == 1 and found[0].isDerivedFrom("Mesh::Feature") else []
 
 
+class Export(_Command):
+    NAME = "MeshQuality_Export"
+    TEXT = "Export curved mesh"
+    TIP = "Write the curved elements of the selected mesh into a file for Gmsh, ParaView or a solver"
+
+    def Activated(self):
+        FreeCADGui.Control.showDialog(ExportPanel(self.selected()[0]))
+
+    def selected(self):
+        found = FreeCADGui.Selection.getSelection()
+        return found if len(found) == 1 and getattr(found[0], "ElementsOrder", 0) else []
+
+
 def _has_shape(obj):
     return hasattr(obj, "Shape") or obj.hasExtension("App::GroupExtension") \
         or obj.TypeId == "App::Link"
 
 
-_COMMANDS = (Triangulate, Curve, Boolean, Analyse)
+_COMMANDS = (Triangulate, Curve, Boolean, Analyse, Export)
 
 
 def panel_of(obj):

@@ -26,15 +26,18 @@ class Job(QtCore.QObject):
     take     take(result), called on the GUI's thread
     wanted   wanted() -> whether the result still has a place to go to, asked on the GUI's thread
     quiet    a failure is not reported
+    drop     drop(result), called on the GUI's thread instead of take where the job was cancelled
+             after the work had ended
     """
 
     changed = QtCore.Signal()  # state, fraction or stage
     ended = QtCore.Signal()
 
-    def __init__(self, title, compute, take, wanted=lambda: True, quiet=False):
+    def __init__(self, title, compute, take, wanted=lambda: True, quiet=False,
+                 drop=lambda result: None):
         super().__init__()
         self.title, self.compute, self.take, self.wanted = title, compute, take, wanted
-        self.quiet = quiet
+        self.quiet, self.drop = quiet, drop
         self.state, self.fraction, self.stage, self.error = WAITING, 0.0, "", None
         self._result = None
         self._thread = None
@@ -64,8 +67,11 @@ class Job(QtCore.QObject):
         if self._thread.is_alive():
             self.changed.emit()
             return
-        if self.error is None and not self._cancel.is_set():
-            self._take()
+        if self.error is None:
+            if self._cancel.is_set():
+                self.drop(self._result)
+            else:
+                self._take()
         cancelled = self._cancel.is_set() or isinstance(self.error, Cancelled)
         self._end(CANCELLED if cancelled else FAILED if self.error is not None else DONE)
 

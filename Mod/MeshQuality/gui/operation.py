@@ -40,7 +40,7 @@ class Operation:
     @property
     def obj(self):
         """The document object; None before it was added and after it was removed."""
-        return self._obj if self._obj is not None and _is_there(self._document, self._obj) else None
+        return self._obj if self._obj is not None and is_there(self._document, self._obj) else None
 
     def size(self):
         """Largest dimension of the source in mm, for people; 0: unknown."""
@@ -64,7 +64,7 @@ class Operation:
     def possible(self, edited):
         """Whether the document still has the sources, and the object that is edited unless None."""
         needed = [*self.sources, *([edited] if edited is not None else [])]
-        return all(_is_there(self._document, obj) for obj in needed)
+        return all(is_there(self._document, obj) for obj in needed)
 
     @property
     def step(self):
@@ -74,10 +74,10 @@ class Operation:
     def line(self, values):
         """The line of Python that does it."""
         if self.obj is not None:
-            return f"mq.update({_name(self.obj)}{_arguments(values, self.values())})"
-        given = _name(self.sources[0])
+            return f"mq.update({name_of(self.obj)}{_arguments(values, self.values())})"
+        given = name_of(self.sources[0])
         if len(self.sources) > 1:
-            given = f"[{', '.join(map(_name, self.sources))}]"
+            given = f"[{', '.join(map(name_of, self.sources))}]"
         defaults = {option.name: option.default for option in self.kind.OPTIONS}
         return f"mq.{self.kind.CALL}({given}{_arguments(values, defaults)})"
 
@@ -121,11 +121,12 @@ class Watch:
             self.changed = True
 
 
-def _is_there(document, obj):
+def is_there(document, obj):
+    """Whether the object still is in the document of this name."""
     return document in FreeCAD.listDocuments() and obj in FreeCAD.getDocument(document).Objects
 
 
-def _name(obj):
+def name_of(obj):
     """The object, in Python."""
     return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
 

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Writes what document objects keep into files."""
+
+import os
+
+from .curved_mesh import CurvedMesh
+from .errors import IoError
+
+CURVED_FORMATS = {".msh": "Gmsh mesh", ".vtu": "VTK unstructured grid"}
+
+_written = {}  # file asked for -> file that holds its content already
+
+
+def export_curved_mesh(obj, path):
+    """Writes the curved elements of a document object of add_curved_mesh.
+
+    path  .msh (Gmsh 4.1, ASCII) or .vtu (VTK Lagrange cells); an existing file is replaced
+
+    Raises InvalidInput for other objects, IoError naming the path.
+    """
+    path = checked(path)
+    ready = _written.pop(path, None)
+    if ready is None:
+        CurvedMesh.of(obj).write(path)
+    else:
+        os.replace(ready, path)
+
+
+def checked(path):
+    """The path as absolute text; raises IoError where nothing can be written there."""
+    path = os.path.abspath(os.fspath(path))
+    folder, extension = os.path.dirname(path), os.path.splitext(path)[1].lower()
+    if extension not in CURVED_FORMATS:
+        raise IoError(f"{path}: a name that ends in {' or '.join(CURVED_FORMATS)} is needed, not in "
+                      f"'{extension}'")
+    if not os.path.isdir(folder):
+        raise IoError(f"{path}: there is no folder {folder}")
+    if os.path.isdir(path) or not os.access(folder, os.W_OK):
+        raise IoError(f"{path} cannot be written")
+    return path
+
+
+def write_ahead(curved, path):
+    """Writes a CurvedMesh beside a checked path, for the export_curved_mesh that follows; any
+    thread may call it. Returns what takes the file away again if it was not taken.
+    """
+    stem, extension = os.path.splitext(path)
+    ready = f"{stem}.part{extension}"
+    try:
+        curved.write(ready)
+    except IoError:
+        _remove(ready)
+        raise
+    _written[path] = ready
+    return lambda: _remove(_written.pop(path, ready))
+
+
+def _remove(path):
+    if os.path.exists(path):
+        os.remove(path)

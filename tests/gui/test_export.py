@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Export of curved meshes: selection, the file, errors in the panel, cancel, the macro."""
+
+import os
+from unittest import mock
+
+import FreeCAD
+import FreeCADGui
+import gui_helpers
+
+import MeshQuality as mq
+from MeshQuality.gui import commands, export_panel
+
+
+class Export(gui_helpers.PanelTest):
+    def curved(self):
+        obj = mq.add_curved_mesh(self.box(), order=2)
+        self.select(obj)
+        return obj
+
+    def panel_for(self, obj, name):
+        panel = export_panel.ExportPanel(obj)
+        FreeCADGui.Control.showDialog(panel)
+        panel.path.setProperty("fileName", os.path.join(self.folder, name))
+        gui_helpers.wait()
+        return panel
+
+    def write(self, panel):
+        panel.accept()
+        self.until(lambda: panel.job is None)
+
+    def test_it_is_for_one_curved_mesh(self):
+        box, command = self.box(), commands.Export()
+        curved, plain = mq.add_curved_mesh(box), mq.add_quality_mesh(box)
+        for chosen, active in (((curved,), True), ((plain,), False), ((box,), False), ((), False),
+                               ((curved, plain), False)):
+            self.select(*chosen)
+            self.assertEqual(command.IsActive(), active)
+        self.select(curved)
+        command.Activated()
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+
+    def test_the_file_is_that_of_the_api(self):
+        obj = self.curved()
+        for name in ("part.msh", "part.vtu"):
+            panel = self.panel_for(obj, name)
+            self.write(panel)
+            self.assertEqual(panel.said, "")
+            self.assertFalse(FreeCADGui.Control.activeDialog())
+            mq.CurvedMesh.of(obj).write(os.path.join(self.folder, "expected_" + name))
+            with open(os.path.join(self.folder, name), "rb") as written, \
+                    open(os.path.join(self.folder, "expected_" + name), "rb") as expected:
+                self.assertEqual(written.read(), expected.read())
+        self.assertFalse([name for name in os.listdir(self.folder) if ".part" in name])
+
+    def test_what_is_wrong_with_a_path_is_said_in_the_panel(self):
+        obj = self.curved()
+        os.mkdir(os.path.join(self.folder, "folder.msh"))
+        for name, words in (("part.stl", "ends in .msh or .vtu"), ("none/part.msh", "no folder"),
+                            ("folder.msh", "cannot be written")):
+            panel = self.panel_for(obj, name)
+            self.write(panel)
+            self.assertIn(words, panel.said)
+            self.assertTrue(FreeCADGui.Control.activeDialog())
+            self.assertTrue(panel.path.isEnabled())
+            with self.assertRaisesRegex(mq.IoError, words):
+                mq.export_curved_mesh(obj, os.path.join(self.folder, name))
+            panel.reject()
+        self.assertEqual(os.listdir(self.folder), ["folder.msh"])
+
+    def test_cancel_writes_nothing(self):
+        obj = self.curved()
+        panel = self.panel_for(obj, "part.msh")
+        panel.accept()
+        self.assertFalse(panel.reject())
+        self.until(lambda: panel.job is None)
+        self.assertIn("Cancelled", panel.said)
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_an_existing_file_is_told_of(self):
+        obj = self.curved()
+        with open(os.path.join(self.folder, "part.msh"), "w", encoding="utf-8"):
+            pass
+        panel = self.panel_for(obj, "part.msh")
+        self.assertIn("will be replaced", panel.said)
+        self.write(panel)
+        self.assertGreater(os.path.getsize(os.path.join(self.folder, "part.msh")), 100)
+
+    def test_the_recorded_lines_write_the_file(self):
+        obj, lines = self.curved(), []
+        real = FreeCADGui.doCommand
+        panel = self.panel_for(obj, "part.msh")
+        with mock.patch.object(FreeCADGui, "doCommand",
+                               lambda line: (lines.append(line), real(line))):
+            self.write(panel)
+        path = os.path.join(self.folder, "part.msh")
+        os.remove(path)
+        exec("\n".join(lines), {"App": FreeCAD})  # noqa: S102 - what a macro does
+        self.assertGreater(os.path.getsize(path), 100)
+
+    def test_the_panel_is_usable_at_260_pixels(self):
+        panel = self.panel_for(self.curved(), "part.msh")
+        panel.form.resize(260, panel.form.sizeHint().height())
+        gui_helpers.wait()
+        self.assertLessEqual(panel.form.minimumSizeHint().width(), 260)
+        panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_Export.png")
