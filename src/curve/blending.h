@@ -6,7 +6,7 @@
 #include "curve/bernstein.h"
 
 /// Inner control points of faces and regions from those of their boundary: what an entity gets that is not on the CAD.
-/// Takes the place of the centroid rule of Dey, O'Bara, Shephard 1999, section 5.4.3, which it equals for cubics.
+/// The centroid rule of Dey, O'Bara, Shephard 1999, section 5.4.3 (volume_editor.h), does not reproduce quadratics.
 namespace mq::curve {
 
 /// Sets the inner control points of a Bezier triangle by blending its edges: the linear map plus, for every edge, its

@@ -82,6 +82,7 @@ void note(const VolumeRepairs& repairs, CurveReport& report) {
     report.repairs.emplace_back("face swaps in regions", repairs.face_swaps);
     report.repairs.emplace_back("collapses in regions", repairs.collapses);
     report.repairs.emplace_back("edges curved in regions", repairs.curved_edges);
+    report.repairs.emplace_back("face nodes relocated in regions", repairs.relocated_faces);
     report.repairs.emplace_back("inner vertices relocated", repairs.relocations);
     report.moved_vertices += static_cast<std::size_t>(repairs.relocations);
     report.repairs.emplace_back("vertices put into regions", repairs.splits);
@@ -134,6 +135,9 @@ void require_solids(const geometry::Topology& topology, const Options& options) 
 
 void repair(SurfaceEditor& editor, const geometry::Topology& topology, const Options& options, Progress& progress,
             CurveReport& report) {
+    if (!options.repair) {
+        return;
+    }
     note(repair_surface(editor, progress), report);
     if (options.volume) {
         const int halved = refine_crossings(editor, topology, progress);
@@ -148,6 +152,9 @@ void Options::validate() const {
     if (order < 1 || order > most) {
         throw InvalidInput("order is " + std::to_string(order) + ": it goes from 1 to " + std::to_string(most) +
                            (volume ? " for volumes" : " for surfaces"));
+    }
+    if (volume && !repair) {
+        throw InvalidInput("repair is off: only surfaces are curved without repairs, leave volume off");
     }
 }
 

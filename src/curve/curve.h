@@ -14,6 +14,7 @@ struct Options {
     int order = 2;            ///< 1 to 5 for surfaces, 1 to 4 for volumes
     bool volume = false;      ///< fill the solids with tetrahedra
     bool straighten = false;  ///< make elements straight that stay invalid after all repairs
+    bool repair = true;       ///< false: surfaces as they are placed on the CAD, to compare with
 
     /// @throws InvalidInput naming the option, its value and its range.
     void validate() const;

@@ -121,6 +121,11 @@ bool Volume::curved(const std::array<int, 4>& c) const {
             }
         }
     }
+    for (std::size_t i = 0; i < 4 && shapes().order() > 2; ++i) {
+        if (shapes().has_face({c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4]})) {
+            return true;
+        }
+    }
     return false;
 }
 

@@ -54,6 +54,18 @@ bool collapse_region_edge(VolumeEditor& editor, int a, int b);
 /// edges there, equations (10) to (12).
 bool curve_region_edge(VolumeEditor& editor, int tetrahedron);
 
+/// The inner control points of a face whose nodes are, for cubics, at the average of the centroids of the triangles of
+/// each edge's two inner nodes and the opposite vertex (section 5.4.3); for higher orders, at the average of the three
+/// points that lie, as far as in the straight face, between a vertex and the line through the nodes of the edge
+/// opposite.
+std::vector<Vec3> average_of_centroids(const Shapes& shapes, const std::array<int, 3>& corners);
+
+/// Moves the inner nodes of face (a, b, c) inside a volume, and with them those of the two regions at it, which are
+/// blended from their faces: to where its edges blend to or to the average of the centroids, and from the better of the
+/// two along the axes by ever smaller steps to where the worse of the two elements is best. Orders 3 and up; elsewhere,
+/// and where the worse element gains nothing, the nodes stay.
+bool relocate_face_nodes(VolumeEditor& editor, int a, int b, int c);
+
 /// Puts a vertex on edge (a, b), on face (a, b, c) or into a tetrahedron and moves it to where the worst element around
 /// it is best: the refinement of a cavity (section 5.5).
 bool split_region_edge(VolumeEditor& editor, int a, int b, VolumeEditor::Rule rule);

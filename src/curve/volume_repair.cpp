@@ -69,8 +69,8 @@ class Repair {
         return bad;
     }
 
-    /// What a single edge can mend needs no patch. Only where bad elements are few: many together come out better when
-    /// their edges are curved together.
+    /// What a single edge or face can mend needs no patch. Only where bad elements are few: many together come out
+    /// better when their edges are curved together.
     void curve_single_edges() {
         const std::vector<int> bad = bad_ones();
         if (static_cast<double>(bad.size()) > kFew * static_cast<double>(volume_.tetrahedra.size())) {
@@ -82,6 +82,15 @@ class Repair {
             for (int i = 0; i < kSingleEdges && quality < kGoodTetrahedron && curve_region_edge(editor_, t); ++i) {
                 ++done_.curved_edges;
             }
+            relocate_faces(t);
+        }
+    }
+
+    void relocate_faces(int t) {
+        const std::array<int, 4> v = editor_.tetrahedron(t).corners;
+        for (std::size_t k = 0; k < 4 && editor_.tetrahedron(t).quality < kGoodTetrahedron; ++k) {
+            const bool moved = relocate_face_nodes(editor_, v[(k + 1) % 4], v[(k + 2) % 4], v[(k + 3) % 4]);
+            done_.relocated_faces += moved ? 1 : 0;
         }
     }
 

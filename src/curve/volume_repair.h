@@ -13,9 +13,10 @@ struct VolumeRepairs {
     int face_swaps = 0;
     int collapses = 0;
     int curved_edges = 0;
-    int relocations = 0;  ///< inner vertices moved
-    int splits = 0;       ///< vertices put on inner edges, faces and into tetrahedra
-    int patches = 0;      ///< whose inner edges and faces were curved
+    int relocated_faces = 0;  ///< whose inner nodes moved
+    int relocations = 0;      ///< inner vertices moved
+    int splits = 0;           ///< vertices put on inner edges, faces and into tetrahedra
+    int patches = 0;          ///< whose inner edges and faces were curved
 };
 
 /// Repairs invalid and poor tetrahedra; the surface stays as it is.

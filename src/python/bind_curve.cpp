@@ -130,7 +130,8 @@ void bind_curve(py::module_& m) {
         .def(py::init<>())
         .def_readwrite("order", &curve::Options::order)
         .def_readwrite("volume", &curve::Options::volume)
-        .def_readwrite("straighten", &curve::Options::straighten);
+        .def_readwrite("straighten", &curve::Options::straighten)
+        .def_readwrite("repair", &curve::Options::repair, "off: surfaces as they are placed, to compare with");
     m.def("curve", &curve_shape, py::arg("shape"), py::arg("options"), py::arg("straight"),
           py::arg("progress") = py::none(), "Meshes and curves a Part.Shape; returns a Curved.");
     m.def("set_fill_program", &curve::set_fill_program, py::arg("path"), "Where the program lies that fills volumes.");

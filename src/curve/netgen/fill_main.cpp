@@ -23,6 +23,10 @@ namespace nglib {
 /// four int32 each; or int64 1, a length, and why it failed.
 namespace {
 
+/// How fast tetrahedra grow away from the surface, 0 to 1. At Netgen's 0.3 a part with small fillets gets three times
+/// as many inside, which are no better.
+constexpr double kGrading = 0.5;
+
 struct Input {
     std::vector<std::array<double, 3>> points;
     std::vector<std::array<std::int32_t, 3>> triangles;
@@ -101,6 +105,7 @@ void fill(const Input& input, std::FILE* out) {
     }
     nglib::Ng_Meshing_Parameters parameters;
     parameters.maxh = 1e30;
+    parameters.grading = kGrading;
     const nglib::Ng_Result result = nglib::Ng_GenerateVolumeMesh(mesh, &parameters);
     if (result == nglib::NG_OK && nglib::Ng_GetNE(mesh) > 0) {
         write_mesh(out, mesh);

@@ -160,11 +160,103 @@ TEST(RegionOperations, SplitsFillTheSameSpace) {
     EXPECT_GT(splits, 0);
 }
 
+/// A face inside the volume, in the order of its first tetrahedron.
+std::array<int, 3> inner_face(const Volume& volume) {
+    for (const Tetrahedron& t : volume.tetrahedra) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::array<int, 3> face{t.corners[(k + 1) % 4], t.corners[(k + 2) % 4], t.corners[(k + 3) % 4]};
+            if (!volume.fixed_face(face[0], face[1], face[2])) {
+                return face;
+            }
+        }
+    }
+    ADD_FAILURE() << "no face inside";
+    return {};
+}
+
+double worst_at(const Volume& volume, const std::array<int, 3>& face) {
+    double least = 1.0;
+    for (const int t : volume.of_face(face[0], face[1], face[2])) {
+        least = std::min(least, volume.tetrahedra[static_cast<std::size_t>(t)].quality);
+    }
+    return least;
+}
+
+TEST(RegionOperations, RelocatedFaceNodesRaiseTheWorstElement) {
+    for (const int order : {3, 4}) {
+        Filled filled(geometry::make_shape_model(BRepPrimAPI_MakeBox(2.0, 2.0, 2.0).Shape()), order);
+        Volume& volume = filled.volume;
+        const std::array<int, 3> face = inner_face(volume);
+        const auto& [a, b, c] = face;
+        const Vec3 across = (volume.point(b) - volume.point(a)).cross(volume.point(c) - volume.point(a)).normalized();
+        const Vec3 off = volume.point(a) + 10.0 * across;
+        volume.shapes().set_face(face, std::vector<Vec3>(order == 3 ? 1 : 3, off));
+        volume.measure(volume.of_face(a, b, c));
+        ASSERT_FALSE(worst_at(volume, face) > 0.0);
+        EXPECT_TRUE(relocate_face_nodes(filled.editor, a, b, c));
+        EXPECT_GT(worst_at(volume, face), 0.9);
+        EXPECT_FALSE(relocate_face_nodes(filled.editor, a, b, c)) << "nothing is left to gain";
+    }
+}
+
+TEST(RegionOperations, FaceNodesGiveWayToACurvedEdge) {
+    Filled filled(geometry::make_shape_model(BRepPrimAPI_MakeBox(2.0, 2.0, 2.0).Shape()), 3);
+    Volume& volume = filled.volume;
+    const std::array<int, 3> face = inner_face(volume);
+    const auto& [a, b, c] = face;
+    const Vec3 bulge = 0.4 * (volume.point(c) - 0.5 * (volume.point(a) + volume.point(b)));
+    volume.shapes().set_edge(a, b, {volume.point(a) + bulge, volume.point(b) + bulge});
+    volume.measure(volume.of_edge(a, b));
+    const double before = worst_at(volume, face);
+    const double all_before =
+        volume.measure(volume.tetrahedra[static_cast<std::size_t>(volume.of_face(a, b, c)[0])].corners);
+    ASSERT_LT(before, 0.9);
+    EXPECT_TRUE(relocate_face_nodes(filled.editor, a, b, c));
+    EXPECT_GT(worst_at(volume, face), before + 1e-3);
+    EXPECT_GE(volume.measure(volume.tetrahedra[static_cast<std::size_t>(volume.of_face(a, b, c)[0])].corners),
+              std::min(all_before, before));
+}
+
+TEST(RegionOperations, TheAverageOfTheCentroids) {
+    Shapes shapes(3);
+    shapes.vertices = {{Vec3(0.0, 0.0, 0.0), {3, 0}}, {Vec3(1.0, 0.0, 0.0), {3, 0}}, {Vec3(0.0, 1.0, 0.0), {3, 0}}};
+    const std::array<int, 3> face{0, 1, 2};
+    EXPECT_LT((average_of_centroids(shapes, face)[0] - Vec3(1.0 / 3.0, 1.0 / 3.0, 0.0)).norm(), 1e-12);
+    shapes.set_edge(0, 1, {Vec3(0.3, 0.5, 0.7), Vec3(0.9, 0.4, 0.2)});
+    const Lattice& lattice = Lattice::of(2, 3);
+    shapes.set_face(face, average_of_centroids(shapes, face));
+    std::vector<Vec3> control;
+    shapes.triangle(face, control);
+    const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
+    Vec3 average = Vec3::Zero();
+    for (int i = 0; i < lattice.size(); ++i) {
+        average += (lattice.carriers(i) == 3 ? 0.0 : 1.0 / 9.0) * nodes[static_cast<std::size_t>(i)];
+    }
+    EXPECT_LT((nodes[static_cast<std::size_t>(lattice.index({1, 1, 1, 0}))] - average).norm(), 1e-12);
+}
+
+TEST(RegionOperations, TheAverageOfTheCentroidsKeepsStraightFacesStraight) {
+    for (const int order : {3, 4}) {
+        Shapes shapes(order);
+        shapes.vertices = {{Vec3(0.0, 0.1, 0.0), {3, 0}}, {Vec3(1.0, 0.0, 0.5), {3, 0}}, {Vec3(0.0, 1.0, 0.2), {3, 0}}};
+        const std::array<int, 3> face{0, 1, 2};
+        std::vector<Vec3> blended;
+        std::vector<Vec3> averaged;
+        shapes.triangle(face, blended);
+        shapes.set_face(face, average_of_centroids(shapes, face));
+        shapes.triangle(face, averaged);
+        for (std::size_t i = 0; i < blended.size(); ++i) {
+            EXPECT_LT((blended[i] - averaged[i]).norm(), 1e-12) << order;
+        }
+    }
+}
+
 TEST(RegionOperations, LeaveTheSurfaceAlone) {
     Filled filled(geometry::make_shape_model(BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape()), 2);
     const auto& t = filled.surface.triangles.front().corners;
     EXPECT_FALSE(swap_region_edge(filled.editor, t[0], t[1], VolumeEditor::Rule::Free));
     EXPECT_FALSE(swap_region_face(filled.editor, t[0], t[1], t[2], VolumeEditor::Rule::Free));
+    EXPECT_FALSE(relocate_face_nodes(filled.editor, t[0], t[1], t[2]));
     EXPECT_FALSE(split_region_edge(filled.editor, t[0], t[1], VolumeEditor::Rule::Free));
     EXPECT_FALSE(split_region_face(filled.editor, t[0], t[1], t[2], VolumeEditor::Rule::Free));
 }
