@@ -42,5 +42,6 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_triangulate(m);
     mq::python::bind_curve(m);
     mq::python::bind_boolean(m);
+    mq::python::bind_improve(m);
     py::module_::import("atexit").attr("register")(py::cpp_function(&mq::python::stop_shared_engine));
 }

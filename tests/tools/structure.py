@@ -13,7 +13,7 @@ ROWS = [
     ["base"],
     ["geometry"],
     ["mesh"],
-    ["triangulate", "curve", "boolean"],
+    ["triangulate", "curve", "boolean", "improve"],
     ["view"],
     ["python"],
 ]

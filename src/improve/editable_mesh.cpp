@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "improve/editable_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.h"
+#include "improve/thin.h"
+#include "mesh/edge_table.h"
+
+namespace mq::improve {
+
+namespace {
+
+/// The normals of all triangles. A thin one has that of its neighbour at its longest edge, of which it is a splinter.
+std::vector<Vec3> sound_normals(const EditableMesh& mesh, const mesh::EdgeTable& edges) {
+    constexpr int kFarthest = 16;
+    std::vector<Vec3> normals;
+    std::vector<int> next;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        normals.push_back(sound_normal(mesh.corners(mesh.triangle(t))));
+        next.push_back(t);
+    }
+    edges.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
+        const double length = (mesh.point(high) - mesh.point(low)).norm();
+        for (const std::uint32_t* c = first; last - first == 2 && c != last; ++c) {
+            const auto t = static_cast<int>(*c / 3);
+            const Vec3& third = mesh.point(opposite(mesh.triangle(t), low, high));
+            const bool longest =
+                length >= (third - mesh.point(low)).norm() && length >= (third - mesh.point(high)).norm();
+            if (longest && normals[t] == Vec3::Zero()) {
+                next[t] = static_cast<int>((c == first ? first[1] : first[0]) / 3);
+            }
+        }
+    });
+    std::vector<Vec3> result = normals;
+    for (std::size_t t = 0; t < result.size(); ++t) {
+        int at = static_cast<int>(t);
+        for (int steps = 0; normals[at] == Vec3::Zero() && steps < kFarthest; ++steps) {
+            at = next[at];
+        }
+        result[t] = normals[at];
+    }
+    return result;
+}
+
+}  // namespace
+
+EditableMesh::EditableMesh(const mesh::TriangleMesh& given, double feature_angle)
+    : points_(given.vertices),
+      triangles_(given.triangles),
+      gone_(given.triangles.size(), 0),
+      stars_(given.vertices.size()),
+      sharp_at_(given.vertices.size()),
+      alive_(static_cast<int>(given.triangles.size())) {
+    for (int t = 0; t < triangle_count(); ++t) {
+        for (const std::int32_t v : triangles_[t]) {
+            stars_[v].push_back(t);
+        }
+    }
+    const mesh::EdgeTable edges(triangles_, points_.size());
+    const std::vector<Vec3> normals = sound_normals(*this, edges);
+    edges.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
+        if (last - first != 2 || angle_between(normals[first[0] / 3], normals[first[1] / 3]) > feature_angle) {
+            set_sharp(low, high, true);
+        }
+    });
+}
+
+std::vector<int> EditableMesh::around_edge(int a, int b) const {
+    std::vector<int> found;
+    std::copy_if(stars_[a].begin(), stars_[a].end(), std::back_inserter(found), [&](int t) {
+        const Triangle& c = triangles_[t];
+        return c[0] == b || c[1] == b || c[2] == b;
+    });
+    return found;
+}
+
+std::vector<int> EditableMesh::neighbours(int v) const {
+    std::vector<int> found;
+    for (const int t : stars_[v]) {
+        std::copy_if(triangles_[t].begin(), triangles_[t].end(), std::back_inserter(found),
+                     [&](int w) { return w != v; });
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+int EditableMesh::add_vertex(const Vec3& point) {
+    points_.push_back(point);
+    stars_.emplace_back();
+    sharp_at_.emplace_back();
+    return vertex_count() - 1;
+}
+
+void EditableMesh::forget_last_vertex() {
+    points_.pop_back();
+    stars_.pop_back();
+    sharp_at_.pop_back();
+}
+
+std::vector<int> EditableMesh::apply(const Change& change) {
+    for (const int t : change.removed) {
+        gone_[t] = 1;
+        for (const std::int32_t v : triangles_[t]) {
+            stars_[v].erase(std::find(stars_[v].begin(), stars_[v].end(), t));
+        }
+    }
+    std::vector<int> added;
+    for (const Triangle& c : change.added) {
+        added.push_back(triangle_count());
+        for (const std::int32_t v : c) {
+            stars_[v].push_back(triangle_count());
+        }
+        triangles_.push_back(c);
+        gone_.push_back(0);
+    }
+    for (const auto& [a, b] : change.not_sharp) {
+        set_sharp(a, b, false);
+    }
+    for (const auto& [a, b] : change.sharp) {
+        set_sharp(a, b, true);
+    }
+    alive_ += static_cast<int>(change.added.size()) - static_cast<int>(change.removed.size());
+    return added;
+}
+
+mesh::TriangleMesh EditableMesh::result() const {
+    mesh::TriangleMesh mesh;
+    std::vector<std::int32_t> index(points_.size(), -1);
+    for (int t = 0; t < triangle_count(); ++t) {
+        if (gone_[t]) {
+            continue;
+        }
+        Triangle c = triangles_[t];
+        for (std::int32_t& v : c) {
+            if (index[v] < 0) {
+                index[v] = static_cast<std::int32_t>(mesh.vertices.size());
+                mesh.vertices.push_back(points_[v]);
+            }
+            v = index[v];
+        }
+        mesh.triangles.push_back(c);
+    }
+    return mesh;
+}
+
+void EditableMesh::set_sharp(int a, int b, bool sharp) {
+    if (sharp != is_sharp(a, b)) {
+        for (const auto& [v, w] : {std::pair(a, b), std::pair(b, a)}) {
+            std::vector<int>& list = sharp_at_[v];
+            const auto place = std::lower_bound(list.begin(), list.end(), w);
+            if (sharp) {
+                list.insert(place, w);
+            } else {
+                list.erase(place);
+            }
+        }
+        if (sharp) {
+            sharp_.insert(key(a, b));
+        } else {
+            sharp_.erase(key(a, b));
+        }
+    }
+}
+
+int opposite(const Triangle& t, int a, int b) {
+    return *std::find_if(t.begin(), t.end(), [&](int v) { return v != a && v != b; });
+}
+
+}  // namespace mq::improve

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace mq::improve {
+
+using mesh::Triangle;
+
+/// Triangles that others take the place of. Vertices named in `added` exist already.
+struct Change {
+    std::vector<int> removed;
+    std::vector<Triangle> added;
+    std::vector<std::pair<int, int>> sharp;      ///< edges that become sharp
+    std::vector<std::pair<int, int>> not_sharp;  ///< edges that go, or are sharp no longer
+};
+
+/// A triangle mesh that is edited piece by piece. Triangles and vertices keep their index; those that are gone are
+/// marked. Sharp edges are those that must stay.
+class EditableMesh {
+  public:
+    /// Edges of one or of more than two triangles are sharp, and those with a larger angle (radians) between their
+    /// triangles' normals than `feature_angle`. Triangles too thin to have a normal do not make edges sharp.
+    EditableMesh(const mesh::TriangleMesh& given, double feature_angle);
+
+    int triangle_count() const { return static_cast<int>(triangles_.size()); }
+    int vertex_count() const { return static_cast<int>(points_.size()); }
+    int alive_count() const { return alive_; }
+    const Triangle& triangle(int t) const { return triangles_[t]; }
+    const Vec3& point(int v) const { return points_[v]; }
+    std::array<Vec3, 3> corners(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
+    bool gone(int t) const { return gone_[t]; }
+    const std::vector<int>& star(int v) const { return stars_[v]; }
+
+    bool is_sharp(int a, int b) const { return sharp_.count(key(a, b)) > 0; }
+    /// The other ends of the sharp edges at a vertex, in ascending order.
+    const std::vector<int>& sharp_neighbours(int v) const { return sharp_at_[v]; }
+    /// The triangles with the edge a-b.
+    std::vector<int> around_edge(int a, int b) const;
+    /// All vertices joined to one, in ascending order.
+    std::vector<int> neighbours(int v) const;
+
+    int add_vertex(const Vec3& point);
+    /// Takes the last vertex back, which no triangle uses yet.
+    void forget_last_vertex();
+    /// @return the indices of the triangles added
+    std::vector<int> apply(const Change& change);
+
+    /// What is there now, with vertices that no triangle uses left out.
+    mesh::TriangleMesh result() const;
+
+  private:
+    static std::pair<int, int> key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+    void set_sharp(int a, int b, bool sharp);
+
+    std::vector<Vec3> points_;
+    std::vector<Triangle> triangles_;
+    std::vector<char> gone_;
+    std::vector<std::vector<int>> stars_;
+    std::vector<std::vector<int>> sharp_at_;
+    std::set<std::pair<int, int>> sharp_;
+    int alive_ = 0;
+};
+
+/// The corner of a triangle that is neither a nor b.
+int opposite(const Triangle& t, int a, int b);
+
+}  // namespace mq::improve

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "improve/improver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+
+#include "mesh/triangle_shape.h"
+
+namespace mq::improve {
+
+namespace {
+
+constexpr double kRadians = 0.017453292519943295;
+constexpr double kSameSide = 0.5;  // cosine of the most that a normal may turn from the surface's: 60 degrees
+constexpr int kMostRounds = 200;
+// Rounds in which vertices are only taken away, moved and swapped, before new ones come.
+constexpr int kRoundsWithoutSplits = 6;
+// Refinement near small angles of sharp edges has no end of its own.
+constexpr int kGrowth = 6;
+constexpr int kMoreTriangles = 2000;
+// So often an edge of the given mesh may be halved.
+constexpr int kMostHalvings = 10;
+// Edges are not halved to lengths below so many units of single precision of the part's size.
+constexpr double kShortestUnits = 64.0;
+
+double size_of(const mesh::TriangleMesh& mesh) {
+    Box box;
+    for (const Vec3& p : mesh.vertices) {
+        box.add(p);
+    }
+    return mesh.vertices.empty() ? 0.0 : (box.high - box.low).maxCoeff();
+}
+
+}  // namespace
+
+Improver::Improver(const mesh::TriangleMesh& given, const Options& options, double tolerance, const Progress& progress)
+    : options_(options),
+      tolerance_(tolerance),
+      progress_(progress),
+      mesh_(given, options.feature_angle * kRadians),
+      surface_(given, mesh_),
+      bend_(options.feature_angle * kRadians),
+      shortest_(kShortestUnits * std::numeric_limits<float>::epsilon() * size_of(given)),
+      most_triangles_(kGrowth * mesh_.triangle_count() + kMoreTriangles),
+      witnesses_(given.triangles.size()) {}
+
+void Improver::run() {
+    work();
+    // Where refinement runs away, between sharp edges at small angles, there may be more bad triangles than before.
+    keep_the_better();
+}
+
+void Improver::work() {
+    bool splits = false;
+    for (int round = 0; round < kMostRounds; ++round) {
+        bool changed = false;
+        const std::vector<int> bad_ones = bad_triangles();
+        for (const int t : bad_ones) {
+            progress_.check();
+            if (mesh_.gone(t) || !bad(t)) {
+                continue;
+            }
+            changed = (mend(t) || (splits && !forced(t) && refine(t))) || changed;
+        }
+        if (!changed && splits) {
+            return;
+        }
+        if (!splits && (!changed || round + 1 >= kRoundsWithoutSplits)) {
+            splits = true;
+            plain_.emplace(mesh_);
+            plain_counts_ = counts;
+        }
+    }
+}
+
+void Improver::keep_the_better() {
+    if (!plain_) {
+        return;
+    }
+    const std::size_t refined = bad_triangles().size();
+    std::swap(mesh_, *plain_);
+    if (bad_triangles().size() > refined) {
+        std::swap(mesh_, *plain_);
+        return;
+    }
+    counts = plain_counts_;
+}
+
+std::vector<std::pair<int, std::string>> Improver::left() const {
+    std::vector<std::pair<int, std::string>> result;
+    for (const int t : bad_triangles()) {
+        result.emplace_back(t, forced(t) ? "its smallest angle lies between two sharp edges that must stay"
+                                         : "no change within the tolerance makes it better");
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+double Improver::smallest_angle(const Triangle& t) const {
+    return mesh::shape_of(mesh_.corners(t)).min_angle;
+}
+
+bool Improver::bad(int t) const {
+    return smallest_angle(mesh_.triangle(t)) < options_.min_angle;
+}
+
+bool Improver::forced(int t) const {
+    const Triangle& c = mesh_.triangle(t);
+    const std::array<Vec3, 3> p = mesh_.corners(c);
+    // Opposite the shortest edge.
+    std::size_t at = 0;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double length = (p[(i + 2) % 3] - p[(i + 1) % 3]).norm();
+        if (length < shortest) {
+            shortest = length;
+            at = i;
+        }
+    }
+    return mesh_.is_sharp(c[at], c[(at + 1) % 3]) && mesh_.is_sharp(c[at], c[(at + 2) % 3]);
+}
+
+std::vector<int> Improver::bad_triangles() const {
+    std::vector<std::pair<double, int>> found;
+    for (int t = 0; t < mesh_.triangle_count(); ++t) {
+        if (!mesh_.gone(t)) {
+            const double angle = smallest_angle(mesh_.triangle(t));
+            if (angle < options_.min_angle) {
+                found.emplace_back(angle, t);
+            }
+        }
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<int> result;
+    for (const auto& [angle, t] : found) {
+        result.push_back(t);
+    }
+    return result;
+}
+
+bool Improver::mend(int t) {
+    return swap_some(t) || collapse_some(t) || move_some(t);
+}
+
+bool Improver::swap_some(int t) {
+    const Triangle c = mesh_.triangle(t);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto change = swap_edge(mesh_, c[i], c[(i + 1) % 3]);
+        if (change && attempt(*change, Rule::Better)) {
+            ++counts.flips;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool Improver::collapse_some(int t) {
+    const Triangle c = mesh_.triangle(t);
+    std::array<std::size_t, 3> order{0, 1, 2};
+    const auto length = [&](std::size_t i) { return (mesh_.point(c[(i + 1) % 3]) - mesh_.point(c[i])).norm(); };
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return length(i) < length(j); });
+    for (const std::size_t i : order) {
+        const int a = c[i], b = c[(i + 1) % 3];
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
+            // Vertices that came by halving would go and come for ever.
+            const auto change = halvings_of(from) == 0 ? collapse_edge(mesh_, from, to, bend_) : std::nullopt;
+            if (change && attempt(*change, Rule::Better, {mesh_.point(from)})) {
+                ++counts.collapses;
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool Improver::move_some(int t) {
+    const Triangle c = mesh_.triangle(t);
+    return std::any_of(c.begin(), c.end(), [&](int v) { return move(v); });
+}
+
+bool Improver::move(int v) {
+    const Freedom free = freedom(mesh_, v, bend_);
+    if (free == Freedom::None) {
+        return false;
+    }
+    const std::vector<int> around = free == Freedom::Curve ? mesh_.sharp_neighbours(v) : mesh_.neighbours(v);
+    Vec3 centre = Vec3::Zero();
+    for (const int w : around) {
+        centre += mesh_.point(w) / static_cast<double>(around.size());
+    }
+    const Vec3 here = mesh_.point(v);
+    for (const double step : {1.0, 0.5, 0.25, 0.125}) {
+        const Vec3 there = here + step * (centre - here);
+        const Vec3 p = free == Freedom::Curve ? surface_.project_to_sharp_edges(there) : surface_.project(there);
+        const int other = mesh_.add_vertex(p);
+        if (p != here && attempt(replace_vertex(mesh_, v, other), Rule::Better, {here})) {
+            halvings_[other] = halvings_of(v);
+            ++counts.moves;
+            return true;
+        }
+        mesh_.forget_last_vertex();
+    }
+    return false;
+}
+
+bool Improver::refine(int t) {
+    if (mesh_.alive_count() >= most_triangles_) {
+        return false;
+    }
+    // Along the longest edges to one that is the longest of both its triangles, or sharp.
+    const auto longest = [&](int s) {
+        const Triangle& c = mesh_.triangle(s);
+        std::array<std::pair<double, std::array<int, 2>>, 3> edges;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int a = c[i], b = c[(i + 1) % 3];
+            edges[i] = {(mesh_.point(b) - mesh_.point(a)).norm(), {std::min(a, b), std::max(a, b)}};
+        }
+        return *std::max_element(edges.begin(), edges.end());
+    };
+    auto edge = longest(t);
+    for (;;) {
+        const std::vector<int> sides = mesh_.around_edge(edge.second[0], edge.second[1]);
+        if (mesh_.is_sharp(edge.second[0], edge.second[1])) {
+            break;
+        }
+        const auto best = std::max(longest(sides[0]), longest(sides[1]));
+        if (best.second == edge.second) {
+            break;
+        }
+        edge = best;
+    }
+    return split(edge.second[0], edge.second[1]);
+}
+
+bool Improver::split(int a, int b) {
+    const Vec3 middle = 0.5 * (mesh_.point(a) + mesh_.point(b));
+    const int halvings = 1 + std::max(halvings_of(a), halvings_of(b));
+    if (halvings > kMostHalvings || (mesh_.point(b) - mesh_.point(a)).norm() < 2.0 * shortest_) {
+        return false;
+    }
+    const Vec3 p = mesh_.is_sharp(a, b) ? surface_.project_to_sharp_edges(middle) : surface_.project(middle);
+    // Where the surface is at the limit of the tolerance, it stays as it is.
+    for (const auto& [place, rule] : {std::pair(p, Rule::Any), std::pair(in_single(middle), Rule::Same)}) {
+        const int v = mesh_.add_vertex(place);
+        if (attempt(split_edge(mesh_, a, b, v), rule)) {
+            ++counts.splits;
+            halvings_[v] = halvings;
+            swap_around(v);
+            return true;
+        }
+        mesh_.forget_last_vertex();
+    }
+    return false;
+}
+
+int Improver::halvings_of(int v) const {
+    const auto found = halvings_.find(v);
+    return found == halvings_.end() ? 0 : found->second;
+}
+
+void Improver::swap_around(int v) {
+    std::deque<std::pair<int, int>> edges;
+    const auto add_star = [&](int w) {
+        for (const int t : mesh_.star(w)) {
+            const Triangle& c = mesh_.triangle(t);
+            for (std::size_t i = 0; i < 3; ++i) {
+                edges.emplace_back(c[i], c[(i + 1) % 3]);
+            }
+        }
+    };
+    add_star(v);
+    // Each swap betters the worst angle of its two triangles, so that swaps end by themselves; this is for safety.
+    for (int steps = 0; !edges.empty() && steps < 400; ++steps) {
+        const auto [a, b] = edges.front();
+        edges.pop_front();
+        if (mesh_.around_edge(a, b).empty()) {
+            continue;
+        }
+        const auto change = swap_edge(mesh_, a, b);
+        if (change && attempt(*change, Rule::Better)) {
+            ++counts.flips;
+            for (const Triangle& c : change->added) {
+                for (std::size_t i = 0; i < 3; ++i) {
+                    edges.emplace_back(c[i], c[(i + 1) % 3]);
+                }
+            }
+        }
+    }
+}
+
+bool Improver::attempt(const Change& change, Rule rule, const std::vector<Vec3>& leaving) {
+    std::vector<std::vector<Vec3>> taken;
+    const bool same = rule == Rule::Same;
+    const double most = same ? std::numeric_limits<double>::infinity() : tolerance_;
+    if (!good_enough(change, rule) || !(same || near_enough(change)) || !hand_over(change, leaving, most, taken)) {
+        return false;
+    }
+    mesh_.apply(change);
+    for (const int t : change.removed) {
+        witnesses_[t].clear();
+    }
+    witnesses_.insert(witnesses_.end(), std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
+    return true;
+}
+
+bool Improver::good_enough(const Change& change, Rule rule) const {
+    double before = 180.0, after = 180.0;
+    for (const int t : change.removed) {
+        before = std::min(before, smallest_angle(mesh_.triangle(t)));
+    }
+    for (const Triangle& t : change.added) {
+        after = std::min(after, smallest_angle(t));
+    }
+    // Degrees. Vertices that creep would hold up what helps more.
+    constexpr double kBetter = 1.0;
+    return rule == Rule::Better ? after > before + kBetter : after > 0.0;
+}
+
+bool Improver::near_enough(const Change& change) const {
+    for (const Triangle& t : change.added) {
+        const std::array<Vec3, 3> p = mesh_.corners(t);
+        const Vec3 centre = (p[0] + p[1] + p[2]) / 3.0;
+        const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+        const Vec3 expected = surface_.normal(centre);
+        if (expected != Vec3::Zero() && normal.dot(expected) < kSameSide) {
+            return false;
+        }
+        if (surface_.distance(centre) > tolerance_) {
+            return false;
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (surface_.distance(0.5 * (p[i] + p[(i + 1) % 3])) > tolerance_) {
+                return false;
+            }
+        }
+    }
+    return std::all_of(change.sharp.begin(), change.sharp.end(), [&](const std::pair<int, int>& edge) {
+        const Vec3 middle = 0.5 * (mesh_.point(edge.first) + mesh_.point(edge.second));
+        return surface_.distance_to_sharp_edges(middle) <= tolerance_;
+    });
+}
+
+bool Improver::hand_over(const Change& change, const std::vector<Vec3>& leaving, double most,
+                         std::vector<std::vector<Vec3>>& taken) const {
+    taken.assign(change.added.size(), {});
+    const auto give = [&](const Vec3& p) {
+        double best = most;
+        std::size_t nearest = change.added.size();
+        for (std::size_t i = 0; i < change.added.size(); ++i) {
+            const std::array<Vec3, 3> c = mesh_.corners(change.added[i]);
+            const double distance = (mesh::nearest_on_triangle(p, c[0], c[1], c[2]) - p).norm();
+            if (distance <= best) {
+                best = distance;
+                nearest = i;
+            }
+        }
+        if (nearest < taken.size()) {
+            taken[nearest].push_back(p);
+        }
+        return nearest < taken.size();
+    };
+    return std::all_of(change.removed.begin(), change.removed.end(),
+                       [&](int t) { return std::all_of(witnesses_[t].begin(), witnesses_[t].end(), give); }) &&
+           std::all_of(leaving.begin(), leaving.end(), give);
+}
+
+}  // namespace mq::improve

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "improve/changes.h"
+#include "improve/given_surface.h"
+#include "improve/improve.h"
+
+namespace mq::improve {
+
+/// The work on one mesh: which triangles are bad, and what is done about them.
+class Improver {
+  public:
+    Improver(const mesh::TriangleMesh& given, const Options& options, double tolerance, const Progress& progress);
+
+    /// Works until no triangle is bad that can be mended.
+    void run();
+
+    const EditableMesh& mesh() const { return mesh_; }
+    /// Counts, and the triangles that stay bad with the reason, by their index in mesh().
+    Result counts;
+    std::vector<std::pair<int, std::string>> left() const;
+
+  private:
+    /// Of a change: the worst angle becomes better; any that keeps the tolerance; the surface stays as it is.
+    enum class Rule { Better, Any, Same };
+
+    void work();
+    /// Goes back to the state before any edge was halved, unless there are fewer bad triangles now.
+    void keep_the_better();
+    bool bad(int t) const;
+    /// The smallest angle lies between two sharp edges, which nothing can open.
+    bool forced(int t) const;
+    double smallest_angle(const Triangle& t) const;
+    std::vector<int> bad_triangles() const;
+
+    bool mend(int t);
+    bool swap_some(int t);
+    bool collapse_some(int t);
+    bool move_some(int t);
+    bool move(int v);
+    bool refine(int t);
+    bool split(int a, int b);
+    int halvings_of(int v) const;
+    void swap_around(int v);
+
+    bool attempt(const Change& change, Rule rule, const std::vector<Vec3>& leaving = {});
+    bool good_enough(const Change& change, Rule rule) const;
+    bool near_enough(const Change& change) const;
+    /// The given vertices that `removed` stood for, and `leaving`, each with the triangle of `added` nearest to it;
+    /// false when one is farther than `most`.
+    bool hand_over(const Change& change, const std::vector<Vec3>& leaving, double most,
+                   std::vector<std::vector<Vec3>>& taken) const;
+
+    Options options_;
+    double tolerance_;
+    const Progress& progress_;
+    EditableMesh mesh_;
+    GivenSurface surface_;
+    double bend_;
+    double shortest_;
+    int most_triangles_;
+    std::vector<std::vector<Vec3>> witnesses_;  ///< by triangle: given vertices near it that are vertices no longer
+    std::unordered_map<int, int> halvings_;     ///< of vertices that came by halving edges: how often
+    std::optional<EditableMesh> plain_;         ///< before any edge was halved
+    Result plain_counts_;
+};
+
+}  // namespace mq::improve
