@@ -29,7 +29,7 @@ constexpr double kTurnedLast = 0.0;  // the same where nothing else fits, as the
 constexpr double kSheet =
     0.5;  // of an edge's length: what is farther away along the normal is another turn of a thread
 constexpr std::size_t kTries = 12;  // candidates of one edge
-constexpr int kWidenings = 40;
+constexpr double kFar = 8.0;        // in spacings: no triangle between samples without gaps is as large
 
 std::uint64_t key(int a, int b) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
@@ -85,9 +85,9 @@ class Front {
     const SamplingContext& context_;
     FrontBorder outline_;
     std::vector<Site> sites_;
-    std::vector<Vec3> normals_;  // never zero
-    SampleIndex index_;          // numbers are those of the sites
-    double size_ = 0.0;          // no two sites are farther apart
+    std::vector<Vec3> normals_;    // never zero
+    SampleIndex index_;            // numbers are those of the sites
+    std::vector<double> spacing_;  // by site
     std::vector<CornerFan> fans_;
     KeyMap<int> open_;                    // front edges: the piece of the border under them, or -1
     KeyMap<int> half_edge_;               // edges with their triangle
@@ -112,18 +112,15 @@ Front::Front(const SamplingContext& context, int face, const FaceBorder& border,
 }
 
 void Front::place_sites(const std::vector<FaceSampler::Candidate>& samples) {
-    std::vector<double> spacing = outline_.scales();
+    spacing_ = outline_.scales();
     for (const FaceSampler::Candidate& c : samples) {
         sites_.push_back(c.site);
-        spacing.push_back(c.spacing);
+        spacing_.push_back(c.spacing);
     }
-    Box box;
     for (std::size_t s = 0; s < sites_.size(); ++s) {
-        box.add(sites_[s].point);
-        index_.add(sites_[s].point, spacing[s] > 0.0 ? spacing[s] : context_.bounds.least);
+        index_.add(sites_[s].point, spacing_[s] > 0.0 ? spacing_[s] : context_.bounds.least);
         normals_.push_back(sites_[s].normal);
     }
-    size_ = (box.high - box.low).norm();
     next_.resize(sites_.size());
     for (int s = 0; s < static_cast<int>(border_.sites.size()); ++s) {
         if (!(normals_[s].squaredNorm() > 0.0)) {
@@ -193,9 +190,10 @@ std::vector<Front::Option> Front::options(const Edge& edge) const {
     const Vec3 middle = 0.5 * (point(edge.from) + point(edge.to));
     const double length = (point(edge.to) - point(edge.from)).norm();
     const Vec3 up = normal(edge.from) + normal(edge.to);
+    const double farthest = kFar * std::max({length, spacing_[edge.from], spacing_[edge.to]});
     std::vector<Option> found;
     double radius = length;
-    for (int i = 0; i < kWidenings; ++i) {
+    for (;;) {
         found.clear();
         index_.any_near(middle, radius, [&](int s) {
             if (!outline_.merged(s) && !same_place(s, edge.from) && !same_place(s, edge.to) &&
@@ -209,12 +207,11 @@ std::vector<Front::Option> Front::options(const Edge& edge) const {
         std::sort(found.begin(), found.end(), [](const Option& a, const Option& b) {
             return a.reach != b.reach ? a.reach < b.reach : a.apex < b.apex;
         });
-        const bool whole = radius > size_;
         const double needed = found.empty() ? 2.0 * radius : found[0].reach + std::hypot(found[0].reach, 0.5 * length);
-        if (whole || needed <= radius) {
+        if (radius >= farthest || needed <= radius) {
             break;
         }
-        radius = std::max(1.5 * radius, std::min(needed, 4.0 * radius));
+        radius = std::min(farthest, std::max(1.5 * radius, std::min(needed, 4.0 * radius)));
     }
     return found;
 }
