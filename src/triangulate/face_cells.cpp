@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "base/key_set.h"
+#include "triangulate/z_curve.h"
 
 namespace mq::triangulate {
 
@@ -36,22 +38,22 @@ void FaceCells::make_roots() {
     if (outline_.empty()) {
         return;
     }
-    Vec2 low = outline_[0][0];
-    Vec2 high = low;
+    low_ = outline_[0][0];
+    high_ = low_;
     for (const Segment2& s : outline_) {
-        low = low.cwiseMin(s[0]).cwiseMin(s[1]);
-        high = high.cwiseMax(s[0]).cwiseMax(s[1]);
+        low_ = low_.cwiseMin(s[0]).cwiseMin(s[1]);
+        high_ = high_.cwiseMax(s[0]).cwiseMax(s[1]);
     }
     for (int j = 0; j <= kRoots; ++j) {
         for (int i = 0; i <= kRoots; ++i) {
             const Vec2 part(static_cast<double>(i) / kRoots, static_cast<double>(j) / kRoots);
-            corners_.push_back({low + part.cwiseProduct(high - low), Vec3::Zero(), 0.0});
+            corners_.push_back({low_ + part.cwiseProduct(high_ - low_), Vec3::Zero(), 0.0});
         }
     }
     measure(0);
     std::vector<int> all(outline_.size());
     std::iota(all.begin(), all.end(), 0);
-    const Vec2 beyond = low - 0.1 * (high - low);
+    const Vec2 beyond = low_ - 0.1 * (high_ - low_);
     for (int j = 0; j < kRoots; ++j) {
         for (int i = 0; i < kRoots; ++i) {
             const int a = j * (kRoots + 1) + i;
@@ -143,11 +145,17 @@ std::vector<Segment2> FaceCells::outline(std::size_t cell) const {
 }
 
 std::vector<std::size_t> FaceCells::all() const {
-    std::vector<std::size_t> found;
+    const Vec2 size = (high_ - low_).cwiseMax(1e-300);
+    std::vector<std::pair<std::uint32_t, std::size_t>> order;
     for (std::size_t c = 0; c < cells_.size(); ++c) {
         if (!outside(cells_[c])) {
-            found.push_back(c);
+            order.emplace_back(along_z_curve((reference(c) - low_).cwiseQuotient(size)), c);
         }
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> found;
+    for (const auto& entry : order) {
+        found.push_back(entry.second);
     }
     return found;
 }

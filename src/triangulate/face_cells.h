@@ -38,7 +38,7 @@ class FaceCells {
     ///     cells that cannot be halved: nothing.
     std::vector<std::size_t> halve(const std::vector<std::size_t>& cells);
 
-    /// The cells that are not outside, by number.
+    /// The numbers of the cells that are not outside; near ones follow each other.
     std::vector<std::size_t> all() const;
     /// Corner 0 to 3, counter-clockwise in (u, v) from the least.
     const Corner& corner(std::size_t cell, int i) const { return corners_[cells_[cell].corners[i]]; }
@@ -74,6 +74,8 @@ class FaceCells {
     geometry::Session& session_;
     int face_;
     std::vector<Segment2> outline_;
+    Vec2 low_ = Vec2::Zero();  // of the outline
+    Vec2 high_ = Vec2::Zero();
     Spacing spacing_;
     std::vector<Corner> corners_;
     std::vector<Cell> cells_;

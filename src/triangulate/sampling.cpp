@@ -11,6 +11,7 @@
 #include "triangulate/pseudo_delaunay.h"
 #include "triangulate/sprinkle.h"
 #include "triangulate/star.h"
+#include "triangulate/z_curve.h"
 
 namespace mq::triangulate {
 
@@ -38,18 +39,6 @@ SpacingBounds bounds_of(const Options& options, double chord, double size, doubl
     const double least = chord > 0.0 ? chord : kLeast * size;
     bounds.least = std::min(bounds.most, std::max({options.min_edge, shortest, least}));
     return bounds;
-}
-
-// The place of a point of the unit square along a curve that visits near points soon after each other (Morton 1966).
-std::uint32_t along_z_curve(const Vec2& unit) {
-    constexpr double kSteps = 65535.0;
-    const auto x = static_cast<std::uint32_t>(unit.x() * kSteps);
-    const auto y = static_cast<std::uint32_t>(unit.y() * kSteps);
-    std::uint32_t place = 0;
-    for (unsigned bit = 0; bit < 16; ++bit) {
-        place |= (((x >> bit) & 1U) << (2 * bit)) | (((y >> bit) & 1U) << (2 * bit + 1));
-    }
-    return place;
 }
 
 std::vector<Site> along_curve(const std::vector<FaceSampler::Candidate>& samples, const geometry::FaceBorder& border) {
@@ -183,9 +172,8 @@ std::size_t PartSampler::room_for(int face) const {
 
 std::vector<FaceSampler::Candidate> PartSampler::samples_of(const SamplingContext& context, int face,
                                                             const geometry::FaceBorder& border) {
-    auto samples = options_.method == Method::Star
-                       ? sample_star(context, face, border)
-                       : sample_sprinkle(context, face, border, options_.seed);
+    auto samples = options_.method == Method::Star ? sample_star(context, face, border)
+                                                   : sample_sprinkle(context, face, border, options_.seed);
     samples_[face] = samples.size();
     result_.complete = result_.complete && samples.size() < context.most_samples;
     return samples;

@@ -72,12 +72,21 @@ class Sprinkler {
 
 // (u, v) of a place in the cell where no sample is near, as far as is known without asking for the surface there.
 std::optional<Vec2> Sprinkler::dart(std::size_t cell) {
+    const Vec3 origin = sampler_.context().grid.origin();
+    double most = 0.0;
+    double size = 0.0;
+    const Vec3 centre = 0.5 * (cells_.corner(cell, 0).point + cells_.corner(cell, 2).point);
+    for (int i = 0; i < 4; ++i) {
+        most = std::max(most, cells_.corner(cell, i).spacing);
+        size = std::max(size, (cells_.corner(cell, i).point - centre).norm());
+    }
+    sampler_.balls_around(centre - origin, size, most, balls_);
     const int first = static_cast<int>(random_() % 2);
     const auto found = dart(cell, first);
     return found ? found : dart(cell, 1 - first);
 }
 
-// Half 0 of a cell has the corners 0, 1, 2, half 1 has 0, 2, 3.
+// The same in half 0 of the cell, with the corners 0, 1, 2, or in half 1, with 0, 2, 3.
 std::optional<Vec2> Sprinkler::dart(std::size_t cell, int half) {
     const FaceCells::Corner* corners[3] = {&cells_.corner(cell, 0), &cells_.corner(cell, 1 + half),
                                            &cells_.corner(cell, 2 + half)};
@@ -87,11 +96,6 @@ std::optional<Vec2> Sprinkler::dart(std::size_t cell, int half) {
         points[i] = corners[i]->point - sampler_.context().grid.origin();
         radii[i] = kCovered * sampler_.closest(corners[i]->spacing);
     }
-    const Vec3 centre = (points[0] + points[1] + points[2]) / 3.0;
-    const double most = std::max({radii[0], radii[1], radii[2]});
-    const double size =
-        std::max({(points[0] - centre).norm(), (points[1] - centre).norm(), (points[2] - centre).norm()});
-    sampler_.balls_around(centre, size, most, balls_);
     const Vec2& origin = corners[0]->uv;
     Eigen::Matrix2d sides;
     sides << corners[1]->uv - origin, corners[2]->uv - origin;
