@@ -206,6 +206,22 @@ void PlanarTriangulation::flip(int h) {
     attach(3 * t + 1, 3 * o + 2, -1);
 }
 
+bool PlanarTriangulation::flip_edge(int h) {
+    const int g = twin_[h];
+    if (g < 0 || label_[h] >= 0) {
+        return false;
+    }
+    const Vec2& a = points_[corner_[h]];
+    const Vec2& b = points_[corner_[next(h)]];
+    const Vec2& c = points_[corner_[prev(h)]];
+    const Vec2& d = points_[corner_[prev(g)]];
+    if (orient2d(a, d, c) <= 0 || orient2d(d, b, c) <= 0) {
+        return false;
+    }
+    flip(h);
+    return true;
+}
+
 void PlanarTriangulation::legalise(std::vector<int>& stack) {
     while (!stack.empty()) {
         const int h = stack.back();

@@ -32,6 +32,10 @@ class PlanarTriangulation {
     /// Makes a-b an edge with the label, or names the first obstacle and leaves the constraints as they were.
     std::optional<Obstacle> insert_constraint(int a, int b, int label);
 
+    /// Replaces an edge by the other diagonal of its two triangles, Delaunay or not.
+    /// @return false: not done, at constraints, at the frame, and where the two form no strictly convex quadrangle.
+    bool flip_edge(int h);
+
     int triangle_count() const { return static_cast<int>(corner_.size() / 3); }
     int vertex_count() const { return static_cast<int>(points_.size()); }
     const Vec2& point(int v) const { return points_[v]; }

@@ -144,6 +144,22 @@ TEST(PlanarTriangulation, TakesABoxWithoutExtentFarFromTheOrigin) {
     expect_valid(planar);
 }
 
+TEST(PlanarTriangulation, FlipsOnlyConvexPairsWithoutAConstraint) {
+    std::vector<int> v;
+    Planar planar = triangulation_of({{0.0, 0.0}, {4.0, 0.0}, {3.0, 3.0}, {0.0, 4.0}}, &v);
+    const int diagonal = planar.find_edge(v[0], v[2]);
+    ASSERT_GE(diagonal, 0);
+    EXPECT_FALSE(planar.flip_edge(planar.find_edge(v[1], v[2]))) << "seen from the frame there is a notch";
+    EXPECT_TRUE(planar.flip_edge(diagonal));
+    EXPECT_EQ(planar.find_edge(v[0], v[2]), -1);
+    const int other = planar.find_edge(v[1], v[3]);
+    ASSERT_GE(other, 0);
+    EXPECT_TRUE(planar.flip_edge(other));
+    ASSERT_FALSE(planar.insert_constraint(v[0], v[2], 5));
+    EXPECT_FALSE(planar.flip_edge(planar.find_edge(v[0], v[2])));
+    expect_valid(planar);
+}
+
 TEST(PlanarTriangulation, FindsDuplicates) {
     std::vector<Vec2> points = PointSource(Points::kGrid, 5).take_plane(60);
     std::vector<int> first;
