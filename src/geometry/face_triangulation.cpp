@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "base/angle.h"
 #include "base/predicates.h"
 #include "geometry/face_border.h"
+#include "geometry/space_flips.h"
 #include "geometry/turned_face.h"
 
 namespace mq::geometry {
@@ -57,9 +57,6 @@ class FaceMesher {
     bool wish_halved(int piece);
     void find_inside();
     void insert_inner();
-    void flip_in_space();
-    bool better_flipped(int h) const;
-    double uprightness(const Corners& corners) const;
     void check_halving();
     bool refine_round();
     enum class Fault { None, Turned, Sagging };
@@ -110,7 +107,10 @@ FaceTriangulation FaceMesher::run() {
     insert_inner();
     check_halving();
     for (int round = 0; round < kMaxRounds && result_.marks.empty(); ++round) {
-        flip_in_space();
+        if (!inner_.empty() && !border_.plane) {
+            SpaceFlips{*tri_, result_.sites, site_of_, inside_, session_.topology().faces[face_].reversed, kCosMaxTurn}
+                .run();
+        }
         if (!refine_round()) {
             break;
         }
@@ -290,59 +290,6 @@ void FaceMesher::insert_inner() {
     if (!inner_.empty()) {
         find_inside();
     }
-}
-
-// Where the parameters are strongly warped, Delaunay triangles of given sites in (u, v) are slivers in space that turn
-// away from the surface. Both measures of better_flipped only ever rise, so that this ends.
-void FaceMesher::flip_in_space() {
-    if (inner_.empty() || border_.plane) {
-        return;
-    }
-    std::vector<int> open(static_cast<std::size_t>(3 * tri_->triangle_count()));
-    std::iota(open.begin(), open.end(), 0);
-    while (!open.empty()) {
-        const int h = open.back();
-        open.pop_back();
-        const int g = tri_->twin(h);
-        if (g >= 0 && inside_[h / 3] == 1 && inside_[g / 3] == 1 && better_flipped(h) && tri_->flip_edge(h)) {
-            for (const int t : {h / 3, g / 3}) {
-                open.insert(open.end(), {3 * t, 3 * t + 1, 3 * t + 2});
-            }
-        }
-    }
-}
-
-// The two triangles at an edge turn less away from the surface when it is flipped, or are both upright before and after
-// and their smallest angle grows.
-bool FaceMesher::better_flipped(int h) const {
-    constexpr double kRounding = 1e-9;
-    const int g = tri_->twin(h);
-    const int a = tri_->corner(h);
-    const int b = tri_->corner(PlanarTriangulation::next(h));
-    const int c = tri_->corner(PlanarTriangulation::prev(h));
-    const int d = tri_->corner(PlanarTriangulation::prev(g));
-    if (same_vertex(site_at(c), site_at(d))) {
-        return false;
-    }
-    const double now = std::min(uprightness({a, b, c}), uprightness({b, a, d}));
-    const double then = std::min(uprightness({a, d, c}), uprightness({d, b, c}));
-    return then > now + kRounding ||
-           (now == kCosMaxTurn && then == kCosMaxTurn &&
-            !locally_maxmin(site_at(a).point, site_at(b).point, site_at(c).point, site_at(d).point));
-}
-
-// The least cosine between the normal of a triangle and those of the surface at its corners, at most kCosMaxTurn.
-double FaceMesher::uprightness(const Corners& corners) const {
-    const Site* s[3] = {&site_at(corners[0]), &site_at(corners[1]), &site_at(corners[2])};
-    const Vec3 normal = (s[1]->point - s[0]->point).cross(s[2]->point - s[0]->point);
-    const double sign = session_.topology().faces[face_].reversed ? -1.0 : 1.0;
-    double least = kCosMaxTurn;
-    for (const Site* corner : s) {
-        if (corner->normal.squaredNorm() > 0.0) {
-            least = std::min(least, normal.squaredNorm() > 0.0 ? sign * normal.normalized().dot(corner->normal) : -1.0);
-        }
-    }
-    return least;
 }
 
 // A piece whose middle on the curve lies beyond the apex of its triangle would fold that triangle when it is split.
