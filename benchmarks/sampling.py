@@ -109,28 +109,13 @@ def compare_chords():
     return rows
 
 
-def warped_face(in_u, in_v):
-    """A rational Bezier surface; other weights in geometric progression are other parameters of the
-    same points."""
-    import Part
-    from FreeCAD import Vector
-
-    heights = {(i, j): 4.0 if (i in (1, 2)) != (j in (1, 2)) else 0.0
-               for i in range(4) for j in range(4)}
-    surface = Part.BezierSurface()
-    surface.increase(3, 3)
-    for (i, j), height in heights.items():
-        surface.setPole(i + 1, j + 1, Vector(10 * i / 3, 10 * j / 3, height))
-    for i, j in heights:
-        surface.setWeight(i + 1, j + 1, in_u**i * in_v**j)
-    return surface.toShape()
-
-
 def compare_parameters():
+    import parts
+
     head("parameters of one surface")
     rows = {}
     for in_u, in_v in WARPS:
-        shape = warped_face(in_u, in_v)
+        shape = parts.warped_face(in_u, in_v)
         rows[f"{in_u} {in_v}"] = [mesh(shape, method=method, polish=polish, chord_height=0.001)
                                   for method in SAMPLING for polish in (False, True)]
         for row in rows[f"{in_u} {in_v}"]:

@@ -21,23 +21,6 @@ def parser():
     return result
 
 
-def warped_face():
-    """A rational Bezier surface whose parameters run 900 times as fast at one end as at the other."""
-    import Part
-    from FreeCAD import Vector
-
-    surface = Part.BezierSurface()
-    surface.increase(3, 3)
-    for i in range(4):
-        for j in range(4):
-            height = 4.0 if (i in (1, 2)) != (j in (1, 2)) else 0.0
-            surface.setPole(i + 1, j + 1, Vector(10 * i / 3, 10 * j / 3, height))
-    for i in range(4):
-        for j in range(4):
-            surface.setWeight(i + 1, j + 1, 30.0**i * 30.0**j)
-    return surface.toShape()
-
-
 def panel(axes, title, mesh):
     """Triangles from the back to the front, coloured by their smallest angle as in the demo."""
     import numpy as np
@@ -89,7 +72,7 @@ def work(arguments):
                           chord_height_relative=0.008))
           for name, method in (("bearing", "star"), ("helix", "sprinkle"), ("crank", "star"),
                                ("support", "star"))], 2, folder / "sampling_parts.png")
-    face = warped_face()
+    face = parts.warped_face(30.0, 30.0)
     save([(f"{method}, {connectivity}",
            mq.triangulate(face, method=method, connectivity=connectivity, polish=False,
                           chord_height=0.04))

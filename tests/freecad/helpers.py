@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What several test modules share: parts and checks of properties."""
+"""What several test modules share: how they are run, parts, checks of properties, documents."""
 
 import os
 import tempfile
@@ -44,6 +44,26 @@ def points_and_facets(mesh):
     return np.array([tuple(p) for p in points]), np.array(facets, dtype=np.int32)
 
 
+def run_tests(folder, chosen, stream):
+    """Runs the tests of a folder, or those with the chosen names, and returns how many failed.
+
+    The last line that it writes is 'N passed, N failed'. No test at all is a failure.
+    """
+    loader = unittest.TestLoader()
+    suite = loader.loadTestsFromNames(chosen) if chosen else loader.discover(folder)
+    result = unittest.TextTestRunner(stream=stream, verbosity=2).run(suite)
+    # A test with several failed sub-tests counts once.
+    faults = [test for test, _ in result.failures + result.errors] + result.unexpectedSuccesses
+    failed = len({getattr(test, "test_case", test).id() for test in faults})
+    for test, why in result.skipped:
+        stream.write(f"skipped: {test.id()}: {why}\n")
+    passed = result.testsRun - failed - len(result.skipped)
+    failed = max(failed, int(result.testsRun == 0))
+    stream.write(f"{passed} passed, {failed} failed\n")
+    stream.flush()
+    return failed
+
+
 class DocumentTest(unittest.TestCase):
     """A test with a fresh document, undo switched on, and a folder for files."""
 
@@ -59,6 +79,18 @@ class DocumentTest(unittest.TestCase):
         for name in self.names:
             if name in FreeCAD.listDocuments():
                 FreeCAD.closeDocument(name)
+
+    def reopen(self):
+        """Saves the document, closes it and opens it again; `document` is the one read."""
+        path = os.path.join(self.folder, "saved.FCStd")
+        self.document.saveAs(path)
+        self.replace(path)
+
+    def replace(self, path):
+        """Closes the document and opens a file in its place."""
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.names.append(self.document.Name)
 
     def box(self, name="Box", **sizes):
         obj = self.document.addObject("Part::Box", name)

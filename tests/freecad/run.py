@@ -7,7 +7,6 @@ MESHQUALITY_TESTS=test_shapes[.Class[.method]] runs a part of them.
 
 import os
 import sys
-import unittest
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -15,18 +14,10 @@ sys.path[:0] = [str(HERE), str(HERE.parent)]
 
 
 def main():
-    loader = unittest.TestLoader()
-    chosen = os.environ.get("MESHQUALITY_TESTS")
-    suite = loader.loadTestsFromNames(chosen.split()) if chosen else loader.discover(str(HERE))
-    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(suite)
-    # A test with several failed sub-tests counts once.
-    faults = [test for test, _ in result.failures + result.errors] + result.unexpectedSuccesses
-    failed = len({getattr(test, "test_case", test).id() for test in faults})
-    for test, why in result.skipped:
-        print(f"skipped: {test.id()}: {why}")
-    passed = result.testsRun - failed - len(result.skipped)
-    print(f"{passed} passed, {failed} failed", flush=True)
-    return 1 if failed or result.testsRun == 0 else 0
+    import helpers  # noqa: PLC0415  on the path only now
+
+    chosen = os.environ.get("MESHQUALITY_TESTS", "").split()
+    return 1 if helpers.run_tests(str(HERE), chosen, sys.stdout) else 0
 
 
 sys.exit(main())

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Boolean": properties, recompute, undo, save and reload, sources, errors."""
 
-import os
-
 import FreeCAD
 import helpers
 import Mesh
@@ -167,12 +165,9 @@ class SaveAndReload(BooleanObjectTest):
     def test_mesh_options_and_proxy_come_back(self):
         obj = mq.add_boolean(self.cube, self.tool, "difference", resolution=100)
         points, facets = helpers.points_and_facets(obj.Mesh)
-        name, path = obj.Name, os.path.join(self.folder, "saved.FCStd")
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-
-        document = FreeCAD.openDocument(path)
-        self.names.append(document.Name)
+        name = obj.Name
+        self.reopen()
+        document = self.document
         again = document.getObject(name)
         self.assertEqual(type(again.Proxy).__module__, "MeshQuality.features.boolean")
         points_again, facets_again = helpers.points_and_facets(again.Mesh)

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Certificates: what is kept, what is missed and where; and when objects are computed anew."""
 
-import os
-
 import FreeCAD
 import helpers
 import numpy as np
@@ -163,12 +161,8 @@ class RecomputeRules(CertificateTest):
         made[0].Recompute = "Manual"
         box.Height = 33
         self.document.recompute()
-        path = os.path.join(self.folder, "manual.FCStd")
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-        document = FreeCAD.openDocument(path)
-        self.names.append(document.Name)
-        obj = document.getObject("QualityMesh")
+        self.reopen()
+        obj = self.document.getObject("QualityMesh")
         self.assertEqual((obj.Recompute, obj.Status), ("Manual", mesh_object.OUT_OF_DATE))
         mq.update(obj)
         self.assertAlmostEqual(obj.Mesh.BoundBox.ZLength, 33.0, places=4)

@@ -3,7 +3,6 @@
 
 import os
 
-import FreeCAD
 import helpers
 import numpy as np
 
@@ -130,12 +129,9 @@ class SaveAndReload(CurvedObjectTest):
         obj = mq.add_curved_mesh(self.cylinder(), order=3, volume=True, deviation=0.02)
         elements, quality = mq.CurvedMesh.of(obj), obj.MinDistortion
         points, facets = helpers.points_and_facets(obj.Mesh)
-        name, path = obj.Name, os.path.join(self.folder, "saved.FCStd")
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-
-        document = FreeCAD.openDocument(path)
-        self.names.append(document.Name)
+        name = obj.Name
+        self.reopen()
+        document = self.document
         again = document.getObject(name)
         self.assertEqual(type(again.Proxy).__module__, "MeshQuality.features.curved_mesh")
         self.assert_same_elements(mq.CurvedMesh.of(again), elements)

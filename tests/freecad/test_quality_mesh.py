@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object: properties, recompute, undo, save and reload, sources of all kinds."""
 
-import os
-
 import FreeCAD
 import helpers
 import numpy as np
@@ -130,12 +128,8 @@ class SaveAndReload(helpers.DocumentTest):
         obj = mq.add_quality_mesh(self.box(), min_angle=28, max_edge=3.0)
         points, facets = helpers.points_and_facets(obj.Mesh)
         name = obj.Name
-        path = os.path.join(self.folder, "saved.FCStd")
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-
-        document = FreeCAD.openDocument(path)
-        self.names.append(document.Name)
+        self.reopen()
+        document = self.document
         again = document.getObject(name)
         self.assertEqual(type(again.Proxy).__module__, "MeshQuality.features.quality_mesh")
         points_again, facets_again = helpers.points_and_facets(again.Mesh)

@@ -4,7 +4,6 @@
 import os
 import sys
 import traceback
-import unittest
 
 import FreeCAD
 import FreeCADGui
@@ -17,16 +16,9 @@ START = 300  # ms until the window has been drawn
 def run_tests(stream):
     """Runs the tests and writes 'N passed, N failed'."""
     sys.path[:0] = [HERE, os.path.join(os.path.dirname(HERE), "freecad")]
-    loader = unittest.TestLoader()
-    chosen = os.environ["MESHQUALITY_GUI_TESTS"].split()
-    suite = loader.loadTestsFromNames(chosen) if chosen else loader.discover(HERE)
-    result = unittest.TextTestRunner(stream=stream, verbosity=2).run(suite)
-    faults = [test for test, _ in result.failures + result.errors] + result.unexpectedSuccesses
-    failed = len({getattr(test, "test_case", test).id() for test in faults})
-    for test, why in result.skipped:
-        stream.write(f"skipped: {test.id()}: {why}\n")
-    passed = result.testsRun - failed - len(result.skipped)
-    stream.write(f"{passed} passed, {max(failed, int(result.testsRun == 0))} failed\n")
+    import helpers  # noqa: PLC0415  on the path only now
+
+    helpers.run_tests(HERE, os.environ["MESHQUALITY_GUI_TESTS"].split(), stream)
 
 
 def main():

@@ -105,11 +105,7 @@ class CurvedView(gui_helpers.GuiTest):
         obj = self.sphere(order=4)
         obj.ViewObject.ColorBy = curved_view.JACOBIAN
         name, before = obj.Name, self.picture("curved_saved")
-        path = os.path.join(self.folder, "saved.FCStd")
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.openDocument(path)
-        self.names.append(self.document.Name)
+        self.reopen()
         gui_helpers.wait(0.2)
         view = self.document.getObject(name).ViewObject
         self.assertEqual((view.DisplayMode, view.ColorBy), (curved_view.MODE,
@@ -125,9 +121,7 @@ class CurvedView(gui_helpers.GuiTest):
             stream.write(HEADLESS.format(path=path))
         subprocess.run(["freecadcmd", "-P", os.path.join(helpers.ROOT, "Mod"), script], timeout=120,
                        stdin=subprocess.DEVNULL, capture_output=True, check=True)
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.openDocument(path)
-        self.names.append(self.document.Name)
+        self.replace(path)
         gui_helpers.wait(0.2)
         obj = self.document.getObject("CurvedMesh")
         obj.ViewObject.Visibility = True  # FreeCAD hides all of what was made without a window

@@ -199,11 +199,7 @@ class Editing(gui_helpers.PanelTest):
     def test_documents_of_older_versions_get_editing(self):
         obj = mq.add_quality_mesh(self.box())
         obj.ViewObject.Proxy = 0
-        path = os.path.join(self.folder, "older.FCStd")
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.openDocument(path)
-        self.names.append(self.document.Name)
+        self.reopen()
         gui_helpers.wait()
         again = self.document.getObject("QualityMesh")
         self.assertIsInstance(again.ViewObject.Proxy, mesh_view.MeshView)

@@ -6,10 +6,11 @@ Every function returns a valid Part.Solid (bearing: a compound of solids) and ta
 
 from .bracket import bracket
 from .die import die
-from .sampled import bearing, crank, helix, support
+from .sampled import bearing, crank, helix, support, warped_face
 from .wing import flap, wing_main
 
 ALL = {"die": die, "wing_main": wing_main, "flap": flap, "bracket": bracket, "bearing": bearing,
        "helix": helix, "crank": crank, "support": support}
 
-__all__ = ["ALL", "bearing", "bracket", "crank", "die", "flap", "helix", "support", "wing_main"]
+__all__ = ["ALL", "bearing", "bracket", "crank", "die", "flap", "helix", "support", "warped_face",
+           "wing_main"]

@@ -67,3 +67,18 @@ def support():
               if len({round(v.Z, 6) for v in e.Vertexes}) == 2
               and all(v.X < 1e-6 and v.Y < 1e-6 for v in e.Vertexes)]
     return shape.makeChamfer(0.02, corner[:1]).Solids[0]
+
+
+def warped_face(in_u, in_v):
+    """A rational Bezier face; weights in geometric progression only change its parameters.
+
+    Along u they run in_u times as fast at one end as in the middle, in_u**2 times as at the other.
+    """
+    surface = Part.BezierSurface()
+    surface.increase(3, 3)
+    for i in range(4):
+        for j in range(4):
+            height = 4.0 if (i in (1, 2)) != (j in (1, 2)) else 0.0
+            surface.setPole(i + 1, j + 1, Vector(10 * i / 3, 10 * j / 3, height))
+            surface.setWeight(i + 1, j + 1, in_u**i * in_v**j)
+    return surface.toShape()
