@@ -20,6 +20,7 @@ using geometry::Query;
 /// Below this quality the other way to place the nodes of a triangle is tried too.
 constexpr double kWorthComparing = 0.3;
 constexpr int kArcRounds = 3;
+constexpr int kEvenRounds = 2;
 /// Samples of the deviation lie on a lattice of this degree: no order up to five has nodes there.
 constexpr int kSampleDegree = 7;
 
@@ -180,26 +181,43 @@ std::array<Vec2, 3> Placement::corner_uv(const SurfaceTriangle& triangle) const 
     return uv;
 }
 
+/// The nodes of a mesh edge inside a face, on the way to their places.
+struct Placement::InnerEdge {
+    EdgeTask task;
+    Vec2 from;  ///< (u, v) at a
+    Vec2 to;
+    bool project = true;    ///< the points of the straight edge; otherwise those between the (u, v)
+    std::vector<double> s;  ///< of the nodes along the edge, 0 to 1
+    std::vector<Vec3> nodes;
+};
+
+Query Placement::node_query(const InnerEdge& edge, double s, bool project) const {
+    const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.a)].point;
+    const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.b)].point;
+    const Vec2 uv = edge.from + s * (edge.to - edge.from);
+    return project ? Query::face_nearest(edge.task.face, a + s * (b - a), uv.x(), uv.y())
+                   : Query::face_point(edge.task.face, uv.x(), uv.y());
+}
+
 void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
     const int q = surface_.shapes.order();
+    std::vector<InnerEdge> edges;
     std::vector<Query> batch;
     for (const EdgeTask& task : tasks) {
-        Vec2 from = *surface_.uv_of(task.a, task.face);
-        Vec2 to = unwrapped(task.b, task.face, from);
-        resolve_free(task.a, task.face, to, from);
-        resolve_free(task.b, task.face, from, to);
-        const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(task.a)].point;
-        const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(task.b)].point;
+        InnerEdge edge{task, *surface_.uv_of(task.a, task.face), Vec2::Zero(), true, {}, {}};
+        edge.to = unwrapped(task.b, task.face, edge.from);
+        resolve_free(task.a, task.face, edge.to, edge.from);
+        resolve_free(task.b, task.face, edge.from, edge.to);
         for (int k = 1; k < q; ++k) {
-            const double s = static_cast<double>(k) / q;
-            const Vec2 uv = from + s * (to - from);
-            batch.push_back(Query::face_nearest(task.face, a + s * (b - a), uv.x(), uv.y()));
-            batch.push_back(Query::face_point(task.face, uv.x(), uv.y()));
+            edge.s.push_back(static_cast<double>(k) / q);
+            batch.push_back(node_query(edge, edge.s.back(), true));
+            batch.push_back(node_query(edge, edge.s.back(), false));
         }
+        edges.push_back(std::move(edge));
     }
     const auto answers = session_.ask(std::move(batch));
     std::size_t next = 0;
-    for (const EdgeTask& task : tasks) {
+    for (InnerEdge& edge : edges) {
         std::array<std::vector<Vec3>, 2> ways;
         std::array<bool, 2> found{true, true};
         for (int k = 1; k < q; ++k) {
@@ -208,14 +226,59 @@ void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
                 found[way] = found[way] && answers[next].found();
             }
         }
-        const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(task.a)].point;
-        const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(task.b)].point;
+        const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.a)].point;
+        const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.b)].point;
         if (!found[0] && !found[1]) {
-            throw GeometryError("no points of " + geometry::name_of({2, task.face}) + " for a mesh edge on it");
+            throw GeometryError("no points of " + geometry::name_of({2, edge.task.face}) + " for a mesh edge on it");
         }
-        const bool project =
-            found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
-        set_edge_nodes(task.a, task.b, ways[project ? 0 : 1]);
+        edge.project = found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
+        edge.nodes = ways[edge.project ? 0 : 1];
+    }
+    for (int round = 0; round < kEvenRounds && q > 2; ++round) {
+        space_evenly(edges);
+    }
+    for (const InnerEdge& edge : edges) {
+        set_edge_nodes(edge.task.a, edge.task.b, edge.nodes);
+    }
+}
+
+/// One step of Newton's method towards nodes at even distances in space. Of an arc, nodes projected from even places on
+/// the chord deviate several times as much between them.
+void Placement::space_evenly(std::vector<InnerEdge>& edges) {
+    const int q = surface_.shapes.order();
+    std::vector<Query> batch;
+    std::vector<std::vector<double>> moved;
+    for (const InnerEdge& edge : edges) {
+        std::vector<double> s{0.0};
+        std::vector<double> length{0.0};
+        Vec3 last = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.a)].point;
+        const auto go_on = [&](double at, const Vec3& point) {
+            s.push_back(at);
+            length.push_back(length.back() + (point - last).norm());
+            last = point;
+        };
+        for (std::size_t i = 0; i < edge.nodes.size(); ++i) {
+            go_on(edge.s[i], edge.nodes[i]);
+        }
+        go_on(1.0, surface_.shapes.vertices[static_cast<std::size_t>(edge.task.b)].point);
+        std::vector<double>& to = moved.emplace_back();
+        for (std::size_t k = 1; k + 1 < s.size(); ++k) {
+            const double wanted = length.back() * static_cast<double>(k) / q;
+            const double slope = (s[k + 1] - s[k - 1]) / (length[k + 1] - length[k - 1]);
+            const double at = s[k] + slope * (wanted - length[k]);
+            to.push_back(at > s[k - 1] && at < s[k + 1] ? at : s[k]);
+            batch.push_back(node_query(edge, to.back(), edge.project));
+        }
+    }
+    const auto answers = session_.ask(std::move(batch));
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        for (std::size_t k = 0; k < edges[i].nodes.size(); ++k, ++next) {
+            if (answers[next].found()) {
+                edges[i].s[k] = moved[i][k];
+                edges[i].nodes[k] = answers[next].point;
+            }
+        }
     }
 }
 

@@ -58,6 +58,9 @@ class Placement {
         int b;
         int face;
     };
+    struct InnerEdge;
+    geometry::Query node_query(const InnerEdge& edge, double s, bool project) const;
+    void space_evenly(std::vector<InnerEdge>& edges);
     void place_segments(const std::vector<EdgeTask>& tasks);
     void place_inner_edges(const std::vector<EdgeTask>& tasks);
     void place_faces(const std::vector<int>& triangles, bool by_parameters);
