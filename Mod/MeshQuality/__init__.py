@@ -19,6 +19,8 @@ from .errors import Cancelled, Error, GeometryError, InvalidInput, IoError, Topo
 _LAZY = {
     "triangulate": "MeshQuality.api",
     "quality": "MeshQuality.api",
+    "improve": "MeshQuality.api",
+    "add_improved_mesh": "MeshQuality.api",
     "curve": "MeshQuality.curved_mesh",
     "CurvedMesh": "MeshQuality.curved_mesh",
     "boolean": "MeshQuality.boolean_mesh",

@@ -49,6 +49,43 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     return SurfaceMesh(module.triangulate(live_shape, core_options, progress))
 
 
+def improve(mesh, min_angle=25.0, tolerance=None, feature_angle=35.0, progress=None):
+    """The same surface with better triangles, for a mesh that has no CAD behind it.
+
+    mesh           Mesh.Mesh, Mesh feature, SurfaceMesh, or arrays (V, F); it need not be closed
+    min_angle      degrees, 0 < a <= 34: what the smallest angle of every triangle is to reach
+    tolerance      mm: corners, edge middles and centres of the new triangles stay within it of the
+                   surface given, and the vertices given within it of the new surface; a thousandth
+                   of the largest dimension unless given
+    feature_angle  degrees: edges where the surface turns by more than this stay, borders too
+    progress       as for triangulate
+
+    Returns a SurfaceMesh; report.exempt names the triangles that stay below min_angle, and why.
+    Raises InvalidInput for a mesh with a triangle that names a vertex twice; Cancelled.
+    """
+    values = options.check(options.IMPROVE, {
+        "min_angle": min_angle, "tolerance": tolerance, "feature_angle": feature_angle})
+    _require_callable(progress)
+    module = core()
+    core_options = module.ImproveOptions()
+    for name, value in values.items():
+        setattr(core_options, name, options.to_property(None, value))
+    return SurfaceMesh(module.improve(_surface_of(mesh), core_options, progress))
+
+
+def _surface_of(mesh):
+    """The core's Surface of anything that is a mesh; raises InvalidInput."""
+    module = core()
+    if isinstance(mesh, SurfaceMesh):
+        return mesh._surface
+    if convert.is_mesh(mesh):
+        return convert.surface_of_arrays(module, *convert.arrays_of_mesh(mesh))
+    if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
+        return convert.surface_of_arrays(module, *mesh)
+    raise InvalidInput("a Mesh.Mesh, a SurfaceMesh or arrays (V, F) are needed, not "
+                       f"{type(mesh).__name__}")
+
+
 def quality(mesh, shape=None, progress=None):
     """The MeshReport of a Mesh.Mesh, a Mesh feature, a SurfaceMesh, or arrays (V, F).
 
@@ -57,20 +94,11 @@ def quality(mesh, shape=None, progress=None):
     apart from what the mesher measures; progress as for triangulate.
     Raises InvalidInput for anything else and for indices out of range.
     """
-    module = core()
-    if isinstance(mesh, SurfaceMesh):
-        surface = mesh._surface
-    elif convert.is_mesh(mesh):
-        surface = convert.surface_of_arrays(module, *convert.arrays_of_mesh(mesh))
-    elif isinstance(mesh, (tuple, list)) and len(mesh) == 2:
-        surface = convert.surface_of_arrays(module, *mesh)
-    else:
-        raise InvalidInput("a Mesh.Mesh, a SurfaceMesh or arrays (V, F) are needed, not "
-                           f"{type(mesh).__name__}")
+    surface = _surface_of(mesh)
     if shape is None:
         return surface.report
     _require_callable(progress)
-    return module.measure_against(surface, convert.shape_of(shape), progress)
+    return core().measure_against(surface, convert.shape_of(shape), progress)
 
 
 def _require_callable(progress):
@@ -105,3 +133,16 @@ def update(obj, progress=None, **values):
 
     _require_callable(progress)
     mesh_object.update(obj, values, progress)
+
+
+def add_improved_mesh(source, **values):
+    """Adds a document object that keeps a mesh with better triangles than `source`; one undo step.
+
+    source   document object with a mesh
+    values   the options of improve, except progress
+
+    Returns the object. Raises what improve raises, and then adds nothing.
+    """
+    from .features import improved_mesh
+
+    return improved_mesh.add(source, values)

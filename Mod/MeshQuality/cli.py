@@ -78,6 +78,13 @@ def parser():
     _add_options(one, options.BOOLEAN)
 
     one = commands.add_parser(
+        "improve", parents=[common], help="give a mesh better triangles",
+        description="Improves the triangles of a mesh on its own surface; sharp edges stay.")
+    one.add_argument("input", help="mesh file: " + " ".join(MESH_SUFFIXES))
+    one.add_argument("-o", "--output", help="mesh file: " + " ".join(OUTPUT_SUFFIXES))
+    _add_options(one, options.IMPROVE)
+
+    one = commands.add_parser(
         "quality", parents=[common], help="report on a mesh",
         description="Measures a mesh: topology, angles, and its distance to a shape if given.")
     one.add_argument("input", help="mesh file: " + " ".join(MESH_SUFFIXES))
@@ -88,7 +95,8 @@ def parser():
 def _job(arguments):
     """What FreeCAD is to do; raises Error for what can be seen without starting it."""
     job = vars(arguments).copy()
-    known = {"quality": MESH_SUFFIXES, "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
+    known = {"quality": MESH_SUFFIXES, "improve": MESH_SUFFIXES,
+             "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
     suffixes = known.get(job["command"], CAD_SUFFIXES)
     for name in ("input", "shape", "output"):
         if job.get(name):
@@ -105,7 +113,7 @@ def _job(arguments):
     if job.get("output") and not os.path.isdir(os.path.dirname(job["output"])):
         raise Error(f"there is no folder '{os.path.dirname(job['output'])}' to write to")
     table = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
-             "boolean": options.BOOLEAN}.get(job["command"])
+             "boolean": options.BOOLEAN, "improve": options.IMPROVE}.get(job["command"])
     if table:
         names = [option.name for option in table]
         job["options"] = options.check(table, {n: job.pop(n) for n in names})

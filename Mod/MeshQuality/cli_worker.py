@@ -166,6 +166,14 @@ def boolean(job):
                    f"operands' own{faults}"
 
 
+def improve(job):
+    """Returns the report and the sentence to end with."""
+    mesh = mq.improve(read_mesh(job["input"]), **job["options"], progress=progress_line())
+    report, where = mesh.report, written(mesh, job.get("output"))
+    below = f", {len(report.exempt)} of them below the angle" if report.exempt else ""
+    return report, f"{report.triangles} triangles{where}{below}"
+
+
 def quality(job):
     """Returns the report and the sentence to end with."""
     mesh = read_mesh(job["input"])
@@ -178,7 +186,8 @@ def run(job):
     """The job's result as plain data; never raises."""
     try:
         report, text = {"triangulate": triangulate, "curve": curve,
-                        "boolean": boolean, "quality": quality}[job["command"]](job)
+                        "boolean": boolean, "improve": improve,
+                        "quality": quality}[job["command"]](job)
     except mq.InvalidInput as error:
         return {"status": USAGE, "text": str(error)}
     except mq.Error as error:

@@ -201,6 +201,17 @@ BOOLEAN = (
 )
 
 
+IMPROVE = (
+    Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
+           help="Smallest angle that every triangle is to reach"),
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Tolerance",
+           unset="size / 1000", help="Largest distance between the mesh and its better version"),
+    Option("feature_angle", float, 35.0, unit="degrees", low=0.0, high=180.0, group="Accuracy",
+           title="Sharp from",
+           help="Edges where the surface turns by more than this stay where they are"),
+)
+
+
 @dataclass(frozen=True)
 class Preset:
     """Values that go together; `title` is a word for the box at the top of a panel."""

@@ -129,19 +129,17 @@ std::vector<int> EditableMesh::apply(const Change& change) {
 mesh::TriangleMesh EditableMesh::result() const {
     mesh::TriangleMesh mesh;
     std::vector<std::int32_t> index(points_.size(), -1);
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+        if (!stars_[v].empty()) {
+            index[v] = static_cast<std::int32_t>(mesh.vertices.size());
+            mesh.vertices.push_back(points_[v]);
+        }
+    }
     for (int t = 0; t < triangle_count(); ++t) {
-        if (gone_[t]) {
-            continue;
+        if (!gone_[t]) {
+            const Triangle& c = triangles_[t];
+            mesh.triangles.push_back({index[c[0]], index[c[1]], index[c[2]]});
         }
-        Triangle c = triangles_[t];
-        for (std::int32_t& v : c) {
-            if (index[v] < 0) {
-                index[v] = static_cast<std::int32_t>(mesh.vertices.size());
-                mesh.vertices.push_back(points_[v]);
-            }
-            v = index[v];
-        }
-        mesh.triangles.push_back(c);
     }
     return mesh;
 }

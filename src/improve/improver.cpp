@@ -6,6 +6,7 @@
 #include <deque>
 #include <limits>
 
+#include "base/angle.h"
 #include "mesh/triangle_shape.h"
 
 namespace mq::improve {
@@ -15,6 +16,8 @@ namespace {
 constexpr double kRadians = 0.017453292519943295;
 constexpr double kSameSide = 0.5;  // cosine of the most that a normal may turn from the surface's: 60 degrees
 constexpr int kMostRounds = 200;
+// Refinement that finds no way to fewer bad triangles in so many rounds is not about to.
+constexpr int kPatience = 12;
 // Rounds in which vertices are only taken away, moved and swapped, before new ones come.
 constexpr int kRoundsWithoutSplits = 6;
 // Refinement near small angles of sharp edges has no end of its own.
@@ -47,16 +50,12 @@ Improver::Improver(const mesh::TriangleMesh& given, const Options& options, doub
       witnesses_(given.triangles.size()) {}
 
 void Improver::run() {
-    work();
-    // Where refinement runs away, between sharp edges at small angles, there may be more bad triangles than before.
-    keep_the_better();
-}
-
-void Improver::work() {
     bool splits = false;
-    for (int round = 0; round < kMostRounds; ++round) {
-        bool changed = false;
+    int since = 0;
+    for (int round = 0; round < kMostRounds && since <= kPatience; ++round) {
         const std::vector<int> bad_ones = bad_triangles();
+        since = keep_if_best(bad_ones.size()) ? 0 : since + 1;
+        bool changed = false;
         for (const int t : bad_ones) {
             progress_.check();
             if (mesh_.gone(t) || !bad(t)) {
@@ -65,27 +64,25 @@ void Improver::work() {
             changed = (mend(t) || (splits && !forced(t) && refine(t))) || changed;
         }
         if (!changed && splits) {
-            return;
+            break;
         }
-        if (!splits && (!changed || round + 1 >= kRoundsWithoutSplits)) {
-            splits = true;
-            plain_.emplace(mesh_);
-            plain_counts_ = counts;
-        }
+        splits = splits || !changed || round + 1 >= kRoundsWithoutSplits;
+    }
+    if (!keep_if_best(bad_triangles().size())) {
+        // Where refinement runs away, between sharp edges at small angles, there are more bad triangles in the end.
+        std::swap(mesh_, *best_);
+        counts = best_counts_;
     }
 }
 
-void Improver::keep_the_better() {
-    if (!plain_) {
-        return;
+bool Improver::keep_if_best(std::size_t bad) {
+    if (best_ && bad >= fewest_bad_) {
+        return false;
     }
-    const std::size_t refined = bad_triangles().size();
-    std::swap(mesh_, *plain_);
-    if (bad_triangles().size() > refined) {
-        std::swap(mesh_, *plain_);
-        return;
-    }
-    counts = plain_counts_;
+    fewest_bad_ = bad;
+    best_.emplace(mesh_);
+    best_counts_ = counts;
+    return true;
 }
 
 std::vector<std::pair<int, std::string>> Improver::left() const {
@@ -235,7 +232,7 @@ bool Improver::refine(int t) {
 }
 
 bool Improver::split(int a, int b) {
-    const Vec3 middle = 0.5 * (mesh_.point(a) + mesh_.point(b));
+    const Vec3 middle = mesh_.is_sharp(a, b) ? on_a_shell(a, b) : Vec3(0.5 * (mesh_.point(a) + mesh_.point(b)));
     const int halvings = 1 + std::max(halvings_of(a), halvings_of(b));
     if (halvings > kMostHalvings || (mesh_.point(b) - mesh_.point(a)).norm() < 2.0 * shortest_) {
         return false;
@@ -253,6 +250,26 @@ bool Improver::split(int a, int b) {
         mesh_.forget_last_vertex();
     }
     return false;
+}
+
+Vec3 Improver::on_a_shell(int a, int b) const {
+    constexpr double kNarrow = 60.0 * kRadians;
+    const auto is_apex = [&](int v, int other) {
+        const Vec3 along = mesh_.point(other) - mesh_.point(v);
+        const std::vector<int>& ends = mesh_.sharp_neighbours(v);
+        return std::any_of(ends.begin(), ends.end(), [&](int w) {
+            return w != other && angle_between(along, mesh_.point(w) - mesh_.point(v)) < kNarrow;
+        });
+    };
+    const bool at_a = is_apex(a, b);
+    const Vec3& p = mesh_.point(a);
+    const Vec3& q = mesh_.point(b);
+    if (at_a == is_apex(b, a)) {
+        return 0.5 * (p + q);
+    }
+    const double length = (q - p).norm();
+    const double shell = std::exp2(std::round(std::log2(0.5 * length))) / length;  // 0.35 to 0.71
+    return at_a ? Vec3(p + shell * (q - p)) : Vec3(q + shell * (p - q));
 }
 
 int Improver::halvings_of(int v) const {

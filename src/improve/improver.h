@@ -30,9 +30,8 @@ class Improver {
     /// Of a change: the worst angle becomes better; any that keeps the tolerance; the surface stays as it is.
     enum class Rule { Better, Any, Same };
 
-    void work();
-    /// Goes back to the state before any edge was halved, unless there are fewer bad triangles now.
-    void keep_the_better();
+    /// Keeps the mesh as it is now if it has the fewest bad triangles so far.
+    bool keep_if_best(std::size_t bad);
     bool bad(int t) const;
     /// The smallest angle lies between two sharp edges, which nothing can open.
     bool forced(int t) const;
@@ -46,6 +45,9 @@ class Improver {
     bool move(int v);
     bool refine(int t);
     bool split(int a, int b);
+    /// Where to divide a sharp edge: in the middle, or at a power of two from the end at which it meets another one at
+    /// a small angle, so that both are divided alike (concentric shells, Ruppert 1995).
+    Vec3 on_a_shell(int a, int b) const;
     int halvings_of(int v) const;
     void swap_around(int v);
 
@@ -67,8 +69,9 @@ class Improver {
     int most_triangles_;
     std::vector<std::vector<Vec3>> witnesses_;  ///< by triangle: given vertices near it that are vertices no longer
     std::unordered_map<int, int> halvings_;     ///< of vertices that came by halving edges: how often
-    std::optional<EditableMesh> plain_;         ///< before any edge was halved
-    Result plain_counts_;
+    std::optional<EditableMesh> best_;          ///< the mesh with the fewest bad triangles so far
+    Result best_counts_;
+    std::size_t fewest_bad_ = 0;
 };
 
 }  // namespace mq::improve

@@ -8,10 +8,10 @@
 
 namespace mq::improve {
 
-/// The unit normal of a triangle; zero where its height is below 1e-4 of its longest edge, as the normal is mostly
+/// The unit normal of a triangle; zero where its height is below 1e-3 of its longest edge, as the normal is mostly
 /// rounding then.
 inline Vec3 sound_normal(const std::array<Vec3, 3>& p) {
-    constexpr double kThin = 1e-4;
+    constexpr double kThin = 1e-3;
     const Vec3 u = p[1] - p[0];
     const Vec3 v = p[2] - p[0];
     const Vec3 n = u.cross(v);

@@ -5,7 +5,7 @@ import FreeCADGui
 
 from .. import convert
 from ..api import triangulate
-from ..features import boolean, curved_mesh, quality_mesh
+from ..features import boolean, curved_mesh, improved_mesh, quality_mesh
 from . import quality_panel
 from .export_panel import ExportPanel
 from .mesh_panel import MeshPanel
@@ -103,6 +103,17 @@ class Analyse(_Command):
         return found if len(found) == 1 and found[0].isDerivedFrom("Mesh::Feature") else []
 
 
+class Improve(_Command):
+    KIND = improved_mesh.ImprovedMesh
+    NAME = KIND.COMMAND
+    TEXT = "Improve mesh"
+    TIP = "Better triangles on the surface of the selected meshes; sharp edges stay"
+
+    def selected(self):
+        return [obj for obj in FreeCADGui.Selection.getSelection()
+                if obj.isDerivedFrom("Mesh::Feature")]
+
+
 class Export(_Command):
     NAME = "MeshQuality_Export"
     TEXT = "Export curved mesh"
@@ -121,7 +132,7 @@ def _has_shape(obj):
         or obj.TypeId == "App::Link"
 
 
-_COMMANDS = (Triangulate, Curve, Boolean, Analyse, Export)
+_COMMANDS = (Triangulate, Curve, Boolean, Improve, Analyse, Export)
 
 
 def panel_of(obj):
