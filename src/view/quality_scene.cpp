@@ -3,6 +3,7 @@
 
 #include <Inventor/SoDB.h>
 #include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoDirectionalLight.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoIndexedLineSet.h>
@@ -23,6 +24,7 @@ namespace {
 constexpr Colour kGrey{204, 204, 204, 255};
 constexpr std::uint32_t kLit = 0xff20ffffU;  // red, green, blue, opacity: a colour that no scale has
 constexpr float kEdgeColour[3] = {0.15F, 0.15F, 0.15F};
+constexpr float kSideLight = 0.4F;
 constexpr float kOutline = 3.0F;  // pixels
 
 void set_corners(SoVertexProperty& property, const float* corners, std::size_t triangles) {
@@ -83,6 +85,13 @@ QualityScene::QualityScene() {
 
 void QualityScene::make_surface() {
     SoSeparator* surface = kept_separator();
+    // Beside the light of the view, from all around: colours in the shade must still be those of the legend.
+    for (const SbVec3f& from : {SbVec3f(1, 1, 1), SbVec3f(1, -1, -1), SbVec3f(-1, 1, -1), SbVec3f(-1, -1, 1)}) {
+        auto* light = new SoDirectionalLight;
+        light->direction = from;
+        light->intensity = kSideLight;
+        surface->addChild(light);
+    }
     auto* hints = new SoShapeHints;  // neither closed nor oriented need the mesh be: both sides are lit
     hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
     auto* behind = new SoPolygonOffset;

@@ -4,12 +4,14 @@
 import os
 
 import FreeCAD
+import FreeCADGui
 import gui_helpers
 import helpers
 import Part
 
 import MeshQuality as mq
-from MeshQuality.gui import curved_view
+from MeshQuality.gui import commands, curved_view, quality_panel
+from MeshQuality.gui.mesh_panel import MeshPanel
 
 DOCS = os.path.join(helpers.ROOT, "docs")
 
@@ -26,3 +28,44 @@ class Pictures(gui_helpers.GuiTest):
         self.picture("curved_elements", DOCS)
         obj.ViewObject.ColorBy = curved_view.JACOBIAN
         self.picture("curved_jacobian", DOCS)
+
+    def bracket(self):
+        """A part with a fillet, holes and a knife edge."""
+        plate = Part.makeBox(60, 40, 8).fuse(Part.makeBox(8, 40, 40))
+        for y in (10, 30):
+            plate = plate.cut(Part.makeCylinder(5, 20, FreeCAD.Vector(40, y, -5)))
+        wedge = Part.Face(Part.makePolygon([FreeCAD.Vector(*p) for p in (
+            (8, 0, 8), (40, 0, 8), (8, 0, 12), (8, 0, 8))])).extrude(FreeCAD.Vector(0, 40, 0))
+        source = self.document.addObject("Part::Feature", "Bracket")
+        source.Shape = plate.fuse(wedge).removeSplitter()
+        self.document.recompute()
+        return source
+
+    def picture_of_panel(self, panel, name):
+        """The panel as wide as FreeCAD's side bar is at first."""
+        gui_helpers.wait(1.0)
+        form = panel.form
+        form.setFixedWidth(260)
+        gui_helpers.wait(0.3)
+        form.grab().save(os.path.join(DOCS, f"{name}.png"))
+
+    def test_panel_of_quality_mesh(self):
+        source = self.bracket()
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(source)
+        panel = MeshPanel(commands.Triangulate().operations([source]))
+        FreeCADGui.Control.showDialog(panel)
+        self.until(lambda: "triangles" in panel.estimate.text()
+                   and "Counting" not in panel.estimate.text())
+        self.picture_of_panel(panel, "panel_quality_mesh")
+        panel.reject()
+
+    def test_quality_view(self):
+        obj = mq.add_quality_mesh(self.bracket(), min_angle=25, chord_height=0.05)
+        panel = quality_panel.open_panel(obj)
+        self.until(lambda: panel.values is not None)
+        self.picture("quality_colours", DOCS)
+        self.picture_of_panel(panel, "panel_quality")
+        panel.histogram.pick(int((panel.histogram.counts > 0).argmax()))
+        self.picture("quality_lit", DOCS)
+        panel.reject()

@@ -30,6 +30,11 @@ class HistogramView(QtGui.QWidget):
         self._colours = [QtGui.QColor(*map(int, rgb)) for rgb in colour_scale.bytes_of(goodness)]
         self.update()
 
+    @property
+    def counts(self):
+        """How many elements each bar stands for."""
+        return self._histogram.counts
+
     def pick(self, bar):
         """Chooses a bar, or none by -1."""
         self.chosen = bar
