@@ -17,6 +17,13 @@ class MeshQualityWorkbench(FreeCADGui.Workbench):
         self.appendToolbar("Mesh Quality", names)
         self.appendMenu("Mesh Quality", names)
 
+    def ContextMenu(self, recipient):
+        from MeshQuality.gui import commands
+
+        fitting = commands.fitting()
+        if fitting:
+            self.appendContextMenu("", fitting)
+
     def GetClassName(self):
         return "Gui::PythonWorkbench"
 

@@ -138,6 +138,8 @@ class Updates(gui_helpers.PanelTest):
 
     def test_the_context_menu_updates_in_the_background(self):
         obj = self.outdated()
+        FreeCADGui.activateWorkbench("PartWorkbench")
+        self.addCleanup(FreeCADGui.activateWorkbench, "MeshQualityWorkbench")
         menu = QtGui.QMenu()
         obj.ViewObject.Proxy.setupContextMenu(obj.ViewObject, menu)
         actions = {action.text(): action for action in menu.actions()}

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The commands of the workbench, from selection over the panel to the result."""
 
+from unittest import mock
+
 import FreeCAD
 import FreeCADGui
 import gui_helpers
 
+import MeshQuality as mq
 from MeshQuality.gui import commands, jobs
 
 ALL = (commands.Triangulate, commands.Curve, commands.Boolean)
@@ -95,9 +98,44 @@ class Commands(gui_helpers.PanelTest):
         self.until(lambda: not job.active)
         self.assertEqual(job.state, jobs.CANCELLED)
 
-    def test_every_command_has_its_icon(self):
-        for command in ALL:
-            self.assertFalse(FreeCADGui.getIcon(command.NAME).isNull())
+    def test_every_command_has_its_icon_and_its_own_shortcut(self):
+        names = [name for name in FreeCADGui.listCommands() if name.startswith("MeshQuality_")]
+        self.assertGreaterEqual(len(names), 6)
+        shortcuts = set()
+        for name in names:
+            self.assertFalse(FreeCADGui.getIcon(name).isNull(), name)
+            command = FreeCADGui.Command.get(name)
+            self.assertTrue(command.getInfo()["toolTip"])
+            shortcuts.add(command.getInfo()["shortcut"])
+        self.assertEqual(len(shortcuts), len(names))
+
+    def test_the_context_menu_has_what_fits_the_selection(self):
+        workbench = FreeCADGui.getWorkbench("MeshQualityWorkbench")
+        box = self.box()
+        curved = mq.add_curved_mesh(box)
+        for chosen, expected in (((box,), {"Triangulate", "Curve"}), ((), set()),
+                                 ((box, curved), {"Triangulate", "Curve", "Boolean", "Update"}),
+                                 ((curved,), {"Analyse", "Update", "Export"})):
+            self.select(*chosen)
+            added = []
+            with mock.patch.object(workbench, "appendContextMenu", create=True,
+                                   side_effect=lambda menu, names, keep=added: keep.extend(names)):
+                workbench.ContextMenu("View")
+            self.assertEqual({name.split("_")[1] for name in added}, expected)
+
+    def test_update_computes_all_selected_meshes_anew(self):
+        box = self.box()
+        made = [mq.add_quality_mesh(box), mq.add_curved_mesh(box)]
+        for obj in made:
+            obj.Recompute = "Manual"
+        box.Height = 20
+        self.document.recompute()
+        self.select(*made)
+        FreeCADGui.runCommand("MeshQuality_Update")
+        self.until(lambda: not len(jobs.queue()))
+        for obj in made:
+            self.assertAlmostEqual(obj.Mesh.BoundBox.ZLength, 20)
+            self.assertEqual(obj.Status, "up to date")
 
     def test_every_panel_is_usable_at_260_pixels(self):
         sources = self.two_boxes()

@@ -5,22 +5,24 @@ import FreeCADGui
 
 from .. import convert
 from ..api import triangulate
-from ..features import boolean, curved_mesh, improved_mesh, quality_mesh
+from ..features import boolean, curved_mesh, improved_mesh, mesh_object, quality_mesh
 from . import quality_panel
 from .export_panel import ExportPanel
 from .mesh_panel import MeshPanel
 from .operation import Operation
+from .update import update_in_background
 
 
 class _Command:
-    """A subclass has NAME, TEXT (also of the undo step), TIP, and KIND, the class of the objects that
+    """A subclass has NAME, TEXT (also of the undo step), TIP, KEYS, and KIND, the class of the objects that
     it adds, if any.
     """
 
     KIND = None
 
     def GetResources(self):
-        return {"Pixmap": self.NAME, "MenuText": self.TEXT + "...", "ToolTip": self.TIP}
+        return {"Pixmap": self.NAME, "MenuText": self.TEXT + "...", "ToolTip": self.TIP,
+                "Accel": self.KEYS}
 
     def IsActive(self):
         return not FreeCADGui.Control.activeDialog() and bool(self.selected())
@@ -51,6 +53,7 @@ class Triangulate(_Command):
     NAME = KIND.COMMAND
     TEXT = "Quality mesh"
     TIP = "Mesh the selected shapes with a guaranteed smallest angle"
+    KEYS = "Q, M"
 
     def trial(self, sources):
         def prepare(values, most):
@@ -72,6 +75,7 @@ class Curve(_Command):
     NAME = KIND.COMMAND
     TEXT = "Curved mesh"
     TIP = "Mesh the selected shapes with curved elements, each proven to be free of folds"
+    KEYS = "Q, C"
 
 
 class Boolean(_Command):
@@ -79,6 +83,7 @@ class Boolean(_Command):
     NAME = KIND.COMMAND
     TEXT = "Mesh Boolean"
     TIP = "Join, intersect or subtract the selected meshes and shapes, in the order of selection"
+    KEYS = "Q, B"
 
     def selected(self):
         found = [obj for obj in FreeCADGui.Selection.getSelection()
@@ -94,6 +99,7 @@ class Analyse(_Command):
     NAME = "MeshQuality_Analyse"
     TEXT = "Analyse quality"
     TIP = "Colour the selected mesh by its quality and find its worst elements"
+    KEYS = "Q, A"
 
     def Activated(self):
         quality_panel.open_panel(self.selected()[0])
@@ -108,6 +114,7 @@ class Improve(_Command):
     NAME = KIND.COMMAND
     TEXT = "Improve mesh"
     TIP = "Better triangles on the surface of the selected meshes; sharp edges stay"
+    KEYS = "Q, I"
 
     def selected(self):
         return [obj for obj in FreeCADGui.Selection.getSelection()
@@ -118,6 +125,7 @@ class Export(_Command):
     NAME = "MeshQuality_Export"
     TEXT = "Export curved mesh"
     TIP = "Write the curved elements of the selected mesh into a file for Gmsh, ParaView or a solver"
+    KEYS = "Q, E"
 
     def Activated(self):
         FreeCADGui.Control.showDialog(ExportPanel(self.selected()[0]))
@@ -127,12 +135,27 @@ class Export(_Command):
         return found if len(found) == 1 and getattr(found[0], "ElementsOrder", 0) else []
 
 
+class Update(_Command):
+    NAME = "MeshQuality_Update"
+    TEXT = "Update mesh"
+    TIP = "Compute the selected meshes anew where a source or an option has changed"
+    KEYS = "Q, U"
+
+    def Activated(self):
+        for obj in self.selected():
+            update_in_background(obj)
+
+    def selected(self):
+        return [obj for obj in FreeCADGui.Selection.getSelection()
+                if isinstance(getattr(obj, "Proxy", None), mesh_object.MeshObject)]
+
+
 def _has_shape(obj):
     return hasattr(obj, "Shape") or obj.hasExtension("App::GroupExtension") \
         or obj.TypeId == "App::Link"
 
 
-_COMMANDS = (Triangulate, Curve, Boolean, Improve, Analyse, Export)
+_COMMANDS = (Triangulate, Curve, Boolean, Improve, Analyse, Update, Export)
 
 
 def panel_of(obj):
@@ -146,3 +169,8 @@ def register():
     for command in _COMMANDS:
         FreeCADGui.addCommand(command.NAME, command())
     return [command.NAME for command in _COMMANDS]
+
+
+def fitting():
+    """Names of the commands that fit what is selected, for the context menu."""
+    return [command.NAME for command in _COMMANDS if command().IsActive()]

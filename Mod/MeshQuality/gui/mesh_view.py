@@ -59,4 +59,6 @@ class MeshView(PlainState):
         from .update import update_in_background
 
         menu.addAction("Edit options", lambda: self.doubleClicked(view))
-        menu.addAction("Update mesh", lambda: update_in_background(view.Object))
+        # The workbench's own menu has this already.
+        if FreeCADGui.activeWorkbench().name() != "MeshQualityWorkbench":
+            menu.addAction("Update mesh", lambda: update_in_background(view.Object))
