@@ -10,6 +10,7 @@ import numpy as np
 
 from .errors import InvalidInput
 
+_MANY = 5000  # numbers that take longer than a millisecond
 _BMS_HEAD = 264  # magic, version and comment; then two counts, points, facets and the box
 
 
@@ -113,7 +114,7 @@ def mesh_of_surface(surface):
     import Mesh
 
     mesh = Mesh.Mesh()
-    mesh.read(Stream=io.BytesIO(surface.to_bms()), Format="BMS")
+    mesh.read(Stream=_Stream(surface.to_bms()), Format="BMS")
     if np.any(surface.origin):
         mesh.Placement = FreeCAD.Placement(FreeCAD.Vector(*surface.origin), FreeCAD.Rotation())
     add_segments(mesh, face_segments(surface.triangle_face))
@@ -123,7 +124,35 @@ def mesh_of_surface(surface):
 def add_segments(mesh, segments):
     """Adds index arrays of triangles as segments of a Mesh.Mesh."""
     for triangles in segments:
-        mesh.addSegment(triangles.tolist())
+        mesh.addSegment(_Numbers(triangles) if len(triangles) > _MANY else triangles.tolist())
+
+
+# FreeCAD keeps Python's lock while it reads a mesh or takes a segment, which would stop the window
+# for as long when that is done in the background. Functions of ours that it calls meanwhile, often
+# enough, let Python hand the lock over.
+
+
+class _Stream:
+    """A stream of bytes."""
+
+    def __init__(self, content):
+        self._content = io.BytesIO(content)
+
+    def read(self, size=-1):
+        return self._content.read(size)
+
+
+class _Numbers:
+    """A sequence of whole numbers."""
+
+    def __init__(self, numbers):
+        self._numbers = numbers.tolist()
+
+    def __len__(self):
+        return len(self._numbers)
+
+    def __getitem__(self, i):
+        return self._numbers[i]
 
 
 def face_segments(triangle_face):

@@ -186,7 +186,14 @@ void bind_mesh(py::module_& m) {
         .def(
             "write", [](const Surface& self, const std::string& path) { mesh::write(self.mesh, path); },
             py::arg("path"), py::call_guard<py::gil_scoped_release>())
-        .def("to_bms", [](const Surface& self) { return py::bytes(mesh::to_bms(self.mesh)); });
+        .def("to_bms", [](const Surface& self) {
+            std::string bms;
+            {
+                const py::gil_scoped_release release;
+                bms = mesh::to_bms(self.mesh);
+            }
+            return py::bytes(bms);
+        });
     m.def("triangle_shapes", &triangle_shapes, py::arg("surface"),
           "float64 (T,) each: the smallest angle of each triangle in degrees, and its longest edge / shortest edge.");
     m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),

@@ -12,6 +12,8 @@ import numpy as np
 KEPT, MISSED = "kept", "missed: "
 UNKNOWN = "unknown: the mesh was made by an older version; update it"
 
+_PART = 5000  # triangles
+
 
 @dataclass(frozen=True)
 class Fault:
@@ -55,7 +57,7 @@ def angle_faults(mesh):
     asked = report.min_angle_asked
     if not report.triangles or report.min_angle >= asked:
         return []
-    angles = smallest_angles(mesh.vertices[mesh.triangles])
+    angles = _smallest_angles_of(mesh)
     worst = int(np.argmin(angles))
     below = np.flatnonzero(angles < asked)
     where = dict(report.exempt).get(worst, f"on Face{mesh.triangle_face[worst] + 1}")
@@ -81,6 +83,13 @@ def element_faults(report):
     found = re.findall(r"on (Face\d+)", "; ".join(named))
     return [Fault(f"{report.invalid} of {report.elements} elements are not proven free of folds: "
                   f"{', '.join(named[:3])}{more}", tuple(dict.fromkeys(found)))]
+
+
+def _smallest_angles_of(mesh):
+    """By parts, as NumPy keeps Python's lock while it works on one."""
+    starts = range(0, len(mesh.triangles), _PART)
+    return np.concatenate([smallest_angles(mesh.vertices[mesh.triangles[start:start + _PART]])
+                           for start in starts])
 
 
 def smallest_angles(corners):
