@@ -31,7 +31,7 @@ def main():
             "MESHQUALITY_LOOP_TRIANGLES": sys.argv[1] if len(sys.argv) > 1 else "500000",
         }
         subprocess.run(["xvfb-run", "-a", "-s", run.SCREEN, "freecad",
-                        str(ROOT / "benchmarks" / "event_loop_inside.py")], env=environment,
+                        str(ROOT / "benchmarks" / "event_loop_gui.py")], env=environment,
                        stdin=subprocess.DEVNULL, timeout=LIMIT, check=False, capture_output=True)
         print(result.read_text(encoding="utf-8") if result.exists() else "FreeCAD ended early")
 
