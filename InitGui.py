@@ -32,5 +32,7 @@ _resources = os.path.normpath(os.path.join(
     os.path.dirname(MeshQuality.__file__), os.pardir, os.pardir, "Resources"))
 MeshQualityWorkbench.Icon = os.path.join(_resources, "icons", "MeshQuality.svg")
 FreeCADGui.addIconPath(os.path.join(_resources, "icons"))
+FreeCADGui.addLanguagePath(os.path.join(_resources, "translations"))
+FreeCADGui.updateLocale()
 FreeCADGui.addPreferencePage(os.path.join(_resources, "ui", "preferences.ui"), "MeshQuality")
 FreeCADGui.addWorkbench(MeshQualityWorkbench())

@@ -146,6 +146,12 @@ class Commands(gui_helpers.PanelTest):
                 gui_helpers.wait()
                 self.assertLessEqual(panel.form.minimumSizeHint().width(), 260)
                 panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_{command.__name__}.png")
+                panel.options.more.setChecked(True)
+                gui_helpers.wait()
+                self.assertLessEqual(panel.form.minimumSizeHint().width(), 260)
+                panel.form.resize(260, panel.form.sizeHint().height())
+                gui_helpers.wait()
+                panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_{command.__name__}_all.png")
                 panel.reject()
 
 

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a panel tells of the certificate of the object that it edits."""
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
 from ..features import certificate, mesh_object
+
+translate = FreeCAD.Qt.translate
 
 
 class CertificateBox(QtGui.QWidget):
@@ -16,9 +19,9 @@ class CertificateBox(QtGui.QWidget):
         self._modes = {}  # display modes by view, before the place was shown
         self.text = QtGui.QLabel()
         self.text.setWordWrap(True)
-        self.button = QtGui.QPushButton("Show where")
-        self.button.setToolTip("Selects the faces of the part on which the mesh misses what was "
-                               "asked for")
+        self.button = QtGui.QPushButton(translate("MeshQuality", "Show where"))
+        self.button.setToolTip(translate(
+            "MeshQuality", "Selects the faces of the part on which the mesh misses what was asked for"))
         self.button.clicked.connect(self.show_place)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -34,9 +37,17 @@ class CertificateBox(QtGui.QWidget):
             return
         missed = obj.Certificate.startswith(certificate.MISSED)
         outdated = obj.Status == mesh_object.OUT_OF_DATE
-        words = "The mesh keeps all that was asked for." if obj.Certificate == certificate.KEPT \
-            else f"What was asked for is {obj.Certificate}."
-        self.text.setText(f"{words} The mesh is {obj.Status}." if outdated else words)
+        words = translate("MeshQuality", "The mesh keeps all that was asked for.")
+        if missed:
+            words = translate("MeshQuality", "What was asked for is missed: {}").format(
+                obj.Certificate[len(certificate.MISSED):])
+        elif obj.Certificate != certificate.KEPT:
+            words = translate("MeshQuality", "Update the mesh to learn whether it keeps what was "
+                                             "asked for.")
+        if outdated:
+            words += " " + translate("MeshQuality", "The mesh is out of date: a source or an option "
+                                                    "has changed.")
+        self.text.setText(words)
         self.text.setStyleSheet("color: #cc0000" if missed else "")
         self.button.setVisible(missed and bool(obj.CertificateFaces))
 

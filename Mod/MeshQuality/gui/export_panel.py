@@ -11,7 +11,10 @@ from .. import export
 from ..curved_mesh import CurvedMesh
 from ..errors import Error
 from . import jobs, preferences
+from .mesh_panel import title_of
 from .operation import is_there, name_of
+
+translate = FreeCAD.Qt.translate
 
 
 class ExportPanel:
@@ -25,22 +28,24 @@ class ExportPanel:
         self.obj, self._document = obj, obj.Document.Name
         self.job, self.said = None, ""
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle("Export curved mesh")
-        of = QtGui.QLabel(f"Of {obj.Label}, as curved elements of order {obj.ElementsOrder}")
+        self.form.setWindowTitle(title_of("MeshQuality_Export", "Export curved mesh"))
+        of = QtGui.QLabel(translate("MeshQuality", "Of {}, as curved elements of order {}").format(
+            obj.Label, obj.ElementsOrder))
         self.path = FreeCADGui.UiLoader().createWidget("Gui::FileChooser")
         self.path.setProperty("acceptMode", 1)  # a file to save
         self.path.setProperty("filter", ";;".join(
             f"{title} (*{extension})" for extension, title in export.CURVED_FORMATS.items()))
         self.path.setProperty("fileName", self._first_path())
-        self.path.setToolTip("The ending chooses the format: " + ", ".join(
-            f"{extension} {title}" for extension, title in export.CURVED_FORMATS.items()))
+        formats = ", ".join(f"{end} {title}" for end, title in export.CURVED_FORMATS.items())
+        self.path.setToolTip(
+            translate("MeshQuality", "The ending chooses the format: {}").format(formats))
         self.message, self.bar = QtGui.QLabel(), QtGui.QProgressBar()
         self.bar.setRange(0, 0)
         self.bar.hide()
         layout = QtGui.QVBoxLayout(self.form)
         for label in (of, self.message):
             label.setWordWrap(True)
-        for widget in (of, QtGui.QLabel("File"), self.path, self.bar, self.message):
+        for widget in (of, QtGui.QLabel(translate("MeshQuality", "File")), self.path, self.bar, self.message):
             layout.addWidget(widget)
         layout.addStretch()
         self.path.fileNameChanged.connect(self._path_changed)
@@ -97,11 +102,13 @@ class ExportPanel:
         if job.state == jobs.DONE:
             FreeCADGui.Control.closeDialog()
         else:
-            self._say(str(job.error) if job.state == jobs.FAILED else "Cancelled; no file was written.")
+            self._say(str(job.error) if job.state == jobs.FAILED
+                      else translate("MeshQuality", "Cancelled; no file was written."))
 
     def _path_changed(self, *_):
         exists = os.path.isfile(self.path.property("fileName"))
-        self._say("The file exists and will be replaced." if exists else "")
+        self._say(translate("MeshQuality", "The file exists and will be replaced.")
+                  if exists else "")
 
     def _say(self, text):
         self.said = text

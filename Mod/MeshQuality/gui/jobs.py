@@ -13,9 +13,20 @@ from PySide import QtCore
 
 from ..errors import Cancelled, Error
 
+translate = FreeCAD.Qt.translate
+
 WAITING, RUNNING, DONE, FAILED, CANCELLED = "waiting", "running", "done", "failed", "cancelled"
 _POLL = 30  # ms between two looks at the thread
 _GRACE = 5.0  # s that a job has to end in when FreeCAD quits
+
+
+def state_text(state):
+    """A state of a job, in the user's language."""
+    return {
+        WAITING: translate("MeshQuality", "waiting"), RUNNING: translate("MeshQuality", "running"),
+        DONE: translate("MeshQuality", "done"), FAILED: translate("MeshQuality", "failed"),
+        CANCELLED: translate("MeshQuality", "cancelled"),
+    }[state]
 
 
 class Job(QtCore.QObject):

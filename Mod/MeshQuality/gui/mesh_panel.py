@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of objects that are computed: options, progress in the background, and errors."""
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
@@ -13,6 +14,8 @@ from .preset_box import PresetBox
 _TRIAL = 50_000  # triangles of a trial for the estimate
 _PAUSE = 400  # ms without a change before a trial begins
 _Buttons = QtGui.QDialogButtonBox
+
+translate = FreeCAD.Qt.translate
 
 
 class MeshPanel:
@@ -33,7 +36,7 @@ class MeshPanel:
         self._trial = None
         self._size = max(made.size() for made in operations)
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(operations[0].title)
+        self.form.setWindowTitle(title_of(operations[0].kind.COMMAND, operations[0].title))
         self.options = OptionForm(operations[0].kind.OPTIONS)
         self.options.set_values(
             operations[0].values() or preferences.first_values(operations[0].kind))
@@ -48,8 +51,9 @@ class MeshPanel:
         self._options_changed()
 
     def _lay_out(self):
-        of = QtGui.QLabel("Of " + ", ".join(source.Label for made in self.operations
-                                           for source in made.sources if source is not None))
+        labels = ", ".join(source.Label for made in self.operations for source in made.sources
+                           if source is not None)
+        of = QtGui.QLabel(translate("MeshQuality", "Of {}").format(labels))
         self.estimate, self.message, self.bar = QtGui.QLabel(), QtGui.QLabel(), QtGui.QProgressBar()
         self.estimate.setVisible(self.operations[0].trial is not None)
         self.certificate = CertificateBox()
@@ -136,13 +140,13 @@ class MeshPanel:
 
     def _show_progress(self, job):
         self.bar.setValue(int(1000 * job.fraction))
-        self.bar.setFormat(f"{job.stage or job.state}: %p %")
+        self.bar.setFormat(f"{job.stage or jobs.state_text(job.state)}: %p %")
 
     def _ended(self, job, watch):
         watch.end()
         self.jobs.remove(job)
         if job.state == jobs.CANCELLED:
-            self._say("Cancelled; nothing was changed.")
+            self._say(translate("MeshQuality", "Cancelled; nothing was changed."))
         elif job.state == jobs.FAILED:
             self._say(str(job.error))
         if self.jobs:
@@ -170,7 +174,7 @@ class MeshPanel:
         self._end_trial()
         self.presets.show(self.options.values(), self._size)
         if self.operations[0].trial is not None:
-            self.estimate.setText("Counting triangles ...")
+            self.estimate.setText(translate("MeshQuality", "Counting triangles ..."))
             self._timer.start()
 
     def _start_trial(self):
@@ -187,14 +191,21 @@ class MeshPanel:
 
     def _show_estimate(self, found):
         count = sum(triangles for triangles, _ in found)
-        more = "" if all(complete for _, complete in found) else "more than "
-        self.estimate.setText(f"{more}{count:,} triangles".capitalize())
+        words = translate("MeshQuality", "{} triangles") \
+            if all(complete for _, complete in found) \
+            else translate("MeshQuality", "More than {} triangles")
+        self.estimate.setText(words.format(QtCore.QLocale().toString(count)))
 
     def _end_trial(self):
         self._timer.stop()
         if self._trial is not None and self._trial.active:
             self._trial.cancel()
         self._trial = None
+
+
+def title_of(command, text):
+    """The text of a command as a title, in the user's language."""
+    return translate(command, f"{text}...").rstrip(".")
 
 
 def _number(buttons):

@@ -3,11 +3,14 @@
 misses what was asked for or is out of date, editing by double click, the context menu.
 """
 
+import FreeCAD
 import FreeCADGui
 
 from ..compat import PlainState
 from ..features import certificate, mesh_object
 from . import badge
+
+translate = FreeCAD.Qt.translate
 
 
 class MeshView(PlainState):
@@ -58,7 +61,8 @@ class MeshView(PlainState):
         """Called by FreeCAD for the menu of the object in the tree."""
         from .update import update_in_background
 
-        menu.addAction("Edit options", lambda: self.doubleClicked(view))
+        menu.addAction(translate("MeshQuality", "Edit options"), lambda: self.doubleClicked(view))
         # The workbench's own menu has this already.
         if FreeCADGui.activeWorkbench().name() != "MeshQualityWorkbench":
-            menu.addAction("Update mesh", lambda: update_in_background(view.Object))
+            menu.addAction(translate("MeshQuality", "Update mesh"),
+                           lambda: update_in_background(view.Object))

@@ -12,6 +12,8 @@ from .. import options
 from ..features import mesh_object
 from ..features.work import handed_over
 
+translate = FreeCAD.Qt.translate
+
 # Properties of a source that do not change its shape or mesh.
 _LOOKS = ("Label", "Label2", "Visibility", "Proxy", "ExpressionEngine")
 
@@ -69,7 +71,8 @@ class Operation:
     @property
     def step(self):
         """What undo calls it."""
-        return f"Edit {self.obj.Label}" if self.obj is not None else self.title
+        return translate("MeshQuality", "Edit {}").format(self.obj.Label) \
+            if self.obj is not None else self.title
 
     def line(self, values):
         """The line of Python that does it."""

@@ -5,6 +5,8 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+translate = FreeCAD.Qt.translate
+
 _UNITS = {"mm": FreeCAD.Units.Length, "degrees": FreeCAD.Units.Angle}
 _SUFFIX = {"mm": "mm", "degrees": "deg"}
 _LARGEST = 2**31 - 1
@@ -24,7 +26,7 @@ class OptionForm(QtGui.QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         self._add_groups(layout, [option for option in table if not option.rare])
         self.more = QtGui.QToolButton()
-        self.more.setText("More options")
+        self.more.setText(translate("MeshQuality", "More options"))
         self.more.setCheckable(True)
         self.more.setAutoRaise(True)
         self.more.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
@@ -43,7 +45,7 @@ class OptionForm(QtGui.QWidget):
         boxes = {}
         for option in table:
             if option.group not in boxes:
-                boxes[option.group] = _group(option.group)
+                boxes[option.group] = _group(translate("MeshQuality", option.group))
                 layout.addWidget(boxes[option.group])
             field = _field(option)
             field.changed.connect(self.changed)
@@ -52,7 +54,8 @@ class OptionForm(QtGui.QWidget):
                 boxes[option.group].layout().addRow(field.widget)
                 continue
             label = QtGui.QLabel(_title(option))
-            label.setToolTip(option.help)
+            label.setWordWrap("(" in label.text())
+            label.setToolTip(translate("MeshQuality", option.help))
             boxes[option.group].layout().addRow(label, field.widget)
 
     def _fold(self, shown):
@@ -78,8 +81,10 @@ class OptionForm(QtGui.QWidget):
 
 def _title(option):
     # A spin box says itself what 0 stands for; a field with a unit cannot.
-    return f"{option.title} (0: {option.unset})" if option.unit and option.default is None \
-        else option.title
+    title = translate("MeshQuality", option.title)
+    if not option.unit or option.default is not None:
+        return title
+    return f"{title} (0: {translate('MeshQuality', option.unset)})"
 
 
 def _group(title):
@@ -107,8 +112,8 @@ class _Field(QtCore.QObject):
     def __init__(self, option, widget):
         super().__init__()
         self.option, self.widget = option, widget
-        unset = f"\n0: {option.unset}" if option.default is None else ""
-        widget.setToolTip(option.help + unset)
+        unset = f"\n0: {translate('MeshQuality', option.unset)}" if option.default is None else ""
+        widget.setToolTip(translate("MeshQuality", option.help) + unset)
         widget.setObjectName(option.property_name)
         self.set_value(option.default)
 
@@ -123,7 +128,7 @@ class _Choice(_Field):
     def __init__(self, option):
         box = QtGui.QComboBox()
         for choice, title in zip(option.choices, option.choice_titles):
-            box.addItem(title, choice)
+            box.addItem(translate("MeshQuality", title), choice)
         super().__init__(option, box)
         box.currentIndexChanged.connect(self._changed)
 
@@ -136,7 +141,7 @@ class _Choice(_Field):
 
 class _Switch(_Field):
     def __init__(self, option):
-        super().__init__(option, QtGui.QCheckBox(option.title))
+        super().__init__(option, QtGui.QCheckBox(translate("MeshQuality", option.title)))
         self.widget.toggled.connect(self._changed)
 
     def value(self):
@@ -156,7 +161,7 @@ class _Number(_Field):
         low = 0 if option.default is None else option.low or 0
         box.setRange(low, _LARGEST if option.high is None else option.high)
         if option.default is None:
-            box.setSpecialValueText(option.unset)
+            box.setSpecialValueText(translate("MeshQuality", option.unset))
         super().__init__(option, box)
         box.valueChanged.connect(self._changed)
 

@@ -4,6 +4,8 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
+translate = FreeCAD.Qt.translate
+
 
 class PresetBox(QtGui.QWidget):
     """A choice among presets, and what the present values promise in words; hidden without presets."""
@@ -15,13 +17,13 @@ class PresetBox(QtGui.QWidget):
         self._presets = presets
         self.box = QtGui.QComboBox()
         for preset in presets:
-            self.box.addItem(preset.title)
-        self.box.addItem("Custom")
+            self.box.addItem(translate("MeshQuality", preset.title))
+        self.box.addItem(translate("MeshQuality", "Custom"))
         self.promise = QtGui.QLabel()
         self.promise.setWordWrap(True)
         layout = QtGui.QFormLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addRow("Fineness", self.box)
+        layout.addRow(translate("MeshQuality", "Fineness"), self.box)
         layout.addRow(self.promise)
         # Not at every change of the index: `show` changes it too.
         self.box.activated[int].connect(self._choose)
@@ -44,9 +46,10 @@ def _promise(values, size):
     """What the bound on the distance means, as a sentence."""
     height, relative = values["chord_height"], values["chord_height_relative"]
     if height is None and relative is None:
-        return "The distance from the shape is not bounded."
+        return translate("MeshQuality", "The distance from the shape is not bounded.")
     if height is None and not size:
         return ""
-    keeps = "Before it is curved, the mesh keeps" if "order" in values else "Keeps"
     length = FreeCAD.Units.Quantity(height or relative * size, FreeCAD.Units.Length).UserString
-    return f"{keeps} within {length} of the shape."
+    words = translate("MeshQuality", "Before it is curved, the mesh keeps within {} of the shape.") \
+        if "order" in values else translate("MeshQuality", "Keeps within {} of the shape.")
+    return words.format(length)

@@ -8,10 +8,12 @@ from ..errors import Error
 from . import jobs
 from .operation import Operation, Watch
 
+translate = FreeCAD.Qt.translate
+
 
 def update_in_background(obj):
     """Begins the work; returns its Job, None when there is nothing to do."""
-    title = f"Update {obj.Label}"
+    title = translate("MeshQuality", "Update {}").format(obj.Label)
     made = Operation.of_object(title, obj)
     try:
         work = made.work(made.values())
@@ -23,6 +25,7 @@ def update_in_background(obj):
                    lambda: made.possible(obj))
     bar = FreeCADGui.getMainWindow().statusBar()
     job.changed.connect(lambda: bar.showMessage(
-        f"{title}: {job.stage or job.state} {100 * job.fraction:.0f} %"))
-    job.ended.connect(lambda: (watch.end(), bar.showMessage(f"{title}: {job.error or job.state}")))
+        f"{title}: {job.stage or jobs.state_text(job.state)} {100 * job.fraction:.0f} %"))
+    job.ended.connect(lambda: (watch.end(), bar.showMessage(
+        f"{title}: {job.error or jobs.state_text(job.state)}")))
     return jobs.queue().add(job)
