@@ -34,7 +34,7 @@ class Option:
     above: bool = True
     choices: tuple = ()
     group: str = "Mesh"
-    unset: str = "no bound"
+    unset: str = "any"
     title: str = ""
     choice_titles: tuple = ()
     rare: bool = False

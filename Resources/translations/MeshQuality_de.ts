@@ -157,7 +157,7 @@
     </message>
     <message>
         <source>Distance to the shape</source>
-        <translation>Abstand von der Form</translation>
+        <translation>Abstand zur Form</translation>
     </message>
     <message>
         <source>Fill solids with tetrahedra</source>
@@ -380,10 +380,6 @@
         <translation>nur Einzelnes behalten</translation>
     </message>
     <message>
-        <source>no bound</source>
-        <translation>unbegrenzt</translation>
-    </message>
-    <message>
         <source>not given</source>
         <translation>ohne Angabe</translation>
     </message>
@@ -410,6 +406,26 @@
     <message>
         <source>size / 1000</source>
         <translation>Größe / 1000</translation>
+    </message>
+    <message>
+        <source>Edges where the surface turns by more than this stay where they are</source>
+        <translation>Kanten, an denen sich die Fläche um mehr als dies dreht, bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh and its better version</source>
+        <translation>Größter Abstand zwischen dem Netz und dem verbesserten</translation>
+    </message>
+    <message>
+        <source>Sharp from</source>
+        <translation>Scharf ab</translation>
+    </message>
+    <message>
+        <source>Smallest angle that every triangle is to reach</source>
+        <translation>Kleinster Winkel, den jedes Dreieck erreichen soll</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
     </message>
 </context>
 <context>
@@ -497,6 +513,17 @@
     <message>
         <source>Write the curved elements of the selected mesh into a file for Gmsh, ParaView or a solver</source>
         <translation>Schreibt die gekrümmten Elemente des gewählten Netzes in eine Datei für Gmsh, ParaView oder einen Löser</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Improve</name>
+    <message>
+        <source>Better triangles on the surface of the selected meshes; sharp edges stay</source>
+        <translation>Bessere Dreiecke auf der Oberfläche der gewählten Netze; scharfe Kanten bleiben</translation>
+    </message>
+    <message>
+        <source>Improve mesh...</source>
+        <translation>Netz verbessern...</translation>
     </message>
 </context>
 <context>

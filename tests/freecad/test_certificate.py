@@ -57,6 +57,13 @@ class Certificates(CertificateTest):
         below = {f"Face{face + 1}" for face in mesh.triangle_face[angles < 25.0]}
         self.assertEqual(set(obj.CertificateFaces), below)
 
+    def test_an_improved_mesh_has_no_faces_to_name(self):
+        source = self.document.addObject("Mesh::Feature", "Source")
+        source.Mesh = mq.triangulate(wedge()).to_mesh()
+        obj = mq.add_improved_mesh(source)
+        self.assertRegex(obj.Certificate, r"^missed: smallest angle [\d.]+ of 25 degrees at triangle")
+        self.assertEqual(list(obj.CertificateFaces), [])
+
     def test_an_open_shape_need_not_be_closed(self):
         obj = mq.add_quality_mesh(self.feature(Part.makePlane(10, 10)))
         self.assertEqual((obj.AskedClosed, obj.Closed, obj.Certificate), (False, False, "kept"))

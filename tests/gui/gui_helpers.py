@@ -89,6 +89,17 @@ class PanelTest(GuiTest):
         panel.clicked(int(QtGui.QDialogButtonBox.Apply))
         self.until(lambda: not panel.jobs)
 
+    def narrow(self, panel, name):
+        """The panel as it looks at the width that FreeCAD's task view has at first, as a picture."""
+        panel.form.setMinimumHeight(0)
+        panel.form.layout().activate()
+        wait()
+        panel.form.setMinimumHeight(panel.form.sizeHint().height())
+        panel.form.resize(260, panel.form.sizeHint().height())
+        wait()
+        self.assertLessEqual(panel.form.minimumSizeHint().width(), 260)
+        panel.form.grab().save(os.path.join(PICTURES, f"{name}.png"))
+
     def two_boxes(self):
         first, second = self.box(), self.document.addObject("Part::Box", "Second")
         second.Placement.Base = FreeCAD.Vector(4, 4, 4)

@@ -114,8 +114,8 @@ class Commands(gui_helpers.PanelTest):
         box = self.box()
         curved = mq.add_curved_mesh(box)
         for chosen, expected in (((box,), {"Triangulate", "Curve"}), ((), set()),
-                                 ((box, curved), {"Triangulate", "Curve", "Boolean", "Update"}),
-                                 ((curved,), {"Analyse", "Update", "Export"})):
+                                 ((box, curved), {"Triangulate", "Curve", "Boolean", "Improve", "Update"}),
+                                 ((curved,), {"Analyse", "Improve", "Update", "Export"})):
             self.select(*chosen)
             added = []
             with mock.patch.object(workbench, "appendContextMenu", create=True,
@@ -142,16 +142,9 @@ class Commands(gui_helpers.PanelTest):
         for command in ALL:
             with self.subTest(command.NAME):
                 panel = self.panel(command, *sources)
-                panel.form.resize(260, panel.form.sizeHint().height())
-                gui_helpers.wait()
-                self.assertLessEqual(panel.form.minimumSizeHint().width(), 260)
-                panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_{command.__name__}.png")
+                self.narrow(panel, f"panel_{command.__name__}")
                 panel.options.more.setChecked(True)
-                gui_helpers.wait()
-                self.assertLessEqual(panel.form.minimumSizeHint().width(), 260)
-                panel.form.resize(260, panel.form.sizeHint().height())
-                gui_helpers.wait()
-                panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_{command.__name__}_all.png")
+                self.narrow(panel, f"panel_{command.__name__}_all")
                 panel.reject()
 
 

@@ -60,11 +60,14 @@ def angle_faults(mesh):
     angles = _smallest_angles_of(mesh)
     worst = int(np.argmin(angles))
     below = np.flatnonzero(angles < asked)
-    where = dict(report.exempt).get(worst, f"on Face{mesh.triangle_face[worst] + 1}")
+    # A mesh that comes from no shape has no faces.
+    names = [f"Face{face + 1}" for face in mesh.triangle_face[below]] if len(mesh.triangle_face) \
+        else []
+    where = dict(report.exempt).get(worst, f"on Face{mesh.triangle_face[worst] + 1}" if names
+                                    else "for no known reason")
     more = f" ({len(below) - 1} more triangles are below)" if len(below) > 1 else ""
     return [Fault(f"smallest angle {report.min_angle:.3g} of {asked:g} degrees at triangle {worst}: "
-                  f"{where}{more}",
-                  tuple(f"Face{face + 1}" for face in np.unique(mesh.triangle_face[below])))]
+                  f"{where}{more}", tuple(dict.fromkeys(names)))]
 
 
 def distance_faults(measured, asked, what):

@@ -54,7 +54,6 @@ class OptionForm(QtGui.QWidget):
                 boxes[option.group].layout().addRow(field.widget)
                 continue
             label = QtGui.QLabel(_title(option))
-            label.setWordWrap("(" in label.text())
             label.setToolTip(translate("MeshQuality", option.help))
             boxes[option.group].layout().addRow(label, field.widget)
 
