@@ -427,6 +427,14 @@
         <source>any</source>
         <translation>beliebig</translation>
     </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Computes, and leaves the panel open</source>
+        <translation>Berechnet, und lässt den Aufgabenbereich offen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

@@ -86,19 +86,26 @@ class PanelTest(GuiTest):
 
     def apply(self, panel):
         """Apply, and waits until the work has ended."""
-        panel.clicked(int(QtGui.QDialogButtonBox.Apply))
+        panel.button.click()
         self.until(lambda: not panel.jobs)
 
     def narrow(self, panel, name):
-        """The panel as it looks at the width that FreeCAD's task view has at first, as a picture."""
-        panel.form.setMinimumHeight(0)
-        panel.form.layout().activate()
+        """Checks that the panel fits into FreeCAD's task view as wide as that is at first, and takes a
+        picture of it.
+        """
+        dock = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Combo View")
+        FreeCADGui.getMainWindow().resizeDocks([dock], [264], QtCore.Qt.Horizontal)
         wait()
         panel.form.setMinimumHeight(panel.form.sizeHint().height())
-        panel.form.resize(260, panel.form.sizeHint().height())
         wait()
-        self.assertLessEqual(panel.form.minimumSizeHint().width(), 260)
+        area = panel.form.parentWidget()
+        while not isinstance(area, QtGui.QScrollArea):
+            area = area.parentWidget()
+        right = panel.form.mapTo(area.viewport(), QtCore.QPoint(panel.form.width(), 0)).x()
+        self.assertLess(dock.width(), 290)
+        self.assertLessEqual(right, area.viewport().width())
         panel.form.grab().save(os.path.join(PICTURES, f"{name}.png"))
+        panel.form.setMinimumHeight(0)
 
     def two_boxes(self):
         first, second = self.box(), self.document.addObject("Part::Box", "Second")

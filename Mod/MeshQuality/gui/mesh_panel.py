@@ -13,7 +13,6 @@ from .preset_box import PresetBox
 
 _TRIAL = 50_000  # triangles of a trial for the estimate
 _PAUSE = 400  # ms without a change before a trial begins
-_Buttons = QtGui.QDialogButtonBox
 
 translate = FreeCAD.Qt.translate
 
@@ -57,10 +56,15 @@ class MeshPanel:
         self.estimate, self.message, self.bar = QtGui.QLabel(), QtGui.QLabel(), QtGui.QProgressBar()
         self.estimate.setVisible(self.operations[0].trial is not None)
         self.certificate = CertificateBox()
+        self.button = QtGui.QPushButton(translate("MeshQuality", "Apply"))
+        self.button.setToolTip(translate("MeshQuality", "Computes, and leaves the panel open"))
+        self.button.clicked.connect(self.apply)
         layout = QtGui.QVBoxLayout(self.form)
+        layout.setContentsMargins(0, 0, 0, 0)
         for label in (of, self.estimate, self.message):
             label.setWordWrap(True)
-        for widget in (of, self.certificate, self.presets, self.options, self.estimate, self.bar, self.message):
+        for widget in (of, self.certificate, self.presets, self.options, self.estimate,
+                       self.button, self.bar, self.message):
             layout.addWidget(widget)
         layout.addStretch()
         self.bar.setRange(0, 1000)
@@ -72,13 +76,9 @@ class MeshPanel:
         return self.operations[0].obj if len(self.operations) == 1 else None
 
     def getStandardButtons(self):
-        buttons = _Buttons.Ok | _Buttons.Apply | _Buttons.Cancel
-        return _number(buttons)
-
-    def clicked(self, button):
-        """FreeCAD tells of every button; OK and Cancel have their own functions."""
-        if _number(button) == _number(_Buttons.Apply):
-            self.apply()
+        # A third one would not fit into the width that FreeCAD's task view has at first.
+        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel
+        return int(getattr(buttons, "value", buttons))
 
     def apply(self):
         """Begins the work; the panel stays open, and edits what was made."""
@@ -157,8 +157,8 @@ class MeshPanel:
         self._close_if_done()
 
     def _enable(self, enabled):
-        self.presets.setEnabled(enabled)
-        self.options.setEnabled(enabled)
+        for widget in (self.presets, self.options, self.button):
+            widget.setEnabled(enabled)
 
     def _close_if_done(self):
         if self._closing and not self.jobs and not self.said:
@@ -206,8 +206,3 @@ class MeshPanel:
 def title_of(command, text):
     """The text of a command as a title, in the user's language."""
     return translate(command, f"{text}...").rstrip(".")
-
-
-def _number(buttons):
-    """Qt 6 has enumerations where Qt 5 has numbers."""
-    return int(getattr(buttons, "value", buttons))
