@@ -98,6 +98,26 @@ class Commands(gui_helpers.PanelTest):
         self.until(lambda: not job.active)
         self.assertEqual(job.state, jobs.CANCELLED)
 
+    def test_a_source_deleted_before_ok_is_said_in_the_panel(self):
+        box = self.box()
+        panel = self.panel(commands.Triangulate, box)
+        self.document.removeObject(box.Name)
+        panel.options.set_values({"max_edge": 2.0})
+        panel.accept()
+        self.assertIn("not in its document any more", panel.said)
+        self.assertFalse(panel.jobs)
+        self.assertTrue(panel.reject())
+
+    def test_a_document_closed_before_ok_is_said_in_the_panel(self):
+        other = FreeCAD.newDocument("Other")
+        source = other.addObject("Part::Box", "Box")
+        other.recompute()
+        panel = self.panel(commands.Triangulate, source)
+        FreeCAD.closeDocument("Other")
+        panel.accept()
+        self.assertIn("not in its document any more", panel.said)
+        self.assertTrue(panel.reject())
+
     def test_every_command_has_its_icon_and_its_own_shortcut(self):
         names = [name for name in FreeCADGui.listCommands() if name.startswith("MeshQuality_")]
         self.assertGreaterEqual(len(names), 6)

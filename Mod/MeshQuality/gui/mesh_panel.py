@@ -106,7 +106,8 @@ class MeshPanel:
             self.certificate.end()
         if self._editing:
             self._editing = False
-            FreeCADGui.ActiveDocument.resetEdit()
+            if self.operations[0].document in FreeCAD.listDocuments():
+                FreeCADGui.getDocument(self.operations[0].document).resetEdit()
         FreeCADGui.Control.closeDialog()
 
     def _start(self):

@@ -9,6 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from .. import options
+from ..errors import InvalidInput
 from ..features import mesh_object
 from ..features.work import handed_over
 
@@ -27,12 +28,13 @@ class Operation:
     trial    trial(values, most) -> compute(progress) -> (number of triangles, whether these are
              all), for an estimate with `most` triangles; None: no estimate
     obj      the document object, once there is one
+    document name of the document
     """
 
     def __init__(self, title, kind, sources, trial=None, obj=None):
         self.title, self.kind, self.sources = title, kind, list(sources)
         self.trial, self._obj = trial, obj
-        self._document = (obj or self.sources[0]).Document.Name
+        self.document = (obj or self.sources[0]).Document.Name
 
     @classmethod
     def of_object(cls, title, obj, trial=None):
@@ -42,7 +44,7 @@ class Operation:
     @property
     def obj(self):
         """The document object; None before it was added and after it was removed."""
-        return self._obj if self._obj is not None and is_there(self._document, self._obj) else None
+        return self._obj if self._obj is not None and is_there(self.document, self._obj) else None
 
     def size(self):
         """Largest dimension of the source in mm, for people; 0: unknown."""
@@ -66,7 +68,7 @@ class Operation:
     def possible(self, edited):
         """Whether the document still has the sources, and the object that is edited unless None."""
         needed = [*self.sources, *([edited] if edited is not None else [])]
-        return all(is_there(self._document, obj) for obj in needed)
+        return all(is_there(self.document, obj) for obj in needed if obj is not None)
 
     @property
     def step(self):
@@ -88,7 +90,7 @@ class Operation:
         """Changes the document by that line, as one undo step. Where a source has changed while the
         work ran, the object is left touched: the next recompute brings it up to date.
         """
-        document, line = FreeCAD.getDocument(self._document), self.line(work.values)
+        document, line = FreeCAD.getDocument(self.document), self.line(work.values)
         document.openTransaction(self.step)
         try:
             with handed_over(work, result):
@@ -140,5 +142,10 @@ def _arguments(values, known):
 
 
 def check(operations, values):
-    """The checked options of operations with one table; raises InvalidInput."""
+    """The checked options of operations with one table.
+
+    Raises InvalidInput, also where the document has lost what the operations need.
+    """
+    if not all(made.possible(made.obj) for made in operations):
+        raise InvalidInput("what is to be meshed is not in its document any more: close the panel")
     return options.check(operations[0].kind.OPTIONS, values)

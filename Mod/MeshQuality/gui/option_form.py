@@ -89,7 +89,7 @@ def _title(option):
 def _group(title):
     box = QtGui.QGroupBox(title)
     form = QtGui.QFormLayout(box)
-    form.setContentsMargins(4, 4, 4, 4)
+    form.setContentsMargins(4, 9, 4, 4)
     # The panel may be 260 pixels wide.
     form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
     form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
