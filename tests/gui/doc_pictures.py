@@ -8,6 +8,7 @@ import FreeCADGui
 import gui_helpers
 import helpers
 import Part
+from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands, curved_view, quality_panel
@@ -68,4 +69,28 @@ class Pictures(gui_helpers.GuiTest):
         self.picture_of_panel(panel, "panel_quality")
         panel.histogram.pick(int((panel.histogram.counts > 0).argmax()))
         self.picture("quality_lit", DOCS)
+        panel.reject()
+
+    def test_certificate_and_marks(self):
+        bracket, blade = self.bracket(), self.document.addObject("Part::Feature", "Blade")
+        blade.Shape = Part.Face(Part.makePolygon([FreeCAD.Vector(*p) for p in (
+            (0, 0, 0), (40, 0, 0), (40, 3, 0), (0, 0, 0))])).extrude(FreeCAD.Vector(0, 0, 30))
+        self.document.recompute()
+        good, missed = (mq.add_quality_mesh(source, chord_height_relative=0.003)
+                        for source in (bracket, blade))
+        waiting = mq.add_curved_mesh(blade)
+        waiting.Recompute = "Manual"
+        blade.Placement.Base = FreeCAD.Vector(0, 0, 1)
+        self.document.recompute()
+        self.assertEqual(good.Certificate, "kept")
+        self.assertTrue(missed.Certificate.startswith("missed"))
+        for obj in (good, missed, waiting):
+            obj.ViewObject.Visibility = True
+        gui_helpers.wait(0.3)
+        tree = next(tree for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget)
+                    if tree.isVisible() and tree.topLevelItemCount())
+        tree.grab(QtCore.QRect(0, 0, 264, 155)).save(os.path.join(DOCS, "tree_badges.png"))
+        panel = commands.panel_of(missed)
+        FreeCADGui.Control.showDialog(panel)
+        self.picture_of_panel(panel, "panel_missed")
         panel.reject()
