@@ -158,3 +158,53 @@ def summary_text(summary):
         lines += [f"  {name}: {'; '.join(why)}" for name, why in summary["failing"].items()]
     lines.append(f"{summary['good']} of {summary['parts']} parts good")
     return "\n".join(lines)
+
+
+def comparison_text(results):
+    """Methods side by side; results: those of every method, by method, in the same order of parts.
+
+    Triangles, angles and processor seconds are those of the parts that every method meshed.
+    """
+    common = [parts for parts in zip(*results.values()) if all(p["state"] == "ok" for p in parts)]
+    lines = ["", f"{len(common)} parts that every method meshed:",
+             f"{'method':<10}{'good':>10}{'triangles':>11}{'mean':>7}{'least':>7}{'<30 %':>7}"
+             f"{'cpu s':>8}{'most':>7}{'faces':>8}{'fell':>6}"]
+    for k, (method, parts) in enumerate(results.items()):
+        lines.append(_method_line(method, parts, [row[k] for row in common],
+                                  [row[max(k - 1, 0)] for row in common]))
+    lines += ["mean: of the smallest angles of all triangles; least: median over the parts of the",
+              "smallest angle; most: cpu seconds of a part in those of the line above (0.1 s at least)"]
+    return "\n".join(lines + _fallback_lines(results))
+
+
+def _method_line(method, parts, common, above):
+    triangles = sum(p["triangles"] for p in common)
+    mean = sum(p["mean_min_angle"] * p["triangles"] for p in common) / max(triangles, 1)
+    least = sorted(p["min_angle"] for p in common)[len(common) // 2]
+    below = 100 * sum(p["below_30"] for p in common) / max(triangles, 1)
+    most = max(p["cpu_seconds"] / max(other["cpu_seconds"], 0.1)
+               for p, other in zip(common, above))
+    good = f"{sum(not p['faults'] for p in parts)} of {len(parts)}"
+    counts = [sum(sum(p["fallbacks"][key].values()) for p in parts if "fallbacks" in p)
+              for key in ("surfaces", "fallen")]
+    return (f"{method:<10}{good:>10}{triangles:>11}{mean:>7.1f}{least:>7.1f}{below:>7.1f}"
+            f"{sum(p['cpu_seconds'] for p in common):>8.1f}{most:>7.1f}{counts[0]:>8}{counts[1]:>6}")
+
+
+def _fallback_lines(results):
+    """Faces by surface, how many there are and how many fell back by every method."""
+    totals = {}
+    for method, parts in results.items():
+        for part in parts:
+            for key in ("surfaces", "fallen"):
+                totals.setdefault((method, key), Counter()).update(
+                    part.get("fallbacks", {}).get(key, {}))
+    sampling = [method for method in results if totals[method, "fallen"]]
+    if not sampling:
+        return []
+    counts = totals[sampling[0], "surfaces"]
+    lines = ["", f"{'surface':<24}{'faces':>8}" + "".join(f"{method:>12}" for method in sampling)]
+    for surface, count in counts.most_common():
+        fallen = "".join(f"{totals[method, 'fallen'][surface]:>12}" for method in sampling)
+        lines.append(f"{surface:<24}{count:>8}{fallen}")
+    return lines

@@ -9,7 +9,9 @@ chords      every method at the chord height that the raw star mesh has, so that
             heights are equal.
 parameters  one surface in other parameters: the speed along a parameter line varies by the factor
             squared.
-growth      processor time and peak memory against the number of vertices, on a torus.
+connectivity  the samples joined by fronts and in the parameters, regular and warped ones.
+growth      processor time (the median of five runs) and peak memory against the number of
+            vertices, on a torus.
 Seconds are those of the processor.
 """
 
@@ -22,14 +24,16 @@ import inside_freecad
 PARTS = ("bearing", "helix", "crank", "support")
 METHODS = ("refine", "star", "sprinkle")
 SAMPLING = METHODS[1:]
-WARPS = ((1.0, 1.0), (8.0, 1.0), (1.0, 0.1), (20.0, 20.0))
+WARPS = ((1.0, 1.0), (8.0, 1.0), (1.0, 0.1), (20.0, 20.0), (0.02, 30.0), (30.0, 30.0))
+REPEATS = 5
 
 
 def parser():
     result = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     result.add_argument("--most", type=float, default=1e5, help="vertices of the last growth step")
-    result.add_argument("--only", choices=("parts", "chords", "parameters", "growth"))
+    result.add_argument("--only", choices=("parts", "chords", "parameters", "connectivity",
+                                           "growth"))
     return result
 
 
@@ -123,27 +127,57 @@ def compare_parameters():
     return rows
 
 
+def compare_connectivity():
+    import parts
+
+    head("connectivity")
+    rows = {}
+    for warp in (WARPS[0], WARPS[-1]):
+        shape = parts.warped_face(*warp)
+        for joined in ("pseudo-delaunay", "parametric"):
+            name = f"{warp[0]:g} x {warp[1]:g} {joined[:10]}"
+            rows[name] = [mesh(shape, method="star", polish=polish, chord_height=0.01,
+                               connectivity=joined) for polish in (False, True)]
+            for row in rows[name]:
+                show(name, row)
+    return rows
+
+
 def grow(most):
     import Part
 
-    head("growth, torus, raw")
+    print(f"\n{'growth, torus, raw':<20} {'vertices':>10} {'cpu s':>8} {'us/vertex':>10} {'MB':>8} "
+          f"{'kB/vertex':>10} {'fell':>4}")
     torus = Part.makeTorus(10.0, 3.0)
+    reset_peak_memory()
+    before = peak_memory()
     rows = []
     count = 1e3
     while count <= most:
         spacing = math.sqrt(torus.Area / (0.9 * count))
         for method in SAMPLING:
-            rows.append(mesh(torus, method=method, polish=False, max_edge=spacing,
-                             max_triangles=10_000_000))
-            show(f"{rows[-1]['vertices']:,} vertices", rows[-1])
+            rows.append(growth_step(torus, before, method=method, polish=False, max_edge=spacing,
+                                    max_triangles=10_000_000))
         count *= 10
     return rows
+
+
+def growth_step(shape, before, **options):
+    """A row of the table; memory counts from `before`, as what is freed need not be given back."""
+    runs = sorted((mesh(shape, **options) for _ in range(REPEATS)), key=lambda run: run["seconds"])
+    row = runs[REPEATS // 2]
+    row["megabytes"] = round(peak_memory() - before, 1)
+    count = row["vertices"]
+    print(f"{row['method']:<20} {count:10,} {row['seconds']:8.3f} "
+          f"{1e6 * row['seconds'] / count:10.1f} {row['megabytes']:8.0f} "
+          f"{1024 * row['megabytes'] / count:10.2f} {len(row['fallback']):4}", flush=True)
+    return row
 
 
 def work(arguments):
     """All tables on stdout."""
     tables = {"parts": compare_parts, "chords": compare_chords, "parameters": compare_parameters,
-              "growth": lambda: grow(arguments.most)}
+              "connectivity": compare_connectivity, "growth": lambda: grow(arguments.most)}
     return {name: table() for name, table in tables.items() if arguments.only in (None, name)}
 
 
