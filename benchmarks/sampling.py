@@ -10,7 +10,7 @@ chords      every method at the chord height that the raw star mesh has, so that
 parameters  one surface in other parameters: the speed along a parameter line varies by the factor
             squared.
 connectivity  the samples joined by fronts and in the parameters, regular and warped ones.
-growth      processor time (the median of five runs) and peak memory against the number of
+growth      processor time (the median of three runs) and peak memory against the number of
             vertices, on a torus.
 Seconds are those of the processor.
 """
@@ -25,7 +25,7 @@ PARTS = ("bearing", "helix", "crank", "support")
 METHODS = ("refine", "star", "sprinkle")
 SAMPLING = METHODS[1:]
 WARPS = ((1.0, 1.0), (8.0, 1.0), (1.0, 0.1), (20.0, 20.0), (0.02, 30.0), (30.0, 30.0))
-REPEATS = 5
+REPEATS = 3
 
 
 def parser():
