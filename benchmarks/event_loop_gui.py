@@ -60,7 +60,7 @@ def cases(document, triangles):
         ("quality mesh, one face", commands.Triangulate, [torus], {"max_edge": edge}),
         ("quality mesh, 8 faces", commands.Triangulate, [box],
          {"max_edge": edge * (box.Shape.Area / area) ** 0.5}),
-        ("curved mesh", commands.Curve, [torus], {"max_edge": 8 * edge}),
+        ("curved mesh", commands.Curve, [torus], {"max_edge": 2.2 * edge}),
         ("Boolean", commands.Boolean, [box, ball], {"tolerance": 0.0004}),
     ]
 

@@ -162,3 +162,13 @@ def face_segments(triangle_face):
     order = np.argsort(triangle_face, kind="stable")
     borders = np.flatnonzero(np.diff(triangle_face[order])) + 1
     return np.split(order, borders)
+
+
+def lists(array):
+    """array.tolist(), by parts, as NumPy keeps Python's lock while it makes one."""
+    if len(array) <= _MANY:
+        return array.tolist()
+    made = []
+    for start in range(0, len(array), _MANY):
+        made += array[start:start + _MANY].tolist()
+    return made

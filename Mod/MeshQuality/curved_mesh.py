@@ -62,10 +62,15 @@ class CurvedMesh:
                   for name, array in ARRAYS.items()}
         return cls(core().curved_from_arrays(obj.ElementsOrder, arrays), measured=False)
 
-    def keep_in(self, obj):
+    def lists(self):
+        """{property: list} of what `keep_in` needs; any thread may make them."""
+        return {name: convert.lists(getattr(self._curved, array).ravel())
+                for name, array in ARRAYS.items()}
+
+    def keep_in(self, obj, lists):
         """Puts the mesh into the properties of a document object; the inverse of `of`."""
-        for name, array in ARRAYS.items():
-            setattr(obj, name, getattr(self._curved, array).ravel().tolist())
+        for name, values in lists.items():
+            setattr(obj, name, values)
         obj.ElementsOrder = self.order
 
     order = property(lambda self: self._curved.order)

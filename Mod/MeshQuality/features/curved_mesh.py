@@ -8,6 +8,8 @@ in hidden properties, so that an opened document can write them without curving 
 from dataclasses import dataclass
 from functools import partial
 
+import FreeCAD
+
 from .. import convert, options
 from ..compat import core
 from ..curved_mesh import ARRAYS, CurvedMesh, curve
@@ -77,6 +79,11 @@ class CurvedMeshObject(mesh_object.SourceMesh):
     def work_on(cls, sources, values, obj=None):
         """As for all; where the deviation alone has changed, the elements are cut anew only."""
         work = super().work_on(sources, values, obj)
+        if FreeCAD.GuiUp:
+            # Not on the thread that computes: Coin is loaded where the window is.
+            from ..gui.curved_view import Drawing
+
+            work.compute = partial(work.compute, draw=Drawing)
         if obj is not None and obj.ElementsFingerprint:
             shape, values = work.compute.args
             known = obj.Certificate != certificate.UNKNOWN
@@ -85,43 +92,57 @@ class CurvedMeshObject(mesh_object.SourceMesh):
         return work
 
     @classmethod
-    def compute(cls, shape, values, progress, kept=None):
-        """The Result; `kept` are the elements where they are there already."""
+    def compute(cls, shape, values, progress, kept=None, draw=None):
+        """The Result; `kept` are the elements where they are there already, `draw` is what makes the
+        drawing of them.
+        """
         of_elements = _elements_values(values)
         curved = kept or curve(shape, **of_elements, progress=progress)
         tessellation = curved.tessellate(values["deviation"], progress)
         proof = None if kept else _Proof(curved, certificate.shall_be_closed(shape))
-        return Result(curved, _elements_fingerprint(shape, values), tessellation,
-                      convert.mesh_of_surface(tessellation.surface()), proof)
+        surface = tessellation.surface()
+        return Result(curved, _elements_fingerprint(shape, values), tessellation.deviation,
+                      convert.mesh_of_surface(surface),
+                      mesh_object.runs_of_faces(surface.triangle_face), proof,
+                      {} if kept else curved.lists(),
+                      draw(tessellation, curved.shown_quality) if draw else None)
 
     def take(self, obj, result):
         """Shows the elements and their report; those that were kept have been shown before."""
         if result.proof is not None:
             proof = result.proof
-            result.curved.keep_in(obj)
+            result.curved.keep_in(obj, result.lists)
             show_report(obj, result.curved.report)
             mesh_object.show_certificate(obj, proof.topology, proof.closed, proof.faults)
             obj.ElementsFingerprint = result.fingerprint
-        obj.ShownDeviation = result.tessellation.deviation
-        obj.FaceRuns = mesh_object.runs_of_faces(result.tessellation.surface().triangle_face)
+        obj.ShownDeviation, obj.FaceRuns = result.deviation, result.face_runs
+        self.drawing = result.drawing
         obj.Mesh = result.mesh
+        self.drawing = None
 
 
 @dataclass(frozen=True)
 class Result:
     """What a curved mesh object computes.
 
-    curved        CurvedMesh
-    fingerprint   of its elements
-    tessellation  what is shown of it, and the Mesh.Mesh made of that
-    proof         of elements that are new
+    curved       CurvedMesh
+    fingerprint  of its elements
+    deviation    of the flat triangles that are shown of it, mm
+    mesh         the Mesh.Mesh of those
+    face_runs    for the property FaceRuns
+    proof        of elements that are new
+    lists        of elements that are new, for the document
+    drawing      for the 3D view; None without one
     """
 
     curved: CurvedMesh
     fingerprint: str
-    tessellation: object
+    deviation: float
     mesh: object
+    face_runs: list
     proof: object
+    lists: dict
+    drawing: object
 
 
 class _Proof:

@@ -9,6 +9,7 @@ come from the core as arrays.
 import numpy as np
 from pivy import coin
 
+from .. import convert
 from ..curved_mesh import CurvedMesh
 from ..errors import Error
 from .colour_scale import colours_of
@@ -16,6 +17,21 @@ from .mesh_view import MeshView
 
 MODE = "Curved"
 PLAIN, JACOBIAN = "Nothing", "Scaled Jacobian"
+
+
+class Drawing:
+    """What a scene needs of a tessellation in the frame of its surface, and of the qualities of the
+    curved triangles; any thread may make it.
+    """
+
+    def __init__(self, tessellation, quality):
+        surface = tessellation.surface()
+        self.element, self.quality = np.array(tessellation.element), quality
+        self.points = convert.lists(surface.vertices)
+        self.normals = convert.lists(tessellation.normals)
+        self.faces = convert.lists(_runs(surface.triangles))
+        self.face_normals = convert.lists(_runs(tessellation.triangle_normals.reshape(-1, 3)))
+        self.lines = convert.lists(np.asarray(tessellation.edge_lines))
 
 
 class CurvedMeshScene:
@@ -48,20 +64,19 @@ class CurvedMeshScene:
             self.root.addChild(node)
         self._element = np.zeros(0, dtype=np.int32)
 
-    def show(self, tessellation):
-        """Takes the geometry of a tessellation, in the frame of its surface."""
-        surface = tessellation.surface()
-        self._element = np.array(tessellation.element)
-        _fill(self._points.point, surface.vertices)
-        _fill(self._normals.vector, tessellation.normals)
-        _fill(self._faces.coordIndex, _runs(surface.triangles))
-        _fill(self._faces.normalIndex, _runs(tessellation.triangle_normals.reshape(-1, 3)))
-        _fill(self._lines.coordIndex, tessellation.edge_lines)
+    def show(self, drawing):
+        """Takes the geometry of a Drawing."""
+        self._element = drawing.element
+        _fill(self._points.point, drawing.points)
+        _fill(self._normals.vector, drawing.normals)
+        _fill(self._faces.coordIndex, drawing.faces)
+        _fill(self._faces.normalIndex, drawing.face_normals)
+        _fill(self._lines.coordIndex, drawing.lines)
 
     def colour(self, quality, transparency=0.0):
         """Colours each curved triangle by its quality."""
         self._binding.value = coin.SoMaterialBinding.PER_FACE
-        _fill(self._material.diffuseColor, colours_of(quality)[self._element])
+        _fill(self._material.diffuseColor, convert.lists(colours_of(quality)[self._element]))
         _fill(self._material.transparency, [transparency])
 
     def paint(self, colour, transparency=0.0):
@@ -77,8 +92,7 @@ class CurvedMeshScene:
 
 
 def _fill(field, values):
-    """All values of a Coin field at once."""
-    values = np.asarray(values).tolist()
+    """All values of a Coin field, of a list, at once."""
     field.setNum(len(values))
     if values:
         field.setValues(0, len(values), values)
@@ -122,13 +136,16 @@ class CurvedMeshView(MeshView):
         super().updateData(obj, name)
         if name != "Mesh" or obj.Mesh.CountFacets == 0:
             return
-        try:
-            curved = CurvedMesh.of(obj)
-        except (Error, ImportError):
-            # Not all properties are read yet, or there is no core: FreeCAD's own modes remain.
-            return
-        self.scene.show(curved.tessellate(obj.ShownDeviation.Value))
-        self._quality = curved.shown_quality
+        drawing = getattr(obj.Proxy, "drawing", None)
+        if drawing is None:
+            try:
+                curved = CurvedMesh.of(obj)
+            except (Error, ImportError):
+                # Not all properties are read yet, or there is no core: FreeCAD's own modes remain.
+                return
+            drawing = Drawing(curved.tessellate(obj.ShownDeviation.Value), curved.shown_quality)
+        self.scene.show(drawing)
+        self._quality = drawing.quality
         self._paint(obj.ViewObject)
 
     def onChanged(self, view, name):
