@@ -143,6 +143,31 @@ class Editing(gui_helpers.PanelTest):
         self.document.undo()
         self.assertEqual(self.document.Objects, [box])
 
+    def test_apply_edits_what_it_made_of_several_objects(self):
+        sources = self.two_boxes()
+        panel = self.panel(commands.Triangulate, *sources)
+        self.apply(panel)
+        made = self.document.Objects[2:]
+        few = [obj.Triangles for obj in made]
+        panel.options.set_values({"max_edge": 2.0})
+        self.apply(panel)
+        self.assertEqual(self.document.Objects[2:], made)
+        self.assertEqual([obj.Source for obj in made], list(sources))
+        for obj, before in zip(made, few):
+            self.assertGreater(obj.Triangles, before)
+        panel.reject()
+
+    def test_a_double_click_leaves_a_panel_that_is_open(self):
+        box = self.box()
+        obj = mq.add_quality_mesh(box)
+        panel = self.panel(commands.Triangulate, box)
+        panel.options.set_values({"max_edge": 2.0})
+        obj.ViewObject.Proxy.doubleClicked(obj.ViewObject)
+        gui_helpers.wait()
+        self.assertIsNone(FreeCADGui.getDocument(self.document.Name).getInEdit())
+        self.assertTrue(panel.form.isVisible())
+        self.assertEqual(panel.options.values()["max_edge"], 2.0)
+
     def test_after_undo_apply_adds_again(self):
         box = self.box()
         panel = self.panel(commands.Triangulate, box)

@@ -44,9 +44,11 @@ class MeshView(PlainState):
         return FreeCADGui.getDocument(view.Object.Document.Name).setEdit(view.Object.Name)
 
     def setEdit(self, view, mode=0):
-        """Opens the panel; only the usual mode of editing is ours."""
-        if mode != 0 or FreeCADGui.Control.activeDialog():
+        """Opens the panel, unless another one is open; only the usual mode of editing is ours."""
+        if mode != 0:
             return None
+        if FreeCADGui.Control.activeDialog():
+            return False
         from . import commands
 
         FreeCADGui.Control.showDialog(commands.panel_of(view.Object))
