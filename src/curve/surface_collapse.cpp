@@ -54,7 +54,7 @@ bool allowed(const Surface& surface, int a, int b, int& along) {
 
 }  // namespace
 
-bool collapse_surface_edge(SurfaceEditor& editor, int a, int b) {
+bool collapse_surface_edge(SurfaceEditor& editor, int a, int b, SurfaceEditor::Rule rule) {
     Surface& surface = editor.surface;
     int along = -1;
     if (!allowed(surface, a, b, along)) {
@@ -75,7 +75,7 @@ bool collapse_surface_edge(SurfaceEditor& editor, int a, int b) {
     if (along >= 0) {
         surface.set_segment(along, b, surface.segment(a, b)->edge, surface.t_of(along, a), surface.t_of(b, a));
     }
-    if (editor.replace(removed, added, SurfaceEditor::Rule::Improve)) {
+    if (editor.replace(removed, added, rule)) {
         return true;
     }
     if (along >= 0) {

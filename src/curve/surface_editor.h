@@ -51,7 +51,7 @@ class SurfaceEditor {
 bool swap_surface_edge(SurfaceEditor& editor, int a, int b);
 
 /// Draws vertex `a` into its neighbour `b`, along the CAD edge where `a` lies on one (section 5.3.3).
-bool collapse_surface_edge(SurfaceEditor& editor, int a, int b);
+bool collapse_surface_edge(SurfaceEditor& editor, int a, int b, SurfaceEditor::Rule rule);
 
 /// Curves edge (a, b) inside a face so that it gives way to the curved edge (a, c): equations (7) to (9), at vertex a.
 /// Its nodes stay on the face.

@@ -18,7 +18,9 @@ constexpr double kHardlyValid = 0.02;
 constexpr double kBulges = 0.05;
 constexpr int kBulgeRounds = 6;
 constexpr int kRepairRounds = 10;
-constexpr int kRefineRounds = 8;
+constexpr int kRefineRounds = 16;
+/// Changing a face around its invalid triangles ends when there are so many times as many.
+constexpr int kRunaway = 4;
 constexpr int kPasses = 3;
 
 class Repair {
@@ -40,9 +42,12 @@ class Repair {
     }
 
   private:
+    /// What is done to a triangle that repairs leave invalid, whatever comes of it at once.
+    enum class Way { Snap, Collapse, Split };
+
     /// Where coarse edges bend by more than the triangles at them are thick, halving a triangle leaves two that are
-    /// invalid: only finer ones fit; and one vertex put on a border may fold what only several could mend. Each face in
-    /// turn is changed so around its invalid triangles, with repairs in between.
+    /// invalid: only finer ones fit; and one vertex put on a border or drawn into its neighbour may fold what several
+    /// mend. Each face in turn is changed so around its invalid triangles, with repairs in between.
     bool refine_faces() {
         bool any = false;
         std::set<int> faces;
@@ -52,21 +57,24 @@ class Repair {
             }
         }
         for (const int face : faces) {
-            any = refine_best(face, true) || any;
-            any = refine_best(face, false) || any;
+            for (const Way way : {Way::Snap, Way::Collapse, Way::Split}) {
+                any = refine_best(face, way) || any;
+            }
         }
         return any;
     }
 
-    /// @param snapping put vertices on the border rather than refine.
     /// @return whether fewer triangles are invalid: whatever comes after the fewest is taken back.
-    bool refine_best(int face, bool snapping) {
+    bool refine_best(int face, Way way) {
         int fewest = invalid();
         Surface best = editor_.surface;
         SurfaceRepairs done = done_;
         bool better = false;
-        for (int round = 0; round < kRefineRounds && refine_face(face, snapping); ++round) {
+        for (int round = 0; round < kRefineRounds && refine_face(face, way); ++round) {
             const int now = invalid();
+            if (now > kRunaway * (fewest + 4)) {
+                break;
+            }
             if (now < fewest) {
                 fewest = now;
                 best = editor_.surface;
@@ -80,7 +88,7 @@ class Repair {
         return better;
     }
 
-    bool refine_face(int face, bool snapping) {
+    bool refine_face(int face, Way way) {
         bool any = false;
         const std::size_t count = editor_.surface.triangles.size();
         for (std::size_t i = 0; i < count; ++i) {
@@ -92,7 +100,9 @@ class Repair {
             progress_.check();
             any = true;
             repair(t, 1);
-            if (open() && snapping) {
+            if (open() && way == Way::Collapse) {
+                done_.collapses += collapse_shortest(editor_.triangle(t).corners, SurfaceEditor::Rule::Try) ? 1 : 0;
+            } else if (open() && way == Way::Snap) {
                 done_.snapped += snap_to_border(editor_, t, SurfaceEditor::Rule::Try);
             } else if (open()) {
                 const auto [a, b] = edge_to_split_around(t);
@@ -190,7 +200,8 @@ class Repair {
             return true;
         }
         // Drawing vertices together makes the mesh coarser: only short edges, and only once splitting had its turn.
-        if (round > 0 && (collapse_shortest(v) || (!(editor_.triangle(t).quality > 0.0) && collapse_any(v)))) {
+        if (round > 0 && (collapse_shortest(v, SurfaceEditor::Rule::Improve) ||
+                          (!(editor_.triangle(t).quality > 0.0) && collapse_any(v)))) {
             ++done_.collapses;
             return true;
         }
@@ -213,7 +224,7 @@ class Repair {
         return curve_face_edge(editor_, a, b, c) || curve_face_edge(editor_, a, c, b);
     }
 
-    bool collapse_shortest(const std::array<int, 3>& v) {
+    bool collapse_shortest(const std::array<int, 3>& v, SurfaceEditor::Rule rule) {
         std::size_t shortest = 0;
         for (std::size_t k = 1; k < 3; ++k) {
             if (editor_.length(v[k], v[(k + 1) % 3]) < editor_.length(v[shortest], v[(shortest + 1) % 3])) {
@@ -222,7 +233,7 @@ class Repair {
         }
         const int a = v[shortest];
         const int b = v[(shortest + 1) % 3];
-        return collapse_surface_edge(editor_, a, b) || collapse_surface_edge(editor_, b, a);
+        return collapse_surface_edge(editor_, a, b, rule) || collapse_surface_edge(editor_, b, a, rule);
     }
 
     /// Vertices inside a face that lie on its border within tolerance, behind its coarser edges, can only go.
@@ -236,8 +247,9 @@ class Repair {
                 neighbours.insert(editor_.triangle(t).corners.begin(), editor_.triangle(t).corners.end());
             }
             neighbours.erase(a);
+            const auto rule = SurfaceEditor::Rule::Improve;
             for (const int b : neighbours) {
-                if (collapse_surface_edge(editor_, a, b)) {
+                if (collapse_surface_edge(editor_, a, b, rule)) {
                     return true;
                 }
             }

@@ -76,11 +76,11 @@ inline std::size_t invalid_tetrahedra(const CurvedMesh& mesh) {
     return invalid;
 }
 
-/// Every face of a tetrahedron belongs to two of them with the same nodes, or to one and a boundary triangle.
-inline void expect_conforming(const CurvedMesh& mesh) {
+/// Tetrahedra by the nodes of their faces.
+inline std::map<std::set<int>, std::vector<std::size_t>> tetrahedra_of_faces(const CurvedMesh& mesh) {
     const Lattice& lattice = Lattice::of(3, mesh.order);
     const std::vector<int> order = gmsh_order(lattice);
-    std::map<std::set<int>, std::set<std::size_t>> faces;
+    std::map<std::set<int>, std::vector<std::size_t>> faces;
     for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
         for (std::size_t opposite = 0; opposite < 4; ++opposite) {
             std::set<int> face;
@@ -89,17 +89,26 @@ inline void expect_conforming(const CurvedMesh& mesh) {
                     face.insert(mesh.tetrahedra[e * order.size() + i]);
                 }
             }
-            faces[face].insert(e);
+            faces[face].push_back(e);
         }
     }
+    return faces;
+}
+
+inline std::set<int> nodes_of_triangle(const CurvedMesh& mesh, std::size_t triangle) {
+    const auto per = static_cast<std::ptrdiff_t>(mesh.nodes_per_triangle());
+    const auto first = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(triangle) * per;
+    return {first, first + per};
+}
+
+/// Every face of a tetrahedron belongs to two of them with the same nodes, or to one and a boundary triangle.
+inline void expect_conforming(const CurvedMesh& mesh) {
     std::set<std::set<int>> boundary;
-    const auto per = static_cast<std::size_t>(mesh.nodes_per_triangle());
     for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
-        boundary.insert({mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t * per),
-                         mesh.triangles.begin() + static_cast<std::ptrdiff_t>((t + 1) * per)});
+        boundary.insert(nodes_of_triangle(mesh, t));
     }
     EXPECT_EQ(boundary.size(), mesh.triangle_face.size());
-    for (const auto& [face, elements] : faces) {
+    for (const auto& [face, elements] : tetrahedra_of_faces(mesh)) {
         EXPECT_EQ(elements.size(), boundary.count(face) > 0 ? 1u : 2u);
     }
 }

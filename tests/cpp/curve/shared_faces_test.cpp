@@ -28,40 +28,25 @@ std::shared_ptr<geometry::Model> fused(const std::vector<TopoDS_Shape>& shapes) 
 /// Every face of a tetrahedron belongs to two of them, or to one and a triangle of the boundary; on triangles that two
 /// volumes share, it belongs to one of each, with the same nodes. @return how many of those there are.
 std::size_t expect_conforming_volumes(const CurvedMesh& mesh) {
-    const Lattice& lattice = Lattice::of(3, mesh.order);
-    const std::vector<int> order = gmsh_order(lattice);
-    std::map<std::set<int>, std::vector<int>> faces;  // volumes by nodes
-    for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
-        for (std::size_t opposite = 0; opposite < 4; ++opposite) {
-            std::set<int> face;
-            for (std::size_t i = 0; i < order.size(); ++i) {
-                if (lattice.exponents(order[i])[opposite] == 0) {
-                    face.insert(mesh.tetrahedra[e * order.size() + i]);
-                }
-            }
-            faces[face].push_back(mesh.tetrahedron_volume[e]);
-        }
-    }
+    auto faces = tetrahedra_of_faces(mesh);
+    const auto volume = [&](std::size_t e) { return mesh.tetrahedron_volume[e]; };
     std::size_t shared = 0;
-    const auto per = static_cast<std::size_t>(mesh.nodes_per_triangle());
     for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
-        const std::set<int> nodes(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t * per),
-                                  mesh.triangles.begin() + static_cast<std::ptrdiff_t>((t + 1) * per));
-        const auto found = faces.find(nodes);
+        const auto found = faces.find(nodes_of_triangle(mesh, t));
         if (found == faces.end()) {
             ADD_FAILURE() << "a triangle without a tetrahedron";
             continue;
         }
         if (found->second.size() == 2) {
-            EXPECT_NE(found->second[0], found->second[1]);
+            EXPECT_NE(volume(found->second[0]), volume(found->second[1]));
             ++shared;
         }
         EXPECT_LE(found->second.size(), 2u);
         faces.erase(found);
     }
-    for (const auto& [nodes, volumes] : faces) {
-        EXPECT_EQ(volumes.size(), 2u);
-        EXPECT_EQ(volumes.front(), volumes.back());
+    for (const auto& [nodes, elements] : faces) {
+        EXPECT_EQ(elements.size(), 2u);
+        EXPECT_EQ(volume(elements.front()), volume(elements.back()));
     }
     return shared;
 }
