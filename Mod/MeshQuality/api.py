@@ -10,7 +10,7 @@ from .surface_mesh import SurfaceMesh
 def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None,
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
                 progress=None, insertion="off-centre", allow_missing_faces=False,
-                connectivity="pseudo-delaunay", polish=True, seed=0):
+                connectivity="pseudo-delaunay", polish=True, seed=0, local_sizes=None):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -18,6 +18,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     chord_height           mm; largest distance to the shape; None: no bound
     chord_height_relative  the same as a fraction of the largest dimension; give one of the two
     max_edge, min_edge     mm; None: no bound
+    local_sizes            {"Face3": 0.5, "Edge7": 0.2, "Vertex1": 0.1}: longest edges in mm of the
+                           triangles on a face, along an edge, around a vertex
     method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
     max_triangles          the work ends incomplete at this number; None: 5 million
     progress               callable(fraction 0..1, stage); returning False cancels
@@ -39,11 +41,13 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "min_edge": min_edge, "method": method, "insertion": insertion,
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
         "connectivity": connectivity, "polish": polish, "seed": seed,
+        "local_sizes": local_sizes,
     })
     _require_callable(progress)
     live_shape = convert.shape_of(shape)
     module = core()
     core_options = module.TriangulateOptions()
+    core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
     for name, value in values.items():
         setattr(core_options, name, options.to_property(None, value))
     return SurfaceMesh(module.triangulate(live_shape, core_options, progress))

@@ -34,13 +34,16 @@ def _add_options(parser, table):
             continue
         default = "" if option.default is None else f" (default: {option.default})"
         text = f"{option.help}; {option.range_text}{default}"
-        parser.add_argument(option.flag, type=option.kind, metavar=_metavar(option),
+        kind = str if option.is_sizes else option.kind
+        parser.add_argument(option.flag, type=kind, metavar=_metavar(option),
                             default=option.default, help=text.replace("%", "%%"))
 
 
 def _metavar(option):
     if option.unit:
         return option.unit.upper()
+    if option.is_sizes:
+        return "SIZES"
     return "NAME" if option.choices else {int: "N", float: "FRACTION"}[option.kind]
 
 

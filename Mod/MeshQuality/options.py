@@ -5,6 +5,7 @@ task panels, the command line and the documentation are made. Imports nothing of
 
 import math
 import numbers
+import re
 from dataclasses import dataclass
 
 from .errors import InvalidInput
@@ -40,6 +41,11 @@ class Option:
     rare: bool = False
 
     @property
+    def is_sizes(self):
+        """Whether it is a dict of lengths by sub-elements, such as {"Face3": 0.5}."""
+        return self.kind is dict
+
+    @property
     def property_name(self):
         """The name of its property on document objects: min_angle -> MinAngle."""
         return "".join(word.capitalize() for word in self.name.split("_"))
@@ -53,6 +59,7 @@ class Option:
             return {"degrees": "App::PropertyAngle", "mm": "App::PropertyLength"}[self.unit]
         return {
             bool: "App::PropertyBool", int: "App::PropertyInteger", float: "App::PropertyFloat",
+            dict: "App::PropertyString",
         }[self.kind]
 
     @property
@@ -67,6 +74,8 @@ class Option:
             return "one of " + ", ".join(self.choices)
         if self.kind is bool:
             return "True or False"
+        if self.is_sizes:
+            return "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2"
         unit = f" {self.unit}" if self.unit else ""
         parts = []
         if self.low is not None:
@@ -76,12 +85,14 @@ class Option:
         return " and ".join(parts) + unit
 
     def checked(self, value):
-        """The value as a plain int, float, bool, str or None.
+        """The value as a plain int, float, bool, str, dict or None.
 
         Raises InvalidInput naming the option, the value and the range.
         """
         if value is None and self.default is None:
             return None
+        if self.is_sizes:
+            return _checked_sizes(value, self)
         if self.choices:
             good = isinstance(value, str) and value in self.choices
         elif self.kind is bool:
@@ -118,6 +129,44 @@ def _plain_number(value, option):
     return option.kind(value)
 
 
+def _checked_sizes(value, option):
+    """{sub-element: mm} of such a dict, or of its text."""
+    sizes = sizes_of_text(value) if isinstance(value, str) else value
+    try:
+        found = {str(name): float(getattr(length, "Value", length))
+                 for name, length in dict(sizes).items()}
+    except (TypeError, ValueError):
+        found = None
+    if found is None or not all(_SUB_ELEMENT.fullmatch(name) and math.isfinite(length) and length > 0
+                                for name, length in found.items()):
+        raise InvalidInput(f"{option.name} = {value!r} is not allowed: it must be "
+                           f"{option.range_text}")
+    return found or None
+
+
+_SUB_ELEMENT = re.compile(r"(Vertex|Edge|Face)([1-9]\d*)")
+_SIZE = re.compile(r"(\w+)\s*=\s*([^\s=]+)\s*(?:mm)?")
+
+
+def sizes_of_text(text):
+    """A list of pairs of "Face3=0.5 mm, Edge7=0.2": what it says, not whether that makes sense."""
+    parts = [part for part in re.split("[,;]", text) if part.strip()]
+    pairs = [_SIZE.fullmatch(part.strip()) for part in parts]
+    return [pair.groups() if pair else (part, None) for pair, part in zip(pairs, parts)]
+
+
+def text_of_sizes(sizes):
+    """The text of {"Face3": 0.5}."""
+    return ", ".join(f"{name}={length:g}" for name, length in (sizes or {}).items())
+
+
+def entities_of(sizes):
+    """[(dimension, index, mm), ...] of {"Face3": 0.5}."""
+    found = [(_SUB_ELEMENT.fullmatch(name), length) for name, length in (sizes or {}).items()]
+    return [(("Vertex", "Edge", "Face").index(match[1]), int(match[2]) - 1, length)
+            for match, length in found]
+
+
 TRIANGULATE = (
     Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
            help="Smallest angle of a triangle; beyond about 30 the triangles grow many"),
@@ -129,6 +178,8 @@ TRIANGULATE = (
            help="The same as a part of the shape's largest dimension"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Size", title="Longest edge",
            help="Longest edge of a triangle"),
+    Option("local_sizes", dict, None, group="Size", title="Shorter edges on", unset="nowhere",
+           help="Longest edge on single faces, edges or around vertices: Face3=0.5, Edge7=0.2"),
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size", title="Shortest edge",
            rare=True, help="No edge is split into shorter ones than this"),
     Option("method", str, "refine", choices=METHODS, title="Method", rare=True,
@@ -264,10 +315,14 @@ def _check_sizes(values):
 
 def to_property(option, value):
     """The value that stands for `value` in a document object's property: 0 for no bound."""
+    if option is not None and option.is_sizes:
+        return text_of_sizes(value)
     return 0 if value is None else value
 
 
 def from_property(option, value):
     """The option's value that a property holds; the inverse of to_property."""
+    if option.is_sizes:
+        return option.checked(value)
     value = getattr(value, "Value", value)
     return None if option.default is None and value == 0 else value

@@ -435,6 +435,110 @@
         <source>Computes, and leaves the panel open</source>
         <translation>Berechnet, und lässt den Aufgabenbereich offen</translation>
     </message>
+    <message>
+        <source>Add the faces, edges and vertices that are selected in the 3D view</source>
+        <translation>Die in der 3D-Ansicht ausgewählten Flächen, Kanten und Ecken hinzufügen</translation>
+    </message>
+    <message>
+        <source>Longest edge on single faces, edges or around vertices: Face3=0.5, Edge7=0.2</source>
+        <translation>Längste Kante auf einzelnen Flächen, Kanten oder um Ecken: Face3=0.5, Edge7=0.2</translation>
+    </message>
+    <message>
+        <source>Shorter edges on</source>
+        <translation>Kürzere Kanten auf</translation>
+    </message>
+    <message>
+        <source>nowhere</source>
+        <translation>nirgends</translation>
+    </message>
+    <message>
+        <source>{0} below {1}</source>
+        <translation>{0} unter {1}</translation>
+    </message>
+    <message>
+        <source>{0} above {1}</source>
+        <translation>{0} über {1}</translation>
+    </message>
+    <message>
+        <source>{0} from {1} to {2}</source>
+        <translation>{0} von {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>Longest edge / shortest edge</source>
+        <translation>Längste Kante / kürzeste Kante</translation>
+    </message>
+    <message>
+        <source>Scaled Jacobian</source>
+        <translation>Skalierte Jacobi-Determinante</translation>
+    </message>
+    <message>
+        <source>element {0}</source>
+        <translation>Element {0}</translation>
+    </message>
+    <message>
+        <source>element {0} on {1}</source>
+        <translation>Element {0} auf {1}</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be drawn in colour: {0}</source>
+        <translation>Das Netz kann nicht farbig gezeichnet werden: {0}</translation>
+    </message>
+    <message>
+        <source>Mesh quality</source>
+        <translation>Netzqualität</translation>
+    </message>
+    <message>
+        <source>Of {0}</source>
+        <translation>Von {0}</translation>
+    </message>
+    <message>
+        <source>Draw edges</source>
+        <translation>Kanten zeichnen</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Schlechtester</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Worst elements</source>
+        <translation>Schlechteste Elemente</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Measuring ...</source>
+        <translation>Es wird gemessen ...</translation>
+    </message>
+    <message>
+        <source>Measuring: {0} %</source>
+        <translation>Es wird gemessen: {0} %</translation>
+    </message>
+    <message>
+        <source>{0} elements: worst {1}, mean {2}</source>
+        <translation>{0} Elemente: schlechtestes {1}, Mittel {2}</translation>
+    </message>
+    <message>
+        <source>Click to fly there</source>
+        <translation>Klicken, um dorthin zu fliegen</translation>
+    </message>
+    <message>
+        <source>Click a bar to see where its elements are.</source>
+        <translation>Auf einen Balken klicken, um zu sehen, wo seine Elemente liegen.</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
 #include <algorithm>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -104,6 +106,13 @@ void def_named(py::class_<Options>& options, const char* name, Value Options::*m
         ("One of " + choices).c_str());
 }
 
+void set_local_sizes(Options& options, const std::vector<std::tuple<int, int, double>>& sizes) {
+    options.local_sizes.clear();
+    for (const auto& [dimension, index, length] : sizes) {
+        options.local_sizes.push_back({dimension, index, length});
+    }
+}
+
 py::tuple shape_identity(const py::object& shape, bool copy) {
     const geometry::ShapeIdentity identity = geometry::identity_of(*part_shape(shape, copy).shape);
     return py::make_tuple(identity.tshape, identity.hash);
@@ -119,6 +128,8 @@ void bind_triangulate(py::module_& m) {
         .def_readwrite("chord_height_relative", &Options::chord_height_relative)
         .def_readwrite("max_edge", &Options::max_edge)
         .def_readwrite("min_edge", &Options::min_edge)
+        .def_property("local_sizes", nullptr, &set_local_sizes,
+                      "[(dimension 0 | 1 | 2, index of the vertex, edge or face, longest edge in mm), ...]")
         .def_readwrite("max_triangles", &Options::max_triangles)
         .def_readwrite("allow_missing_faces", &Options::allow_missing_faces)
         .def_readwrite("polish", &Options::polish)

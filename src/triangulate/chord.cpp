@@ -55,15 +55,10 @@ int longest_side(const SurfaceMesh& mesh, int t) {
 
 }  // namespace
 
-double ChordRefiner::excess(double chord, double length) const {
-    double worst = 0.0;
-    if (tolerance_ > 0.0) {
-        worst = chord / tolerance_;
-    }
-    if (max_edge_ > 0.0) {
-        worst = std::max(worst, length / max_edge_);
-    }
-    return worst;
+double ChordRefiner::excess_of_edge(double chord, int half_edge) const {
+    const double worst = excess(chord);
+    return bounds_.any() ? std::max(worst, length_of(work_.mesh, half_edge) / bounds_.of(work_.mesh, half_edge))
+                         : worst;
 }
 
 void ChordRefiner::measure_segments(std::vector<Site>& found) {
@@ -82,7 +77,7 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
     for (std::size_t i = 0; i < sides.size(); ++i) {
         pace.step();
         const double chord = answers[i].found() ? answers[i].distance : 0.0;
-        const double e = excess(chord, length_of(work_.mesh, sides[i]));
+        const double e = excess_of_edge(chord, sides[i]);
         if (e > 1.0) {
             found.push_back({sides[i], 0, e, {}});
         } else {
@@ -106,7 +101,7 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
     for (std::size_t i = 0; i < sites.size(); ++i) {
         pace.step();
         const double chord = answers[i].found() ? answers[i].distance : 0.0;
-        sites[i].excess = excess(chord, length_of(work_.mesh, sites[i].half_edge));
+        sites[i].excess = excess_of_edge(chord, sites[i].half_edge);
         if (sites[i].excess > 1.0) {
             found.push_back(sites[i]);
         } else {
@@ -130,7 +125,7 @@ void ChordRefiner::measure_triangles(std::vector<Site>& found) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         pace.step();
         const int t = triangles[i];
-        const double e = excess(answers[i].found() ? answers[i].distance : 0.0, 0.0);
+        const double e = excess(answers[i].found() ? answers[i].distance : 0.0);
         passed_triangles_.insert(triangle_key(work_.mesh, t));
         if (e > 1.0) {
             const int h = longest_side(work_.mesh, t);

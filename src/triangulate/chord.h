@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/key_set.h"
+#include "triangulate/edge_bounds.h"
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
 
@@ -15,9 +16,9 @@ namespace mq::triangulate {
 /// their surface.
 class ChordRefiner {
   public:
-    /// `tolerance` and `max_edge` in mm; 0: no bound.
-    ChordRefiner(Workspace& work, SegmentSplitter& segments, double tolerance, double max_edge)
-        : work_(work), segments_(segments), tolerance_(tolerance), max_edge_(max_edge) {}
+    /// `tolerance` in mm; 0: no bound.
+    ChordRefiner(Workspace& work, SegmentSplitter& segments, double tolerance, EdgeBounds bounds)
+        : work_(work), segments_(segments), tolerance_(tolerance), bounds_(std::move(bounds)) {}
 
     /// @return whether anything was split.
     bool run();
@@ -33,14 +34,15 @@ class ChordRefiner {
     void measure_segments(std::vector<Site>& found);
     void measure_edges(std::vector<Site>& found);
     void measure_triangles(std::vector<Site>& found);
-    double excess(double chord, double length) const;
+    double excess(double chord) const { return tolerance_ > 0.0 ? chord / tolerance_ : 0.0; }
+    double excess_of_edge(double chord, int half_edge) const;
     void split(const std::vector<Site>& sites);
     void split_one(const Site& site, const std::optional<SurfacePoint>& p);
 
     Workspace& work_;
     SegmentSplitter& segments_;
     double tolerance_;
-    double max_edge_;
+    EdgeBounds bounds_;
     KeySet passed_edges_;
     KeySet passed_triangles_;
     std::vector<int> touched_;

@@ -84,15 +84,17 @@ void refine(Workspace& work, const Options& options, double chord, StageClock& c
     SegmentSplitter segments(work);
     const double from = first_share(options);
     const double middle = from + 0.34 * (0.9 - from);
-    work.progress.stage("refining angles", from, chord > 0.0 || options.max_edge > 0.0 ? middle : 0.9);
+    EdgeBounds bounds(work.session.topology(), options.max_edge, options.local_sizes);
+    const bool angles_only = !(chord > 0.0) && !bounds.any();
+    work.progress.stage("refining angles", from, angles_only ? 0.9 : middle);
     Refiner refiner(work, segments, options.min_angle, options.insertion);
     refiner.run();
     clock.end("angles");
-    if (!(chord > 0.0) && !(options.max_edge > 0.0)) {
+    if (angles_only) {
         return;
     }
     work.progress.stage("refining to the chord height", middle, 0.9);
-    ChordRefiner chords(work, segments, chord, options.max_edge);
+    ChordRefiner chords(work, segments, chord, std::move(bounds));
     for (int round = 0; round < kMaxChordRounds && chords.run(); ++round) {
         refiner.run();
         work.progress.advance((round + 1.0) / kMaxChordRounds);

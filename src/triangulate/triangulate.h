@@ -9,6 +9,7 @@
 #include "geometry/engine.h"
 #include "mesh/report.h"
 #include "mesh/triangle_mesh.h"
+#include "triangulate/edge_bounds.h"
 
 /// Quality triangulation of CAD parts behind one function: Aftosmis 1999, Algorithms M and E, and the
 /// curvature-sensitive sampling of Ruiz et al.
@@ -39,6 +40,7 @@ struct Options {
     double chord_height_relative = 0.0;  ///< fraction of the part's largest dimension; 0: no bound
     double max_edge = 0.0;               ///< mm; 0: no bound
     double min_edge = 0.0;               ///< mm; no edge is split into shorter ones than this; 0: no bound
+    std::vector<LocalSize> local_sizes;  ///< shorter edges in places
     Insertion insertion = Insertion::OffCentre;
     std::size_t max_triangles = 0;     ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the rest of a part whose faces fail, and name them in the report

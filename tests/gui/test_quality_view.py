@@ -94,7 +94,7 @@ class QualityView(gui_helpers.GuiTest):
         panel = self.open(obj)
         self.assertEqual(panel.worst.count(), min(quality_panel.WORST, obj.Mesh.CountFacets))
         first = panel.worst.item(0).text()
-        self.assertRegex(first, r"^3°: triangle \d+ on Face[45]\n.")
+        self.assertRegex(first, r"^3°: element \d+ on Face[45]\n.")
         self.assertIn(first.split("\n")[1], "\n".join(obj.Exempt))
 
     def test_the_camera_flies_to_an_element(self):
@@ -142,7 +142,7 @@ class QualityView(gui_helpers.GuiTest):
         self.assertEqual(panel.data.elements, len(mq.CurvedMesh.of(obj).triangles))
         self.assertGreater(len(panel.data.corners), panel.data.elements)
         self.assertGreaterEqual(panel.values.min(), obj.MinScaledJacobian)
-        self.assertIn("curved elements", panel.summary.text())
+        self.assertIn(f"{panel.data.elements:,} elements", panel.summary.text())
 
     def test_an_empty_mesh_is_refused_with_its_name(self):
         obj = self.document.addObject("Mesh::Feature", "Empty")

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A histogram whose bars can be picked."""
 
+import FreeCAD
 import numpy as np
 from PySide import QtCore, QtGui
 
 from . import colour_scale
+
+translate = FreeCAD.Qt.translate
 
 _HEIGHT = 110
 _AXIS = 16  # pixels for the numbers below
@@ -46,8 +49,11 @@ class HistogramView(QtGui.QWidget):
         edges, count = self._histogram.edges(), int(self._histogram.counts[bar])
         low, high = self._measure.text(edges[bar]), self._measure.text(edges[bar + 1])
         if bar == 0 or bar == len(self._histogram.counts) - 1:
-            return f"{count:,} " + (f"below {high}" if bar == 0 else f"above {low}")
-        return f"{count:,} from {low} to {high}"
+            words = translate("MeshQuality", "{0} below {1}") if bar == 0 \
+                else translate("MeshQuality", "{0} above {1}")
+            return words.format(f"{count:,}", high if bar == 0 else low)
+        words = translate("MeshQuality", "{0} from {1} to {2}")
+        return words.format(f"{count:,}", low, high)
 
     def bar_at(self, x):
         """The bar at a place in pixels; -1 when it is empty."""

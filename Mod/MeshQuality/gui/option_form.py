@@ -5,6 +5,8 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from ..options import text_of_sizes
+
 translate = FreeCAD.Qt.translate
 
 _UNITS = {"mm": FreeCAD.Units.Length, "degrees": FreeCAD.Units.Angle}
@@ -101,6 +103,8 @@ def _field(option):
         return _Choice(option)
     if option.kind is bool:
         return _Switch(option)
+    if option.is_sizes:
+        return _Sizes(option)
     return _Quantity(option) if option.unit else _Number(option)
 
 
@@ -170,6 +174,43 @@ class _Number(_Field):
 
     def set_value(self, value):
         self.widget.setValue(0 if value is None else value)
+
+
+class _Sizes(_Field):
+    """Lengths by sub-elements as text, with a button that adds what is selected in the 3D view."""
+
+    def __init__(self, option):
+        box = QtGui.QWidget()
+        row = QtGui.QHBoxLayout(box)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.text, self.button = QtGui.QLineEdit(), QtGui.QToolButton()
+        self.text.setPlaceholderText("Face3=0.5, Edge7=0.2")
+        self.button.setText("+")
+        self.button.setToolTip(translate(
+            "MeshQuality", "Add the faces, edges and vertices that are selected in the 3D view"))
+        row.addWidget(self.text)
+        row.addWidget(self.button)
+        super().__init__(option, box)
+        self.text.editingFinished.connect(self._changed)
+        self.button.clicked.connect(self._add_selected)
+
+    def value(self):
+        # As it was written: whether that makes sense is said when it is used.
+        return self.text.text().strip() or None
+
+    def set_value(self, value):
+        self.text.setText(value if isinstance(value, str) else text_of_sizes(value))
+
+    def _add_selected(self):
+        """Sub-elements that have no size get a hundredth of the part's diagonal."""
+        written = [part.strip() for part in self.text.text().split(",") if part.strip()]
+        for selected in FreeCADGui.Selection.getSelectionEx():
+            size = selected.Object.Shape.BoundBox.DiagonalLength / 100
+            for name in selected.SubElementNames:
+                if not any(part.split("=")[0].strip() == name for part in written):
+                    written.append(f"{name}={size:.3g}")
+        self.text.setText(", ".join(written))
+        self._changed()
 
 
 class _Quantity(_Field):

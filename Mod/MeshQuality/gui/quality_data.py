@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Optional
 
+import FreeCAD
 import numpy as np
 
 from .. import convert
@@ -14,6 +15,9 @@ from ..compat import core
 from ..curved_mesh import CurvedMesh
 from ..errors import InvalidInput
 from ..features import mesh_object
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 _EXEMPT = re.compile(r"triangle (\d+): (.*)", re.DOTALL)
 BARS = 40
@@ -63,11 +67,14 @@ class Measure:
         return np.argsort(values if self.low_is_bad else -values, kind="stable")
 
 
-MIN_ANGLE = Measure("Smallest angle", "°", 0.0, 60.0, lambda data, _: data.shapes()[0])
-ASPECT = Measure("Longest edge / shortest edge", "", 10.0, 1.0, lambda data, _: data.shapes()[1])
-DISTANCE = Measure("Distance to the shape", " mm", None, 0.0,
+MIN_ANGLE = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Smallest angle"), "°", 0.0, 60.0,
+                    lambda data, _: data.shapes()[0])
+ASPECT = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Longest edge / shortest edge"), "", 10.0, 1.0,
+                 lambda data, _: data.shapes()[1])
+DISTANCE = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Distance to the shape"), " mm", None, 0.0,
                    lambda data, progress: data.distances(progress))
-JACOBIAN = Measure("Scaled Jacobian", "", 0.0, 1.0, lambda data, _: data.jacobians)
+JACOBIAN = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Scaled Jacobian"), "", 0.0, 1.0,
+                   lambda data, _: data.jacobians)
 
 
 @dataclass(frozen=True)
@@ -118,7 +125,6 @@ class QualityData:
     """
 
     def __init__(self, obj):
-        self.kind = "triangle"
         self._shape = None
         source = getattr(obj, "Source", None)
         if source is not None:
@@ -159,7 +165,6 @@ class QualityData:
         self.lines = (np.asarray(surface.vertices).astype(np.float32),
                       np.array(shown.edge_lines, dtype=np.int32))
         self.jacobians = np.array(curved.shown_quality)
-        self.kind = "curved element"
 
     @property
     def elements(self):
@@ -190,7 +195,9 @@ class QualityData:
     def place(self, element):
         """Words for where an element lies."""
         face = self.face[element]
-        return f"{self.kind} {element}" + (f" on Face{face + 1}" if face >= 0 else "")
+        if face < 0:
+            return translate("MeshQuality", "element {0}").format(element)
+        return translate("MeshQuality", "element {0} on {1}").format(element, f"Face{face + 1}")
 
     def reason(self, element):
         """Why the mesher could not do better there, or an empty text."""

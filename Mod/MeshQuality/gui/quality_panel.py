@@ -12,6 +12,8 @@ from .histogram import HistogramView
 from .quality_data import Histogram, QualityData
 from .quality_scene import QualityScene
 
+translate = FreeCAD.Qt.translate
+
 WORST = 50  # elements in the list
 _EDGES = 300_000  # triangles up to which edges are drawn from the beginning
 
@@ -37,7 +39,8 @@ class QualityPanel:
             self.scene = QualityScene(view)
         except ImportError as error:
             self.scene = None
-            self._say(f"The mesh cannot be drawn in colour: {error}")
+            self._say(translate(
+                "MeshQuality", "The mesh cannot be drawn in colour: {0}").format(error))
         self._hidden = [o for o in (obj, getattr(obj, "Source", None))
                         if self.scene and o is not None and o.ViewObject.Visibility]
         for hidden in self._hidden:
@@ -47,26 +50,29 @@ class QualityPanel:
 
     def _make_form(self):
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle("Mesh quality")
-        of, self.summary = QtGui.QLabel(f"Of {self.obj.Label}"), QtGui.QLabel()
+        self.form.setWindowTitle(translate("MeshQuality", "Mesh quality"))
+        of, self.summary = QtGui.QLabel(
+            translate("MeshQuality", "Of {0}").format(self.obj.Label)), QtGui.QLabel()
         self.measures, self.histogram = QtGui.QComboBox(), HistogramView()
-        self.hint = QtGui.QLabel("Click a bar to see where its elements are.")
+        self.hint = QtGui.QLabel(_hint())
         self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
-        self.edges = QtGui.QCheckBox("Draw edges")
+        self.edges = QtGui.QCheckBox(translate("MeshQuality", "Draw edges"))
         self.edges.setEnabled(False)
         for measure in self.data.measures:
-            self.measures.addItem(measure.title)
+            self.measures.addItem(translate("MeshQuality", measure.title))
         for label in (of, self.summary, self.hint):
             label.setWordWrap(True)
         self.worst.setWordWrap(True)
-        self.faces.setHorizontalHeaderLabels(["Face", "Elements", "Worst", "Mean"])
+        self.faces.setHorizontalHeaderLabels([
+            translate("MeshQuality", "Face"), translate("MeshQuality", "Elements"),
+            translate("MeshQuality", "Worst"), translate("MeshQuality", "Mean")])
         self.faces.verticalHeader().hide()
         self.faces.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
         tabs = QtGui.QTabWidget()
-        tabs.addTab(self.worst, "Worst elements")
-        tabs.addTab(self.faces, "Faces")
+        tabs.addTab(self.worst, translate("MeshQuality", "Worst elements"))
+        tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
         layout = QtGui.QVBoxLayout(self.form)
         for widget in (of, self.measures, self.summary, self.histogram, self.hint, tabs,
                        self.edges):
@@ -122,13 +128,13 @@ class QualityPanel:
         if measure.title in self._found:
             self._show(measure, *self._found[measure.title])
             return
-        self._say("Measuring ...")
+        self._say(translate("MeshQuality", "Measuring ..."))
         self._job = jobs.queue().add(jobs.Job(
             measure.title, lambda progress: self._compute(measure, progress),
             lambda found: self._take(measure, found), quiet=True))
         job = self._job
         job.changed.connect(lambda: job.active and job.fraction and self._say(
-            f"Measuring: {100 * job.fraction:.0f} %"))
+            translate("MeshQuality", "Measuring: {0} %").format(round(100 * job.fraction))))
         job.ended.connect(lambda: job.error and self._say(str(job.error)))
 
     def _compute(self, measure, progress):
@@ -150,8 +156,9 @@ class QualityPanel:
         self.measure, self.values, self._bars = measure, values, histogram
         order = measure.order(values)
         self._worst = order[:WORST]
-        self._say(f"{self.data.elements:,} {self.data.kind}s: worst "
-                  f"{measure.text(values[order[0]])}, mean {measure.text(values.mean())}")
+        self._say(translate("MeshQuality", "{0} elements: worst {1}, mean {2}").format(
+            f"{self.data.elements:,}", measure.text(values[order[0]]),
+            measure.text(values.mean())))
         self.histogram.show_histogram(histogram, measure)
         self._list_worst()
         self._list_faces(faces)
@@ -166,7 +173,7 @@ class QualityPanel:
             words = f"{self.measure.text(self.values[element])}: {self.data.place(element)}"
             reason = self.data.reason(element)
             item = QtGui.QListWidgetItem(words + (f"\n{reason}" if reason else ""))
-            item.setToolTip(reason or "Click to fly there")
+            item.setToolTip(reason or translate("MeshQuality", "Click to fly there"))
             self.worst.addItem(item)
         self.worst.blockSignals(False)
 
@@ -212,13 +219,18 @@ class QualityPanel:
         self.summary.setText(text)
 
 
+def _hint():
+    return translate("MeshQuality", "Click a bar to see where its elements are.")
+
+
 def open_panel(obj):
     """Opens the panel for an object; what is wrong with it goes to the report view."""
     try:
         panel = QualityPanel(obj)
     except (Error, ImportError) as error:
         FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
-        QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(), "Mesh quality", str(error))
+        QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(),
+                                  translate("MeshQuality", "Mesh quality"), str(error))
         return None
     FreeCADGui.Control.showDialog(panel)
     return panel

@@ -3,11 +3,14 @@
 
 import importlib
 
+import FreeCAD
 import numpy as np
 from pivy import coin
 from PySide import QtCore
 
 from . import colour_scale
+
+translate = FreeCAD.Qt.translate
 
 LEGEND = 64  # colours
 LABELS = 5
@@ -52,7 +55,8 @@ class QualityScene:
         low, high = min(bad, good), max(bad, good)
         numbers = np.linspace(low, high, LEGEND)
         labels = [measure.text(number) for number in np.linspace(low, high, LABELS)]
-        self.scene.legend(measure.title, colour_scale.bytes_of(measure.goodness(numbers)), labels)
+        self.scene.legend(translate("MeshQuality", measure.title),
+                          colour_scale.bytes_of(measure.goodness(numbers)), labels)
 
     def light_up(self, corners):
         """Lights up triangles, float32 (n, 3, 3), instead of those before."""

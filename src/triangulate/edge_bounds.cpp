@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/edge_bounds.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "base/error.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, const std::vector<LocalSize>& local)
+    : everywhere_(max_edge > 0.0 ? max_edge : kNone), any_(max_edge > 0.0 || !local.empty()) {
+    const std::size_t counts[3] = {topology.nodes.size(), topology.edges.size(), topology.faces.size()};
+    const char* const kinds[3] = {"vertices", "edges", "faces"};
+    for (const LocalSize& size : local) {
+        const std::size_t count = counts[size.dimension];
+        const std::string name = geometry::name_of({size.dimension, size.index});
+        if (size.index < 0 || static_cast<std::size_t>(size.index) >= count) {
+            throw InvalidInput("a local size is given for " + name + ", but the shape has " + std::to_string(count) +
+                               " " + kinds[size.dimension]);
+        }
+        if (!(size.max_edge > 0.0)) {
+            throw InvalidInput("the local size of " + name + " must be greater than 0 mm");
+        }
+        std::vector<double>& bounds = of_entity_[size.dimension];
+        bounds.resize(count, kNone);
+        bounds[static_cast<std::size_t>(size.index)] = size.max_edge;
+    }
+}
+
+double EdgeBounds::of(const mesh::SurfaceMesh& mesh, int half_edge) const {
+    double least = everywhere_;
+    const auto take = [&](int dimension, int index) {
+        if (!of_entity_[dimension].empty() && index >= 0) {
+            least = std::min(least, of_entity_[dimension][static_cast<std::size_t>(index)]);
+        }
+    };
+    take(2, mesh.face_of(half_edge / 3));
+    const int s = mesh.segment_of(half_edge);
+    if (s >= 0) {
+        take(1, mesh.segment(s).edge);
+        for (const auto& use : mesh.segment(s).uses) {
+            take(2, mesh.face_of(use.half_edge / 3));
+        }
+    }
+    for (const int h : {half_edge, mesh::SurfaceMesh::next(half_edge)}) {
+        const mesh::VertexEntity& entity = mesh.vertex(mesh.vertex_of(h)).entity;
+        if (entity[0] == 0) {
+            take(0, entity[1]);
+        }
+    }
+    return least;
+}
+
+}  // namespace mq::triangulate
