@@ -11,6 +11,8 @@ class MeshQualityWorkbench(FreeCADGui.Workbench):
     ToolTip = "Meshes of CAD shapes with guaranteed quality"
 
     def Initialize(self):
+        # FreeCAD would load this with the first mesh, which would stop the window then.
+        import MeshGui  # noqa: F401
         from MeshQuality.gui import commands
 
         names = commands.register()
