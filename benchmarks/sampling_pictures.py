@@ -72,12 +72,11 @@ def work(arguments):
                           chord_height_relative=0.008))
           for name, method in (("bearing", "star"), ("helix", "sprinkle"), ("crank", "star"),
                                ("support", "star"))], 2, folder / "sampling_parts.png")
-    face = parts.warped_face(30.0, 30.0)
-    save([(f"{method}, {connectivity}",
-           mq.triangulate(face, method=method, connectivity=connectivity, polish=False,
+    save([(f"{method}, speed of the parameters 1 : {warp * warp:.0f}",
+           mq.triangulate(parts.warped_face(warp, warp), method=method, polish=False,
                           chord_height=0.04))
-          for method in ("star", "sprinkle") for connectivity in ("parametric", "pseudo-delaunay")],
-         2, folder / "sampling_connectivity.png")
+          for method in ("star", "sprinkle") for warp in (1.0, 30.0)],
+         2, folder / "sampling_parameters.png")
     return {}
 
 
