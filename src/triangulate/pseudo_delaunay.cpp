@@ -26,10 +26,9 @@ constexpr double kSees = 0.0;        // cosine between normals of vertices that 
 constexpr double kRise = 0.6;        // radians that one may lie higher than an arc would
 constexpr double kTurned = 0.25;     // least cosine between a triangle's normal and its corners'
 constexpr double kTurnedLast = 0.0;  // the same where nothing else fits, as the surface turns too much for the spacing
-constexpr double kSheet =
-    0.5;  // of an edge's length: what is farther away along the normal is another turn of a thread
-constexpr std::size_t kTries = 12;  // candidates of one edge
-constexpr double kFar = 8.0;        // in spacings: no triangle between samples without gaps is as large
+constexpr double kSheet = 0.5;       // of an edge's length: farther along the normal is another turn of a thread
+constexpr std::size_t kTries = 12;   // candidates of one edge
+constexpr double kFar = 8.0;         // in spacings: no triangle between samples without gaps is as large
 
 std::uint64_t key(int a, int b) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
