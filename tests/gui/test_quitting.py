@@ -47,7 +47,7 @@ QtCore.QTimer.singleShot(500, start)
 
 class Quitting(unittest.TestCase):
     def quit_while_it_works(self, folder, before_quitting):
-        """(exit status, seconds, state of the job before) of a FreeCAD of its own."""
+        """(exit status, seconds, state of the job before, output) of a FreeCAD of its own."""
         home, seen = Path(folder, "home"), str(Path(folder, "seen.txt"))
         home.mkdir()
         run.make_home(home)
@@ -56,15 +56,16 @@ class Quitting(unittest.TestCase):
                           encoding="utf-8")
         start = time.monotonic()
         done = subprocess.run(["freecad", str(script)], timeout=LIMIT, stdin=subprocess.DEVNULL,
-                              capture_output=True, check=False,
+                              capture_output=True, text=True, check=False,
                               env={**os.environ, "FREECAD_USER_HOME": str(home)})
-        return done.returncode, time.monotonic() - start, Path(seen).read_text(encoding="utf-8")
+        return (done.returncode, time.monotonic() - start,
+                Path(seen).read_text(encoding="utf-8"), done.stdout + done.stderr)
 
     def test_it_ends_while_a_job_runs(self):
         for before in ("FreeCAD.closeDocument('Quit')",
                        "box.Height = 20"):
             with self.subTest(before), tempfile.TemporaryDirectory() as folder:
-                status, seconds, state = self.quit_while_it_works(folder, before)
+                status, seconds, state, output = self.quit_while_it_works(folder, before)
                 self.assertEqual(state, "running")
-                self.assertEqual(status, 0)
+                self.assertEqual(status, 0, output[-2000:])
                 self.assertLess(seconds, LIMIT / 2)

@@ -68,7 +68,8 @@ class Job(QtCore.QObject):
     def start(self):
         """Begins the work on its thread."""
         self.state = RUNNING
-        self._thread = threading.Thread(target=self._work, name=self.title, daemon=True)
+        # No daemon: one that still works while Python is taken down would abort FreeCAD.
+        self._thread = threading.Thread(target=self._work, name=self.title)
         self._thread.start()
 
     def look(self):
