@@ -61,7 +61,7 @@ CurvedMesh curved(geometry::Engine& engine, const std::shared_ptr<geometry::Mode
                 throw;
             }
         }
-        if (times == kFiner || (best && best->report.invalid == 0)) {
+        if (times == kFiner || (best && (best->report.invalid == 0 || !options.repair))) {
             return std::move(*best);
         }
     }
