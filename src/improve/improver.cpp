@@ -38,7 +38,7 @@ double size_of(const mesh::TriangleMesh& mesh) {
 
 }  // namespace
 
-Improver::Improver(const mesh::TriangleMesh& given, const Options& options, double tolerance, const Progress& progress)
+Improver::Improver(const mesh::TriangleMesh& given, const Options& options, double tolerance, Progress& progress)
     : options_(options),
       tolerance_(tolerance),
       progress_(progress),
@@ -52,9 +52,11 @@ Improver::Improver(const mesh::TriangleMesh& given, const Options& options, doub
 void Improver::run() {
     bool splits = false;
     int since = 0;
+    const double at_first = std::max(1.0, static_cast<double>(bad_triangles().size()));
     for (int round = 0; round < kMostRounds && since <= kPatience; ++round) {
         const std::vector<int> bad_ones = bad_triangles();
         since = keep_if_best(bad_ones.size()) ? 0 : since + 1;
+        progress_.advance(1.0 - std::min(1.0, static_cast<double>(fewest_bad_) / at_first));
         bool changed = false;
         for (const int t : bad_ones) {
             progress_.check();

@@ -16,7 +16,7 @@ namespace mq::improve {
 /// The work on one mesh: which triangles are bad, and what is done about them.
 class Improver {
   public:
-    Improver(const mesh::TriangleMesh& given, const Options& options, double tolerance, const Progress& progress);
+    Improver(const mesh::TriangleMesh& given, const Options& options, double tolerance, Progress& progress);
 
     /// Works until no triangle is bad that can be mended.
     void run();
@@ -61,7 +61,7 @@ class Improver {
 
     Options options_;
     double tolerance_;
-    const Progress& progress_;
+    Progress& progress_;
     EditableMesh mesh_;
     GivenSurface surface_;
     double bend_;

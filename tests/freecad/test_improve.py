@@ -65,6 +65,17 @@ class Improve(unittest.TestCase):
         with self.assertRaisesRegex(mq.InvalidInput, "no triangles"):
             mq.improve(Mesh.Mesh())
 
+    def test_progress_follows_the_bad_triangles(self):
+        seen = []
+        # Large enough to be looked at while it works.
+        mesh = MeshPart.meshFromShape(Shape=Part.makeTorus(10, 4), LinearDeflection=0.02,
+                                      AngularDeflection=0.1)
+        mq.improve(mesh, progress=lambda fraction, stage: seen.append((fraction, stage)) or True)
+        fractions = [fraction for fraction, _ in seen]
+        self.assertEqual(fractions, sorted(fractions))
+        self.assertIn("improving", {stage for _, stage in seen})
+        self.assertEqual(fractions[-1], 1.0)
+
     def test_it_can_be_cancelled(self):
         with self.assertRaises(mq.Cancelled):
             mq.improve(standard_mesh()[1], progress=lambda fraction, stage: False)
