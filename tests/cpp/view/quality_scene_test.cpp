@@ -18,6 +18,7 @@ const std::vector<float> kTwo{0, 0, 0, 2, 0, 0, 0, 3, 0, 2, 0, 0, 2, 3, 0, 0, 3,
 class Scene : public testing::Test {
   protected:
     static void SetUpTestSuite() { SoDB::init(); }
+    static void TearDownTestSuite() { SoDB::finish(); }
 
     int triangles() {
         SoGetPrimitiveCountAction action;
