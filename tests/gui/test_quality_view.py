@@ -174,3 +174,10 @@ class QualityView(gui_helpers.GuiTest):
         FreeCAD.closeDocument("Other")
         self.until(lambda: not FreeCADGui.Control.activeDialog())
         self.assertTrue(panel.ended)
+
+    def test_an_improved_mesh_has_no_shape_to_measure_against(self):
+        source = self.document.addObject("Mesh::Feature", "Imported")
+        source.Mesh = Mesh.createCylinder(2.0, 10.0, True, 5.0, 30)
+        panel = self.open(mq.add_improved_mesh(source))
+        self.assertEqual(panel.data.measures, [quality_data.MIN_ANGLE, quality_data.ASPECT])
+        self.assertGreaterEqual(panel.values.min(), 25)

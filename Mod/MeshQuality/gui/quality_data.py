@@ -125,10 +125,10 @@ class QualityData:
     """
 
     def __init__(self, obj):
-        self._shape = None
+        # An improved mesh comes from a mesh.
         source = getattr(obj, "Source", None)
-        if source is not None:
-            self._shape = convert.shape_of(source)
+        has_shape = source is not None and not convert.is_mesh(source)
+        self._shape = convert.shape_of(source) if has_shape else None
         self.corners = None
         if obj.Mesh.CountFacets == 0:
             raise InvalidInput(f"{obj.Label} has no triangles")
