@@ -48,8 +48,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     module = core()
     core_options = module.TriangulateOptions()
     core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
-    for name, value in values.items():
-        setattr(core_options, name, options.to_property(None, value))
+    options.hand_over(values, core_options)
     return SurfaceMesh(module.triangulate(live_shape, core_options, progress))
 
 
@@ -72,20 +71,19 @@ def improve(mesh, min_angle=25.0, tolerance=None, feature_angle=35.0, progress=N
     _require_callable(progress)
     module = core()
     core_options = module.ImproveOptions()
-    for name, value in values.items():
-        setattr(core_options, name, options.to_property(None, value))
-    return SurfaceMesh(module.improve(_surface_of(mesh), core_options, progress))
+    options.hand_over(values, core_options)
+    return SurfaceMesh(module.improve(_surface_of(mesh, measured=False), core_options, progress))
 
 
-def _surface_of(mesh):
+def _surface_of(mesh, measured=True):
     """The core's Surface of anything that is a mesh; raises InvalidInput."""
     module = core()
     if isinstance(mesh, SurfaceMesh):
         return mesh._surface
     if convert.is_mesh(mesh):
-        return convert.surface_of_arrays(module, *convert.arrays_of_mesh(mesh))
+        return convert.surface_of_arrays(module, *convert.arrays_of_mesh(mesh), measured=measured)
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
-        return convert.surface_of_arrays(module, *mesh)
+        return convert.surface_of_arrays(module, *mesh, measured=measured)
     raise InvalidInput("a Mesh.Mesh, a SurfaceMesh or arrays (V, F) are needed, not "
                        f"{type(mesh).__name__}")
 
@@ -127,7 +125,7 @@ def add_quality_mesh(source, **values):
 def update(obj, progress=None, **values):
     """Brings a document object of this package up to date, with changed options; one undo step.
 
-    obj       of add_quality_mesh, add_curved_mesh or add_boolean
+    obj       of add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh
     progress  callable(fraction 0..1, stage); returning False cancels
     values    options to change; the others stay as they are
 

@@ -18,6 +18,11 @@ def core():
                           "tools/build in MeshQuality's folder") from error
 
 
+def flags(buttons):
+    """What getStandardButtons of a task panel returns; the flags of Qt 6 are no numbers."""
+    return int(getattr(buttons, "value", buttons))
+
+
 class PlainState:
     """Proxy of a document object that keeps all of its state in properties.
 

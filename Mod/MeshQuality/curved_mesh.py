@@ -192,8 +192,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False,
     if values["chord_height"] is None and values["chord_height_relative"] is None:
         values["chord_height_relative"] = 0.01
     straight = module.TriangulateOptions()
-    for name, value in values.items():
-        setattr(straight, name, options.to_property(None, value))
+    options.hand_over(values, straight)
     return CurvedMesh(module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress))
 
 

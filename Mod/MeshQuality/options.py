@@ -315,9 +315,15 @@ def _check_sizes(values):
 
 def to_property(option, value):
     """The value that stands for `value` in a document object's property: 0 for no bound."""
-    if option is not None and option.is_sizes:
+    if option.is_sizes:
         return text_of_sizes(value)
     return 0 if value is None else value
+
+
+def hand_over(values, core_options):
+    """Sets {option: value} on an object of the core, which has 0 for no bound."""
+    for name, value in values.items():
+        setattr(core_options, name, 0 if value is None else value)
 
 
 def from_property(option, value):

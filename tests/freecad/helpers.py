@@ -38,6 +38,14 @@ def distances_to_faces(shape, mesh, samples=40):
             for k, p in zip(chosen, centroids)]
 
 
+def smallest_angles(mesh):
+    """The smallest angle of each triangle in degrees, by the law of cosines."""
+    corners = mesh.vertices[mesh.triangles]
+    sides = np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, -2, axis=1), axis=2)
+    a, b, c = np.sort(sides, axis=1).T
+    return np.degrees(np.arccos(np.clip((b * b + c * c - a * a) / (2.0 * b * c), -1.0, 1.0)))
+
+
 def points_and_facets(mesh):
     """The arrays of a Mesh.Mesh, read the slow way that shares no code with the product."""
     points, facets = mesh.Topology

@@ -49,7 +49,7 @@ class Certificates(CertificateTest):
         source = self.feature(wedge())
         obj = mq.add_quality_mesh(source)
         mesh = mq.triangulate(source)
-        angles = certificate.smallest_angles(mesh.vertices[mesh.triangles])
+        angles = helpers.smallest_angles(mesh)
         worst = int(np.argmin(angles))
         self.assertRegex(obj.Certificate, rf"^missed: smallest angle 4\.57 of 25 degrees at triangle "
                                           rf"{worst}: .* on Face{mesh.triangle_face[worst] + 1}\b")

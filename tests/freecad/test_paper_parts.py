@@ -4,6 +4,7 @@
 import re
 import unittest
 
+import helpers
 import numpy as np
 import parts
 
@@ -12,14 +13,6 @@ import MeshQuality as mq
 MIN_ANGLE = 25.0
 PARTS = ("die", "wing_main", "flap")
 INSERTIONS = ("off-centre", "paper")
-
-
-def smallest_angles(mesh):
-    """The smallest angle of each triangle in degrees, by the law of cosines."""
-    corners = mesh.vertices[mesh.triangles]
-    sides = np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, -2, axis=1), axis=2)
-    a, b, c = np.sort(sides, axis=1).T
-    return np.degrees(np.arccos(np.clip((b * b + c * c - a * a) / (2.0 * b * c), -1.0, 1.0)))
 
 
 def edge_counts(triangles):
@@ -67,7 +60,7 @@ class PaperParts(unittest.TestCase):
 
     def test_angles(self):
         def check(_, mesh):
-            angles = smallest_angles(mesh)
+            angles = helpers.smallest_angles(mesh)
             exempt = [triangle for triangle, _ in mesh.report.exempt]
             self.assertLess(len(exempt), 0.002 * len(angles))
             self.assertTrue((angles[exempt] < MIN_ANGLE).all(), "exempted without need")

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..compat import core
+
 KEPT, MISSED = "kept", "missed: "
 UNKNOWN = "unknown: the mesh was made by an older version; update it"
-
-_PART = 5000  # triangles
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def angle_faults(mesh):
     asked = report.min_angle_asked
     if not report.triangles or report.min_angle >= asked:
         return []
-    angles = _smallest_angles_of(mesh)
+    angles = core().triangle_shapes(mesh._surface)[0]
     worst = int(np.argmin(angles))
     below = np.flatnonzero(angles < asked)
     # A mesh that comes from no shape has no faces.
@@ -86,20 +86,3 @@ def element_faults(report):
     found = re.findall(r"on (Face\d+)", "; ".join(named))
     return [Fault(f"{report.invalid} of {report.elements} elements are not proven free of folds: "
                   f"{', '.join(named[:3])}{more}", tuple(dict.fromkeys(found)))]
-
-
-def _smallest_angles_of(mesh):
-    """By parts, as NumPy keeps Python's lock while it works on one."""
-    starts = range(0, len(mesh.triangles), _PART)
-    return np.concatenate([smallest_angles(mesh.vertices[mesh.triangles[start:start + _PART]])
-                           for start in starts])
-
-
-def smallest_angles(corners):
-    """float (T,): the smallest angle of each triangle in degrees, of corners (T, 3, 3)."""
-    smallest = np.full(len(corners), 180.0)
-    for i in range(3):
-        a, b = corners[:, (i + 1) % 3] - corners[:, i], corners[:, (i + 2) % 3] - corners[:, i]
-        turn = np.linalg.norm(np.cross(a, b), axis=1)
-        smallest = np.minimum(smallest, np.degrees(np.arctan2(turn, np.sum(a * b, axis=1))))
-    return smallest

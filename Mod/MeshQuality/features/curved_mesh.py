@@ -62,6 +62,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
     PROMISES = PROMISES
     MEASURED = tuple((name, kind, text) for name, kind, text, _ in _MEASURED)
     HIDDEN = (
+        *mesh_object.SourceMesh.HIDDEN,
         ("ElementsOrder", "App::PropertyInteger", "Order of the elements that are kept"),
         ("ElementsFingerprint", "App::PropertyString", "Of what the elements were made of"),
         ("ShownDeviation", "App::PropertyLength", "What the triangles shown keep within"),

@@ -35,6 +35,15 @@ CERTIFICATE_FACES = ("CertificateFaces", "App::PropertyStringList",
 AUTOMATIC, MANUAL = "Automatic", "Manual"
 UP_TO_DATE = "up to date"
 OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
+# The same, of those that promise a smallest angle; see show_angles.
+ANGLES = (
+    ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
+    ("Exempt", "App::PropertyStringList", "Triangles below the angle asked for, and why"),
+)
+ANGLE_PROMISES = (
+    ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was asked for"),
+    ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
+)
 # Kept for the object's own use.
 FINGERPRINT = ("Fingerprint", "App::PropertyString", "Of the input and the options of this mesh")
 FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
@@ -133,11 +142,11 @@ class MeshObject(PlainState):
         return known and work.fingerprint == obj.Fingerprint and self.holds_mesh(obj)
 
 
-class SourceMesh(MeshObject):
-    """Proxy of an object that meshes the shape of its Source, with one segment a CAD face.
+class OfOneSource(MeshObject):
+    """Proxy of an object that is made of its Source alone.
 
-    A subclass has the tables OPTIONS, MEASURED and HIDDEN of its properties, the class method
-    compute(shape, values, progress), and take(obj, result).
+    A subclass has SOURCE, what the property says, NEEDS, what a source has, and the tables OPTIONS,
+    MEASURED and HIDDEN of its other properties.
     """
 
     OPTIONS = MEASURED = HIDDEN = ()
@@ -147,18 +156,27 @@ class SourceMesh(MeshObject):
         return [obj.Source]
 
     def holds_mesh(self, obj):
-        """A shape has a mesh of at least one triangle."""
+        """There is no mesh without a triangle."""
         return obj.Mesh.CountFacets > 0
 
     def add_properties(self, obj):
         """Adds those properties that the object has not got yet."""
-        # Global: a mesh may follow a shape inside a container that it does not belong to itself.
-        add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh",
-                     "The object whose shape is meshed")
+        # Global: a mesh may follow something inside a container that it does not belong to itself.
+        add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh", self.SOURCE)
         add_options(obj, self.OPTIONS)
         add_measured(obj, self.MEASURED)
-        add_hidden(obj, "Mesh", (FACE_RUNS, *self.HIDDEN))
+        add_hidden(obj, "Mesh", self.HIDDEN)
         self.add_common_properties(obj)
+
+
+class SourceMesh(OfOneSource):
+    """Proxy of an object that meshes the shape of its Source, with one segment a CAD face.
+
+    A subclass has the class method compute(shape, values, progress), and take(obj, result).
+    """
+
+    SOURCE, NEEDS = "The object whose shape is meshed", "a shape"
+    HIDDEN = (FACE_RUNS,)
 
     def onDocumentRestored(self, obj):
         """The mesh gets its segments back, which FreeCAD does not save."""
@@ -227,6 +245,14 @@ def show_topology(obj, report):
     """Fills the properties of TOPOLOGY."""
     obj.Triangles, obj.Vertices = report.triangles, report.vertices
     obj.Oriented = report.oriented
+
+
+def show_angles(obj, report):
+    """Fills the properties of ANGLES and ANGLE_PROMISES, and Notes."""
+    obj.MeasuredMinAngle, obj.MeasuredMaxAngle = report.min_angle, report.max_angle
+    obj.AskedMinAngle = report.min_angle_asked
+    obj.Exempt = [f"triangle {triangle}: {why}" for triangle, why in report.exempt]
+    obj.Notes = list(report.notes)
 
 
 def show_certificate(obj, report, closed, faults):
@@ -301,7 +327,7 @@ def update(obj, values, progress=None):
     proxy = getattr(obj, "Proxy", None)
     if not isinstance(proxy, MeshObject):
         raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
-                           "add_quality_mesh, add_curved_mesh or add_boolean")
+                           "add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
     values = options.check(table, {**options_of(obj, table), **values})
     done = result_for(type(proxy), sources, values)
@@ -339,16 +365,18 @@ def _undo_step(document, title):
         document.commitTransaction()
 
 
-def add_of_source(proxy_class, source, values, name, title):
-    """Adds an object that meshes the document object `source`; see add."""
+def add_of_source(proxy_class, source, values, name, title, label=None):
+    """Adds an object that is made of the document object `source`; see add. Its label begins with
+    that of the source and ends with `label`, or the title.
+    """
     if not isinstance(source, FreeCAD.DocumentObject):
-        raise InvalidInput("a document object with a shape is needed, not "
+        raise InvalidInput(f"a document object with {proxy_class.NEEDS} is needed, not "
                            f"{type(source).__name__}")
     checked = options.check(proxy_class.OPTIONS, values)
 
     def make(obj):
         proxy = proxy_class(obj)
-        obj.Label = f"{source.Label} {title.lower()}"
+        obj.Label = f"{source.Label} {label or title.lower()}"
         obj.Source = source
         set_options(obj, proxy_class.OPTIONS, checked)
         return proxy

@@ -8,15 +8,13 @@ from . import certificate, mesh_object
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
     *mesh_object.TOPOLOGY,
-    ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
-    ("Exempt", "App::PropertyStringList", "Triangles below the angle asked for, and why"),
+    *mesh_object.ANGLES,
     ("Notes", "App::PropertyStringList", "What else happened on the way"),
 )
 
 # Name, type, what it says: beside mesh_object.PROMISES.
 PROMISES = (
-    ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was asked for"),
-    ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
+    *mesh_object.ANGLE_PROMISES,
     ("AskedChordHeight", "App::PropertyLength",
      "Distance to the shape that the mesh was to keep within; 0: none"),
     ("MaxChordHeight", "App::PropertyLength", "Largest measured distance to the shape"),
@@ -60,11 +58,9 @@ def _faults(mesh, closed):
 def show_report(obj, report):
     """Fills the group Quality, and what the certificate says of the angle and the distance."""
     mesh_object.show_topology(obj, report)
-    obj.MeasuredMinAngle, obj.MeasuredMaxAngle = report.min_angle, report.max_angle
+    mesh_object.show_angles(obj, report)
     obj.MaxChordHeight = max(report.max_chord_height, 0.0)
-    obj.AskedMinAngle, obj.AskedChordHeight = report.min_angle_asked, report.chord_height_asked
-    obj.Exempt = [f"triangle {triangle}: {why}" for triangle, why in report.exempt]
-    obj.Notes = list(report.notes)
+    obj.AskedChordHeight = report.chord_height_asked
 
 
 def add(source, values):

@@ -14,8 +14,8 @@ from .update import update_in_background
 
 
 class _Command:
-    """A subclass has NAME, TEXT (also of the undo step), TIP, KEYS, and KIND, the class of the objects that
-    it adds, if any.
+    """A subclass has NAME, TEXT (also of the undo step), TIP, KEYS, and KIND, the class of the
+    objects that it adds, if any.
     """
 
     KIND = None
@@ -87,7 +87,7 @@ class Boolean(_Command):
 
     def selected(self):
         found = [obj for obj in FreeCADGui.Selection.getSelection()
-                 if _has_shape(obj) or obj.isDerivedFrom("Mesh::Feature")]
+                 if _has_shape(obj) or _has_mesh(obj)]
         one_document = len({obj.Document for obj in found}) == 1
         return found if len(found) > 1 and one_document else []
 
@@ -105,8 +105,7 @@ class Analyse(_Command):
         quality_panel.open_panel(self.selected()[0])
 
     def selected(self):
-        found = FreeCADGui.Selection.getSelection()
-        return found if len(found) == 1 and found[0].isDerivedFrom("Mesh::Feature") else []
+        return _if_one(_has_mesh)
 
 
 class Improve(_Command):
@@ -117,8 +116,7 @@ class Improve(_Command):
     KEYS = "Q, I"
 
     def selected(self):
-        return [obj for obj in FreeCADGui.Selection.getSelection()
-                if obj.isDerivedFrom("Mesh::Feature")]
+        return [obj for obj in FreeCADGui.Selection.getSelection() if _has_mesh(obj)]
 
 
 class Export(_Command):
@@ -131,8 +129,7 @@ class Export(_Command):
         FreeCADGui.Control.showDialog(ExportPanel(self.selected()[0]))
 
     def selected(self):
-        found = FreeCADGui.Selection.getSelection()
-        return found if len(found) == 1 and getattr(found[0], "ElementsOrder", 0) else []
+        return _if_one(lambda obj: getattr(obj, "ElementsOrder", 0))
 
 
 class Update(_Command):
@@ -148,6 +145,16 @@ class Update(_Command):
     def selected(self):
         return [obj for obj in FreeCADGui.Selection.getSelection()
                 if isinstance(getattr(obj, "Proxy", None), mesh_object.MeshObject)]
+
+
+def _if_one(fits):
+    """What is selected, if it is one object that fits."""
+    found = FreeCADGui.Selection.getSelection()
+    return found if len(found) == 1 and fits(found[0]) else []
+
+
+def _has_mesh(obj):
+    return obj.isDerivedFrom("Mesh::Feature")
 
 
 def _has_shape(obj):

@@ -5,6 +5,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from ..compat import flags
 from ..errors import Error
 from . import jobs, operation, preferences
 from .certificate_box import CertificateBox
@@ -77,8 +78,7 @@ class MeshPanel:
 
     def getStandardButtons(self):
         # A third one would not fit into the width that FreeCAD's task view has at first.
-        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel
-        return int(getattr(buttons, "value", buttons))
+        return flags(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
 
     def apply(self):
         """Begins the work; the panel stays open, and edits what was made."""

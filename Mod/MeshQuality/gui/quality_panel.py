@@ -6,6 +6,7 @@ import FreeCADGui
 import numpy as np
 from PySide import QtGui
 
+from ..compat import flags
 from ..errors import Error
 from . import colour_scale, jobs
 from .histogram import HistogramView
@@ -85,8 +86,7 @@ class QualityPanel:
         self.edges.toggled.connect(self._draw_edges)
 
     def getStandardButtons(self):
-        button = QtGui.QDialogButtonBox.Close
-        return int(getattr(button, "value", button))
+        return flags(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         """Close: the view is as it was before."""
@@ -190,8 +190,7 @@ class QualityPanel:
 
     def _pick_bar(self, bar):
         chosen = self._bars.bar == bar
-        self.hint.setText(self.histogram.words(bar) if bar >= 0 else
-                          "Click a bar to see where its elements are.")
+        self.hint.setText(self.histogram.words(bar) if bar >= 0 else _hint())
         self._light_up(chosen)
 
     def _pick_worst(self, row):
