@@ -2,7 +2,6 @@
 #include "improve/editable_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/angle.h"
 #include "improve/thin.h"
@@ -33,13 +32,13 @@ std::vector<Vec3> sound_normals(const EditableMesh& mesh, const mesh::EdgeTable&
             }
         }
     });
-    std::vector<Vec3> result = normals;
-    for (std::size_t t = 0; t < result.size(); ++t) {
-        int at = static_cast<int>(t);
+    std::vector<Vec3> result;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        int at = t;
         for (int steps = 0; normals[at] == Vec3::Zero() && steps < kFarthest; ++steps) {
             at = next[at];
         }
-        result[t] = normals[at];
+        result.push_back(normals[at]);
     }
     return result;
 }
@@ -100,16 +99,14 @@ void EditableMesh::forget_last_vertex() {
     sharp_at_.pop_back();
 }
 
-std::vector<int> EditableMesh::apply(const Change& change) {
+void EditableMesh::apply(const Change& change) {
     for (const int t : change.removed) {
         gone_[t] = 1;
         for (const std::int32_t v : triangles_[t]) {
             stars_[v].erase(std::find(stars_[v].begin(), stars_[v].end(), t));
         }
     }
-    std::vector<int> added;
     for (const Triangle& c : change.added) {
-        added.push_back(triangle_count());
         for (const std::int32_t v : c) {
             stars_[v].push_back(triangle_count());
         }
@@ -123,7 +120,6 @@ std::vector<int> EditableMesh::apply(const Change& change) {
         set_sharp(a, b, true);
     }
     alive_ += static_cast<int>(change.added.size()) - static_cast<int>(change.removed.size());
-    return added;
 }
 
 mesh::TriangleMesh EditableMesh::result() const {
@@ -145,20 +141,16 @@ mesh::TriangleMesh EditableMesh::result() const {
 }
 
 void EditableMesh::set_sharp(int a, int b, bool sharp) {
-    if (sharp != is_sharp(a, b)) {
-        for (const auto& [v, w] : {std::pair(a, b), std::pair(b, a)}) {
-            std::vector<int>& list = sharp_at_[v];
-            const auto place = std::lower_bound(list.begin(), list.end(), w);
-            if (sharp) {
-                list.insert(place, w);
-            } else {
-                list.erase(place);
-            }
-        }
+    if (sharp == is_sharp(a, b)) {
+        return;
+    }
+    for (const auto& [v, w] : {std::pair(a, b), std::pair(b, a)}) {
+        std::vector<int>& list = sharp_at_[v];
+        const auto place = std::lower_bound(list.begin(), list.end(), w);
         if (sharp) {
-            sharp_.insert(key(a, b));
+            list.insert(place, w);
         } else {
-            sharp_.erase(key(a, b));
+            list.erase(place);
         }
     }
 }

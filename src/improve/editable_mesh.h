@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -39,7 +38,7 @@ class EditableMesh {
     bool gone(int t) const { return gone_[t]; }
     const std::vector<int>& star(int v) const { return stars_[v]; }
 
-    bool is_sharp(int a, int b) const { return sharp_.count(key(a, b)) > 0; }
+    bool is_sharp(int a, int b) const { return std::binary_search(sharp_at_[a].begin(), sharp_at_[a].end(), b); }
     /// The other ends of the sharp edges at a vertex, in ascending order.
     const std::vector<int>& sharp_neighbours(int v) const { return sharp_at_[v]; }
     /// The triangles with the edge a-b.
@@ -50,14 +49,12 @@ class EditableMesh {
     int add_vertex(const Vec3& point);
     /// Takes the last vertex back, which no triangle uses yet.
     void forget_last_vertex();
-    /// @return the indices of the triangles added
-    std::vector<int> apply(const Change& change);
+    void apply(const Change& change);
 
     /// What is there now, with vertices that no triangle uses left out.
     mesh::TriangleMesh result() const;
 
   private:
-    static std::pair<int, int> key(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
     void set_sharp(int a, int b, bool sharp);
 
     std::vector<Vec3> points_;
@@ -65,7 +62,6 @@ class EditableMesh {
     std::vector<char> gone_;
     std::vector<std::vector<int>> stars_;
     std::vector<std::vector<int>> sharp_at_;
-    std::set<std::pair<int, int>> sharp_;
     int alive_ = 0;
 };
 

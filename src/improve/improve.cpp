@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "improve/improve.h"
 
-#include <algorithm>
-#include <map>
+#include <utility>
 
 #include "base/error.h"
 #include "improve/improver.h"
@@ -12,16 +11,10 @@ namespace mq::improve {
 
 namespace {
 
-constexpr double kTolerance = 1e-3;  // of the largest dimension, where none is given
-
-std::string number(double value) {
-    std::string text = std::to_string(value);
-    return text.substr(0, text.find_last_not_of("0.") + 1);
-}
-
 void require(bool holds, const char* option, double value, const char* range) {
     if (!holds) {
-        throw InvalidInput(std::string(option) + " = " + number(value) + " is not allowed: it must be " + range);
+        throw InvalidInput(std::string(option) + " = " + std::to_string(value) + " is not allowed: it must be " +
+                           range);
     }
 }
 
@@ -62,15 +55,7 @@ Result improve(const mesh::TriangleMesh& given, const Options& options, Progress
     StageTimes seconds;
     StageClock clock(seconds);
     watched.stage("improving", 0.0, 1.0);
-    double tolerance = options.tolerance;
-    if (tolerance == 0.0) {
-        Box box;
-        for (const Vec3& p : start.vertices) {
-            box.add(p);
-        }
-        tolerance = kTolerance * (box.high - box.low).maxCoeff();
-    }
-    Improver improver(start, options, tolerance, watched);
+    Improver improver(start, options, watched);
     improver.run();
     clock.end("improving");
     Result result = std::move(improver.counts);

@@ -14,7 +14,8 @@ namespace mq::improve {
 namespace {
 
 constexpr double kRadians = 0.017453292519943295;
-constexpr double kSameSide = 0.5;  // cosine of the most that a normal may turn from the surface's: 60 degrees
+constexpr double kSameSide = 0.5;    // cosine of the most that a normal may turn from the surface's: 60 degrees
+constexpr double kTolerance = 1e-3;  // of the largest dimension, where none is given
 constexpr int kMostRounds = 200;
 // Refinement that finds no way to fewer bad triangles in so many rounds is not about to.
 constexpr int kPatience = 12;
@@ -33,14 +34,14 @@ double size_of(const mesh::TriangleMesh& mesh) {
     for (const Vec3& p : mesh.vertices) {
         box.add(p);
     }
-    return mesh.vertices.empty() ? 0.0 : (box.high - box.low).maxCoeff();
+    return box.largest_side();
 }
 
 }  // namespace
 
-Improver::Improver(const mesh::TriangleMesh& given, const Options& options, double tolerance, Progress& progress)
+Improver::Improver(const mesh::TriangleMesh& given, const Options& options, Progress& progress)
     : options_(options),
-      tolerance_(tolerance),
+      tolerance_(options.tolerance > 0.0 ? options.tolerance : kTolerance * size_of(given)),
       progress_(progress),
       mesh_(given, options.feature_angle * kRadians),
       surface_(given, mesh_),
@@ -70,7 +71,7 @@ void Improver::run() {
         }
         splits = splits || !changed || round + 1 >= kRoundsWithoutSplits;
     }
-    if (!keep_if_best(bad_triangles().size())) {
+    if (bad_triangles().size() >= fewest_bad_) {
         // Where refinement runs away, between sharp edges at small angles, there are more bad triangles in the end.
         std::swap(mesh_, *best_);
         counts = best_counts_;
@@ -281,15 +282,14 @@ int Improver::halvings_of(int v) const {
 
 void Improver::swap_around(int v) {
     std::deque<std::pair<int, int>> edges;
-    const auto add_star = [&](int w) {
-        for (const int t : mesh_.star(w)) {
-            const Triangle& c = mesh_.triangle(t);
-            for (std::size_t i = 0; i < 3; ++i) {
-                edges.emplace_back(c[i], c[(i + 1) % 3]);
-            }
+    const auto add_edges = [&](const Triangle& c) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            edges.emplace_back(c[i], c[(i + 1) % 3]);
         }
     };
-    add_star(v);
+    for (const int t : mesh_.star(v)) {
+        add_edges(mesh_.triangle(t));
+    }
     // Each swap betters the worst angle of its two triangles, so that swaps end by themselves; this is for safety.
     for (int steps = 0; !edges.empty() && steps < 400; ++steps) {
         const auto [a, b] = edges.front();
@@ -300,11 +300,7 @@ void Improver::swap_around(int v) {
         const auto change = swap_edge(mesh_, a, b);
         if (change && attempt(*change, Rule::Better)) {
             ++counts.flips;
-            for (const Triangle& c : change->added) {
-                for (std::size_t i = 0; i < 3; ++i) {
-                    edges.emplace_back(c[i], c[(i + 1) % 3]);
-                }
-            }
+            std::for_each(change->added.begin(), change->added.end(), add_edges);
         }
     }
 }

@@ -16,7 +16,7 @@ namespace mq::improve {
 /// The work on one mesh: which triangles are bad, and what is done about them.
 class Improver {
   public:
-    Improver(const mesh::TriangleMesh& given, const Options& options, double tolerance, Progress& progress);
+    Improver(const mesh::TriangleMesh& given, const Options& options, Progress& progress);
 
     /// Works until no triangle is bad that can be mended.
     void run();
