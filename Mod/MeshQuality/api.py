@@ -57,9 +57,9 @@ def improve(mesh, min_angle=25.0, tolerance=None, feature_angle=35.0, progress=N
 
     mesh           Mesh.Mesh, Mesh feature, SurfaceMesh, or arrays (V, F); it need not be closed
     min_angle      degrees, 0 < a <= 34: what the smallest angle of every triangle is to reach
-    tolerance      mm: corners, edge middles and centres of the new triangles stay within it of the
-                   surface given, and the vertices given within it of the new surface; a thousandth
-                   of the largest dimension unless given
+    tolerance      mm: the surface changes only where corners, edge middles and centres of the new
+                   triangles stay within it of the surface given, and the vertices given within it
+                   of the new surface; a thousandth of the largest dimension unless given
     feature_angle  degrees: edges where the surface turns by more than this stay, borders too
     progress       as for triangulate
 

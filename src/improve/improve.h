@@ -39,7 +39,8 @@ struct Result {
 /// where that does not help, the terminal edge of the longest-edge path is halved (Rivara 1997, LEPP-Delaunay). Swaps,
 /// collapses and moves are done only if the worst angle around becomes better. Nothing is done that
 /// - moves the corners, edge middles and centres of new triangles farther than the tolerance from the given surface, or
-///   a given vertex farther than that from the new one,
+///   a given vertex farther than that from the new one (halves of such triangles, which are on the same surface, may
+///   show a little more),
 /// - turns a triangle's normal by more than 60 degrees from that of the surface,
 /// - removes a sharp edge (see Options::feature_angle), a border, or an edge of more than two triangles; vertices on
 ///   them move along them only, and stay where these meet or bend.
