@@ -37,16 +37,21 @@ class CurvedMesh:
                        positive: invalid
     tetrahedron_quality
                        float64 (E,), lower bounds of min J / J of the straight element; likewise
+    triangle_distortion, tetrahedron_distortion
+                       float64 (T,), (E,), measured when they are first asked for: how far the shape
+                       of the worst place of each element is from that of the regular simplex, see
+                       docs/curved-meshes.md; upper bounds, 1 is best, infinite: it folds
     report             CurveReport; None of a mesh that comes from a document
 
     The arrays are read-only views of the core's memory.
     """
 
-    __slots__ = ("_curved", "_measured")
+    __slots__ = ("_curved", "_distortions", "_measured")
 
     def __init__(self, curved, measured=True):
         self._curved = curved
         self._measured = measured
+        self._distortions = {}
 
     @classmethod
     def of(cls, obj):
@@ -85,6 +90,23 @@ class CurvedMesh:
     tetrahedron_quality = property(lambda self: self._curved.tetrahedron_quality)
 
     @property
+    def triangle_distortion(self):
+        """float64 (T,)"""
+        return self._distortion("triangle_distortions")
+
+    @property
+    def tetrahedron_distortion(self):
+        """float64 (E,)"""
+        return self._distortion("tetrahedron_distortions")
+
+    def _distortion(self, which, progress=None):
+        if which not in self._distortions:
+            found = getattr(self._curved, which)(progress)
+            found.flags.writeable = False
+            self._distortions[which] = found
+        return self._distortions[which]
+
+    @property
     def report(self):
         """CurveReport, or None."""
         return self._curved.report if self._measured else None
@@ -97,9 +119,18 @@ class CurvedMesh:
     @property
     def shown_quality(self):
         """float64 (T,): of each triangle, or of the tetrahedron behind it where there is one."""
+        return self._shown(self.triangle_quality, self.tetrahedron_quality)
+
+    def shown_distortion(self, progress=None):
+        """float64 (T,), likewise; progress as for curve."""
+        tetrahedra = self._distortion("tetrahedron_distortions", progress)
+        return self._shown(self._distortion("triangle_distortions"), tetrahedra)
+
+    def _shown(self, of_triangles, of_tetrahedra):
+        if not len(self.tetrahedra):
+            return of_triangles
         behind = self._curved.tetrahedra_behind()
-        return np.where(behind >= 0, self.tetrahedron_quality[np.maximum(behind, 0)],
-                        self.triangle_quality) if len(self.tetrahedra) else self.triangle_quality
+        return np.where(behind >= 0, of_tetrahedra[np.maximum(behind, 0)], of_triangles)
 
     def tessellate(self, deviation=None, progress=None):
         """Flat triangles that the curved ones keep within `deviation` mm of.

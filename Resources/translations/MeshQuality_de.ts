@@ -539,6 +539,10 @@
         <source>Click a bar to see where its elements are.</source>
         <translation>Auf einen Balken klicken, um zu sehen, wo seine Elemente liegen.</translation>
     </message>
+    <message>
+        <source>Distortion</source>
+        <translation>Verzerrung</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

@@ -79,4 +79,38 @@ JacobianForm normal_component(const Lattice& lattice, const std::vector<Vec3>& c
     return form;
 }
 
+NormalForm normal_of(const Lattice& lattice, const std::vector<Vec3>& control) {
+    const int m = lattice.degree() - 1;
+    const std::vector<Vec3> r = derivative(lattice, control, 1);
+    const std::vector<Vec3> s = derivative(lattice, control, 2);
+    return {&Lattice::of(2, 2 * m), cross(2, r, m, s, m), kRounding * longest(r) * longest(s)};
+}
+
+JacobianForm stretch_of(const Lattice& lattice, const std::vector<Vec3>& control) {
+    const int dimension = lattice.dimension();
+    const int m = lattice.degree() - 1;
+    JacobianForm form;
+    form.lattice = &Lattice::of(dimension, 2 * m);
+    form.coefficients.assign(static_cast<std::size_t>(form.lattice->size()), 0.0);
+    const auto add = [&](const std::vector<Vec3>& along) {
+        const std::vector<double> square = dot(dimension, along, m, along, m);
+        for (std::size_t i = 0; i < square.size(); ++i) {
+            form.coefficients[i] += square[i];
+        }
+        form.rounding += kRounding * longest(along) * longest(along);
+    };
+    for (int k = 1; k <= dimension; ++k) {
+        const std::vector<Vec3> from_first = derivative(lattice, control, k);
+        add(from_first);
+        for (int j = 1; j < k; ++j) {
+            std::vector<Vec3> between = derivative(lattice, control, j);
+            for (std::size_t i = 0; i < between.size(); ++i) {
+                between[i] -= from_first[i];
+            }
+            add(between);
+        }
+    }
+    return form;
+}
+
 }  // namespace mq::curve

@@ -28,4 +28,17 @@ double jacobian_at(const Lattice& lattice, const std::vector<Vec3>& control, con
 JacobianForm normal_component(const Lattice& lattice, const std::vector<Vec3>& control,
                               const std::vector<Vec3>& cad_normals);
 
+/// x_r x x_s of a Bezier triangle of order q: degree 2 (q - 1). Twice the area times the normal where it is flat.
+struct NormalForm {
+    const Lattice* lattice = nullptr;
+    std::vector<Vec3> coefficients;
+    double rounding = 0.0;
+};
+
+NormalForm normal_of(const Lattice& lattice, const std::vector<Vec3>& control);
+
+/// The sum of the squared derivatives along the directions of all edges of a Bezier triangle or tetrahedron of order q:
+/// degree 2 (q - 1). The sum of the squared edges where the element is straight.
+JacobianForm stretch_of(const Lattice& lattice, const std::vector<Vec3>& control);
+
 }  // namespace mq::curve

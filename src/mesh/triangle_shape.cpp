@@ -29,9 +29,12 @@ TriangleShape shape_of(const std::array<Vec3, 3>& p) {
     shape.degenerate = shortest == 0.0 || (twice_area <= 1e-10 * scale && collinear(p[0], p[1], p[2]));
     if (shape.degenerate) {
         shape.max_angle = 180.0;
+        shape.distortion = HUGE_VAL;
         return shape;
     }
     shape.area = 0.5 * twice_area;
+    const double squares = length[0] * length[0] + length[1] * length[1] + length[2] * length[2];
+    shape.distortion = squares / (2.0 * std::sqrt(3.0) * twice_area);
     std::array<double, 3> angle;
     for (int i = 0; i < 3; ++i) {
         angle[i] = kDegrees * std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3]));

@@ -11,7 +11,10 @@ namespace mq::mesh {
 struct TriangleShape {
     double min_angle = 0.0;
     double max_angle = 0.0;
-    double aspect = 0.0;      ///< longest edge / shortest edge; infinite for an edge without length
+    double aspect = 0.0;  ///< longest edge / shortest edge; infinite for an edge without length
+    /// Sum of the squared edges / (4 sqrt(3) area): 1 for 60 degrees everywhere, infinite when degenerate (the inverse
+    /// of the mean ratio, see curve/distortion.h).
+    double distortion = 0.0;
     double area = 0.0;        ///< mm^2; 0 when degenerate
     bool degenerate = false;  ///< two equal corners, or corners on one line
 };

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "curve/curved_mesh.h"
+#include "curve/distortion.h"
 #include "curve/tessellation.h"
 #include "mesh/report.h"
 #include "python/array_view.h"
@@ -111,6 +112,17 @@ std::shared_ptr<Tessellation> tessellated(const CurvedMesh& mesh, double deviati
     });
 }
 
+using Distortions = std::vector<double> (*)(const CurvedMesh&, Progress*);
+
+template <Distortions distortions>
+py::array_t<double> measured_distortions(const CurvedMesh& mesh, const py::object& progress) {
+    const std::vector<double> found = watch(progress, [&](Progress& handle) {
+        handle.stage("measuring the distortion", 0.0, 1.0);
+        return distortions(mesh, &handle);
+    });
+    return py::array_t<double>(static_cast<py::ssize_t>(found.size()), found.data());
+}
+
 std::shared_ptr<triangulate::Result> surface_of(const Tessellation& tessellation) {
     auto surface = std::make_shared<triangulate::Result>();
     surface->mesh = tessellation.mesh;
@@ -164,6 +176,10 @@ void bind_curved_mesh(py::module_& m) {
             return py::array_t<std::int32_t>(static_cast<py::ssize_t>(behind.size()), behind.data());
         },
         "By triangle: the tetrahedron that it is a face of, or -1.");
+    cls.def("triangle_distortions", &measured_distortions<curve::triangle_distortions>,
+            py::arg("progress") = py::none(), "float64 (T,): upper bounds of the largest distortion, 1 is best.");
+    cls.def("tetrahedron_distortions", &measured_distortions<curve::tetrahedron_distortions>,
+            py::arg("progress") = py::none(), "float64 (E,): likewise.");
     cls.def("tessellate", &tessellated, py::arg("deviation"), py::arg("progress") = py::none());
     cls.def("write", &curve::write, py::arg("path"), py::call_guard<py::gil_scoped_release>());
     m.def("curved_from_arrays", &from_arrays, py::arg("order"), py::arg("arrays"),

@@ -72,13 +72,14 @@ SurfacePointer surface_from_arrays(
     return surface;
 }
 
-/// float64 (T,) each: smallest angles in degrees, and longest edges / shortest edges.
+/// float64 (T,) each: smallest angles in degrees, longest edges / shortest edges, and distortions.
 py::tuple triangle_shapes(const Surface& surface) {
     const TriangleMesh& mesh = surface.mesh;
     const auto count = static_cast<py::ssize_t>(mesh.triangles.size());
-    py::array_t<double> angles(count), aspects(count);
+    py::array_t<double> angles(count), aspects(count), distortions(count);
     double* angle = angles.mutable_data();
     double* aspect = aspects.mutable_data();
+    double* distortion = distortions.mutable_data();
     {
         const py::gil_scoped_release release;
         for (const mesh::Triangle& t : mesh.triangles) {
@@ -86,9 +87,10 @@ py::tuple triangle_shapes(const Surface& surface) {
                 mesh::shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
             *angle++ = shape.min_angle;
             *aspect++ = shape.aspect;
+            *distortion++ = shape.distortion;
         }
     }
-    return py::make_tuple(angles, aspects);
+    return py::make_tuple(angles, aspects, distortions);
 }
 
 std::vector<std::pair<std::string, std::size_t>> causes_of(const MeshReport& report) {
@@ -194,8 +196,10 @@ void bind_mesh(py::module_& m) {
             }
             return py::bytes(bms);
         });
-    m.def("triangle_shapes", &triangle_shapes, py::arg("surface"),
-          "float64 (T,) each: the smallest angle of each triangle in degrees, and its longest edge / shortest edge.");
+    m.def(
+        "triangle_shapes", &triangle_shapes, py::arg("surface"),
+        "float64 (T,) each: the smallest angle of each triangle in degrees, its longest edge / shortest edge, and its "
+        "distortion: 1 for 60 degrees everywhere.");
     m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
           py::arg("triangle_face") = py::array_t<std::int32_t>(0), py::arg("measured") = true,
           "A Surface of arrays (V, 3) and (T, 3).");

@@ -50,6 +50,26 @@ class Curve(helpers.DocumentTest):
         report = mq.curve(Part.makePlane(10, 10)).report
         self.assertEqual((report.volume, report.cad_volume, report.volume_error), (0.0, 0.0, -1.0))
 
+    def test_distortions_by_element(self):
+        mesh = mq.curve(Part.makeTorus(10, 3), order=3, volume=True)
+        triangles, tetrahedra = mesh.triangle_distortion, mesh.tetrahedron_distortion
+        self.assertEqual((triangles.shape, tetrahedra.shape),
+                         ((len(mesh.triangles),), (len(mesh.tetrahedra),)))
+        self.assertGreaterEqual(min(triangles.min(), tetrahedra.min()), 1.0)
+        self.assertTrue(np.isfinite(tetrahedra).all())
+        self.assertIs(mesh.tetrahedron_distortion, tetrahedra)
+        self.assertRaises(ValueError, tetrahedra.__setitem__, 0, 1.0)
+        shown = mesh.shown_distortion()
+        self.assertTrue(np.isin(shown, tetrahedra).all())
+        # Straight elements are as bad as their corners tell, whatever their order.
+        flat = mq.curve(Part.makeBox(10, 10, 10), order=2)
+        corners = flat.nodes[flat.triangles[:, :3]]
+        sides = corners - np.roll(corners, 1, axis=1)
+        area = 0.5 * np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1)
+        expected = (sides**2).sum(axis=(1, 2)) / (4 * math.sqrt(3) * area)
+        np.testing.assert_allclose(flat.triangle_distortion, expected, rtol=1e-9)
+        np.testing.assert_array_equal(flat.shown_distortion(), flat.triangle_distortion)
+
     def test_edges_lie_on_their_cad_edges(self):
         shape = Part.makeCylinder(5, 10)
         mesh = mq.curve(shape, order=3)

@@ -129,7 +129,8 @@ class QualityView(gui_helpers.GuiTest):
         obj.Mesh = Mesh.createSphere(5.0, 20)
         obj.Placement.Base = FreeCAD.Vector(100, 0, 0)
         panel = self.open(obj)
-        self.assertEqual(panel.data.measures, [quality_data.MIN_ANGLE, quality_data.ASPECT])
+        self.assertEqual(panel.data.measures, [quality_data.MIN_ANGLE, quality_data.ASPECT,
+                                               quality_data.DISTORTION])
         self.assertNotIn("Face", panel.worst.item(0).text())
         self.assertGreater(panel.data.corners[..., 0].min(), 94)
 
@@ -143,6 +144,25 @@ class QualityView(gui_helpers.GuiTest):
         self.assertGreater(len(panel.data.corners), panel.data.elements)
         self.assertGreaterEqual(panel.values.min(), obj.MinScaledJacobian)
         self.assertIn(f"{panel.data.elements:,} elements", panel.summary.text())
+        self.choose(panel, quality_data.DISTORTION)
+        found = mq.CurvedMesh.of(obj).shown_distortion()
+        np.testing.assert_array_equal(panel.values, found)
+        self.assertIn(f"{found.max():.4g}: element {found.argmax()} on Face1",
+                      panel.worst.item(0).text())
+        self.assertIn(f"worst {found.max():.4g}", panel.summary.text())
+
+    def test_folded_elements_are_the_worst_of_all(self):
+        obj = self.meshed(Part.makeBox(3, 4, 5))
+        panel = self.open(obj)
+        values = np.full(panel.data.elements, 1.5)
+        values[3] = np.inf
+        measure = quality_data.DISTORTION
+        panel._show(measure, values, np.zeros((len(values), 4)),
+                    quality_data.Histogram.of(values, measure), panel.data.faces(values, measure))
+        self.assertIn("worst ∞, mean 1.5", panel.summary.text())
+        self.assertTrue(panel.worst.item(0).text().startswith("∞: element 3 on Face"))
+        self.assertEqual(panel.faces.item(0, 2).text(), "∞")
+        self.assertEqual(panel.faces.item(0, 3).text(), "1.5")
 
     def test_an_empty_mesh_is_refused_with_its_name(self):
         obj = self.document.addObject("Mesh::Feature", "Empty")
@@ -179,5 +199,6 @@ class QualityView(gui_helpers.GuiTest):
         source = self.document.addObject("Mesh::Feature", "Imported")
         source.Mesh = Mesh.createCylinder(2.0, 10.0, True, 5.0, 30)
         panel = self.open(mq.add_improved_mesh(source))
-        self.assertEqual(panel.data.measures, [quality_data.MIN_ANGLE, quality_data.ASPECT])
+        self.assertEqual(panel.data.measures, [quality_data.MIN_ANGLE, quality_data.ASPECT,
+                                               quality_data.DISTORTION])
         self.assertGreaterEqual(panel.values.min(), 25)

@@ -47,6 +47,8 @@ class Measure:
 
     def text(self, number):
         """A number with its unit."""
+        if np.isinf(number):
+            return "∞"
         return f"{number:.4g}{self.unit}"
 
     def range(self, values):
@@ -73,6 +75,9 @@ ASPECT = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Longest edge / shortest edge"
                  lambda data, _: data.shapes()[1])
 DISTANCE = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Distance to the shape"), " mm", None, 0.0,
                    lambda data, progress: data.distances(progress))
+# A fifth of the regular shape's quality is what a corner of 7 degrees has.
+DISTORTION = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Distortion"), "", 5.0, 1.0,
+                     lambda data, progress: data.distortions(progress))
 JACOBIAN = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Scaled Jacobian"), "", 0.0, 1.0,
                    lambda data, _: data.jacobians)
 
@@ -103,7 +108,9 @@ class Histogram:
 
 @dataclass(frozen=True)
 class FaceRow:
-    """One CAD face: its index, how many elements lie on it, their worst and mean value."""
+    """One CAD face: its index, how many elements lie on it, their worst value, and the mean of those
+    that have a finite one.
+    """
 
     face: int
     elements: int
@@ -129,15 +136,16 @@ class QualityData:
         source = getattr(obj, "Source", None)
         has_shape = source is not None and not convert.is_mesh(source)
         self._shape = convert.shape_of(source) if has_shape else None
-        self.corners = None
+        self.corners = self._curved = None
         if obj.Mesh.CountFacets == 0:
             raise InvalidInput(f"{obj.Label} has no triangles")
         self._why = dict(self._reasons(obj))
         if getattr(obj, "ElementsOrder", 0):
-            self.measures = [JACOBIAN]
+            self.measures = [JACOBIAN, DISTORTION]
             self._prepare = partial(self._take_curved, CurvedMesh.of(obj), obj.ShownDeviation.Value)
         else:
-            self.measures = [MIN_ANGLE, ASPECT] + ([DISTANCE] if self._shape is not None else [])
+            self.measures = [MIN_ANGLE, ASPECT, DISTORTION] \
+                + ([DISTANCE] if self._shape is not None else [])
             self._prepare = partial(self._take_flat, *convert.arrays_of_mesh(obj),
                                     list(getattr(obj, "FaceRuns", [])))
 
@@ -165,6 +173,7 @@ class QualityData:
         self.lines = (np.asarray(surface.vertices).astype(np.float32),
                       np.array(shown.edge_lines, dtype=np.int32))
         self.jacobians = np.array(curved.shown_quality)
+        self._curved = curved
 
     @property
     def elements(self):
@@ -172,10 +181,16 @@ class QualityData:
         return len(self.face)
 
     def shapes(self):
-        """(smallest angles, aspects) of the triangles."""
+        """(smallest angles, aspects, distortions) of the triangles."""
         if self._shapes is None:
             self._shapes = core().triangle_shapes(self._surface)
         return self._shapes
+
+    def distortions(self, progress=None):
+        """How far each element's shape is from the regular one, 1 is best; infinite: it folds."""
+        if self._curved is not None:
+            return self._curved.shown_distortion(progress)
+        return self.shapes()[2]
 
     def distances(self, progress=None):
         """The largest distance of each triangle from the shape that was meshed, mm."""
@@ -185,11 +200,13 @@ class QualityData:
         """A FaceRow for each CAD face, the worst first."""
         order = np.argsort(self.face, kind="stable")
         faces, starts, counts = np.unique(self.face[order], return_index=True, return_counts=True)
-        sums = np.add.reduceat(values[order], starts)
+        finite = np.where(np.isfinite(values), values, 0.0)[order]
+        sums = np.add.reduceat(finite, starts)
+        known = np.maximum(np.add.reduceat(np.isfinite(values[order]).astype(int), starts), 1)
         extreme = np.minimum if measure.low_is_bad else np.maximum
         worst = extreme.reduceat(values[order], starts)
-        rows = [FaceRow(int(f), int(n), float(w), float(s / n))
-                for f, n, w, s in zip(faces, counts, worst, sums) if f >= 0]
+        rows = [FaceRow(int(f), int(n), float(w), float(s / k))
+                for f, n, w, s, k in zip(faces, counts, worst, sums, known) if f >= 0]
         return [rows[i] for i in measure.order(np.array([row.worst for row in rows]))]
 
     def place(self, element):

@@ -158,7 +158,7 @@ class QualityPanel:
         self._worst = order[:WORST]
         self._say(translate("MeshQuality", "{0} elements: worst {1}, mean {2}").format(
             f"{self.data.elements:,}", measure.text(values[order[0]]),
-            measure.text(values.mean())))
+            measure.text(_mean(values))))
         self.histogram.show_histogram(histogram, measure)
         self._list_worst()
         self._list_faces(faces)
@@ -216,6 +216,12 @@ class QualityPanel:
 
     def _say(self, text):
         self.summary.setText(text)
+
+
+def _mean(values):
+    """Of those that are finite."""
+    finite = values[np.isfinite(values)]
+    return finite.mean() if len(finite) else values[0]
 
 
 def _hint():
