@@ -4,14 +4,21 @@
 import io
 import os
 import tempfile
+from functools import cached_property
 
 import FreeCAD
 import numpy as np
 
+from .compat import core
 from .errors import InvalidInput
 
 _MANY = 5000  # numbers that take longer than a millisecond
 _BMS_HEAD = 264  # magic, version and comment; then two counts, points, facets and the box
+
+
+def shape_text(shape):
+    """BREP text of a Part.Shape, as bytes: the same after saving and loading, and after showing it."""
+    return core().brep_text(shape)
 
 
 def label_of(source):
@@ -64,16 +71,28 @@ def arrays_of_mesh(mesh):
 
     Coordinates include the mesh's placement.
     """
-    mesh, matrix = _mesh_and_matrix(mesh)
-    handle, path = tempfile.mkstemp(suffix=".bms")
-    os.close(handle)
-    try:
-        # A file, because writing this format into a stream loses its beginning in FreeCAD 0.20.
-        mesh.write(Filename=path, Format="BMS")
-        with open(path, "rb") as stream:
-            data = stream.read()
-    finally:
-        os.unlink(path)
+    return _arrays(*_mesh_and_matrix(mesh))
+
+
+class MeshCopy:
+    """A Mesh.Mesh, a Mesh feature or a link as it is now, for work on another thread."""
+
+    def __init__(self, source):
+        mesh, self._matrix = _mesh_and_matrix(source)
+        self._mesh = mesh.copy()
+
+    @cached_property
+    def arrays(self):
+        """What arrays_of_mesh gives; one thread at a time may ask for it."""
+        arrays = _arrays(self._mesh, self._matrix)
+        self._mesh = None
+        return arrays
+
+
+def _arrays(mesh, matrix):
+    data = core().bms_of_mesh(mesh)
+    if data is None:
+        data = _bms_by_file(mesh)
     points, facets = (int(n) for n in np.frombuffer(data, "<u4", 2, _BMS_HEAD))
     start = _BMS_HEAD + 8
     vertices = np.frombuffer(data, "<f4", 3 * points, start).astype(np.float64).reshape(-1, 3)
@@ -82,6 +101,19 @@ def arrays_of_mesh(mesh):
         matrix = np.array(matrix.A).reshape(4, 4)
         vertices = vertices @ matrix[:3, :3].T + matrix[:3, 3]
     return vertices, columns[:, :3].astype(np.int32)
+
+
+def _bms_by_file(mesh):
+    """The mesh in FreeCAD's binary format, written by its Python function."""
+    handle, path = tempfile.mkstemp(suffix=".bms")
+    os.close(handle)
+    try:
+        # A file, because writing this format into a stream loses its beginning in FreeCAD 0.20.
+        mesh.write(Filename=path, Format="BMS")
+        with open(path, "rb") as stream:
+            return stream.read()
+    finally:
+        os.unlink(path)
 
 
 def _mesh_and_matrix(source):
@@ -95,8 +127,8 @@ def _mesh_and_matrix(source):
     return mesh, mesh.Placement.toMatrix()
 
 
-def surface_of_arrays(core, vertices, triangles, measured=True):
-    """A core.Surface of (V, 3) numbers and (T, 3) indices; raises InvalidInput."""
+def surface_of_arrays(module, vertices, triangles, measured=True):
+    """A Surface of the core module, of (V, 3) numbers and (T, 3) indices; raises InvalidInput."""
     try:
         vertices = np.asarray(vertices, dtype=np.float64)
         triangles = np.asarray(triangles)
@@ -105,7 +137,7 @@ def surface_of_arrays(core, vertices, triangles, measured=True):
             from error
     if triangles.size and not np.issubdtype(triangles.dtype, np.integer):
         raise InvalidInput(f"triangles must be whole numbers, not {triangles.dtype}")
-    return core.surface_from_arrays(vertices, triangles.astype(np.int64, copy=False),
+    return module.surface_from_arrays(vertices, triangles.astype(np.int64, copy=False),
                                     measured=measured)
 
 
@@ -114,11 +146,17 @@ def mesh_of_surface(surface):
     import Mesh
 
     mesh = Mesh.Mesh()
-    mesh.read(Stream=_Stream(surface.to_bms()), Format="BMS")
+    if not core().fill_mesh(mesh, surface):
+        fill_by_python(mesh, surface)
     if np.any(surface.origin):
         mesh.Placement = FreeCAD.Placement(FreeCAD.Vector(*surface.origin), FreeCAD.Rotation())
-    add_segments(mesh, face_segments(surface.triangle_face))
     return mesh
+
+
+def fill_by_python(mesh, surface):
+    """Fills an empty Mesh.Mesh by FreeCAD's Python functions."""
+    mesh.read(Stream=_Stream(surface.to_bms()), Format="BMS")
+    add_segments(mesh, face_segments(surface.triangle_face))
 
 
 def add_segments(mesh, segments):
@@ -127,9 +165,9 @@ def add_segments(mesh, segments):
         mesh.addSegment(_Numbers(triangles) if len(triangles) > _MANY else triangles.tolist())
 
 
-# FreeCAD keeps Python's lock while it reads a mesh or takes a segment, which would stop the window
-# for as long when that is done in the background. Functions of ours that it calls meanwhile, often
-# enough, let Python hand the lock over.
+# These Python functions of FreeCAD keep Python's lock, which stops the window for as long when they
+# are called in the background. Functions of ours that they call meanwhile, often enough, let Python
+# hand the lock over; a single large segment still takes long.
 
 
 class _Stream:

@@ -5,6 +5,7 @@ import hashlib
 import string
 import time
 from contextlib import contextmanager
+from functools import cached_property
 
 import numpy as np
 
@@ -22,7 +23,8 @@ _FRAME = 4.0
 
 
 class Operands:
-    """Meshes and shapes on their way into a Boolean.
+    """Meshes and shapes on their way into a Boolean. FreeCAD's are taken as they are at first; any
+    thread may do the rest.
 
     surfaces    [(core.Surface, whether it may be rounded to single precision,
                 the Part.Shape it was made of or None), ...]
@@ -36,9 +38,17 @@ class Operands:
         self._sources = sources
         self._letters = letters(len(sources))
         self._names = [f"operand {letter}" for letter in self._letters]
+        self._taken = [self._take(i) for i in range(len(sources))]
+
+    @property
+    def surfaces(self):
+        return [found for found in self._found if isinstance(found, tuple)]
+
+    @cached_property
+    def _found(self):
+        """What _read gives for each."""
         with self._stage("reading the operands"):
-            self._found = [self._read(i) for i in range(len(sources))]
-        self.surfaces = [found for found in self._found if isinstance(found, tuple)]
+            return [self._read(i) for i in range(len(self._taken))]
 
     def mesh_shapes(self, resolution, tolerance, progress):
         """Meshes the operands that are shapes, half as far from them as the tolerance allows.
@@ -53,7 +63,6 @@ class Operands:
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
                 self._found[i] = self._mesh_shape(i, 0.5 * wanted, part)
-        self.surfaces = self._found
         return True
 
     def tolerance(self, resolution, tolerance):
@@ -70,7 +79,7 @@ class Operands:
                     digest.update(str(array.shape).encode())
                     digest.update(np.ascontiguousarray(array))
             else:
-                digest.update(found.exportBrepToString().encode())
+                digest.update(convert.shape_text(found))
         return digest.hexdigest()
 
     @contextmanager
@@ -80,18 +89,33 @@ class Operands:
         self.seconds.append((name, time.perf_counter() - wall))
         self.cpu_seconds += time.process_time() - cpu
 
+    def _take(self, i):
+        """A convert.MeshCopy of a mesh of FreeCAD, a SurfaceMesh or arrays as they are, the Part.Shape
+        of anything else.
+        """
+        source = self._sources[i]
+        with self._naming(i):
+            if isinstance(source, SurfaceMesh) or is_arrays(source):
+                return source
+            return convert.MeshCopy(source) if convert.is_mesh(source) else convert.shape_of(source)
+
     def _read(self, i):
-        """(surface, round, None) of a mesh, the Part.Shape of anything else."""
-        source, module = self._sources[i], core()
+        """(surface, round, None) of a mesh, the Part.Shape as it is."""
+        taken, module = self._taken[i], core()
+        with self._naming(i):
+            if isinstance(taken, SurfaceMesh):
+                return taken._surface, False, None
+            if isinstance(taken, convert.MeshCopy):
+                return convert.surface_of_arrays(module, *taken.arrays, measured=False), True, None
+            if is_arrays(taken):
+                return convert.surface_of_arrays(module, *taken, measured=False), False, None
+            return taken
+
+    @contextmanager
+    def _naming(self, i):
+        """Has errors name the operand."""
         try:
-            if isinstance(source, SurfaceMesh):
-                return source._surface, False, None
-            if convert.is_mesh(source):
-                return convert.surface_of_arrays(
-                    module, *convert.arrays_of_mesh(source), measured=False), True, None
-            if is_arrays(source):
-                return convert.surface_of_arrays(module, *source, measured=False), False, None
-            return convert.shape_of(source)
+            yield
         except InvalidInput as error:
             raise InvalidInput(f"{self._names[i]}: {error}; operands are meshes (Mesh.Mesh, "
                                "SurfaceMesh, arrays (V, F)), shapes, and document objects that "

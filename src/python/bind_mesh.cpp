@@ -50,10 +50,11 @@ SurfacePointer surface_from_arrays(
     auto surface = std::make_shared<Surface>();
     TriangleMesh& mesh = surface->mesh;
     mesh.vertices.resize(rows(vertices, "vertices"));
+    mesh.triangles.resize(rows(triangles, "triangles"));
+    const py::gil_scoped_release release;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         std::copy_n(vertices.data() + 3 * v, 3, mesh.vertices[v].data());
     }
-    mesh.triangles.resize(rows(triangles, "triangles"));
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
         for (int i = 0; i < 3; ++i) {
             const std::int64_t v = triangles.data()[3 * k + i];
@@ -66,7 +67,6 @@ SurfacePointer surface_from_arrays(
     }
     mesh.triangle_face.assign(faces.data(), faces.data() + faces.size());
     if (measured) {
-        const py::gil_scoped_release release;
         surface->report = mesh::measure(mesh);
     }
     return surface;

@@ -118,6 +118,15 @@ py::tuple shape_identity(const py::object& shape, bool copy) {
     return py::make_tuple(identity.tshape, identity.hash);
 }
 
+py::bytes brep_text(const PartShape& part) {
+    std::string text;
+    {
+        const py::gil_scoped_release release;
+        text = geometry::write_brep_text(*part.shape);
+    }
+    return py::bytes(text);
+}
+
 }  // namespace
 
 void bind_triangulate(py::module_& m) {
@@ -145,6 +154,8 @@ void bind_triangulate(py::module_& m) {
           py::arg("progress") = py::none(),
           "float64 (T,): the largest distance of each triangle's corners, edge middles and centroid from the faces of "
           "a Part.Shape, mm.");
+    m.def("brep_text", &brep_text, py::arg("shape"),
+          "A Part.Shape as BREP text without triangulations: the same before and after it was shown.");
     m.def("shape_identity", &shape_identity, py::arg("shape"), py::arg("copy") = false,
           "(address of the TShape, hash) of a Part.Shape as the core sees it; copy=True: of its copy by BREP text.");
 }

@@ -38,6 +38,7 @@ PYBIND11_MODULE(_core, m) {
     require_same_kernel();
     m.attr("occt_version") = mq::geometry::occt_version();
     mq::python::bind_errors(m);
+    mq::python::bind_freecad_mesh(m);
     mq::python::bind_mesh(m);
     mq::python::bind_triangulate(m);
     mq::python::bind_curve(m);

@@ -11,6 +11,8 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality import convert
+from MeshQuality.compat import core
 
 
 class ToMesh(unittest.TestCase):
@@ -37,6 +39,42 @@ class ToMesh(unittest.TestCase):
         for face in range(len(shape.Faces)):
             self.assertEqual(list(mesh.getSegment(face)),
                              np.flatnonzero(surface.triangle_face == face).tolist())
+
+    def test_freecads_functions_make_the_same_mesh(self):
+        surface = mq.triangulate(helpers.simple_parts()["cut"])._surface
+        filled, wanted = Mesh.Mesh(), Mesh.Mesh()
+        if not core().fill_mesh(filled, surface):
+            self.skipTest("this build of FreeCAD does not let us fill its meshes")
+        convert.fill_by_python(wanted, surface)
+        for what in (lambda mesh: mesh.Topology, lambda mesh: [
+                mesh.getSegment(i) for i in range(mesh.countSegments())]):
+            self.assertEqual(str(what(filled)), str(what(wanted)))
+        self.assertFalse(filled.hasInvalidNeighbourhood())
+
+    def test_only_meshes_are_filled(self):
+        surface = mq.triangulate(helpers.simple_parts()["box"])._surface
+        for other in (None, 3, "mesh", Part.makeBox(1, 1, 1), FreeCAD.Vector()):
+            self.assertFalse(core().fill_mesh(other, surface))
+            self.assertIsNone(core().bms_of_mesh(other))
+
+
+class Copies(helpers.DocumentTest):
+    def test_a_copy_does_not_follow_the_mesh(self):
+        obj = self.document.addObject("Mesh::Feature", "Mesh")
+        obj.Mesh = Mesh.createBox(1, 2, 3)
+        obj.Placement.Base = FreeCAD.Vector(5, 0, 0)
+        wanted = convert.arrays_of_mesh(obj)
+        copy = convert.MeshCopy(obj)
+        obj.Mesh = Mesh.createSphere(1)
+        for mine, other in zip(copy.arrays, wanted):
+            self.assertTrue(np.array_equal(mine, other))
+
+    def test_both_ways_out_give_the_same_bytes(self):
+        mesh = Mesh.createSphere(1, 20)
+        found = core().bms_of_mesh(mesh)
+        if found is None:
+            self.skipTest("this build of FreeCAD does not let us read its meshes")
+        self.assertEqual(found.tobytes(), convert._bms_by_file(mesh))
 
 
 class Write(helpers.DocumentTest):

@@ -7,6 +7,7 @@ import numpy as np
 
 import MeshQuality as mq
 from MeshQuality import options
+from MeshQuality.features import mesh_object, quality_mesh
 
 
 class Recompute(helpers.DocumentTest):
@@ -76,6 +77,14 @@ class Recompute(helpers.DocumentTest):
         self.assertEqual(obj.Mesh.Topology[1], mesh_before.Topology[1])
         self.assertTrue(obj.isValid())
 
+    def test_showing_the_source_changes_nothing(self):
+        box = self.box()
+        obj = mq.add_quality_mesh(box)
+        before = obj.Fingerprint
+        box.Shape.tessellate(0.1)
+        self.assertEqual(quality_mesh.QualityMesh.work_on(
+            [box], mesh_object.options_of(obj, options.TRIANGULATE)).fingerprint, before)
+
     def test_errors_are_sentences_and_mark_the_object(self):
         obj = mq.add_quality_mesh(self.box())
         obj.MinAngle = 40
@@ -101,6 +110,31 @@ class Undo(helpers.DocumentTest):
         self.assertIsNone(self.document.getObject(name))
         self.document.redo()
         self.assertEqual(self.document.getObject(name).Mesh.CountFacets, facets)
+
+    def test_mesh_segments_and_placement_come_back(self):
+        source = self.box()
+        source.Placement.Base = FreeCAD.Vector(5000, 0, 0)
+        self.document.recompute()
+        obj = mq.add_quality_mesh(source)
+
+        def state():
+            return (str(obj.Mesh.Topology), obj.Placement.Base, obj.Fingerprint,
+                    [obj.Mesh.getSegment(i) for i in range(obj.Mesh.countSegments())])
+
+        before = state()
+        mq.update(obj, max_edge=3.0)
+        after = state()
+        self.assertNotEqual(before, after)
+        self.assertEqual(len(after[-1]), 6)
+        for _ in range(2):
+            self.document.undo()
+            self.assertEqual(state(), before)
+            self.document.redo()
+            self.assertEqual(state(), after)
+        self.document.openTransaction("given up")
+        mq.update(obj, max_edge=2.0)
+        self.document.abortTransaction()
+        self.assertEqual(state(), after)
 
     def test_it_joins_an_open_transaction(self):
         box = self.box()

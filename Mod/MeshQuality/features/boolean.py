@@ -79,7 +79,8 @@ class MeshBoolean(mesh_object.MeshObject):
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, obj.Mesh, tolerance, faults = result
+        mesh, shown, tolerance, faults = result
+        mesh_object.show_mesh(obj, shown)
         show_report(obj, mesh.report)
         obj.AskedTolerance = tolerance
         mesh_object.show_certificate(obj, mesh.report, True, faults)

@@ -118,7 +118,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
             obj.ElementsFingerprint = result.fingerprint
         obj.ShownDeviation, obj.FaceRuns = result.deviation, result.face_runs
         self.drawing = result.drawing
-        obj.Mesh = result.mesh
+        mesh_object.show_mesh(obj, result.mesh)
         self.drawing = None
 
 

@@ -35,16 +35,16 @@ class ImprovedMesh(mesh_object.OfOneSource):
         if not convert.is_mesh(sources[0]):
             raise InvalidInput("Source is not a mesh: choose one object with a mesh")
         values = options.check(cls.OPTIONS, values)
-        vertices, triangles = convert.arrays_of_mesh(sources[0])
-        return Work(cls, sources, values, partial(_digest, vertices, triangles, values),
-                    partial(cls.compute, vertices, triangles, values))
+        mesh = convert.MeshCopy(sources[0])
+        return Work(cls, sources, values, partial(_digest, mesh, values),
+                    partial(cls.compute, mesh, values))
 
     @classmethod
-    def compute(cls, vertices, triangles, values, progress):
+    def compute(cls, source, values, progress):
         """The SurfaceMesh, the Mesh.Mesh made of it, whether it was to be closed, and the faults of
         its certificate.
         """
-        given = SurfaceMesh(convert.surface_of_arrays(core(), vertices, triangles))
+        given = SurfaceMesh(convert.surface_of_arrays(core(), *source.arrays))
         mesh = improve(given, **values, progress=progress)
         closed = given.report.closed
         faults = certificate.angle_faults(mesh) + certificate.topology_faults(mesh.report, closed)
@@ -52,13 +52,15 @@ class ImprovedMesh(mesh_object.OfOneSource):
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, obj.Mesh, closed, faults = result
+        mesh, shown, closed, faults = result
+        mesh_object.show_mesh(obj, shown)
         mesh_object.show_topology(obj, mesh.report)
         mesh_object.show_angles(obj, mesh.report)
         mesh_object.show_certificate(obj, mesh.report, closed, faults)
 
 
-def _digest(vertices, triangles, values):
+def _digest(mesh, values):
+    vertices, triangles = mesh.arrays
     digest = hashlib.sha256(vertices.tobytes())
     digest.update(triangles.tobytes())
     digest.update(json.dumps(values, sort_keys=True).encode())

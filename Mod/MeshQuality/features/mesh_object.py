@@ -69,6 +69,7 @@ class MeshObject(PlainState):
     """
 
     PRESETS = PROMISES = ()
+    _clearing = False
 
     def __init__(self, obj):
         obj.Proxy = self
@@ -105,6 +106,15 @@ class MeshObject(PlainState):
         self.add_properties(obj)
         if FreeCAD.GuiUp and not isinstance(obj.ViewObject.Proxy, PlainState):
             self.attach_view(obj.ViewObject)
+
+    def onBeforeChange(self, obj, name):
+        """Called by FreeCAD; undo and redo replace a mesh as fast as show_mesh does."""
+        if name == "Mesh" and obj.Document.Transacting and not self._clearing:
+            self._clearing = True
+            try:
+                _clear_mesh(obj)
+            finally:
+                self._clearing = False
 
     def execute(self, obj):
         """Brings the mesh up to date, unless nothing that it depends on has changed."""
@@ -201,7 +211,7 @@ class SourceMesh(OfOneSource):
 
 def fingerprint_of(shape, values):
     """Changes whenever the shape or an option does; the same after saving and loading."""
-    digest = hashlib.sha256(shape.exportBrepToString().encode())
+    digest = hashlib.sha256(convert.shape_text(shape))
     digest.update(json.dumps(values, sort_keys=True).encode())
     return digest.hexdigest()
 
@@ -239,6 +249,24 @@ def add_hidden(obj, group, table):
     for name, kind, text in table:
         add_property(obj, kind, name, group, text)
         obj.setEditorMode(name, 2)
+
+
+def show_mesh(obj, mesh):
+    """Gives the object its mesh."""
+    _clear_mesh(obj)
+    obj.Mesh = mesh
+
+
+def _clear_mesh(obj):
+    """Takes away a mesh with segments. FreeCAD would mark the facets of all segments anew for each
+    segment of the mesh that replaces it: of 500,000 triangles on 50 faces that takes seven seconds.
+    """
+    import Mesh
+
+    if obj.Mesh.countSegments():
+        empty = Mesh.Mesh()
+        empty.Placement = obj.Mesh.Placement
+        obj.Mesh = empty
 
 
 def show_topology(obj, report):

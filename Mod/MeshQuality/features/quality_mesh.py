@@ -40,7 +40,8 @@ class QualityMesh(mesh_object.SourceMesh):
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, obj.Mesh, closed, faults = result
+        mesh, shown, closed, faults = result
+        mesh_object.show_mesh(obj, shown)
         show_report(obj, mesh.report)
         mesh_object.show_certificate(obj, mesh.report, closed, faults)
         obj.FaceRuns = mesh_object.runs_of_faces(mesh.triangle_face)

@@ -146,7 +146,7 @@ class QualityData:
         else:
             self.measures = [MIN_ANGLE, ASPECT, DISTORTION] \
                 + ([DISTANCE] if self._shape is not None else [])
-            self._prepare = partial(self._take_flat, *convert.arrays_of_mesh(obj),
+            self._prepare = partial(self._take_flat, convert.MeshCopy(obj),
                                     list(getattr(obj, "FaceRuns", [])))
 
     def prepare(self):
@@ -154,7 +154,8 @@ class QualityData:
         if self.corners is None:
             self._prepare()
 
-    def _take_flat(self, vertices, triangles, runs):
+    def _take_flat(self, mesh, runs):
+        vertices, triangles = mesh.arrays
         self._surface = convert.surface_of_arrays(core(), vertices, triangles, measured=False)
         self.corners = vertices[triangles].astype(np.float32)
         self.element = np.arange(len(triangles))

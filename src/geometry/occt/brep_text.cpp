@@ -5,7 +5,9 @@
 #include <BRep_Builder.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_Version.hxx>
+#include <TopTools_FormatVersion.hxx>
 #include <TopoDS_Shape.hxx>
+#include <algorithm>
 #include <climits>
 #include <functional>
 #include <sstream>
@@ -26,6 +28,22 @@ std::shared_ptr<const TopoDS_Shape> read_brep_text(const std::string& text) {
         throw InvalidInput("the BREP text holds no shape");
     }
     return shape;
+}
+
+std::string write_brep_text(const TopoDS_Shape& shape) {
+    std::ostringstream stream;
+    BRepTools::Write(shape, stream, false, false, TopTools_FormatVersion_CURRENT);
+    std::string text = stream.str();
+    // Marks are a line of their own: free, modified, checked, orientable, closed, infinite, convex.
+    constexpr std::size_t kMarks = 7;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        if (end - begin == kMarks && text.find_first_not_of("01", begin) >= end) {
+            text[begin + 1] = text[begin + 2] = '0';
+        }
+        begin = end + 1;
+    }
+    return text;
 }
 
 ShapeIdentity identity_of(const TopoDS_Shape& shape) {

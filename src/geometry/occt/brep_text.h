@@ -13,6 +13,10 @@ namespace mq::geometry {
 /// @throws InvalidInput when the text holds no shape.
 std::shared_ptr<const TopoDS_Shape> read_brep_text(const std::string& text);
 
+/// The shape as BREP text, the same however often it was looked at: without triangulations, and without the marks that
+/// making one leaves on faces and edges.
+std::string write_brep_text(const TopoDS_Shape& shape);
+
 /// Tells whether two shapes share their data: the same `tshape` means the very same topology in memory.
 struct ShapeIdentity {
     std::size_t tshape = 0;  ///< address of the TShape
