@@ -63,6 +63,11 @@ class Option:
         }[self.kind]
 
     @property
+    def property_help(self):
+        """What the property says of itself."""
+        return self.help if self.default is not None else f"{self.help}; 0: {self.unset}"
+
+    @property
     def flag(self):
         """Its name on the command line: min_angle -> --min-angle."""
         return "--" + self.name.replace("_", "-")
@@ -174,8 +179,8 @@ TRIANGULATE = (
            title="Distance to the shape",
            help="Largest distance between the mesh and the shape"),
     Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Accuracy",
-           title="The same, as a part of the size",
-           help="The same as a part of the shape's largest dimension"),
+           title="Or as a part of the size",
+           help="The same as a part of the shape's largest dimension: 0.001 is a thousandth"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Size", title="Longest edge",
            help="Longest edge of a triangle"),
     Option("local_sizes", dict, None, group="Size", title="Shorter edges on", unset="nowhere",
@@ -191,7 +196,7 @@ TRIANGULATE = (
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, paper is the rule of Aftosmis 1999"),
     Option("max_triangles", int, None, low=1, above=False, group="Size", title="Most triangles",
-           rare=True, help="Work ends, incomplete, at this number; 5 million unless given"),
+           rare=True, unset="5 million", help="Work ends, incomplete, at this number"),
     Option("allow_missing_faces", bool, False, title="Leave out faces that fail", rare=True,
            help="Mesh the rest of a part whose faces fail, and name those in the report"),
     Option("connectivity", str, "pseudo-delaunay", choices=CONNECTIVITIES, group="Sampling",
@@ -208,21 +213,22 @@ TRIANGULATE = (
 
 CURVE = (
     Option("order", int, 2, low=1, high=5, above=False, title="Order of the elements",
-           help="Order of the elements: 1 to 5, with tetrahedra to 4"),
+           help="1: straight sides; 2: quadratic elements, which most FEM programs want; at most 5, "
+                "with tetrahedra 4"),
     Option("volume", bool, False, title="Fill solids with tetrahedra",
            help="Fill the solids with tetrahedra"),
     Option("straighten", bool, False, title="Straighten faulty elements",
            help="Make elements straight that stay invalid after all repairs"),
-    Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Straight mesh",
+    Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Before curving",
            title="Smallest angle",
            help="Smallest angle of the straight triangles"),
-    Option("chord_height", float, None, unit="mm", low=0.0, group="Straight mesh",
+    Option("chord_height", float, None, unit="mm", low=0.0, group="Before curving",
            unset="not given", title="Distance to the shape",
            help="Largest distance between the straight mesh and the shape"),
-    Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Straight mesh",
-           unset="not given", title="The same, as a part of the size",
+    Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Before curving",
+           unset="not given", title="Or as a part of the size",
            help="The same as a part of the shape's largest dimension; 0.01 unless one is given"),
-    Option("max_edge", float, None, unit="mm", low=0.0, group="Straight mesh", title="Longest edge",
+    Option("max_edge", float, None, unit="mm", low=0.0, group="Before curving", title="Longest edge",
            help="Longest edge of the straight mesh"),
 )
 
@@ -230,7 +236,7 @@ CURVE = (
 # Of the document object, beside those of CURVE.
 CURVED_DISPLAY = (
     Option("deviation", float, None, unit="mm", low=0.0, group="Display",
-           unset="size / 1000", title="Display within",
+           unset="size / 1000", title="Display accuracy",
            help="Largest distance between the triangles shown and the curved elements"),
 )
 
@@ -238,10 +244,11 @@ CURVED_DISPLAY = (
 BOOLEAN = (
     Option("operation", str, "union", choices=OPERATIONS, group="Boolean", title="Operation",
            choice_titles=("join", "keep the common part", "cut off", "keep what is in one only"),
-           help="Applied from the first operand on"),
+           help="What is done with the operands, one after the other from the first on"),
     Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
            title="Resolution",
-           help="Parts along the longest side; gives the tolerance where that is not given"),
+           help="Into how many parts the longest side is cut: more parts follow the operands more "
+                "closely and take longer. Gives the tolerance where that is 0"),
     Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Tolerance",
            unset="by resolution",
            help="Largest distance of the result from the exact one"),
@@ -258,7 +265,7 @@ IMPROVE = (
     Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Tolerance",
            unset="size / 1000", help="Largest distance between the mesh and its better version"),
     Option("feature_angle", float, 35.0, unit="degrees", low=0.0, high=180.0, group="Accuracy",
-           title="Sharp from",
+           title="Edges are sharp from",
            help="Edges where the surface turns by more than this stay where they are"),
 )
 

@@ -2,14 +2,325 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en_GB">
 <context>
+    <name>App::Property</name>
+    <message>
+        <source>Algorithm: default divides triangles along the exact intersection; uniform is the sampling scheme of Wang 2010, for two operands</source>
+        <translation>Verfahren: entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper werden nach Wang 2010 abgetastet (für zwei Operanden)</translation>
+    </message>
+    <message>
+        <source>CAD faces on which the mesh misses what was asked for</source>
+        <translation>CAD-Flächen, auf denen das Netz das Verlangte verfehlt</translation>
+    </message>
+    <message>
+        <source>Corners of the triangle where it misses that most</source>
+        <translation>Ecken des Dreiecks, in dem es das am meisten verfehlt</translation>
+    </message>
+    <message>
+        <source>Corners that a repair moved</source>
+        <translation>Ecken, die eine Reparatur verschoben hat</translation>
+    </message>
+    <message>
+        <source>Distance from the exact Boolean that the mesh was to keep within</source>
+        <translation>Verlangter größter Abstand vom genauen Ergebnis</translation>
+    </message>
+    <message>
+        <source>Distance to the shape that the mesh was to keep within; 0: none</source>
+        <translation>Verlangter größter Abstand zur Form; 0: keiner</translation>
+    </message>
+    <message>
+        <source>Edges where the surface turns by more than this stay where they are</source>
+        <translation>Kanten, an denen sich die Fläche um mehr als dies dreht, bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Elements that are not proven to be free of folds; there should be none</source>
+        <translation>Elemente, deren Faltenfreiheit nicht bewiesen ist; es sollte keine geben</translation>
+    </message>
+    <message>
+        <source>Elements that were made straight, as they stayed invalid</source>
+        <translation>Elemente, die begradigt wurden, weil sie ungültig blieben</translation>
+    </message>
+    <message>
+        <source>Enclosed volume</source>
+        <translation>Eingeschlossenes Volumen</translation>
+    </message>
+    <message>
+        <source>Faults that no repair removed</source>
+        <translation>Fehler, die keine Reparatur beseitigt hat</translation>
+    </message>
+    <message>
+        <source>Fill the solids with tetrahedra</source>
+        <translation>Füllt die Körper mit Tetraedern</translation>
+    </message>
+    <message>
+        <source>How far that is off the volume of the shape, as a part of it; -1: the shape has none</source>
+        <translation>Wie weit das vom Volumen der Form abweicht, als Teil davon; -1: die Form hat keines</translation>
+    </message>
+    <message>
+        <source>How samples are joined: pseudo-delaunay in space, parametric in (u, v)</source>
+        <translation>Wie Abtastpunkte verbunden werden: im Raum oder in den Parametern (u, v) der Fläche</translation>
+    </message>
+    <message>
+        <source>Largest angle of all triangles</source>
+        <translation>Größter Winkel aller Dreiecke</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh and its better version; 0: size / 1000</source>
+        <translation>Größter Abstand zwischen dem Netz und dem verbesserten; 0: Größe / 1000</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh and the shape; 0: any</source>
+        <translation>Größter Abstand zwischen Netz und Form; 0: beliebig</translation>
+    </message>
+    <message>
+        <source>Largest distance between the straight mesh and the shape; 0: not given</source>
+        <translation>Größter Abstand zwischen dem geraden Netz und der Form; 0: ohne Angabe</translation>
+    </message>
+    <message>
+        <source>Largest distance between the triangles shown and the curved elements; 0: size / 1000</source>
+        <translation>Größter Abstand zwischen den gezeigten Dreiecken und den gekrümmten Elementen; 0: Größe / 1000</translation>
+    </message>
+    <message>
+        <source>Largest distance from the exact Boolean of the meshes</source>
+        <translation>Größter Abstand vom genauen Ergebnis der Netze</translation>
+    </message>
+    <message>
+        <source>Largest distance of the elements from the shape</source>
+        <translation>Größter Abstand der Elemente von der Form</translation>
+    </message>
+    <message>
+        <source>Largest distance of the result from the exact one; 0: by resolution</source>
+        <translation>Größter Abstand des Ergebnisses vom genauen Ergebnis; 0: nach Auflösung</translation>
+    </message>
+    <message>
+        <source>Largest measured distance to the shape</source>
+        <translation>Größter gemessener Abstand zur Form</translation>
+    </message>
+    <message>
+        <source>Longest edge of a triangle; 0: any</source>
+        <translation>Längste Kante eines Dreiecks; 0: beliebig</translation>
+    </message>
+    <message>
+        <source>Longest edge of the straight mesh; 0: any</source>
+        <translation>Längste Kante des geraden Netzes; 0: beliebig</translation>
+    </message>
+    <message>
+        <source>Longest edge on single faces, edges or around vertices: Face3=0.5, Edge7=0.2; 0: nowhere</source>
+        <translation>Längste Kante auf einzelnen Flächen, Kanten oder um Ecken: Face3=0.5, Edge7=0.2; 0: nirgends</translation>
+    </message>
+    <message>
+        <source>Make elements straight that stay invalid after all repairs</source>
+        <translation>Macht Elemente gerade, die nach allen Reparaturen ungültig bleiben</translation>
+    </message>
+    <message>
+        <source>Mean of that ratio over the elements</source>
+        <translation>Mittel dieses Verhältnisses über die Elemente</translation>
+    </message>
+    <message>
+        <source>Mesh the rest of a part whose faces fail, and name those in the report</source>
+        <translation>Vernetzt den Rest eines Teils, dessen Flächen misslingen, und nennt diese im Bericht</translation>
+    </message>
+    <message>
+        <source>Neighbouring triangles agree on outside</source>
+        <translation>Benachbarte Dreiecke stimmen überein, wo außen ist</translation>
+    </message>
+    <message>
+        <source>No edge is split into shorter ones than this; 0: any</source>
+        <translation>Keine Kante wird in kürzere als diese geteilt; 0: beliebig</translation>
+    </message>
+    <message>
+        <source>Number of corners of elements</source>
+        <translation>Anzahl der Ecken von Elementen</translation>
+    </message>
+    <message>
+        <source>Number of tetrahedra, or of triangles without a volume</source>
+        <translation>Anzahl der Tetraeder, ohne Volumen der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Number of triangles</source>
+        <translation>Anzahl der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Number of vertices</source>
+        <translation>Anzahl der Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Of the input and the options of this mesh</source>
+        <translation>Von Eingabe und Optionen dieses Netzes</translation>
+    </message>
+    <message>
+        <source>Of the random points of sprinkle; the same seed gives the same mesh</source>
+        <translation>Für die Zufallspunkte; gleicher Startwert gibt das gleiche Netz</translation>
+    </message>
+    <message>
+        <source>Of what the elements were made of</source>
+        <translation>Wovon die Elemente gemacht sind</translation>
+    </message>
+    <message>
+        <source>Order of the elements that are kept</source>
+        <translation>Ordnung der aufbewahrten Elemente</translation>
+    </message>
+    <message>
+        <source>Pairs (index of a CAD face, number of successive triangles on it)</source>
+        <translation>Paare (Nummer einer CAD-Fläche, Zahl der Dreiecke in Folge auf ihr)</translation>
+    </message>
+    <message>
+        <source>Refine after sampling, so that the bounds on angle and distance hold</source>
+        <translation>Verfeinert nach dem Abtasten, damit die Schranken für Winkel und Abstand gelten</translation>
+    </message>
+    <message>
+        <source>Root mean square of that distance</source>
+        <translation>Quadratisches Mittel dieses Abstands</translation>
+    </message>
+    <message>
+        <source>Smallest Jacobian of all elements, each against that of its straight element: 1 is best, 0 or less is invalid</source>
+        <translation>Kleinste Jacobi-Determinante aller Elemente, je im Verhältnis zum geraden Element: 1 ist am besten, 0 oder weniger ist ungültig</translation>
+    </message>
+    <message>
+        <source>Smallest angle of a triangle; beyond about 30 the triangles grow many</source>
+        <translation>Kleinster Winkel eines Dreiecks; über etwa 30 werden es sehr viele Dreiecke</translation>
+    </message>
+    <message>
+        <source>Smallest angle of all triangles</source>
+        <translation>Kleinster Winkel aller Dreiecke</translation>
+    </message>
+    <message>
+        <source>Smallest angle of the straight triangles</source>
+        <translation>Kleinster Winkel der geraden Dreiecke</translation>
+    </message>
+    <message>
+        <source>Smallest angle that every triangle is to reach</source>
+        <translation>Kleinster Winkel, den jedes Dreieck erreichen soll</translation>
+    </message>
+    <message>
+        <source>Smallest angle that was asked for</source>
+        <translation>Verlangter kleinster Winkel</translation>
+    </message>
+    <message>
+        <source>Smallest ratio of the least to the largest Jacobian of one element: 1 is best, 0 or less is invalid</source>
+        <translation>Kleinstes Verhältnis der kleinsten zur größten Jacobi-Determinante eines Elements: 1 ist am besten, 0 oder weniger ist ungültig</translation>
+    </message>
+    <message>
+        <source>The mesh has no border edge</source>
+        <translation>Das Netz hat keine Randkante</translation>
+    </message>
+    <message>
+        <source>The mesh has no edge of three or more triangles and no pinched vertex</source>
+        <translation>Das Netz hat keine Kante mit drei oder mehr Dreiecken und keinen Punkt, in dem es sich nur berührt</translation>
+    </message>
+    <message>
+        <source>The mesh was to have no border edge</source>
+        <translation>Das Netz sollte keine Randkante haben</translation>
+    </message>
+    <message>
+        <source>The object whose mesh is improved</source>
+        <translation>Das Objekt, dessen Netz verbessert wird</translation>
+    </message>
+    <message>
+        <source>The object whose shape is meshed</source>
+        <translation>Das Objekt, dessen Form vernetzt wird</translation>
+    </message>
+    <message>
+        <source>The operands: objects with a mesh or a shape, in their order</source>
+        <translation>Die Operanden: Objekte mit einem Netz oder einer Form, in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>The same as a part of the shape&apos;s largest dimension; 0.01 unless one is given; 0: not given</source>
+        <translation>Dasselbe als Teil der größten Abmessung der Form; 0,01, wenn nichts angegeben ist; 0: ohne Angabe</translation>
+    </message>
+    <message>
+        <source>Triangles below the angle asked for, and why</source>
+        <translation>Dreiecke unter dem verlangten Winkel, und warum</translation>
+    </message>
+    <message>
+        <source>Triangles that are an operand&apos;s own</source>
+        <translation>Dreiecke, die unverändert von einem Operanden stammen</translation>
+    </message>
+    <message>
+        <source>Triangles that were made or changed</source>
+        <translation>Dreiecke, die neu oder verändert sind</translation>
+    </message>
+    <message>
+        <source>What else happened on the way</source>
+        <translation>Was sonst unterwegs geschah</translation>
+    </message>
+    <message>
+        <source>What the colours of the elements show</source>
+        <translation>Was die Farben der Elemente zeigen</translation>
+    </message>
+    <message>
+        <source>What the elements enclose</source>
+        <translation>Was die Elemente einschließen</translation>
+    </message>
+    <message>
+        <source>What the triangles shown keep within</source>
+        <translation>Wie genau die gezeigten Dreiecke sind</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>What was repaired in the operands</source>
+        <translation>Was an den Operanden repariert wurde</translation>
+    </message>
+    <message>
+        <source>What was repaired, and how often</source>
+        <translation>Was repariert wurde, und wie oft</translation>
+    </message>
+    <message>
+        <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, paper is the rule of Aftosmis 1999</source>
+        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: so, dass wenige Dreiecke entstehen, oder nach der Regel von Aftosmis 1999</translation>
+    </message>
+    <message>
+        <source>Whether the mesh follows its sources and options by itself, or when it is asked to</source>
+        <translation>Ob das Netz seinen Quellen und Optionen von selbst folgt oder auf Verlangen</translation>
+    </message>
+    <message>
+        <source>Whether the mesh is that of its sources and options</source>
+        <translation>Ob das Netz das seiner Quellen und Optionen ist</translation>
+    </message>
+    <message>
+        <source>Whether the mesh keeps what was asked for; where not, what it misses and where</source>
+        <translation>Ob das Netz das Verlangte einhält; wenn nicht, was es verfehlt und wo</translation>
+    </message>
+    <message>
+        <source>Which elements are invalid</source>
+        <translation>Welche Elemente ungültig sind</translation>
+    </message>
+    <message>
+        <source>refine inserts points until every angle and distance fits; star (hexagons) and sprinkle (random points) first lay points on the faces, denser where they bend</source>
+        <translation>Entweder werden Punkte eingefügt, bis jeder Winkel und Abstand stimmt, oder es werden zuerst Punkte auf die Flächen gelegt (in Sechsecken oder zufällig), dichter, wo diese gekrümmt sind</translation>
+    </message>
+    <message>
+        <source>Elements that were invalid before repair</source>
+        <translation>Elemente, die vor der Reparatur ungültig waren</translation>
+    </message>
+    <message>
+        <source>The same as a part of the shape&apos;s largest dimension: 0.001 is a thousandth; 0: any</source>
+        <translation>Dasselbe als Teil der größten Abmessung der Form: 0,001 ist ein Tausendstel; 0: beliebig</translation>
+    </message>
+    <message>
+        <source>What is done with the operands, one after the other from the first on</source>
+        <translation>Was mit den Operanden geschieht, nacheinander vom ersten an</translation>
+    </message>
+    <message>
+        <source>1: straight sides; 2: quadratic elements, which most FEM programs want; at most 5, with tetrahedra 4</source>
+        <translation>1: gerade Seiten; 2: quadratische Elemente, wie die meisten FEM-Programme sie brauchen; höchstens 5, mit Tetraedern 4</translation>
+    </message>
+    <message>
+        <source>Into how many parts the longest side is cut: more parts follow the operands more closely and take longer. Gives the tolerance where that is 0</source>
+        <translation>In wie viele Teile die längste Seite geteilt wird: mehr Teile folgen den Operanden genauer und dauern länger. Bestimmt die Toleranz, wo diese 0 ist</translation>
+    </message>
+    <message>
+        <source>Work ends, incomplete, at this number; 0: 5 million</source>
+        <translation>Die Arbeit endet unvollständig bei dieser Zahl; 0: 5 Millionen</translation>
+    </message>
+</context>
+<context>
     <name>MeshQuality</name>
     <message>
         <source>Show where</source>
         <translation>Zeigen, wo</translation>
-    </message>
-    <message>
-        <source>Selects the faces of the part on which the mesh misses what was asked for</source>
-        <translation>Wählt die Flächen des Teils aus, auf denen das Netz das Verlangte verfehlt</translation>
     </message>
     <message>
         <source>The mesh keeps all that was asked for.</source>
@@ -136,10 +447,6 @@
         <translation>Verfahren: entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper werden nach Wang 2010 abgetastet (für zwei Operanden)</translation>
     </message>
     <message>
-        <source>Applied from the first operand on</source>
-        <translation>Angewandt vom ersten Operanden an</translation>
-    </message>
-    <message>
         <source>Boolean</source>
         <translation>Boolesche Operation</translation>
     </message>
@@ -150,10 +457,6 @@
     <message>
         <source>Display</source>
         <translation>Anzeige</translation>
-    </message>
-    <message>
-        <source>Display within</source>
-        <translation>Anzeige auf</translation>
     </message>
     <message>
         <source>Distance to the shape</source>
@@ -252,14 +555,6 @@
         <translation>Ordnung der Elemente</translation>
     </message>
     <message>
-        <source>Order of the elements: 1 to 5, with tetrahedra to 4</source>
-        <translation>Ordnung der Elemente: 1 bis 5, mit Tetraedern bis 4</translation>
-    </message>
-    <message>
-        <source>Parts along the longest side; gives the tolerance where that is not given</source>
-        <translation>Teile längs der längsten Seite; bestimmt die Toleranz, wo diese nicht angegeben ist</translation>
-    </message>
-    <message>
         <source>Random seed</source>
         <translation>Startwert des Zufalls</translation>
     </message>
@@ -304,24 +599,12 @@
         <translation>Kleinster Winkel der geraden Dreiecke</translation>
     </message>
     <message>
-        <source>Straight mesh</source>
-        <translation>Gerades Netz</translation>
-    </message>
-    <message>
         <source>Straighten faulty elements</source>
         <translation>Fehlerhafte begradigen</translation>
     </message>
     <message>
-        <source>The same as a part of the shape&apos;s largest dimension</source>
-        <translation>Dasselbe als Teil der größten Abmessung der Form</translation>
-    </message>
-    <message>
         <source>The same as a part of the shape&apos;s largest dimension; 0.01 unless one is given</source>
         <translation>Dasselbe als Teil der größten Abmessung der Form; 0,01, wenn nichts angegeben ist</translation>
-    </message>
-    <message>
-        <source>The same, as a part of the size</source>
-        <translation>Dasselbe, als Teil der Größe</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -334,10 +617,6 @@
     <message>
         <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, paper is the rule of Aftosmis 1999</source>
         <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: so, dass wenige Dreiecke entstehen, oder nach der Regel von Aftosmis 1999</translation>
-    </message>
-    <message>
-        <source>Work ends, incomplete, at this number; 5 million unless given</source>
-        <translation>Die Arbeit endet unvollständig bei dieser Zahl; 5 Millionen, wenn nichts angegeben ist</translation>
     </message>
     <message>
         <source>as Aftosmis 1999</source>
@@ -414,10 +693,6 @@
     <message>
         <source>Largest distance between the mesh and its better version</source>
         <translation>Größter Abstand zwischen dem Netz und dem verbesserten</translation>
-    </message>
-    <message>
-        <source>Sharp from</source>
-        <translation>Scharf ab</translation>
     </message>
     <message>
         <source>Smallest angle that every triangle is to reach</source>
@@ -500,20 +775,12 @@
         <translation>Fläche</translation>
     </message>
     <message>
-        <source>Elements</source>
-        <translation>Elemente</translation>
-    </message>
-    <message>
         <source>Worst</source>
-        <translation>Schlechtester</translation>
+        <translation>Schlechteste</translation>
     </message>
     <message>
         <source>Mean</source>
         <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>Worst elements</source>
-        <translation>Schlechteste Elemente</translation>
     </message>
     <message>
         <source>Faces</source>
@@ -542,6 +809,402 @@
     <message>
         <source>Distortion</source>
         <translation>Verzerrung</translation>
+    </message>
+    <message>
+        <source>Flies to the place, and selects the faces of the part on which the mesh misses what was asked for</source>
+        <translation>Fliegt an die Stelle und wählt die Flächen des Teils aus, auf denen das Netz das Verlangte verfehlt</translation>
+    </message>
+    <message>
+        <source>Source is empty: choose an object with a shape</source>
+        <translation>Es ist keine Quelle angegeben: ein Objekt mit einer Form wählen</translation>
+    </message>
+    <message>
+        <source>Source is not a mesh: choose one object with a mesh</source>
+        <translation>Die Quelle ist kein Netz: ein Objekt mit einem Netz wählen</translation>
+    </message>
+    <message>
+        <source>Sources has {count} objects: choose two or more with a mesh or a shape</source>
+        <translation>Es sind {count} Objekte gewählt: zwei oder mehr mit einem Netz oder einer Form wählen</translation>
+    </message>
+    <message>
+        <source>The distance to the shape is given twice, as {number} mm and as {number2} of the size: set one of them to 0</source>
+        <translation>Der Abstand zur Form ist doppelt angegeben, als {number} mm und als {number2} der Größe: einen davon auf 0 setzen</translation>
+    </message>
+    <message>
+        <source>The shortest edge of {number} mm is longer than the longest edge of {number2} mm</source>
+        <translation>Die kürzeste Kante von {number} mm ist länger als die längste Kante von {number2} mm</translation>
+    </message>
+    <message>
+        <source>a further point would fold the mesh</source>
+        <translation>ein weiterer Punkt würde das Netz falten</translation>
+    </message>
+    <message>
+        <source>a further point would lie too near to be told apart in the numbers that FreeCAD keeps</source>
+        <translation>ein weiterer Punkt läge so nahe, dass FreeCADs Zahlen ihn nicht mehr unterscheiden</translation>
+    </message>
+    <message>
+        <source>a further point would make an edge shorter than the shortest that is allowed</source>
+        <translation>ein weiterer Punkt würde eine Kante kürzer machen, als erlaubt ist</translation>
+    </message>
+    <message>
+        <source>a further point would not make the triangles around it better</source>
+        <translation>ein weiterer Punkt würde die Dreiecke um ihn nicht besser machen</translation>
+    </message>
+    <message>
+        <source>a limit ended the work early</source>
+        <translation>eine Grenze hat die Arbeit vorzeitig beendet</translation>
+    </message>
+    <message>
+        <source>at least {number}</source>
+        <translation>mindestens {number}</translation>
+    </message>
+    <message>
+        <source>at least {number} and at most {number2}</source>
+        <translation>mindestens {number} und höchstens {number2}</translation>
+    </message>
+    <message>
+        <source>checking the result</source>
+        <translation>Ergebnis wird geprüft</translation>
+    </message>
+    <message>
+        <source>closing gaps</source>
+        <translation>Lücken werden geschlossen</translation>
+    </message>
+    <message>
+        <source>combining the points</source>
+        <translation>Punkte werden verknüpft</translation>
+    </message>
+    <message>
+        <source>curving the surface</source>
+        <translation>Oberfläche wird gekrümmt</translation>
+    </message>
+    <message>
+        <source>cutting into triangles</source>
+        <translation>Zerlegung in Dreiecke</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>distance from the exact result {number} of {number2} mm</source>
+        <translation>Abstand vom genauen Ergebnis {number} statt {number2} mm</translation>
+    </message>
+    <message>
+        <source>distance to the shape {number} of {number2} mm</source>
+        <translation>Abstand zur Form {number} statt {number2} mm</translation>
+    </message>
+    <message>
+        <source>dividing the space</source>
+        <translation>Raum wird geteilt</translation>
+    </message>
+    <message>
+        <source>dividing triangles</source>
+        <translation>Dreiecke werden geteilt</translation>
+    </message>
+    <message>
+        <source>edges near the narrow corner at {vertex} would shrink without end</source>
+        <translation>Kanten nahe der engen Ecke bei {vertex} würden endlos kürzer</translation>
+    </message>
+    <message>
+        <source>filling with tetrahedra</source>
+        <translation>Füllen mit Tetraedern</translation>
+    </message>
+    <message>
+        <source>finding what is inside</source>
+        <translation>Inneres wird gesucht</translation>
+    </message>
+    <message>
+        <source>finding where they cross</source>
+        <translation>Schnitte werden gesucht</translation>
+    </message>
+    <message>
+        <source>first triangles</source>
+        <translation>erste Dreiecke</translation>
+    </message>
+    <message>
+        <source>fitting to the shapes</source>
+        <translation>Anpassen an die Formen</translation>
+    </message>
+    <message>
+        <source>for no known reason</source>
+        <translation>ohne bekannten Grund</translation>
+    </message>
+    <message>
+        <source>getting nearer to the shape</source>
+        <translation>Annähern an die Form</translation>
+    </message>
+    <message>
+        <source>greater than {number}</source>
+        <translation>größer als {number}</translation>
+    </message>
+    <message>
+        <source>greater than {number} and at most {number2}</source>
+        <translation>größer als {number} und höchstens {number2}</translation>
+    </message>
+    <message>
+        <source>greater than {number} and at most {number2} {unit}</source>
+        <translation>größer als {number} und höchstens {number2} {unit}</translation>
+    </message>
+    <message>
+        <source>greater than {number} {unit}</source>
+        <translation>größer als {number} {unit}</translation>
+    </message>
+    <message>
+        <source>grouping the points</source>
+        <translation>Punkte werden gruppiert</translation>
+    </message>
+    <message>
+        <source>improving</source>
+        <translation>Verbessern</translation>
+    </message>
+    <message>
+        <source>improving the angles</source>
+        <translation>Winkel werden verbessert</translation>
+    </message>
+    <message>
+        <source>its smallest angle lies between two sharp edges that must stay</source>
+        <translation>sein kleinster Winkel liegt zwischen zwei scharfen Kanten, die bleiben müssen</translation>
+    </message>
+    <message>
+        <source>laying points on the surface</source>
+        <translation>Punkte werden auf die Fläche gelegt</translation>
+    </message>
+    <message>
+        <source>lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2</source>
+        <translation>Längen in mm größer als 0 für Unterelemente, etwa Face3=0.5, Edge7=0.2</translation>
+    </message>
+    <message>
+        <source>looking at the operands</source>
+        <translation>Operanden werden betrachtet</translation>
+    </message>
+    <message>
+        <source>making the surface</source>
+        <translation>Oberfläche entsteht</translation>
+    </message>
+    <message>
+        <source>measuring the distance</source>
+        <translation>Abstand wird gemessen</translation>
+    </message>
+    <message>
+        <source>measuring the distortion</source>
+        <translation>Verzerrung wird gemessen</translation>
+    </message>
+    <message>
+        <source>mending what is left</source>
+        <translation>Ausbessern</translation>
+    </message>
+    <message>
+        <source>meshing the shapes</source>
+        <translation>Formen werden vernetzt</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>no change within the tolerance makes it better</source>
+        <translation>keine Änderung innerhalb der Toleranz macht es besser</translation>
+    </message>
+    <message>
+        <source>not a clean surface: {count} edges of three or more triangles, {count2} points where it only touches itself, {count3} triangles without area</source>
+        <translation>keine saubere Oberfläche: {count} Kanten mit drei oder mehr Dreiecken, {count2} Punkte, in denen sie sich nur berührt, {count3} Dreiecke ohne Fläche</translation>
+    </message>
+    <message>
+        <source>not closed: {count} edges have one triangle only</source>
+        <translation>nicht geschlossen: {count} Kanten haben nur ein Dreieck</translation>
+    </message>
+    <message>
+        <source>on {face}</source>
+        <translation>auf {face}</translation>
+    </message>
+    <message>
+        <source>putting the result together</source>
+        <translation>Ergebnis wird zusammengesetzt</translation>
+    </message>
+    <message>
+        <source>reading the operands</source>
+        <translation>Operanden werden gelesen</translation>
+    </message>
+    <message>
+        <source>reading the shape</source>
+        <translation>Form wird gelesen</translation>
+    </message>
+    <message>
+        <source>repairing the surface</source>
+        <translation>Oberfläche wird repariert</translation>
+    </message>
+    <message>
+        <source>repairing the tetrahedra</source>
+        <translation>Tetraeder werden repariert</translation>
+    </message>
+    <message>
+        <source>separating what only touches</source>
+        <translation>Trennen, was sich nur berührt</translation>
+    </message>
+    <message>
+        <source>smallest angle {number} of {number2} degrees at triangle {count}: {phrase}</source>
+        <translation>kleinster Winkel {number} statt {number2} Grad bei Dreieck {count}: {phrase}</translation>
+    </message>
+    <message>
+        <source>sorting the triangles</source>
+        <translation>Dreiecke werden sortiert</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>tetrahedron {count} of {solid}</source>
+        <translation>Tetraeder {count} von {solid}</translation>
+    </message>
+    <message>
+        <source>the largest number of triangles was reached</source>
+        <translation>die Höchstzahl der Dreiecke ist erreicht</translation>
+    </message>
+    <message>
+        <source>the shape has no solids to fill with tetrahedra: switch that off to curve its faces</source>
+        <translation>die Form hat keine Körper, die mit Tetraedern zu füllen wären: dies abschalten, um ihre Flächen zu krümmen</translation>
+    </message>
+    <message>
+        <source>the shape has no usable point there</source>
+        <translation>die Form hat dort keinen brauchbaren Punkt</translation>
+    </message>
+    <message>
+        <source>the surface comes to a point at {vertex} with too little angle around it</source>
+        <translation>die Fläche läuft bei {vertex} in eine Spitze mit zu wenig Winkel darum aus</translation>
+    </message>
+    <message>
+        <source>triangle {count} on {face}</source>
+        <translation>Dreieck {count} auf {face}</translation>
+    </message>
+    <message>
+        <source>what is to be meshed is not in its document any more: close the panel</source>
+        <translation>was vernetzt werden soll, ist nicht mehr in seinem Dokument: den Aufgabenbereich schließen</translation>
+    </message>
+    <message>
+        <source>{count} faults are left that no repair removed</source>
+        <translation>{count} Fehler bleiben, die keine Reparatur beseitigt hat</translation>
+    </message>
+    <message>
+        <source>{count} of {count2} elements are not proven free of folds: {list}</source>
+        <translation>{count} von {count2} Elementen sind nicht nachweislich frei von Falten: {list}</translation>
+    </message>
+    <message>
+        <source>{list} and {count} more</source>
+        <translation>{list} und {count} weitere</translation>
+    </message>
+    <message>
+        <source>{name} has no faces (its type is {name2}): give a solid, a shell or faces</source>
+        <translation>{name} hat keine Flächen (Art: {name2}): einen Körper, eine Hülle oder Flächen angeben</translation>
+    </message>
+    <message>
+        <source>{name} has no triangles</source>
+        <translation>{name} hat keine Dreiecke</translation>
+    </message>
+    <message>
+        <source>{name} is null: it has no geometry</source>
+        <translation>{name} ist leer: keine Geometrie</translation>
+    </message>
+    <message>
+        <source>{name} is null: it has no geometry; recompute the document, if it is new</source>
+        <translation>{name} ist leer: keine Geometrie; das Dokument neu berechnen, wenn es neu ist</translation>
+    </message>
+    <message>
+        <source>{option}: {value} is not possible, it must be a number, {range}</source>
+        <translation>{option}: {value} geht nicht, es muss eine Zahl sein, {range}</translation>
+    </message>
+    <message>
+        <source>{option}: {value} is not possible, it must be a whole number, {range}</source>
+        <translation>{option}: {value} geht nicht, es muss eine ganze Zahl sein, {range}</translation>
+    </message>
+    <message>
+        <source>{option}: {value} is not possible, it must be {range}</source>
+        <translation>{option}: {value} geht nicht, verlangt ist: {range}</translation>
+    </message>
+    <message>
+        <source>{phrase} ({count} more triangles are below)</source>
+        <translation>{phrase} ({count} weitere Dreiecke liegen darunter)</translation>
+    </message>
+    <message>
+        <source>{phrase} at triangle {count}</source>
+        <translation>{phrase} bei Dreieck {count}</translation>
+    </message>
+    <message>
+        <source>{phrase} at {edge}</source>
+        <translation>{phrase} an {edge}</translation>
+    </message>
+    <message>
+        <source>{phrase} on {face}</source>
+        <translation>{phrase} auf {face}</translation>
+    </message>
+    <message>
+        <source>The same as a part of the shape&apos;s largest dimension: 0.001 is a thousandth</source>
+        <translation>Dasselbe als Teil der größten Abmessung der Form: 0,001 ist ein Tausendstel</translation>
+    </message>
+    <message>
+        <source>What is done with the operands, one after the other from the first on</source>
+        <translation>Was mit den Operanden geschieht, nacheinander vom ersten an</translation>
+    </message>
+    <message>
+        <source>60° is best; triangles of a few degrees spoil computations.</source>
+        <translation>60° ist am besten; Dreiecke mit wenigen Grad verderben Berechnungen.</translation>
+    </message>
+    <message>
+        <source>1 is best: all edges of a triangle are alike.</source>
+        <translation>1 ist am besten: alle Kanten eines Dreiecks sind gleich.</translation>
+    </message>
+    <message>
+        <source>How far each triangle is from the part that was meshed.</source>
+        <translation>Wie weit jedes Dreieck vom vernetzten Teil entfernt ist.</translation>
+    </message>
+    <message>
+        <source>How far an element is from equal sides and angles: 1 is best, 5 is poor, ∞ means that it folds over.</source>
+        <translation>Wie weit ein Element von gleichen Seiten und Winkeln entfernt ist: 1 ist am besten, 5 ist schlecht, ∞ heißt, dass es umklappt.</translation>
+    </message>
+    <message>
+        <source>How much an element is squeezed by its bending: 1 is as good as straight, 0 or less means that it folds over.</source>
+        <translation>Wie sehr ein Element durch seine Krümmung gestaucht wird: 1 ist so gut wie gerade, 0 oder weniger heißt, dass es umklappt.</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>1: straight sides; 2: quadratic elements, which most FEM programs want; at most 5, with tetrahedra 4</source>
+        <translation>1: gerade Seiten; 2: quadratische Elemente, wie die meisten FEM-Programme sie brauchen; höchstens 5, mit Tetraedern 4</translation>
+    </message>
+    <message>
+        <source>Before curving</source>
+        <translation>Vor dem Krümmen</translation>
+    </message>
+    <message>
+        <source>Display accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Edges are sharp from</source>
+        <translation>Kanten sind scharf ab</translation>
+    </message>
+    <message>
+        <source>Into how many parts the longest side is cut: more parts follow the operands more closely and take longer. Gives the tolerance where that is 0</source>
+        <translation>In wie viele Teile die längste Seite geteilt wird: mehr Teile folgen den Operanden genauer und dauern länger. Bestimmt die Toleranz, wo diese 0 ist</translation>
+    </message>
+    <message>
+        <source>Or as a part of the size</source>
+        <translation>Oder als Teil der Größe</translation>
+    </message>
+    <message>
+        <source>the part itself has a corner of {number} degrees there, between {edge} and {edge2} at {vertex}</source>
+        <translation>das Teil selbst hat dort eine Ecke von {number} Grad, zwischen {edge} und {edge2} bei {vertex}</translation>
+    </message>
+    <message>
+        <source>5 million</source>
+        <translation>5 Millionen</translation>
+    </message>
+    <message>
+        <source>Work ends, incomplete, at this number</source>
+        <translation>Die Arbeit endet unvollständig bei dieser Zahl</translation>
     </message>
 </context>
 <context>

@@ -212,6 +212,10 @@ std::string to_text(const MeshReport& r) {
         text += line("chord height %.6g mm at most, asked for ", r.max_chord_height);
         text.pop_back();
         text += r.chord_height_asked > 0.0 ? line("%.6g mm", r.chord_height_asked) : "no bound\n";
+        if (r.max_chord_triangle >= 0) {
+            text += line("             the largest at (%.6g, %.6g, %.6g), triangle %d", r.max_chord_point.x(),
+                         r.max_chord_point.y(), r.max_chord_point.z(), r.max_chord_triangle);
+        }
     }
     text += line("area         %.8g mm^2", r.area);
     if (r.closed) {

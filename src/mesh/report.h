@@ -38,9 +38,11 @@ struct MeshReport {
     Box box;
 
     double min_angle_asked = 0.0;
-    double min_angle_unexempted = 0.0;  ///< smallest angle over triangles that are not in `exempt`
-    double max_chord_height = -1.0;     ///< largest measured distance to the CAD; -1 when there is no CAD
-    double chord_height_asked = 0.0;    ///< 0: none
+    double min_angle_unexempted = 0.0;     ///< smallest angle over triangles that are not in `exempt`
+    double max_chord_height = -1.0;        ///< largest measured distance to the CAD; -1 when there is no CAD
+    std::int32_t max_chord_triangle = -1;  ///< where that is; -1: not known
+    Vec3 max_chord_point = Vec3::Zero();   ///< of the mesh there, in the part's frame
+    double chord_height_asked = 0.0;       ///< 0: none
     std::vector<std::pair<std::int32_t, std::string>> exempt;    ///< triangle, why and by which entities
     std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
     std::vector<std::string> notes;  ///< what the reader must know: faults of the part, budget reached, ...

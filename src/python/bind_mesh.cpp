@@ -140,6 +140,11 @@ void bind_report(py::module_& m) {
                       "smallest angle over the triangles that are not in exempt")
         .def_readonly("max_chord_height", &MeshReport::max_chord_height,
                       "largest measured distance to the CAD, mm; -1 when there is no CAD")
+        .def_readonly("max_chord_triangle", &MeshReport::max_chord_triangle,
+                      "the triangle where that is; -1: not known")
+        .def_property_readonly(
+            "max_chord_point", [](const MeshReport& r) { return point(r.max_chord_point); },
+            "float64 (3,): the point of that triangle where that is, with the mesh's origin")
         .def_readonly("chord_height_asked", &MeshReport::chord_height_asked, "mm; 0: none")
         .def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
         .def_property_readonly("exempt_causes", &causes_of,

@@ -55,8 +55,16 @@ mesh::MeshReport measure_against(const Result& surface, const PartShape& part, c
     return watch(progress, [&](Progress& handle) {
         mesh::MeshReport report = surface.report;
         handle.stage("measuring the distance", 0.0, 1.0);
-        report.max_chord_height =
-            geometry::largest_distance_to_faces(*part.shape, mesh::deviation_samples(surface.mesh).points, &handle);
+        const mesh::DeviationSamples samples = mesh::deviation_samples(surface.mesh);
+        const std::vector<double> distances = geometry::distances_to_faces(*part.shape, samples.points, &handle);
+        if (!distances.empty()) {
+            const std::vector<double> of_triangles = samples.largest(distances);
+            const auto worst = std::max_element(distances.begin(), distances.end());
+            const auto triangle = std::max_element(of_triangles.begin(), of_triangles.end());
+            report.max_chord_height = *worst;
+            report.max_chord_point = samples.points[static_cast<std::size_t>(worst - distances.begin())];
+            report.max_chord_triangle = static_cast<std::int32_t>(triangle - of_triangles.begin());
+        }
         return report;
     });
 }

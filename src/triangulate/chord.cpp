@@ -205,35 +205,48 @@ void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>
     }
 }
 
-double measure_chord_height(Workspace& work) {
+ChordHeight measure_chord_height(Workspace& work) {
     constexpr std::size_t kChunk = 65536;
-    double worst = 0.0;
+    ChordHeight worst;
     geometry::Engine::Batch batch;
+    std::vector<int> triangles;
+    std::vector<Vec3> points;
     const auto flush = [&] {
-        for (const Answer& a : work.session.ask(std::move(batch))) {
-            worst = a.found() ? std::max(worst, a.distance) : worst;
+        const geometry::Engine::Answers answers = work.session.ask(std::move(batch));
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            if (answers[i].found() && (worst.triangle < 0 || answers[i].distance > worst.distance)) {
+                worst = {answers[i].distance, triangles[i], points[i]};
+            }
         }
         batch.clear();
+        triangles.clear();
+        points.clear();
         work.progress.check();
     };
-    const auto add = [&](const Query& q) {
+    const auto add = [&](const Query& q, int triangle, const Vec3& point) {
         batch.push_back(q);
+        triangles.push_back(triangle);
+        points.push_back(work.grid.to_part(point));
         if (batch.size() == kChunk) {
             flush();
         }
     };
     for (int s = 0; s < work.mesh.segment_count(); ++s) {
-        if (!work.mesh.segment(s).uses.empty()) {
-            add(nearest_on_curve(work, s));
+        const auto& uses = work.mesh.segment(s).uses;
+        if (!uses.empty()) {
+            const int h = uses.front().half_edge;
+            add(nearest_on_curve(work, s), SurfaceMesh::triangle_of(h), edge_middle_site(work.mesh, h).point);
         }
     }
     for (int h = 0; h < work.mesh.half_edge_count(); ++h) {
         if (work.mesh.twin(h) > h) {
-            add(nearest_on_surface(work, edge_middle_site(work.mesh, h)));
+            const Candidate middle = edge_middle_site(work.mesh, h);
+            add(nearest_on_surface(work, middle), SurfaceMesh::triangle_of(h), middle.point);
         }
     }
     for (int t = 0; t < work.mesh.triangle_count(); ++t) {
-        add(nearest_on_surface(work, centroid_site(work.mesh, t)));
+        const Candidate centroid = centroid_site(work.mesh, t);
+        add(nearest_on_surface(work, centroid), t, centroid.point);
     }
     flush();
     return worst;

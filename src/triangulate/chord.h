@@ -49,8 +49,15 @@ class ChordRefiner {
     bool changed_ = false;
 };
 
+/// A distance of the mesh from the part, and where that is.
+struct ChordHeight {
+    double distance = 0.0;      ///< mm
+    int triangle = -1;          ///< of the working mesh; -1: nothing was measured
+    Vec3 point = Vec3::Zero();  ///< of the mesh, in the part's frame
+};
+
 /// The largest distance between the mesh and the part over the middles of all edges and the centroids of all
-/// triangles, mm: segments against their curves, the others against their surfaces.
-double measure_chord_height(Workspace& work);
+/// triangles: segments against their curves, the others against their surfaces.
+ChordHeight measure_chord_height(Workspace& work);
 
 }  // namespace mq::triangulate

@@ -118,11 +118,21 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
     }
 }
 
+void report_chord_height(Workspace& work, const Output& out, mesh::MeshReport& report) {
+    const ChordHeight worst = measure_chord_height(work);
+    report.max_chord_height = worst.distance;
+    const auto found = std::find(out.source.begin(), out.source.end(), worst.triangle);
+    if (found != out.source.end()) {
+        report.max_chord_triangle = static_cast<std::int32_t>(found - out.source.begin());
+        report.max_chord_point = worst.point;
+    }
+}
+
 mesh::MeshReport final_report(Workspace& work, const Output& out, const Options& options, double chord) {
     mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
     report.min_angle_asked = polished(options) ? options.min_angle : 0.0;
     report.chord_height_asked = chord;
-    report.max_chord_height = measure_chord_height(work);
+    report_chord_height(work, out, report);
     report_exemptions(work, out, report.min_angle_asked, report);
     report.notes = work.session.topology().faults;
     if (chord > 0.0 && report.max_chord_height > chord) {

@@ -73,7 +73,39 @@ class Certificates(CertificateTest):
         obj = mq.add_quality_mesh(source, method="star", polish=False, chord_height=0.01)
         self.assertGreater(obj.MaxChordHeight.Value, 0.01)
         self.assertIn("distance to the shape 0.0171 of 0.01 mm", obj.Certificate)
-        self.assertNotIn("angle", obj.Certificate)
+        self.assertNotIn("smallest angle", obj.Certificate)
+
+    def test_a_distance_that_is_not_kept_has_a_place(self):
+        source = self.feature(Part.makeCylinder(5, 10, FreeCAD.Vector(30, 0, 0)))
+        values = {"method": "star", "polish": False, "chord_height": 0.01}
+        obj = mq.add_quality_mesh(source, **values)
+        report = mq.triangulate(source, **values).report
+        worst = report.max_chord_triangle
+        self.assertTrue(obj.Certificate.endswith(f" mm at triangle {worst} on Face1"))
+        self.assertEqual(obj.CertificateFaces, ["Face1"])
+        facet = obj.Mesh.Facets[worst]
+        np.testing.assert_allclose([tuple(corner) for corner in obj.CertificatePlace], facet.Points,
+                                   atol=1e-5)
+        x, y, _ = report.max_chord_point
+        self.assertAlmostEqual(abs(np.hypot(x - 30, y) - 5), report.max_chord_height, places=5)
+        apart = mq.quality(obj, source)
+        self.assertAlmostEqual(apart.max_chord_height, report.max_chord_height, places=5)
+        self.assertGreaterEqual(apart.max_chord_triangle, 0)
+
+    def test_a_mesh_that_is_not_closed_tells_where(self):
+        whole = mq.triangulate(Part.makeBox(10, 10, 10))
+
+        class Cut:
+            vertices, origin = whole.vertices, np.zeros(3)
+            triangles, triangle_face = whole.triangles[1:], whole.triangle_face[1:]
+
+        report = mq.quality((Cut.vertices, Cut.triangles))
+        fault, = certificate.topology_faults(report, True, Cut)
+        self.assertEqual(fault.text, "not closed: 3 edges have one triangle only")
+        self.assertIn(f"Face{whole.triangle_face[0] + 1}", fault.faces)
+        lost = {tuple(corner) for corner in whole.vertices[whole.triangles[0]].tolist()}
+        self.assertEqual(len(lost & set(fault.place)), 2)
+        self.assertEqual(certificate.topology_faults(report, False, Cut), [])
 
     def test_work_that_a_limit_ended(self):
         obj = mq.add_quality_mesh(self.box(), max_edge=0.5, max_triangles=50)
@@ -84,7 +116,13 @@ class Certificates(CertificateTest):
             invalid, elements = 4, 90
             invalid_elements = [f"triangle {i} on Face{i % 2 + 1}" for i in range(4)]
 
-        faults = certificate.element_faults(Report)
+        class Curved:
+            report, nodes = Report, np.arange(12.0).reshape(4, 3)
+            triangles, triangle_quality = np.array([[0, 1, 2], [1, 2, 3]]), np.array([0.5, np.nan])
+            tetrahedra, tetrahedron_quality = np.zeros((0, 4), dtype=int), np.zeros(0)
+
+        faults = certificate.element_faults(Curved)
+        self.assertEqual(faults[0].place, ((3, 4, 5), (6, 7, 8), (9, 10, 11)))
         self.assertEqual(certificate.sentence(faults),
                          "missed: 4 of 90 elements are not proven free of folds: triangle 0 on "
                          "Face1, triangle 1 on Face2, triangle 2 on Face1 and 1 more")

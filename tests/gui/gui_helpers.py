@@ -44,6 +44,10 @@ class GuiTest(helpers.DocumentTest):
         self.view.viewAxonometric()
         self.view.fitAll()
         wait()
+        return self.saved(name, folder)
+
+    def saved(self, name, folder=PICTURES):
+        """The same, from where the camera is."""
         path = os.path.join(folder, f"{name}.png")
         self.view.saveImage(path, WIDTH, HEIGHT, "White")
         image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)

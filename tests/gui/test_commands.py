@@ -57,7 +57,7 @@ class Commands(gui_helpers.PanelTest):
         panel = self.panel(commands.Triangulate, box)
         panel.options.set_values({"min_angle": 50.0})
         panel.accept()
-        self.assertIn("min_angle", panel.said)
+        self.assertIn("Smallest angle", panel.said)
         self.assertEqual(self.document.Objects, [box])
         self.assertTrue(panel.reject())
 

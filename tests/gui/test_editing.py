@@ -106,7 +106,7 @@ class Editing(gui_helpers.PanelTest):
         panel = self.edit(obj)
         panel.options.set_values({"min_angle": 50.0})
         panel.accept()
-        self.assertIn("min_angle", panel.said)
+        self.assertIn("Smallest angle", panel.said)
         self.assertEqual((mesh_of(obj), obj.MinAngle.Value), (before, 25.0))
         self.assertTrue(obj.isValid())
         with self.assertRaises(mq.InvalidInput):

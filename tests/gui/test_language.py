@@ -1,12 +1,41 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The workbench in German: menus, panels, and that numbers and values do not depend on it."""
 
+import re
+
+import FreeCAD
 import FreeCADGui
 import gui_helpers
-from PySide import QtGui
+import Part
+from PySide import QtCore, QtGui
 
 import MeshQuality as mq
-from MeshQuality.gui import commands
+from MeshQuality.gui import commands, quality_panel
+
+# Words of English sentences that are no German ones.
+ENGLISH = re.compile(r"\b(the|of|and|is|are|be|with|that|to|than|from|each|triangles?|mesh|shape|angles?|"
+                     r"edges?|elements|between|below|above|more|corner|longest|smallest|which|keeps?)\b",
+                     re.IGNORECASE)
+
+
+def shown_texts(widget):
+    """All that a widget shows, tooltips too."""
+    found = []
+    for part in [widget, *widget.findChildren(QtGui.QWidget)]:
+        for name in ("text", "title", "windowTitle", "toolTip", "placeholderText", "specialValueText",
+                     "format"):
+            if callable(getattr(part, name, None)):
+                found.append(getattr(part, name)())
+        if isinstance(part, QtGui.QComboBox):
+            found += [part.itemText(i) for i in range(part.count())]
+        if isinstance(part, QtGui.QTabWidget):
+            found += [part.tabText(i) for i in range(part.count())]
+        if isinstance(part, QtGui.QListWidget):
+            for i in range(part.count()):
+                found += [part.item(i).text(), part.item(i).toolTip()]
+        if isinstance(part, QtGui.QTableWidget):
+            found += [part.horizontalHeaderItem(i).text() for i in range(part.columnCount())]
+    return [text for text in found if text]
 
 
 def menu_texts():
@@ -66,3 +95,95 @@ class German(gui_helpers.PanelTest):
         FreeCADGui.setLocale("English")
         mq.update(obj, max_edge=3.5)
         self.assertEqual(obj.MaxEdge.Value, 3.5)
+
+    def no_english(self, widget):
+        for text in shown_texts(widget):
+            # FreeCAD's own menus of fields, and names of files and options, are none of ours.
+            self.assertIsNone(ENGLISH.search(text), text)
+
+    def wedge(self):
+        source = self.document.addObject("Part::Feature", "Keil")
+        corners = [FreeCAD.Vector(*p) for p in ((0, 0, 0), (10, 0, 0), (10, 0.8, 0), (0, 0, 0))]
+        source.Shape = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 0, 3))
+        self.document.recompute()
+        return source
+
+    def test_no_english_is_left_in_panels(self):
+        sources = self.two_boxes()
+        for i, source in enumerate(sources):
+            source.Label = f"Quader {i}"
+        net = mq.add_quality_mesh(sources[0])
+        net.Label = "Netz"
+        for command, chosen in ((commands.Triangulate, sources[:1]), (commands.Curve, sources[:1]),
+                                (commands.Boolean, sources), (commands.Improve, [net])):
+            panel = self.panel(command, *chosen)
+            panel.options.more.setChecked(True)
+            self.until(lambda made=panel: "..." not in made.estimate.text())
+            self.no_english(panel.form)
+            panel.reject()
+
+    def test_no_english_is_left_in_a_certificate(self):
+        obj = mq.add_quality_mesh(self.wedge())
+        obj.Label = "Netz"
+        panel = commands.panel_of(obj)
+        FreeCADGui.Control.showDialog(panel)
+        self.assertIn("kleinster Winkel 4.57 statt 25 Grad bei Dreieck", panel.certificate.text.text())
+        self.no_english(panel.form)
+        self.narrow(panel, "panel_missed_de")
+        panel.reject()
+
+    def test_no_english_is_left_in_the_quality_panel(self):
+        obj = mq.add_quality_mesh(self.wedge())
+        obj.Label = "Netz"
+        panel = quality_panel.open_panel(obj)
+        self.addCleanup(lambda: panel.ended or panel.reject())
+        for i in range(panel.measures.count()):
+            panel.measures.setCurrentIndex(i)
+            self.until(lambda k=i: panel.measure is panel.data.measures[k])
+            self.no_english(panel.form)
+        panel.measures.setCurrentIndex(0)
+        self.until(lambda: panel.measure is panel.data.measures[0])
+        self.assertIn("eine Ecke von 4.57 Grad, zwischen Edge", panel.worst.item(0).text())
+        panel.histogram.pick(int(panel.histogram.counts.argmax()))
+        self.no_english(panel.form)
+        self.narrow(panel, "panel_quality_de")
+
+    def test_errors_and_stages_are_german(self):
+        panel = self.panel(commands.Triangulate, self.box())
+        panel.options.set_values({"min_edge": 2.0, "max_edge": 1.0})
+        panel.apply()
+        self.assertEqual(panel.said, "Die kürzeste Kante von 2 mm ist länger als die längste Kante von 1 mm")
+        panel.options.set_values({"min_edge": None, "max_edge": 0.05})
+        formats = set()
+        panel.apply()
+        panel.jobs[0].changed.connect(lambda: formats.add(panel.bar.format()))
+        self.until(lambda: len(formats) > 1)
+        panel.reject()
+        self.until(lambda: not panel.jobs)
+        self.assertIn("Abgebrochen", panel.said)
+        for text in formats:
+            self.assertIsNone(ENGLISH.search(text), text)
+
+    def test_help_of_properties_is_german(self):
+        obj = mq.add_quality_mesh(self.box())
+        texts = [obj.getDocumentationOfProperty(name) for name in ("MinAngle", "ChordHeight",
+                                                                   "Certificate", "Closed")]
+        for text in texts:
+            german = QtCore.QCoreApplication.translate("App::Property", text)
+            self.assertNotEqual(german, text)
+            self.assertIsNone(ENGLISH.search(german), german)
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(obj)
+        gui_helpers.wait(0.3)
+        tips = [tip for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeView)
+                for tip in _tips(tree.model())]
+        self.assertTrue(any("Das Netz hat keine Randkante" in tip for tip in tips), tips[:20])
+
+
+def _tips(model, parent=None, deep=0):
+    """All tooltips of a model."""
+    parent = parent or QtCore.QModelIndex()
+    for row in range(model.rowCount(parent) if model and deep < 3 else 0):
+        index = model.index(row, 0, parent)
+        yield str(index.data(QtCore.Qt.ToolTipRole) or "")
+        yield from _tips(model, index, deep + 1)

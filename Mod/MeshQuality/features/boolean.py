@@ -6,7 +6,7 @@ from functools import partial
 
 import FreeCAD
 
-from .. import options
+from .. import options, phrases
 from ..boolean_mesh import run
 from ..errors import InvalidInput
 from ..operands import Operands
@@ -75,7 +75,7 @@ class MeshBoolean(mesh_object.MeshObject):
         """
         tolerance = operands.tolerance(values["resolution"], values["tolerance"])
         mesh = run(operands, values, progress)
-        return mesh, mesh.to_mesh(), tolerance, _faults(mesh.report, tolerance)
+        return mesh, mesh.to_mesh(), tolerance, _faults(mesh, tolerance)
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
@@ -86,14 +86,14 @@ class MeshBoolean(mesh_object.MeshObject):
         mesh_object.show_certificate(obj, mesh.report, True, faults)
 
 
-def _faults(report, tolerance):
+def _faults(mesh, tolerance):
+    report = mesh.report
     found = certificate.distance_faults(report.error_bound, tolerance,
-                                        "distance from the exact result")
+                                        phrases.RESULT_DISTANCE)
     if report.faults_left:
-        found.append(certificate.Fault(f"{report.faults_left} faults are left that no repair "
-                                       "removed"))
+        found.append(certificate.Fault(phrases.FAULTS_LEFT.format(count=report.faults_left)))
     # Of nothing nothing is promised.
-    return found + (certificate.topology_faults(report, True) if report.triangles else [])
+    return found + (certificate.topology_faults(report, True, mesh) if report.triangles else [])
 
 
 def show_report(obj, report):

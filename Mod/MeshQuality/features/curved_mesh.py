@@ -20,7 +20,7 @@ _MEASURED = (
     ("Elements", "App::PropertyInteger", "Number of tetrahedra, or of triangles without a volume",
      "elements"),
     ("Vertices", "App::PropertyInteger", "Number of corners of elements", "vertices"),
-    ("InvalidBefore", "App::PropertyInteger", "How many there were before repair",
+    ("InvalidBefore", "App::PropertyInteger", "Elements that were invalid before repair",
      "invalid_before"),
     ("InvalidElements", "App::PropertyStringList", "Which elements are invalid",
      "invalid_elements"),
@@ -154,7 +154,7 @@ class _Proof:
         last = corners.max(initial=-1) + 1
         self.topology = convert.surface_of_arrays(core(), curved.nodes[:last], corners).report
         self.closed = closed
-        self.faults = certificate.element_faults(curved.report) \
+        self.faults = certificate.element_faults(curved) \
             + certificate.topology_faults(self.topology, closed)
 
 

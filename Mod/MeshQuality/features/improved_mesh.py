@@ -47,7 +47,8 @@ class ImprovedMesh(mesh_object.OfOneSource):
         given = SurfaceMesh(convert.surface_of_arrays(core(), *source.arrays))
         mesh = improve(given, **values, progress=progress)
         closed = given.report.closed
-        faults = certificate.angle_faults(mesh) + certificate.topology_faults(mesh.report, closed)
+        faults = certificate.angle_faults(mesh) + certificate.topology_faults(
+            mesh.report, closed, mesh)
         return mesh, mesh.to_mesh(), closed, faults
 
     def take(self, obj, result):

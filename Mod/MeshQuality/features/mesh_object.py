@@ -32,6 +32,8 @@ PROMISES = (
 )
 CERTIFICATE_FACES = ("CertificateFaces", "App::PropertyStringList",
                      "CAD faces on which the mesh misses what was asked for")
+CERTIFICATE_PLACE = ("CertificatePlace", "App::PropertyVectorList",
+                     "Corners of the triangle where it misses that most")
 AUTOMATIC, MANUAL = "Automatic", "Manual"
 UP_TO_DATE = "up to date"
 OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
@@ -83,7 +85,7 @@ class MeshObject(PlainState):
             elif name == "Certificate" and obj.Mesh.CountFacets:
                 obj.Certificate = certificate.UNKNOWN
             obj.setEditorMode(name, 1)
-        add_hidden(obj, "Certificate", (CERTIFICATE_FACES, FINGERPRINT))
+        add_hidden(obj, "Certificate", (CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT))
         if add_property(obj, "App::PropertyEnumeration", "Recompute", "Update",
                         "Whether the mesh follows its sources and options by itself, or when it is "
                         "asked to"):
@@ -292,14 +294,14 @@ def show_certificate(obj, report, closed, faults):
     obj.AskedClosed, obj.Closed, obj.Manifold = closed, report.closed, report.manifold
     obj.Certificate = certificate.sentence(faults)
     obj.CertificateFaces = certificate.faces(faults)
+    obj.CertificatePlace = [FreeCAD.Vector(*corner) for corner in certificate.place(faults)]
 
 
 def add_options(obj, table):
     """A property for each option of the table, with its default."""
     for option in table:
-        unit = "" if option.default is not None else f"; 0: {option.unset}"
         name = option.property_name
-        if add_property(obj, option.property_type, name, option.group, option.help + unit):
+        if add_property(obj, option.property_type, name, option.group, option.property_help):
             if option.choices:
                 setattr(obj, name, list(option.choices))
             setattr(obj, name, options.to_property(option, option.default))

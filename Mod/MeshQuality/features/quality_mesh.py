@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Quality Mesh": a mesh that follows a shape of the document."""
 
-from .. import options
+from .. import options, phrases
 from ..api import triangulate
 from . import certificate, mesh_object
 
@@ -48,12 +48,10 @@ class QualityMesh(mesh_object.SourceMesh):
 
 
 def _faults(mesh, closed):
-    report = mesh.report
-    found = certificate.angle_faults(mesh) + certificate.distance_faults(
-        report.max_chord_height, report.chord_height_asked, "distance to the shape")
-    if not report.complete:
-        found.append(certificate.Fault("a limit ended the work early"))
-    return found + certificate.topology_faults(report, closed)
+    found = certificate.angle_faults(mesh) + certificate.chord_faults(mesh)
+    if not mesh.report.complete:
+        found.append(certificate.Fault(phrases.LIMIT))
+    return found + certificate.topology_faults(mesh.report, closed, mesh)
 
 
 def show_report(obj, report):

@@ -3,9 +3,13 @@
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 from PySide import QtGui
 
 from ..features import certificate, mesh_object
+from .places import Mark, sub_element
+from .quality_scene import flight_to
+from .words import translated_certificate
 
 translate = FreeCAD.Qt.translate
 
@@ -17,11 +21,13 @@ class CertificateBox(QtGui.QWidget):
         super().__init__()
         self._obj = None
         self._modes = {}  # display modes by view, before the place was shown
+        self._mark = self.flight = None
         self.text = QtGui.QLabel()
         self.text.setWordWrap(True)
         self.button = QtGui.QPushButton(translate("MeshQuality", "Show where"))
         self.button.setToolTip(translate(
-            "MeshQuality", "Selects the faces of the part on which the mesh misses what was asked for"))
+            "MeshQuality", "Flies to the place, and selects the faces of the part on which the mesh misses "
+                           "what was asked for"))
         self.button.clicked.connect(self.show_place)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -31,6 +37,7 @@ class CertificateBox(QtGui.QWidget):
 
     def show(self, obj):
         """Shows what the object's certificate says; hides without an object."""
+        self._end_mark()
         self._obj = obj
         self.setVisible(obj is not None)
         if obj is None:
@@ -40,7 +47,7 @@ class CertificateBox(QtGui.QWidget):
         words = translate("MeshQuality", "The mesh keeps all that was asked for.")
         if missed:
             words = translate("MeshQuality", "What was asked for is missed: {}").format(
-                obj.Certificate[len(certificate.MISSED):])
+                translated_certificate(obj.Certificate[len(certificate.MISSED):]))
         elif obj.Certificate != certificate.KEPT:
             words = translate("MeshQuality", "Update the mesh to learn whether it keeps what was "
                                              "asked for.")
@@ -49,24 +56,44 @@ class CertificateBox(QtGui.QWidget):
                                                     "has changed.")
         self.text.setText(words)
         self.text.setStyleSheet("color: #cc0000" if missed else "")
-        self.button.setVisible(missed and bool(obj.CertificateFaces))
+        self.button.setVisible(missed and bool(obj.CertificateFaces or obj.CertificatePlace))
 
     def show_place(self):
-        """Selects those faces of the source and moves the view there; triangles become wires."""
-        source = self._obj.Source
+        """Selects those faces of the source, marks where it is worst and flies there; triangles become
+        wires.
+        """
         view = self._obj.ViewObject
         self._modes.setdefault(view, view.DisplayMode)
         view.DisplayMode = "Wireframe"
+        if self._obj.CertificateFaces:
+            self._select(self._obj.Source, self._obj.CertificateFaces)
+        corners = np.array([tuple(corner) for corner in self._obj.CertificatePlace])
+        if len(corners):
+            self._look_at(FreeCADGui.getDocument(self._obj.Document.Name).activeView(), corners)
+        else:
+            FreeCADGui.SendMsgToActiveView("ViewSelection")
+
+    def _select(self, source, faces):
         source.ViewObject.Visibility = True
         FreeCADGui.Selection.clearSelection()
-        # The faces of a container are numbered through all that it holds: select it as a whole.
-        names = self._obj.CertificateFaces if hasattr(source, "Shape") else [""]
-        for name in names:
-            FreeCADGui.Selection.addSelection(source, name)
-        FreeCADGui.SendMsgToActiveView("ViewSelection")
+        for face in faces:
+            FreeCADGui.Selection.addSelection(source, sub_element(source, face))
+
+    def _look_at(self, view, corners):
+        if not hasattr(view, "getCameraNode"):
+            return  # of another kind than the 3D view
+        self._end_mark()
+        self._mark = Mark(view, corners.tolist())
+        self.flight = flight_to(view, corners.reshape(1, 3, 3))
+
+    def _end_mark(self):
+        if self._mark is not None:
+            self._mark.end()
+            self._mark = None
 
     def end(self):
         """The panel closes: the mesh looks as before."""
+        self._end_mark()
         for view, mode in self._modes.items():
             view.DisplayMode = mode
         self._modes.clear()

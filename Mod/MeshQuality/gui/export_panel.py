@@ -13,6 +13,7 @@ from ..errors import Error
 from . import jobs, preferences
 from .mesh_panel import title_of
 from .operation import is_there, name_of
+from .words import translated
 
 translate = FreeCAD.Qt.translate
 
@@ -74,7 +75,7 @@ class ExportPanel:
             path = export.checked(self.path.property("fileName"))
             curved = CurvedMesh.of(self.obj)
         except (Error, ImportError) as error:
-            self._say(str(error))
+            self._say(translated(error))
             return
         self.path.setEnabled(False)
         self.bar.show()
@@ -102,7 +103,7 @@ class ExportPanel:
         if job.state == jobs.DONE:
             FreeCADGui.Control.closeDialog()
         else:
-            self._say(str(job.error) if job.state == jobs.FAILED
+            self._say(translated(job.error) if job.state == jobs.FAILED
                       else translate("MeshQuality", "Cancelled; no file was written."))
 
     def _path_changed(self, *_):

@@ -11,6 +11,7 @@ from . import jobs, operation, preferences
 from .certificate_box import CertificateBox
 from .option_form import OptionForm
 from .preset_box import PresetBox
+from .words import translated, translated_stage
 
 _TRIAL = 50_000  # triangles of a trial for the estimate
 _PAUSE = 400  # ms without a change before a trial begins
@@ -118,7 +119,7 @@ class MeshPanel:
             values = operation.check(self.operations, self.options.values())
             works = [made.work(values) for made in self.operations]
         except (Error, ImportError) as error:
-            self._say(str(error))
+            self._say(translated(error))
             return
         self._say("")
         preferences.remember(self.operations[0].kind, values)
@@ -141,7 +142,8 @@ class MeshPanel:
 
     def _show_progress(self, job):
         self.bar.setValue(int(1000 * job.fraction))
-        self.bar.setFormat(f"{job.stage or jobs.state_text(job.state)}: %p %")
+        what = translated_stage(job.stage) if job.stage else jobs.state_text(job.state)
+        self.bar.setFormat(f"{what}: %p %")
 
     def _ended(self, job, watch):
         watch.end()
@@ -149,7 +151,7 @@ class MeshPanel:
         if job.state == jobs.CANCELLED:
             self._say(translate("MeshQuality", "Cancelled; nothing was changed."))
         elif job.state == jobs.FAILED:
-            self._say(str(job.error))
+            self._say(translated(job.error))
         if self.jobs:
             return
         self.bar.hide()
@@ -184,7 +186,7 @@ class MeshPanel:
             trials = [made.trial(values, _TRIAL) for made in self.operations]
         except Error as error:
             self.estimate.setText("")
-            self._say(str(error))
+            self._say(translated(error))
             return
         self._trial = jobs.queue().add(jobs.Job(
             "Estimate", lambda progress: [trial(progress) for trial in trials],

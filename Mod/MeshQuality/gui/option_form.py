@@ -12,6 +12,7 @@ translate = FreeCAD.Qt.translate
 _UNITS = {"mm": FreeCAD.Units.Length, "degrees": FreeCAD.Units.Angle}
 _SUFFIX = {"mm": "mm", "degrees": "deg"}
 _LARGEST = 2**31 - 1
+_WIDE = 150  # pixels that a list of sizes needs
 
 
 class OptionForm(QtGui.QWidget):
@@ -185,6 +186,7 @@ class _Sizes(_Field):
         row.setContentsMargins(0, 0, 0, 0)
         self.text, self.button = QtGui.QLineEdit(), QtGui.QToolButton()
         self.text.setPlaceholderText("Face3=0.5, Edge7=0.2")
+        self.text.setMinimumWidth(_WIDE)
         self.button.setText("+")
         self.button.setToolTip(translate(
             "MeshQuality", "Add the faces, edges and vertices that are selected in the 3D view"))

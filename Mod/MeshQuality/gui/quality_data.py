@@ -28,6 +28,7 @@ class Measure:
     """What can be shown of each element.
 
     title    for people
+    help     what the numbers mean to them
     unit     after a number, with a blank where one is wanted
     bad      the number that is shown red, or None: the worst one found
     good     the number that is shown blue
@@ -35,6 +36,7 @@ class Measure:
     """
 
     title: str
+    help: str
     unit: str
     bad: Optional[float]
     good: float
@@ -69,17 +71,29 @@ class Measure:
         return np.argsort(values if self.low_is_bad else -values, kind="stable")
 
 
-MIN_ANGLE = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Smallest angle"), "°", 0.0, 60.0,
-                    lambda data, _: data.shapes()[0])
-ASPECT = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Longest edge / shortest edge"), "", 10.0, 1.0,
-                 lambda data, _: data.shapes()[1])
-DISTANCE = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Distance to the shape"), " mm", None, 0.0,
-                   lambda data, progress: data.distances(progress))
-# A fifth of the regular shape's quality is what a corner of 7 degrees has.
-DISTORTION = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Distortion"), "", 5.0, 1.0,
-                     lambda data, progress: data.distortions(progress))
-JACOBIAN = Measure(QT_TRANSLATE_NOOP("MeshQuality", "Scaled Jacobian"), "", 0.0, 1.0,
-                   lambda data, _: data.jacobians)
+MIN_ANGLE = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Smallest angle"),
+    QT_TRANSLATE_NOOP("MeshQuality", "60° is best; triangles of a few degrees spoil computations."),
+    "°", 0.0, 60.0, lambda data, _: data.shapes()[0])
+ASPECT = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Longest edge / shortest edge"),
+    QT_TRANSLATE_NOOP("MeshQuality", "1 is best: all edges of a triangle are alike."),
+    "", 10.0, 1.0, lambda data, _: data.shapes()[1])
+DISTANCE = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Distance to the shape"),
+    QT_TRANSLATE_NOOP("MeshQuality", "How far each triangle is from the part that was meshed."),
+    " mm", None, 0.0, lambda data, progress: data.distances(progress))
+# The inverse is what is called a quality: a fifth is what a corner of 7 degrees has.
+DISTORTION = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Distortion"),
+    QT_TRANSLATE_NOOP("MeshQuality", "How far an element is from equal sides and angles: 1 is best, 5 "
+                                     "is poor, ∞ means that it folds over."),
+    "", 5.0, 1.0, lambda data, progress: data.distortions(progress))
+JACOBIAN = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Scaled Jacobian"),
+    QT_TRANSLATE_NOOP("MeshQuality", "How much an element is squeezed by its bending: 1 is as good as "
+                                     "straight, 0 or less means that it folds over."),
+    "", 0.0, 1.0, lambda data, _: data.jacobians)
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from . import colour_scale, jobs
 from .histogram import HistogramView
 from .quality_data import Histogram, QualityData
 from .quality_scene import QualityScene
+from .words import translated
 
 translate = FreeCAD.Qt.translate
 
@@ -55,27 +56,33 @@ class QualityPanel:
         of, self.summary = QtGui.QLabel(
             translate("MeshQuality", "Of {0}").format(self.obj.Label)), QtGui.QLabel()
         self.measures, self.histogram = QtGui.QComboBox(), HistogramView()
-        self.hint = QtGui.QLabel(_hint())
+        self.meaning, self.hint = QtGui.QLabel(), QtGui.QLabel(_hint())
         self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
         self.edges = QtGui.QCheckBox(translate("MeshQuality", "Draw edges"))
         self.edges.setEnabled(False)
         for measure in self.data.measures:
             self.measures.addItem(translate("MeshQuality", measure.title))
-        for label in (of, self.summary, self.hint):
+        for label in (of, self.meaning, self.summary, self.hint):
             label.setWordWrap(True)
         self.worst.setWordWrap(True)
+        self.worst.setAlternatingRowColors(True)
+        # The panel may be 260 pixels wide.
+        self.measures.setSizeAdjustPolicy(
+            QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.faces.setHorizontalHeaderLabels([
-            translate("MeshQuality", "Face"), translate("MeshQuality", "Elements"),
+            translate("MeshQuality", "Face"), translate("MeshQuality", "Count"),
             translate("MeshQuality", "Worst"), translate("MeshQuality", "Mean")])
         self.faces.verticalHeader().hide()
         self.faces.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
-        self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.Stretch)
+        self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+        self.faces.horizontalHeader().setStretchLastSection(True)
         tabs = QtGui.QTabWidget()
-        tabs.addTab(self.worst, translate("MeshQuality", "Worst elements"))
+        tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
         tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
         layout = QtGui.QVBoxLayout(self.form)
-        for widget in (of, self.measures, self.summary, self.histogram, self.hint, tabs,
+        layout.setContentsMargins(0, 0, 0, 0)
+        for widget in (of, self.measures, self.meaning, self.summary, self.histogram, self.hint, tabs,
                        self.edges):
             layout.addWidget(widget)
         self.measures.currentIndexChanged.connect(self._choose_measure)
@@ -123,6 +130,7 @@ class QualityPanel:
 
     def _choose_measure(self, *_):
         measure = self.data.measures[self.measures.currentIndex()]
+        self.meaning.setText(translate("MeshQuality", measure.help))
         if self._job is not None and self._job.active:
             self._job.cancel()
         if measure.title in self._found:
@@ -135,7 +143,7 @@ class QualityPanel:
         job = self._job
         job.changed.connect(lambda: job.active and job.fraction and self._say(
             translate("MeshQuality", "Measuring: {0} %").format(round(100 * job.fraction))))
-        job.ended.connect(lambda: job.error and self._say(str(job.error)))
+        job.ended.connect(lambda: job.error and self._say(translated(job.error)))
 
     def _compute(self, measure, progress):
         self.data.prepare()
@@ -170,9 +178,9 @@ class QualityPanel:
         self.worst.blockSignals(True)
         self.worst.clear()
         for element in self._worst:
-            words = f"{self.measure.text(self.values[element])}: {self.data.place(element)}"
-            reason = self.data.reason(element)
-            item = QtGui.QListWidgetItem(words + (f"\n{reason}" if reason else ""))
+            text = f"{self.measure.text(self.values[element])}: {self.data.place(element)}"
+            reason = translated(self.data.reason(element))
+            item = QtGui.QListWidgetItem(text + (f"\n{reason}" if reason else ""))
             item.setToolTip(reason or translate("MeshQuality", "Click to fly there"))
             self.worst.addItem(item)
         self.worst.blockSignals(False)
@@ -235,7 +243,7 @@ def open_panel(obj):
     except (Error, ImportError) as error:
         FreeCAD.Console.PrintError(f"{obj.Label}: {error}\n")
         QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(),
-                                  translate("MeshQuality", "Mesh quality"), str(error))
+                                  translate("MeshQuality", "Mesh quality"), translated(error))
         return None
     FreeCADGui.Control.showDialog(panel)
     return panel

@@ -64,12 +64,17 @@ class QualityScene:
 
     def fly_to(self, corners):
         """Moves the camera to look at triangles, from outside."""
-        points = corners.reshape(-1, 3).astype(float)
-        centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
-        size = float(np.linalg.norm(np.ptp(points, axis=0)))
-        sides = corners.astype(float)
-        normal = np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]).sum(axis=0)
-        self.flight = Flight(self.view.getCameraNode(), centre, normal, _AROUND * size)
+        self.flight = flight_to(self.view, corners)
+
+
+def flight_to(view, corners):
+    """Begins to move a view's camera to look at triangles, (n, 3, 3), from outside; the Flight."""
+    points = corners.reshape(-1, 3).astype(float)
+    centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    sides = corners.astype(float)
+    normal = np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]).sum(axis=0)
+    return Flight(view.getCameraNode(), centre, normal, _AROUND * size)
 
 
 class Flight(QtCore.QObject):

@@ -132,9 +132,4 @@ std::vector<double> distances_to_faces(const TopoDS_Shape& shape, const std::vec
     }
 }
 
-double largest_distance_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points, Progress* progress) {
-    const std::vector<double> distances = distances_to_faces(shape, points, progress);
-    return distances.empty() ? 0.0 : *std::max_element(distances.begin(), distances.end());
-}
-
 }  // namespace mq::geometry

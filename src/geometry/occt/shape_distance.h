@@ -15,8 +15,5 @@ namespace mq::geometry {
 /// @throws GeometryError when a face cannot be measured against; Cancelled.
 std::vector<double> distances_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points,
                                        Progress* progress = nullptr);
-/// The largest of them; 0 for no points.
-double largest_distance_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points,
-                                 Progress* progress = nullptr);
 
 }  // namespace mq::geometry
