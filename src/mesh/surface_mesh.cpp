@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/surface_mesh.h"
 
+#include <algorithm>
+#include <map>
+
 namespace mq::mesh {
 
 namespace {
@@ -172,6 +175,72 @@ void SurfaceMesh::swap(int h) {
     link(3 * t + 1, 3 * o + 2);
 }
 
+std::vector<int> SurfaceMesh::replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added) {
+    using Side = std::pair<int, int>;
+    std::map<Side, Link> rim;
+    for (const int t : removed) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const int g = twin(h);
+            if (g < 0 || std::find(removed.begin(), removed.end(), triangle_of(g)) == removed.end()) {
+                rim.emplace(Side(corner_[h], corner_[next(h)]), take(h));
+            }
+        }
+    }
+    const int face = face_[removed.front()];
+    std::vector<int> indices;
+    std::map<Side, int> open;
+    for (std::size_t i = 0; i < added.size(); ++i) {
+        const auto& c = added[i];
+        indices.push_back(i < removed.size() ? removed[i] : add_triangle(c, face));
+        set_corners(indices.back(), c[0], c[1], c[2]);
+        for (int k = 0; k < 3; ++k) {
+            const int h = 3 * indices.back() + k;
+            const Side side(c[k], c[(k + 1) % 3]);
+            if (const auto found = rim.find(side); found != rim.end()) {
+                put(h, found->second);
+            } else if (const auto other = open.find({side.second, side.first}); other != open.end()) {
+                link(h, other->second);
+            } else {
+                open.emplace(side, h);
+            }
+        }
+    }
+    for (std::size_t i = added.size(); i < removed.size(); ++i) {
+        face_[removed[i]] = -1;
+        ++stamp_[removed[i]];
+    }
+    return indices;
+}
+
+std::vector<std::pair<int, int>> SurfaceMesh::compact() {
+    std::vector<std::pair<int, int>> moved;
+    for (int hole = 0; hole < triangle_count(); ++hole) {
+        while (triangle_count() > hole && gone(triangle_count() - 1)) {
+            drop_last_triangle();
+        }
+        if (hole >= triangle_count() || !gone(hole)) {
+            continue;
+        }
+        const int last = triangle_count() - 1;
+        face_[hole] = face_[last];
+        stamp_[hole] = std::max(stamp_[hole], stamp_[last]) + 1;
+        for (int k = 0; k < 3; ++k) {
+            corner_[3 * hole + k] = corner_[3 * last + k];
+            put(3 * hole + k, take(3 * last + k));
+        }
+        moved.emplace_back(last, hole);
+        drop_last_triangle();
+    }
+    return moved;
+}
+
+void SurfaceMesh::drop_last_triangle() {
+    corner_.resize(corner_.size() - 3);
+    twin_.resize(twin_.size() - 3);
+    face_.pop_back();
+    stamp_.pop_back();
+}
+
 std::vector<int> SurfaceMesh::star(int h) const {
     int first = h;
     for (int g = twin(h); g >= 0; g = twin(first)) {  // clockwise, to the cut or once around
@@ -189,6 +258,9 @@ std::vector<int> SurfaceMesh::star(int h) const {
 
 std::string SurfaceMesh::inconsistency() const {
     for (int h = 0; h < half_edge_count(); ++h) {
+        if (gone(triangle_of(h))) {
+            continue;
+        }
         const std::string name = "half-edge " + std::to_string(h);
         if (twin_[h] == kLoose) {
             return name + " is neither linked nor on a segment";

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/vec.h"
@@ -21,7 +22,7 @@ namespace mq::mesh {
 /// seam has two sites on one face, so within a face (u, v) never jumps.
 ///
 /// Half-edge 3 t + i runs from corner i to corner i + 1 of triangle t, its triangle on the left. Triangles and
-/// vertices are only ever added or rewritten, never removed, so indices stay.
+/// vertices are added or rewritten, so indices stay; triangles that `replace` leaves over are gone until `compact`.
 class SurfaceMesh {
   public:
     struct Vertex {
@@ -90,6 +91,15 @@ class SurfaceMesh {
     /// half-edges of the same two triangles. Checks nothing.
     void swap(int h);
 
+    /// Other triangles in the place of some: all of one face, with the same rim, sites as corners.
+    /// @return the indices of `added`; those of `removed` come first, and what is left over of them is gone.
+    std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);
+    /// Only between `replace` and `compact`: the triangle is not there any more. Nothing else may be asked of it.
+    bool gone(int triangle) const { return face_[triangle] < 0; }
+    /// Gives the last triangles the indices of those that are gone.
+    /// @return the pairs old index, new index of the triangles that moved.
+    std::vector<std::pair<int, int>> compact();
+
     /// Half-edges that leave the site of `h`, around it within the face, counter-clockwise from `h` or, where a
     /// segment cuts the turn, from the first after it.
     std::vector<int> star(int h) const;
@@ -105,6 +115,7 @@ class SurfaceMesh {
     Link take(int h) const;
     void put(int h, const Link& link);
     void set_corners(int triangle, int a, int b, int c);
+    void drop_last_triangle();
 
     std::vector<Vertex> vertices_;
     std::vector<Site> sites_;

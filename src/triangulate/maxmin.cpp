@@ -13,10 +13,6 @@ using mesh::SurfaceMesh;
 
 constexpr int kMaxSweeps = 20;
 
-std::uint64_t key(int a, int b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
-}
-
 }  // namespace
 
 Maxmin::Maxmin(SurfaceMesh& mesh) : mesh_(mesh) {
@@ -34,12 +30,12 @@ Maxmin::Maxmin(SurfaceMesh& mesh) : mesh_(mesh) {
 
 void Maxmin::remember(int a, int b) {
     if (on_border(a) && on_border(b)) {
-        ++pairs_[key(a, b)];
+        ++pairs_[pair_of(a, b)];
     }
 }
 
 void Maxmin::forget(int a, int b) {
-    const auto found = pairs_.find(key(a, b));
+    const auto found = pairs_.find(pair_of(a, b));
     if (found != pairs_.end() && --found->second == 0) {
         pairs_.erase(found);
     }
@@ -50,7 +46,7 @@ std::vector<int> Maxmin::doubled_edges() const {
     for (int h = 0; h < mesh_.half_edge_count(); ++h) {
         const int a = mesh_.vertex_of(h);
         const int b = mesh_.vertex_of(SurfaceMesh::next(h));
-        if (mesh_.twin(h) > h && on_border(a) && on_border(b) && pairs_.at(key(a, b)) > 1) {
+        if (mesh_.twin(h) > h && on_border(a) && on_border(b) && pairs_.at(pair_of(a, b)) > 1) {
             result.push_back(h);
         }
     }
@@ -65,7 +61,7 @@ bool Maxmin::legal(int h, double least) const {
     const int d = mesh_.site_of(SurfaceMesh::prev(g));
     const int vc = mesh_.site(c).vertex;
     const int vd = mesh_.site(d).vertex;
-    if (vc == vd || (on_border(vc) && on_border(vd) && pairs_.count(key(vc, vd)) > 0)) {
+    if (vc == vd || joined(vc, vd)) {
         return false;
     }
     const Corner ca = corner_of(mesh_, a);
@@ -96,6 +92,23 @@ void Maxmin::swap(int h, std::vector<int>& touched) {
     forget(mesh_.vertex_of(h), mesh_.vertex_of(SurfaceMesh::next(h)));
     mesh_.swap(h);
     remember(mesh_.vertex_of(3 * t + 1), mesh_.vertex_of(3 * t + 2));
+}
+
+std::vector<int> Maxmin::replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added) {
+    const auto inner_edges = [&](const std::vector<int>& triangles, void (Maxmin::*book)(int, int)) {
+        for (const int t : triangles) {
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                const int other = mesh_.twin(h) < 0 ? -1 : SurfaceMesh::triangle_of(mesh_.twin(h));
+                if (mesh_.twin(h) > h && std::find(triangles.begin(), triangles.end(), other) != triangles.end()) {
+                    (this->*book)(mesh_.vertex_of(h), mesh_.vertex_of(SurfaceMesh::next(h)));
+                }
+            }
+        }
+    };
+    inner_edges(removed, &Maxmin::forget);
+    std::vector<int> indices = mesh_.replace(removed, added);
+    inner_edges(indices, &Maxmin::remember);
+    return indices;
 }
 
 void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched, double least) {

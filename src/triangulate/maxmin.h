@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -29,6 +31,11 @@ class Maxmin {
     /// Swaps the edge of `h` whatever the predicate says, and keeps the books.
     void swap(int h, std::vector<int>& touched);
 
+    /// Other triangles in the place of some (see SurfaceMesh::replace), in the books as well.
+    std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);
+    /// Whether an edge or a segment joins the two vertices already, both of them on CAD edges.
+    bool joined(int a, int b) const { return on_border(a) && on_border(b) && pairs_.count(pair_of(a, b)) > 0; }
+
     /// Half-edges without a segment that join two vertices that another edge joins already.
     std::vector<int> doubled_edges() const;
     /// To be called before and after a vertex is put on an edge or a segment between two border vertices.
@@ -37,6 +44,9 @@ class Maxmin {
 
   private:
     bool legal(int h, double least) const;
+    static std::uint64_t pair_of(int a, int b) {
+        return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
+    }
     bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
 
     mesh::SurfaceMesh& mesh_;

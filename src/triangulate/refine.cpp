@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/fold.h"
 
@@ -21,6 +22,10 @@ constexpr int kMaxRetries = 6;
 constexpr int kMaxShrinks = 24;
 constexpr double kMaxShrink = 0.5;
 constexpr double kNarrow = M_PI / 3.0;
+// How many times larger the angle between two CAD edges is than that between their chords, for these to be halved; and
+// how often at one vertex.
+constexpr double kNarrowed = 1.08;
+constexpr int kMaxSharpened = 8;
 // Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own
 // sake.
 constexpr double kMinTurned = 1e-3;
@@ -195,7 +200,38 @@ bool Refiner::narrow_corner(const Bad& bad) {
     if (segment < 0 || work_.mesh.segment_of(SurfaceMesh::prev(h)) < 0) {
         return false;
     }
-    exempt(bad, Cause::NarrowCorner, work_.mesh.vertex_of(h), segment);
+    const int other = work_.mesh.segment_of(SurfaceMesh::prev(h));
+    if (narrowed_by_chords(segment, other, work_.mesh.vertex_of(h))) {
+        segments_.request(segment, true);
+        segments_.request(other, true);
+        touched_.push_back(bad.triangle);
+    } else {
+        exempt(bad, Cause::NarrowCorner, work_.mesh.vertex_of(h), segment);
+    }
+    return true;
+}
+
+// Chords of curved edges can enclose less than the edges do, until they are short enough.
+bool Refiner::narrowed_by_chords(int a, int b, int vertex) {
+    if (segments_.refused(a) || segments_.refused(b) || sharpened_[vertex] >= kMaxSharpened) {
+        return false;
+    }
+    Vec3 chords[2];
+    Vec3 tangents[2];
+    for (int i = 0; i < 2; ++i) {
+        const SurfaceMesh::Segment& s = work_.mesh.segment(i == 0 ? a : b);
+        const int end = s.vertices[0] == vertex ? 0 : 1;
+        const geometry::Answer there = work_.session.ask(geometry::Query::edge_point(s.edge, s.t[end]));
+        if (there.status != geometry::Status::Ok) {
+            return false;
+        }
+        tangents[i] = (s.t[1 - end] > s.t[end] ? 1.0 : -1.0) * there.normal;
+        chords[i] = work_.mesh.vertex(s.vertices[1 - end]).point - work_.mesh.vertex(vertex).point;
+    }
+    if (angle_between(tangents[0], tangents[1]) < kNarrowed * angle_between(chords[0], chords[1])) {
+        return false;
+    }
+    ++sharpened_[vertex];
     return true;
 }
 

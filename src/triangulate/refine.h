@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <queue>
 #include <vector>
@@ -59,6 +60,7 @@ class Refiner {
     void remember_shrinks(int first_vertex, int shrinks);
     void exempt(const Bad& bad, Cause cause, int vertex = -1, int segment = -1);
     bool narrow_corner(const Bad& bad);
+    bool narrowed_by_chords(int a, int b, int vertex);
     bool slender_apex(int h) const;
     bool retry_exempted();
     void exempt_the_rest();
@@ -70,7 +72,8 @@ class Refiner {
     double bound_;  // radians
     Insertion insertion_;
     std::priority_queue<Bad> queue_;
-    KeySet turned_;  // triangles that were refined for their alignment, by key
+    std::map<int, int> sharpened_;  // by vertex: how often the chords at a narrow corner were halved
+    KeySet turned_;                 // triangles that were refined for their alignment, by key
     std::vector<int> touched_;
     std::vector<Job> again_;  // fallbacks for the next round
 };

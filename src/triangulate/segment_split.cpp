@@ -27,6 +27,16 @@ constexpr double kBesideShell = 1.5;
 constexpr double kSameShell = 1.1;
 constexpr double kNotFolded = 0.1;
 constexpr int kMaxPostponed = 12;
+constexpr int kMaxHalvings = 20;
+// An edge this near to the middle of an innermost piece, in lengths of the piece, calls for a shorter piece.
+constexpr double kBesideEdge = 0.4;
+
+double distance_to_piece(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 along = b - a;
+    const double length = along.squaredNorm();
+    const double t = length > 0.0 ? std::clamp(along.dot(p - a) / length, 0.0, 1.0) : 0.0;
+    return (a + t * along - p).norm();
+}
 
 }  // namespace
 
@@ -74,9 +84,50 @@ void SegmentSplitter::measure_room() {
         }
     }
     for (const auto& [node, radius] : room) {
-        innermost_[node] = kRoom * radius;
+        innermost_[node] = clear_of_other_edges(node, kRoom * radius);
     }
     narrow_nodes_.assign(narrow.begin(), narrow.end());
+}
+
+// Edges that pass by and would encroach on the innermost pieces make these shorter: no cascade comes of that.
+double SegmentSplitter::clear_of_other_edges(int node, double radius) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    std::set<int> own;
+    std::set<int> faces;
+    std::vector<Vec3> directions;
+    const Vec3& p = mesh.vertex(node).point;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        const SurfaceMesh::Segment& piece = mesh.segment(s);
+        const int end = piece.vertices[0] == node ? 0 : 1;
+        if (piece.uses.empty() || piece.vertices[end] != node) {
+            continue;
+        }
+        own.insert(piece.edge);
+        directions.push_back((mesh.vertex(piece.vertices[1 - end]).point - p).normalized());
+        for (const SurfaceMesh::SegmentUse& use : piece.uses) {
+            faces.insert(mesh.face_of(SurfaceMesh::triangle_of(use.half_edge)));
+        }
+    }
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        const SurfaceMesh::Segment& piece = mesh.segment(s);
+        const bool near = std::any_of(piece.uses.begin(), piece.uses.end(), [&](const SurfaceMesh::SegmentUse& use) {
+            return faces.count(mesh.face_of(SurfaceMesh::triangle_of(use.half_edge))) > 0;
+        });
+        if (!near || own.count(piece.edge) > 0) {
+            continue;
+        }
+        const Vec3& a = mesh.vertex(piece.vertices[0]).point;
+        const Vec3& b = mesh.vertex(piece.vertices[1]).point;
+        const auto too_near = [&](const Vec3& way) {
+            return distance_to_piece(p + 0.5 * way, a, b) < kBesideEdge * way.norm();
+        };
+        for (const Vec3& d : directions) {
+            for (int n = 0; n < kMaxHalvings && too_near(radius * d); ++n) {
+                radius *= 0.5;
+            }
+        }
+    }
+    return radius;
 }
 
 double SegmentSplitter::chord(int segment) const {

@@ -59,6 +59,7 @@ class SegmentSplitter {
     void refuse(int segment);
 
     void measure_room();
+    double clear_of_other_edges(int node, double radius) const;
     void force_mates(int segment);
 
     Workspace& work_;

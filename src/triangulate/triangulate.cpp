@@ -9,6 +9,7 @@
 #include "triangulate/chord.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/explain.h"
+#include "triangulate/mender.h"
 #include "triangulate/output.h"
 #include "triangulate/refine.h"
 #include "triangulate/sampling.h"
@@ -86,20 +87,24 @@ void refine(Workspace& work, const Options& options, double chord, StageClock& c
     const double middle = from + 0.34 * (0.9 - from);
     EdgeBounds bounds(work.session.topology(), options.max_edge, options.local_sizes);
     const bool angles_only = !(chord > 0.0) && !bounds.any();
-    work.progress.stage("refining angles", from, angles_only ? 0.9 : middle);
+    work.progress.stage("refining angles", from, angles_only ? 0.85 : middle);
     Refiner refiner(work, segments, options.min_angle, options.insertion);
     refiner.run();
     clock.end("angles");
-    if (angles_only) {
-        return;
+    if (!angles_only) {
+        work.progress.stage("refining to the chord height", middle, 0.85);
+        ChordRefiner chords(work, segments, chord, bounds);
+        for (int round = 0; round < kMaxChordRounds && chords.run(); ++round) {
+            refiner.run();
+            work.progress.advance((round + 1.0) / kMaxChordRounds);
+        }
+        clock.end("chord height");
     }
-    work.progress.stage("refining to the chord height", middle, 0.9);
-    ChordRefiner chords(work, segments, chord, std::move(bounds));
-    for (int round = 0; round < kMaxChordRounds && chords.run(); ++round) {
-        refiner.run();
-        work.progress.advance((round + 1.0) / kMaxChordRounds);
+    if (options.insertion != Insertion::Paper) {
+        work.progress.stage("mending", 0.85, 0.9);
+        Mender(work, options.min_angle, chord, bounds).run();
+        clock.end("mending");
     }
-    clock.end("chord height");
 }
 
 void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {

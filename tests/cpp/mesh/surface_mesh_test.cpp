@@ -89,6 +89,39 @@ void expect_stars(const SurfaceMesh& mesh) {
     }
 }
 
+/// Takes a vertex out of the inside of a face, when none of the new edges is there already.
+bool take_out(SurfaceMesh& mesh, int h) {
+    const std::vector<int> star = mesh.star(h);
+    if (mesh.segment_of(star.front()) >= 0) {
+        return false;
+    }
+    std::vector<int> removed;
+    std::set<int> ring;
+    for (const int spoke : star) {
+        removed.push_back(spoke / 3);
+        ring.insert(mesh.vertex_of(SurfaceMesh::next(spoke)));
+    }
+    const int apex = SurfaceMesh::next(star.front());
+    for (const int spoke : mesh.star(apex)) {
+        const int to = mesh.vertex_of(SurfaceMesh::next(spoke));
+        const bool beside = to == mesh.vertex_of(SurfaceMesh::prev(star.front())) ||
+                            to == mesh.vertex_of(SurfaceMesh::next(star.back()));
+        if (ring.count(to) > 0 && !beside) {
+            return false;
+        }
+    }
+    std::vector<std::array<int, 3>> added;
+    for (std::size_t i = 1; i + 1 < star.size(); ++i) {
+        added.push_back({mesh.site_of(apex), mesh.site_of(SurfaceMesh::next(star[i])),
+                         mesh.site_of(SurfaceMesh::next(star[i + 1]))});
+    }
+    if (ring.size() != star.size() || added.empty()) {
+        return false;
+    }
+    mesh.replace(removed, added);
+    return true;
+}
+
 /// Every legal operation at random, at random places.
 class Shaker {
   public:
@@ -196,6 +229,43 @@ TEST(SurfaceMesh, SplitTriangleKeepsItsSides) {
         }
         EXPECT_EQ(mesh.star(3 * t + 2).size(), 3u);
         EXPECT_EQ(mesh.inconsistency(), "");
+    }
+}
+
+TEST(SurfaceMesh, ReplacedTrianglesKeepTheRimAndCompactClosesTheGaps) {
+    for (Sample& sample : all_samples()) {
+        SCOPED_TRACE(sample.name);
+        SurfaceMesh& mesh = sample.mesh;
+        const int euler_before = euler(mesh);
+        const std::map<int, double> areas_before = areas(mesh);
+        Shaker shaker(mesh, 5);
+        int taken = 0;
+        for (int round = 0; round < 60; ++round) {
+            for (int i = 0; i < 5; ++i) {
+                shaker.step();
+            }
+            for (int h = 0; h < mesh.half_edge_count(); h += 7) {
+                const int before = mesh.triangle_count();
+                if (take_out(mesh, h)) {
+                    ++taken;
+                    EXPECT_EQ(mesh.inconsistency(), "");
+                    for (const auto& [from, to] : mesh.compact()) {
+                        EXPECT_GE(from, mesh.triangle_count());
+                        EXPECT_LT(to, mesh.triangle_count());
+                    }
+                    EXPECT_EQ(mesh.triangle_count(), before - 2);
+                    break;
+                }
+            }
+            ASSERT_EQ(mesh.inconsistency(), "");
+            ASSERT_EQ(euler(mesh), euler_before);
+        }
+        EXPECT_GT(taken, 10);
+        for (const auto& [face, area] : areas(mesh)) {
+            EXPECT_NEAR(area, areas_before.at(face), 1e-9);
+        }
+        expect_chains(mesh);
+        expect_stars(mesh);
     }
 }
 

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/disc.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "triangulate/corner_angle.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using mesh::SurfaceMesh;
+
+// Of the pattern search: steps from a quarter of the disc's reach down to 1e-4 of it, in four directions that are
+// turned from step to step by the golden angle, so that it does not get stuck on ridges.
+constexpr int kSearchSteps = 14;
+constexpr double kShrink = 0.58;
+constexpr double kTurn = 2.399963;
+constexpr int kMovesPerStep = 3;
+// After so many steps it ends where the angle is less than this part of what is wanted.
+constexpr int kScouting = 5;
+constexpr double kHopeless = 0.6;
+
+bool contains(const std::vector<int>& all, int one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+// The squared sine of the smallest angle: it lies between the two longer sides, and is 60 degrees at most.
+double squared_sine(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double ab = (b - a).squaredNorm();
+    const double bc = (c - b).squaredNorm();
+    const double ca = (a - c).squaredNorm();
+    const double shortest = std::min({ab, bc, ca});
+    const double others = shortest == ab ? bc * ca : shortest == bc ? ab * ca : ab * bc;
+    return others > 0.0 ? (b - a).cross(c - a).squaredNorm() / others : 0.0;
+}
+
+double angle_of(double squared_sine) {
+    return squared_sine < 0.0 ? -1.0 : std::asin(std::sqrt(std::min(squared_sine, 1.0)));
+}
+
+bool ends_at(const SurfaceMesh& mesh, int side, int site) {
+    return mesh.site_of(side) == site || mesh.site_of(SurfaceMesh::next(side)) == site;
+}
+
+// Of the smallest angle of the triangle over a side of the rim; -1 when it is turned over.
+double squared_sine_over(const SurfaceMesh& mesh, const Disc& disc, int side, const Vec3& apex) {
+    const Vec3& a = mesh.point_of(side);
+    const Vec3& b = mesh.point_of(SurfaceMesh::next(side));
+    return (a - apex).cross(b - apex).dot(disc.normal) > 0.0 ? squared_sine(a, b, apex) : -1.0;
+}
+
+Vec3 doubled_area(const SurfaceMesh& mesh, int t) {
+    const Vec3& a = mesh.point_of(3 * t);
+    return (mesh.point_of(3 * t + 1) - a).cross(mesh.point_of(3 * t + 2) - a);
+}
+
+}  // namespace
+
+std::vector<int> triangles_around(const SurfaceMesh& mesh, int h) {
+    std::vector<int> result;
+    for (const int spoke : mesh.star(h)) {
+        result.push_back(SurfaceMesh::triangle_of(spoke));
+    }
+    return result;
+}
+
+std::optional<Disc> disc_of(const SurfaceMesh& mesh, std::vector<int> triangles) {
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    Disc disc{std::move(triangles), {}, Vec3::Zero()};
+    std::vector<int> sites;
+    std::vector<int> rim_vertices;
+    for (const int t : disc.triangles) {
+        if (narrow_corner_of(mesh, t) >= 0) {
+            return std::nullopt;
+        }
+        disc.normal += doubled_area(mesh, t);
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            sites.push_back(mesh.site_of(h));
+            if (mesh.twin(h) < 0 || !contains(disc.triangles, SurfaceMesh::triangle_of(mesh.twin(h)))) {
+                disc.rim.push_back(h);
+                rim_vertices.push_back(mesh.vertex_of(h));
+            }
+        }
+    }
+    std::sort(sites.begin(), sites.end());
+    const std::size_t corners = static_cast<std::size_t>(std::unique(sites.begin(), sites.end()) - sites.begin());
+    std::sort(rim_vertices.begin(), rim_vertices.end());
+    const bool simple = std::adjacent_find(rim_vertices.begin(), rim_vertices.end()) == rim_vertices.end();
+    // Euler: triangles = sides of the rim + 2 inner corners - 2.
+    const std::size_t inner = corners - disc.rim.size();
+    if (!simple || corners < disc.rim.size() || disc.triangles.size() + 2 != disc.rim.size() + 2 * inner) {
+        return std::nullopt;
+    }
+    return disc;
+}
+
+double smallest_angle(const SurfaceMesh& mesh, const Disc& disc) {
+    double least = 1.0;
+    for (const int t : disc.triangles) {
+        least = std::min(least, squared_sine(mesh.point_of(3 * t), mesh.point_of(3 * t + 1), mesh.point_of(3 * t + 2)));
+    }
+    return angle_of(least);
+}
+
+double fan_angle(const SurfaceMesh& mesh, const Disc& disc, const Vec3& apex, int apex_site) {
+    double least = 1.0;
+    for (const int side : disc.rim) {
+        if (!ends_at(mesh, side, apex_site)) {
+            least = std::min(least, squared_sine_over(mesh, disc, side, apex));
+        }
+    }
+    return angle_of(least);
+}
+
+int worst_side(const SurfaceMesh& mesh, const Disc& disc, const Vec3& apex) {
+    return *std::min_element(disc.rim.begin(), disc.rim.end(), [&](int a, int b) {
+        return squared_sine_over(mesh, disc, a, apex) < squared_sine_over(mesh, disc, b, apex);
+    });
+}
+
+double fan_alignment(const SurfaceMesh& mesh, const Disc& disc, const Corner& apex, int apex_site) {
+    double least = 1.0;
+    for (const int side : disc.rim) {
+        if (!ends_at(mesh, side, apex_site)) {
+            const Corner a = corner_of(mesh, mesh.site_of(side));
+            const Corner b = corner_of(mesh, mesh.site_of(SurfaceMesh::next(side)));
+            least = std::min(least, alignment(a, b, apex));
+        }
+    }
+    return least;
+}
+
+double disc_alignment(const SurfaceMesh& mesh, const Disc& disc) {
+    double least = 1.0;
+    for (const int t : disc.triangles) {
+        least = std::min(least, alignment(mesh, t));
+    }
+    return least;
+}
+
+namespace {
+
+// The sides of a rim in one piece of memory, for many fans.
+class Rim {
+  public:
+    Rim(const SurfaceMesh& mesh, const Disc& disc) : normal_(disc.normal) {
+        for (const int side : disc.rim) {
+            const Vec3& a = mesh.point_of(side);
+            const Vec3& b = mesh.point_of(SurfaceMesh::next(side));
+            sides_.push_back({a, b, (b - a).squaredNorm()});
+            middle_ += a / static_cast<double>(disc.rim.size());
+        }
+        for (const Side& side : sides_) {
+            reach_ = std::max(reach_, (side.a - middle_).norm());
+        }
+    }
+
+    const Vec3& middle() const { return middle_; }
+    double reach() const { return reach_; }
+    Vec3 between(std::size_t i) const { return 0.5 * (middle_ + sides_[i].a); }
+    std::size_t size() const { return sides_.size(); }
+
+    // Of the smallest angle of the fan: -1 where one is turned over; any less than `enough` where it is less than that.
+    double squared_sine(const Vec3& apex, double enough) const {
+        double least = 1.0;
+        for (const Side& side : sides_) {
+            const Vec3 a = side.a - apex;
+            const Vec3 b = side.b - apex;
+            const Vec3 area = a.cross(b);
+            if (!(area.dot(normal_) > 0.0)) {
+                return -1.0;
+            }
+            const double aa = a.squaredNorm();
+            const double bb = b.squaredNorm();
+            least = std::min(least, area.squaredNorm() * std::min({aa, bb, side.length}) / (aa * bb * side.length));
+            if (least < enough) {
+                break;
+            }
+        }
+        return least;
+    }
+
+  private:
+    struct Side {
+        Vec3 a;
+        Vec3 b;
+        double length;  // squared
+    };
+    std::vector<Side> sides_;
+    Vec3 normal_;
+    Vec3 middle_ = Vec3::Zero();
+    double reach_ = 0.0;
+};
+
+}  // namespace
+
+Vec3 best_apex(const SurfaceMesh& mesh, const Disc& disc, double at_least) {
+    const Rim rim(mesh, disc);
+    const double hopeless = std::pow(std::sin(kHopeless * at_least), 2);
+    const Vec3 x = disc.normal.unitOrthogonal();
+    const Vec3 y = disc.normal.cross(x).normalized();
+    Vec3 best = rim.middle();
+    double largest = rim.squared_sine(best, -1.0);
+    const auto attempt = [&](const Vec3& p) {
+        const double found = rim.squared_sine(p, largest);
+        if (found > largest) {
+            largest = found;
+            best = p;
+            return true;
+        }
+        return false;
+    };
+    // Where the smallest angle is at least some value is a convex region, so any start in it will do.
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+        attempt(rim.between(i));
+    }
+    double step = 0.25 * rim.reach();
+    for (int n = 0; n < kSearchSteps && (n < kScouting || largest > hopeless); ++n, step *= kShrink) {
+        const Vec3 first = step * (std::cos(n * kTurn) * x + std::sin(n * kTurn) * y);
+        const Vec3 second = step * (std::cos(n * kTurn) * y - std::sin(n * kTurn) * x);
+        for (int moves = 0; moves < kMovesPerStep; ++moves) {
+            const Vec3 from = best;
+            bool better = false;
+            for (const Vec3& way : {first, second, Vec3(-first), Vec3(-second)}) {
+                better = attempt(from + way) || better;
+            }
+            if (!better) {
+                break;
+            }
+        }
+    }
+    return best;
+}
+
+bool rim_apex_legal(const SurfaceMesh& mesh, const Maxmin& maxmin, const Disc& disc, int apex_site) {
+    std::vector<int> inside;   // vertices that the apex is joined to within the disc
+    std::vector<int> outside;  // elsewhere on the face
+    for (const int side : disc.rim) {
+        if (mesh.site_of(side) != apex_site) {
+            continue;
+        }
+        for (const int spoke : mesh.star(side)) {
+            const int back = SurfaceMesh::prev(spoke);  // the other border of the spoke's triangle
+            const bool in = contains(disc.triangles, SurfaceMesh::triangle_of(spoke));
+            auto& list = in ? inside : outside;
+            list.push_back(mesh.vertex_of(SurfaceMesh::next(spoke)));
+            list.push_back(mesh.vertex_of(back));
+        }
+    }
+    const int apex = mesh.site(apex_site).vertex;
+    return std::all_of(disc.rim.begin(), disc.rim.end(), [&](int side) {
+        const int v = mesh.vertex_of(side);
+        if (v == apex || contains(inside, v)) {
+            return true;
+        }
+        return !contains(outside, v) && !maxmin.joined(apex, v);
+    });
+}
+
+std::vector<std::array<int, 3>> fan(const SurfaceMesh& mesh, const Disc& disc, int apex_site) {
+    std::vector<std::array<int, 3>> result;
+    for (const int side : disc.rim) {
+        if (!ends_at(mesh, side, apex_site)) {
+            result.push_back({mesh.site_of(side), mesh.site_of(SurfaceMesh::next(side)), apex_site});
+        }
+    }
+    return result;
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/mender.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "triangulate/corner_angle.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Query;
+using mesh::SurfaceMesh;
+
+// What a change must gain at least: a part of what is missing, so that many small changes end, and in radians.
+constexpr double kGainOfMissing = 0.05;
+constexpr double kGain = 1e-6;
+constexpr std::size_t kMaxTried = 6;
+// Attempts: so many and a part of the number of triangles, so that parts full of needles do not take for ever.
+constexpr std::size_t kAttempts = 2000;
+constexpr std::size_t kTrianglesPerAttempt = 4;
+constexpr int kMaxGrowth = 3;
+constexpr double kMaxLift = 0.5;
+
+void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<Disc>& discs) {
+    if (auto disc = disc_of(mesh, std::move(triangles))) {
+        discs.push_back(std::move(*disc));
+    }
+}
+
+}  // namespace
+
+Mender::Mender(Workspace& work, double min_angle_degrees, double tolerance, const EdgeBounds& bounds)
+    : work_(work), bound_(min_angle_degrees * M_PI / 180.0), tolerance_(tolerance), bounds_(bounds) {}
+
+const Exemption* Mender::exemption_of(int triangle) const {
+    const auto found = work_.exempt.find(triangle);
+    return found != work_.exempt.end() && found->second.stamp == work_.mesh.stamp(triangle) ? &found->second : nullptr;
+}
+
+// The part itself has the angle.
+bool Mender::hopeless(int triangle) const {
+    const Exemption* exemption = exemption_of(triangle);
+    return exemption != nullptr && (exemption->cause == Cause::NarrowCorner || exemption->cause == Cause::Apex);
+}
+
+// Of the triangles as they are now.
+std::uint64_t Mender::key(const Disc& disc) const {
+    std::uint64_t sum = disc.triangles.size();
+    for (const int t : disc.triangles) {
+        sum = KeyHash()(sum ^ key(t)) + sum;
+    }
+    return sum;
+}
+
+double Mender::enough_after(double before) const {
+    return before + kGain + kGainOfMissing * std::max(0.0, bound_ - before);
+}
+
+// Tips that end within nothing are tried once.
+bool Mender::at_resolution(int triangle) const {
+    const Exemption* exemption = exemption_of(triangle);
+    return exemption != nullptr && exemption->cause == Cause::Resolution;
+}
+
+std::uint64_t Mender::key(int triangle) const {
+    return (static_cast<std::uint64_t>(triangle) << 32) | work_.mesh.stamp(triangle);
+}
+
+void Mender::push_if_bad(int triangle) {
+    const double angle = smallest_angle(work_.mesh, triangle).angle;
+    if (angle < bound_ && !hopeless(triangle)) {
+        queue_.push({angle, triangle, work_.mesh.stamp(triangle)});
+    }
+}
+
+bool Mender::run() {
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        push_if_bad(t);
+    }
+    bool changed = false;
+    const std::size_t most = kAttempts + static_cast<std::size_t>(work_.mesh.triangle_count()) / kTrianglesPerAttempt;
+    for (std::size_t attempts = 0; !queue_.empty() && attempts < most && !work_.over_budget();) {
+        work_.progress.check();
+        const Bad bad = queue_.top();
+        queue_.pop();
+        if (work_.mesh.stamp(bad.triangle) != bad.stamp || failed_.count(key(bad.triangle)) > 0) {
+            continue;
+        }
+        ++attempts;
+        if (mend(bad.triangle)) {
+            changed = true;
+        } else {
+            failed_.insert(key(bad.triangle));
+        }
+    }
+    queue_ = {};
+    failed_.clear();
+    exhausted_.clear();
+    finish();
+    return changed;
+}
+
+void Mender::finish() {
+    for (const auto& [from, to] : work_.mesh.compact()) {
+        const auto found = work_.exempt.find(from);
+        if (found != work_.exempt.end()) {
+            Exemption exemption = found->second;
+            exemption.stamp = work_.mesh.stamp(to);
+            work_.exempt.erase(found);
+            work_.exempt[to] = exemption;
+        }
+    }
+}
+
+std::vector<Disc> Mender::discs_around(int triangle) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    std::vector<Disc> discs;
+    std::vector<int> with_neighbours{triangle};
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        add_disc(mesh, triangles_around(mesh, h), discs);
+        const int g = mesh.twin(h);
+        if (g < 0) {
+            continue;
+        }
+        with_neighbours.push_back(SurfaceMesh::triangle_of(g));
+        add_disc(mesh, {triangle, SurfaceMesh::triangle_of(g)}, discs);
+        std::vector<int> both = triangles_around(mesh, h);
+        const std::vector<int> other = triangles_around(mesh, SurfaceMesh::next(h));
+        both.insert(both.end(), other.begin(), other.end());
+        add_disc(mesh, std::move(both), discs);
+    }
+    add_disc(mesh, std::move(with_neighbours), discs);
+    return discs;
+}
+
+// @return a larger disc that may do better: with the neighbour over the worst side.
+std::optional<Disc> Mender::propose(const Disc& disc, std::vector<Proposal>& proposals) const {
+    const double before = smallest_angle(work_.mesh, disc);
+    const auto keep = [&](int apex_site, const Vec3& apex, double angle) {
+        if (angle >= enough_after(before)) {
+            proposals.push_back({disc, apex_site, apex, angle, before});
+        }
+    };
+    for (const int side : disc.rim) {
+        const Vec3& apex = work_.mesh.point_of(side);
+        keep(work_.mesh.site_of(side), apex, fan_angle(work_.mesh, disc, apex, work_.mesh.site_of(side)));
+    }
+    const Vec3 apex = best_apex(work_.mesh, disc, enough_after(before));
+    const double angle = fan_angle(work_.mesh, disc, apex);
+    keep(-1, apex, angle);
+    const int g = work_.mesh.twin(worst_side(work_.mesh, disc, apex));
+    if (angle >= bound_ || g < 0) {
+        return std::nullopt;
+    }
+    std::vector<int> triangles = disc.triangles;
+    triangles.push_back(SurfaceMesh::triangle_of(g));
+    return disc_of(work_.mesh, std::move(triangles));
+}
+
+// Small discs first; once one of them reaches the bound that will do.
+bool Mender::mend(int triangle) {
+    std::vector<Proposal> proposals;
+    std::vector<Disc> discs = discs_around(triangle);
+    std::vector<std::uint64_t> keys;
+    const auto known = [&](const Disc& disc) {
+        keys.push_back(key(disc));
+        return exhausted_.count(keys.back()) > 0;
+    };
+    discs.erase(std::remove_if(discs.begin(), discs.end(), known), discs.end());
+    for (int growth = 0; growth <= kMaxGrowth; ++growth) {
+        std::vector<Disc> larger;
+        for (const Disc& disc : discs) {
+            if (auto more = propose(disc, proposals)) {
+                larger.push_back(std::move(*more));
+            }
+        }
+        if (try_best(proposals, bound_)) {
+            return true;
+        }
+        discs = std::move(larger);
+    }
+    if (try_best(proposals, 0.0)) {
+        return true;
+    }
+    exhausted_.insert(keys.begin(), keys.end());
+    return false;
+}
+
+// Takes what it tried out of the proposals.
+bool Mender::try_best(std::vector<Proposal>& proposals, double at_least) {
+    std::stable_sort(proposals.begin(), proposals.end(), [&](const Proposal& a, const Proposal& b) {
+        const double first = std::min(a.angle, bound_);
+        const double second = std::min(b.angle, bound_);
+        return first != second ? first > second : a.disc.triangles.size() < b.disc.triangles.size();
+    });
+    std::size_t tried = 0;
+    while (tried < proposals.size() && tried < kMaxTried && proposals[tried].angle >= at_least) {
+        if (carry_out(proposals[tried])) {
+            return true;
+        }
+        ++tried;
+    }
+    proposals.erase(proposals.begin(), proposals.begin() + static_cast<std::ptrdiff_t>(tried));
+    return false;
+}
+
+bool Mender::good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const {
+    const double least = std::min(kAligned, disc_alignment(work_.mesh, disc));
+    return fan_angle(work_.mesh, disc, apex.point, apex_site) >= enough_after(before) &&
+           fan_alignment(work_.mesh, disc, apex, apex_site) >= least && within_bounds(disc, apex.point, apex_site);
+}
+
+bool Mender::within_bounds(const Disc& disc, const Vec3& apex, int apex_site) const {
+    return std::all_of(disc.rim.begin(), disc.rim.end(), [&](int side) {
+        const double length = (work_.mesh.point_of(side) - apex).norm();
+        return work_.mesh.site_of(side) == apex_site ||
+               (length >= work_.shortest_allowed() && (!bounds_.any() || length <= bounds_.of(work_.mesh, side)));
+    });
+}
+
+// The middles of the spokes and the centroids of the triangles.
+bool Mender::near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
+    if (!(tolerance_ > 0.0)) {
+        return true;
+    }
+    const SurfaceMesh& mesh = work_.mesh;
+    geometry::Engine::Batch batch;
+    const int face = mesh.face_of(disc.triangles.front());
+    const auto add = [&](const Vec3& p, const Vec2& at) {
+        batch.push_back(Query::face_nearest(face, work_.grid.to_part(p), at.x(), at.y()));
+    };
+    for (const int side : disc.rim) {
+        const int next = SurfaceMesh::next(side);
+        const Vec2& a = mesh.site(mesh.site_of(side)).uv;
+        const Vec2& b = mesh.site(mesh.site_of(next)).uv;
+        add(0.5 * (mesh.point_of(side) + apex.point), 0.5 * (a + uv));
+        if (mesh.site_of(side) != apex_site && mesh.site_of(next) != apex_site) {
+            add((mesh.point_of(side) + mesh.point_of(next) + apex.point) / 3.0, (a + b + uv) / 3.0);
+        }
+    }
+    for (const geometry::Answer& answer : work_.session.ask(std::move(batch))) {
+        if (answer.found() && answer.distance > tolerance_) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool Mender::carry_out(Proposal& proposal) {
+    SurfaceMesh& mesh = work_.mesh;
+    const Disc& disc = proposal.disc;
+    int site = proposal.apex_site;
+    if (site >= 0) {
+        const Vec2 uv = mesh.site(site).uv;
+        const Corner apex = corner_of(mesh, site);
+        if (!rim_apex_legal(mesh, work_.maxmin, disc, site) || !good_enough(disc, apex, site, proposal.before) ||
+            !near_surface(disc, apex, uv, site)) {
+            return false;
+        }
+    } else {
+        Candidate candidate = edge_middle_site(mesh, disc.rim.front());
+        candidate.point = proposal.apex;
+        candidate.uv_is_near = false;
+        candidate.uv = Vec2::Zero();
+        candidate.reach = 0.0;
+        for (const int side : disc.rim) {
+            candidate.uv += mesh.site(mesh.site_of(side)).uv / static_cast<double>(disc.rim.size());
+            candidate.reach = std::max(candidate.reach, kMaxLift * (mesh.point_of(side) - proposal.apex).norm());
+        }
+        const auto found = surface_points(work_, {candidate}).front();
+        if (!found || !good_enough(disc, {found->point, found->normal}, -1, proposal.before) ||
+            !near_surface(disc, {found->point, found->normal}, found->uv, -1)) {
+            return false;
+        }
+        const int face = mesh.face_of(disc.triangles.front());
+        site = mesh.add_site({mesh.add_vertex(found->point, {2, face}), found->uv, found->normal});
+    }
+    replace(disc, site);
+    return true;
+}
+
+// What is still bad stays exempt for the reason that was there; what failed beside it gets another chance.
+void Mender::replace(const Disc& disc, int apex_site) {
+    std::optional<Exemption> reason;
+    for (const int t : disc.triangles) {
+        const Exemption* exemption = exemption_of(t);
+        if (exemption != nullptr && (!reason || exemption->cause == Cause::NarrowCluster)) {
+            reason = *exemption;
+        }
+    }
+    const SurfaceMesh& mesh = work_.mesh;
+    const std::vector<std::array<int, 3>> triangles = fan(mesh, disc, apex_site);
+    for (const int t : disc.triangles) {
+        work_.exempt.erase(t);
+    }
+    for (const int t : work_.maxmin.replace(disc.triangles, triangles)) {
+        if (reason && smallest_angle(mesh, t).angle < bound_) {
+            reason->stamp = mesh.stamp(t);
+            work_.exempt[t] = *reason;
+        }
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            for (const int other : triangles_around(mesh, h)) {
+                if (!at_resolution(other)) {
+                    failed_.erase(key(other));
+                }
+                push_if_bad(other);
+            }
+        }
+    }
+}
+
+}  // namespace mq::triangulate

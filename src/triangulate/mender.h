@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "base/key_set.h"
+#include "triangulate/disc.h"
+#include "triangulate/edge_bounds.h"
+#include "triangulate/insertion.h"
+
+namespace mq::triangulate {
+
+/// Mends triangles below the bound that refinement has given up, by local improvement: the triangles of a disc around
+/// one of them (the stars of its corners and edges, itself with its neighbours) give way to a fan from a new vertex, or
+/// from one of the rim, when the smallest angle among them becomes larger. So vertices move, edges collapse and
+/// vertices are put in, whichever helps most.
+///
+/// Refinement fails where a long edge at a narrow corner of the part has short ones beside it: encroachment forbids the
+/// vertices that a graded fan needs. Angles here are all that counts, besides the bounds on lengths and chord heights.
+/// Every change lifts the smallest angle of its disc by a least amount, and the number of attempts is limited.
+class Mender {
+  public:
+    /// `tolerance` in mm; 0: no bound on the chord height.
+    Mender(Workspace& work, double min_angle_degrees, double tolerance, const EdgeBounds& bounds);
+
+    /// @return whether anything was changed. Leaves no triangle that is gone.
+    bool run();
+
+  private:
+    struct Bad {
+        double angle;
+        int triangle;
+        std::uint32_t stamp;
+        bool operator<(const Bad& other) const {  // a max-heap: the smallest angle on top, ties by index
+            return angle != other.angle ? angle > other.angle : triangle > other.triangle;
+        }
+    };
+    struct Proposal {
+        Disc disc;
+        int apex_site = -1;  ///< of the rim; -1: a new vertex at `apex`
+        Vec3 apex = Vec3::Zero();
+        double angle = 0.0;  ///< smallest of the fan
+        double before = 0.0;
+    };
+
+    void push_if_bad(int triangle);
+    bool hopeless(int triangle) const;
+    bool at_resolution(int triangle) const;
+    const Exemption* exemption_of(int triangle) const;
+    bool mend(int triangle);
+    std::vector<Disc> discs_around(int triangle) const;
+    std::optional<Disc> propose(const Disc& disc, std::vector<Proposal>& proposals) const;
+    bool try_best(std::vector<Proposal>& proposals, double at_least);
+    bool carry_out(Proposal& proposal);
+    std::uint64_t key(int triangle) const;
+    std::uint64_t key(const Disc& disc) const;
+    double enough_after(double before) const;
+    bool good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const;
+    bool within_bounds(const Disc& disc, const Vec3& apex, int apex_site) const;
+    bool near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const;
+    void replace(const Disc& disc, int apex_site);
+    void finish();
+
+    Workspace& work_;
+    double bound_;  // radians
+    double tolerance_;
+    const EdgeBounds& bounds_;
+    std::priority_queue<Bad> queue_;
+    KeySet failed_;     // by key, until something changes beside them
+    KeySet exhausted_;  // discs that nothing better was found for, by key
+};
+
+}  // namespace mq::triangulate

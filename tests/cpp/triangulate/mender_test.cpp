@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/mender.h"
+
+#include "mesh/surface_samples.h"
+#include "triangulate/checks.h"
+#include "triangulate/corner_angle.h"
+
+/// Local improvement: discs of triangles that give way to fans.
+namespace mq::triangulate {
+namespace {
+
+using mesh::SurfaceMesh;
+
+/// A regular polygon with its corners joined to a point inside.
+SurfaceMesh polygon(int corners, const Vec3& inside) {
+    SurfaceMesh mesh;
+    const Vec3 up(0, 0, 1);
+    std::vector<int> sites;
+    std::vector<int> vertices;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2.0 * M_PI * i / corners;
+        const Vec3 p(std::cos(angle), std::sin(angle), 0.0);
+        vertices.push_back(mesh.add_vertex(p, {1, i}));
+        sites.push_back(mesh.add_site({vertices.back(), p.head<2>(), up}));
+    }
+    const int middle = mesh.add_site({mesh.add_vertex(inside, {2, 0}), inside.head<2>(), up});
+    for (int i = 0; i < corners; ++i) {
+        const int next = (i + 1) % corners;
+        const int t = mesh.add_triangle({sites[i], sites[next], middle}, 0);
+        mesh.bind(3 * t, mesh.add_segment(i, {vertices[i], vertices[next]}, {0.0, 1.0}), i);
+    }
+    for (int i = 0; i < corners; ++i) {
+        mesh.link(3 * i + 1, 3 * ((i + 1) % corners) + 2);
+    }
+    EXPECT_EQ(mesh.inconsistency(), "");
+    return mesh;
+}
+
+TEST(Disc, OfAllTrianglesAroundAVertexHasTheRingAsItsRim) {
+    const SurfaceMesh mesh = polygon(6, Vec3(0.3, 0.1, 0));
+    const auto disc = disc_of(mesh, triangles_around(mesh, 2));
+    ASSERT_TRUE(disc);
+    EXPECT_EQ(disc->triangles.size(), 6u);
+    EXPECT_EQ(disc->rim.size(), 6u);
+    EXPECT_NEAR(disc->normal.z(), 2.0 * 1.5 * std::sqrt(3.0), 1e-12);
+    EXPECT_NEAR(smallest_angle(mesh, *disc), fan_angle(mesh, *disc, Vec3(0.3, 0.1, 0)), 1e-12);
+}
+
+TEST(Disc, IsNoneWhereTrianglesDoNotHangTogether) {
+    const SurfaceMesh mesh = polygon(8, Vec3(0, 0, 0));
+    EXPECT_TRUE(disc_of(mesh, {0, 1, 2}));
+    EXPECT_FALSE(disc_of(mesh, {0, 4}));  // they share one vertex, which would be on the rim twice
+}
+
+TEST(Disc, BestApexOfARegularPolygonIsItsMiddle) {
+    for (const int corners : {4, 5, 6}) {
+        const SurfaceMesh mesh = polygon(corners, Vec3(0.5, 0.2, 0));
+        const auto disc = disc_of(mesh, triangles_around(mesh, 2));
+        ASSERT_TRUE(disc);
+        const Vec3 apex = best_apex(mesh, *disc);
+        const double ideal = fan_angle(mesh, *disc, Vec3::Zero());
+        EXPECT_GT(fan_angle(mesh, *disc, apex), ideal - 0.01) << corners;
+    }
+}
+
+TEST(Disc, FanFromTheRimLeavesOutTheSidesAtItsApex) {
+    const SurfaceMesh mesh = polygon(6, Vec3(0, 0, 0));
+    const auto disc = disc_of(mesh, triangles_around(mesh, 2));
+    ASSERT_TRUE(disc);
+    EXPECT_EQ(fan(mesh, *disc, mesh.site_of(0)).size(), 4u);
+    EXPECT_NEAR(fan_angle(mesh, *disc, mesh.point_of(0), mesh.site_of(0)), M_PI / 6.0, 1e-12);
+    EXPECT_LT(fan_angle(mesh, *disc, Vec3(2, 0, 0)), 0.0);  // from outside some triangles are turned over
+}
+
+/// A tip of a few degrees makes a long edge next to short ones; on the faces beside it this needs a graded fan, which
+/// encroachment forbids refinement to make.
+TEST(Mender, LeavesOnlyTheCornersOfThePartBelowTheBound) {
+    for (const double angle : {3.0, 5.0, 8.0, 15.0}) {
+        SCOPED_TRACE(angle);
+        const Result result = mesh_of(geometry::make_shape_model(geometry::wedge(angle, 10.0, 3.0)));
+        expect_sound(result, 2, true);
+        expect_angles(result, 25.0);
+        EXPECT_EQ(result.report.exempt.size(), 2u);
+        for (const auto& [t, why] : result.report.exempt) {
+            EXPECT_EQ(why.rfind("corner of ", 0), 0u) << why;
+        }
+    }
+}
+
+TEST(Mender, KeepsTheChordHeightAndTheLengthsAskedFor) {
+    Options options;
+    options.chord_height = 0.01;
+    options.max_edge = 1.5;
+    const auto model = geometry::make_shape_model(geometry::extruded(geometry::cusp(), 1.0));
+    const Result result = mesh_of(model, options);
+    expect_angles(result, 25.0);
+    EXPECT_LE(result.report.max_chord_height, 0.01);
+    for (const mesh::Triangle& t : result.mesh.triangles) {
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_LE((result.mesh.vertices[t[i]] - result.mesh.vertices[t[(i + 1) % 3]]).norm(), 1.5 + 1e-9);
+        }
+    }
+}
+
+TEST(Mender, StopsWhenAsked) {
+    Pipeline pipeline(geometry::make_shape_model(geometry::wedge(5.0, 10.0, 3.0)));
+    pipeline.refine(25.0);
+    pipeline.progress.cancel();
+    const EdgeBounds none(pipeline.session.topology(), 0.0, {});
+    EXPECT_THROW(Mender(pipeline.work, 25.0, 0.0, none).run(), Cancelled);
+}
+
+}  // namespace
+}  // namespace mq::triangulate
