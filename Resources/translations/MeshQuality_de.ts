@@ -1206,6 +1206,10 @@
         <source>Work ends, incomplete, at this number</source>
         <translation>Die Arbeit endet unvollständig bei dieser Zahl</translation>
     </message>
+    <message>
+        <source>Stop computing</source>
+        <translation>Berechnung abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -1248,6 +1252,14 @@
     <message>
         <source> triangles</source>
         <translation> Dreiecken</translation>
+    </message>
+    <message>
+        <source>Meshes follow their source in the background</source>
+        <translation>Netze folgen ihrer Quelle im Hintergrund</translation>
+    </message>
+    <message>
+        <source>Otherwise the window waits until they are computed</source>
+        <translation>Sonst wartet das Fenster, bis sie berechnet sind</translation>
     </message>
 </context>
 <context>

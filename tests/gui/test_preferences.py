@@ -34,6 +34,7 @@ class Preferences(gui_helpers.PanelTest):
         def act(dialog):
             self.assertEqual(dialog.findChild(QtGui.QDoubleSpinBox, "minAngle").value(), 25.0)
             self.assertTrue(dialog.findChild(QtGui.QCheckBox, "rememberValues").isChecked())
+            self.assertTrue(dialog.findChild(QtGui.QCheckBox, "background").isChecked())
             self.assertEqual(dialog.findChild(QtGui.QSpinBox, "manualAbove").value(),
                              preferences.manual_above())
             dialog.grab().save(f"{gui_helpers.PICTURES}/preferences.png")
@@ -45,9 +46,11 @@ class Preferences(gui_helpers.PanelTest):
             dialog.findChild(QtGui.QDoubleSpinBox, "minAngle").setValue(28.5)
             dialog.findChild(QtGui.QCheckBox, "rememberValues").setChecked(False)
             dialog.findChild(QtGui.QSpinBox, "manualAbove").setValue(12)
+            dialog.findChild(QtGui.QCheckBox, "background").setChecked(False)
 
         self.in_dialog(act)
         self.assertEqual(preferences.manual_above(), 12)
+        self.assertFalse(preferences.in_background())
         self.assertFalse(preferences.stored().GetBool("RememberValues", True))
         panel = self.panel(commands.Triangulate, self.box())
         self.assertEqual(panel.options.values()["min_angle"], 28.5)

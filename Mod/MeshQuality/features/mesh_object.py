@@ -36,6 +36,7 @@ CERTIFICATE_PLACE = ("CertificatePlace", "App::PropertyVectorList",
                      "Corners of the triangle where it misses that most")
 AUTOMATIC, MANUAL = "Automatic", "Manual"
 UP_TO_DATE = "up to date"
+COMPUTING = "being computed in the background"
 OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
 # The same, of those that promise a smallest angle; see show_angles.
 ANGLES = (
@@ -106,6 +107,10 @@ class MeshObject(PlainState):
         saved without the GUI, or by a version without views of its own, get a view.
         """
         self.add_properties(obj)
+        if obj.Status == COMPUTING:
+            obj.Status = OUT_OF_DATE
+            if FreeCAD.GuiUp:
+                _follow().resume(obj)
         if FreeCAD.GuiUp and not isinstance(obj.ViewObject.Proxy, PlainState):
             self.attach_view(obj.ViewObject)
 
@@ -125,20 +130,26 @@ class MeshObject(PlainState):
             done = self._result(obj)
             if done is not None:
                 work, result = done
+                if isinstance(result, Exception):
+                    raise result
                 self.take(obj, result)
+                if FreeCAD.GuiUp:
+                    _follow().stop(obj)
                 obj.Fingerprint, obj.Status = work.fingerprint, UP_TO_DATE
         except (Error, ImportError, MemoryError) as error:
             self.error = error
             raise type(error)(f"{obj.Label}: {error}") from error
 
     def _result(self, obj):
-        """The (Work, result) that the object takes; None when it is up to date, or is to stay as it
-        is until it is asked for.
+        """The (Work, result) that the object takes; None when it is up to date, is computed in the
+        background, or is to stay as it is until it is asked for.
         """
         sources, values = self.sources(obj), options_of(obj, self.OPTIONS)
         done = result_for(type(self), sources, values)
         if done is not None:
             return done
+        if FreeCAD.GuiUp and _follow().begin(obj):
+            return None
         work = self.work_on(sources, values, obj)
         if self.is_result(obj, work):
             obj.Status = UP_TO_DATE
@@ -150,8 +161,13 @@ class MeshObject(PlainState):
 
     def is_result(self, obj, work):
         """Whether the object holds what the work would give."""
+        held = self.held(obj)
+        return bool(held) and work.fingerprint == held
+
+    def held(self, obj):
+        """The fingerprint of the result that the object holds; empty when it holds none."""
         known = obj.Certificate != certificate.UNKNOWN
-        return known and work.fingerprint == obj.Fingerprint and self.holds_mesh(obj)
+        return obj.Fingerprint if known and self.holds_mesh(obj) else ""
 
 
 class OfOneSource(MeshObject):
@@ -209,6 +225,13 @@ class SourceMesh(OfOneSource):
         shape = convert.shape_of(sources[0])
         return Work(cls, sources, values, partial(fingerprint_of, shape, values),
                     partial(cls.compute, shape, values))
+
+
+def _follow():
+    """What has meshes follow in the background; needs the window."""
+    from ..gui import follow
+
+    return follow
 
 
 def fingerprint_of(shape, values):

@@ -9,6 +9,7 @@ import collections
 import threading
 
 import FreeCAD
+import FreeCADGui
 from PySide import QtCore
 
 from ..errors import Cancelled, Error
@@ -39,18 +40,23 @@ class Job(QtCore.QObject):
     quiet    a failure is not reported
     drop     drop(result), called on the GUI's thread instead of take where the job was cancelled
              after the work had ended
+    prepare  prepare(), called on the GUI's thread when the work starts
+    ready    ready() -> whether the result can be taken now; asked again and again
+
+    The window stays alive between taking a result and the signal `ended`.
     """
 
     changed = QtCore.Signal()  # state, fraction or stage
     ended = QtCore.Signal()
 
     def __init__(self, title, compute, take, wanted=lambda: True, quiet=False,
-                 drop=lambda result: None):
+                 drop=lambda result: None, prepare=lambda: None, ready=lambda: True):
         super().__init__()
         self.title, self.compute, self.take, self.wanted = title, compute, take, wanted
-        self.quiet, self.drop = quiet, drop
+        self.quiet, self.drop, self.prepare, self.ready = quiet, drop, prepare, ready
         self.state, self.fraction, self.stage, self.error = WAITING, 0.0, "", None
         self._result = None
+        self._settled = self._taken = False
         self._thread = None
         self._cancel = threading.Event()
 
@@ -68,24 +74,36 @@ class Job(QtCore.QObject):
     def start(self):
         """Begins the work on its thread."""
         self.state = RUNNING
+        try:
+            self.prepare()
+        except (Error, ImportError) as error:
+            self.error = error
+            return
         # No daemon: one that still works while Python is taken down would abort FreeCAD.
         self._thread = threading.Thread(target=self._work, name=self.title)
         self._thread.start()
 
     def look(self):
-        """Reports how far the work is, and takes its result once it has ended."""
+        """Reports how far the work is, takes its result once it has ended, and then ends."""
         if not self.wanted():
             self._cancel.set()
-        if self._thread.is_alive():
+        if self._thread is not None and self._thread.is_alive():
             self.changed.emit()
-            return
-        if self.error is None:
-            if self._cancel.is_set():
-                self.drop(self._result)
-            else:
-                self._take()
-        cancelled = self._cancel.is_set() or isinstance(self.error, Cancelled)
-        self._end(CANCELLED if cancelled else FAILED if self.error is not None else DONE)
+        elif self.error is None and not self._settled:
+            self._settle()
+        else:
+            cancelled = self._cancel.is_set() and not self._taken
+            cancelled = cancelled or isinstance(self.error, Cancelled)
+            self._end(CANCELLED if cancelled else FAILED if self.error is not None else DONE)
+
+    def _settle(self):
+        """Takes or drops the result, unless that has to wait."""
+        if self._cancel.is_set():
+            self.drop(self._result)
+            self._settled = True
+        elif self.ready():
+            self._settled = self._taken = True
+            self._take()
 
     def join(self, seconds):
         """Waits for the thread."""
@@ -164,6 +182,15 @@ class Queue(QtCore.QObject):
                 self.running = job
                 job.start()
                 return
+
+
+def tell(job):
+    """Has the status bar show how far a job is."""
+    bar = FreeCADGui.getMainWindow().statusBar()
+    job.changed.connect(lambda: bar.showMessage(
+        f"{job.title}: {job.stage or state_text(job.state)} {100 * job.fraction:.0f} %"))
+    job.ended.connect(lambda: bar.showMessage(
+        f"{job.title}: {job.error if job.state == FAILED else state_text(job.state)}"))
 
 
 _queue = None

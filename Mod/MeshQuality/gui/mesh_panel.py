@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from ..compat import flags
 from ..errors import Error
-from . import jobs, operation, preferences
+from . import follow, jobs, operation, preferences
 from .certificate_box import CertificateBox
 from .option_form import OptionForm
 from .preset_box import PresetBox
@@ -134,8 +134,10 @@ class MeshPanel:
 
     def _job(self, made, work):
         watch, edited = operation.Watch(made.sources), made.obj
+        if edited is not None:
+            follow.stop(edited)
         job = jobs.Job(made.title, work.result, lambda result: made.land(work, result, watch),
-                       lambda: made.possible(edited))
+                       lambda: made.possible(edited), ready=made.at_rest)
         job.changed.connect(lambda: self._show_progress(job))
         job.ended.connect(lambda: self._ended(job, watch))
         return job

@@ -30,7 +30,7 @@ class MeshView(PlainState):
         icon = getattr(obj.Proxy, "COMMAND", "MeshQuality")
         if getattr(obj, "Certificate", "").startswith(certificate.MISSED):
             return badge.with_badge(icon, badge.MISSED)
-        if getattr(obj, "Status", "") == mesh_object.OUT_OF_DATE:
+        if getattr(obj, "Status", "") in (mesh_object.OUT_OF_DATE, mesh_object.COMPUTING):
             return badge.with_badge(icon, badge.OUTDATED)
         return badge.path_of(icon)
 
@@ -61,8 +61,12 @@ class MeshView(PlainState):
 
     def setupContextMenu(self, view, menu):
         """Called by FreeCAD for the menu of the object in the tree."""
+        from . import follow
         from .update import update_in_background
 
+        if follow.is_computing(view.Object):
+            menu.addAction(translate("MeshQuality", "Stop computing"),
+                           lambda: follow.stop(view.Object))
         menu.addAction(translate("MeshQuality", "Edit options"), lambda: self.doubleClicked(view))
         # The workbench's own menu has this already.
         if FreeCADGui.activeWorkbench().name() != "MeshQualityWorkbench":

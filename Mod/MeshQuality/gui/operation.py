@@ -70,6 +70,10 @@ class Operation:
         needed = [*self.sources, *([edited] if edited is not None else [])]
         return all(is_there(self.document, obj) for obj in needed if obj is not None)
 
+    def at_rest(self):
+        """Whether a result can land now."""
+        return at_rest(self.document)
+
     @property
     def step(self):
         """What undo calls it."""
@@ -129,6 +133,14 @@ class Watch:
 def is_there(document, obj):
     """Whether the object still is in the document of this name."""
     return document in FreeCAD.listDocuments() and obj in FreeCAD.getDocument(document).Objects
+
+
+def at_rest(document):
+    """Whether the document of this name is not in the middle of a recompute, undo or loading."""
+    if document not in FreeCAD.listDocuments():
+        return True
+    found = FreeCAD.getDocument(document)
+    return not (found.Recomputing or found.Transacting or found.Restoring)
 
 
 def name_of(obj):

@@ -42,6 +42,11 @@ def manual_above():
     return stored().GetInt("ManualAbove", 200_000)
 
 
+def in_background():
+    """Whether meshes that follow their source are computed in the background."""
+    return stored().GetBool("Background", True)
+
+
 def _last(kind):
     """Values that were used last; {} when there are none, or of another version's options."""
     text = stored().GetString(_entry(kind), "")

@@ -2,10 +2,9 @@
 """Brings the mesh of an object up to date in the background, told of in the status bar."""
 
 import FreeCAD
-import FreeCADGui
 
 from ..errors import Error
-from . import jobs
+from . import follow, jobs
 from .operation import Operation, Watch
 
 translate = FreeCAD.Qt.translate
@@ -13,6 +12,7 @@ translate = FreeCAD.Qt.translate
 
 def update_in_background(obj):
     """Begins the work; returns its Job, None when there is nothing to do."""
+    follow.stop(obj)
     title = translate("MeshQuality", "Update {}").format(obj.Label)
     made = Operation.of_object(title, obj)
     try:
@@ -22,10 +22,7 @@ def update_in_background(obj):
         return None
     watch = Watch(made.sources)
     job = jobs.Job(title, work.result, lambda result: made.land(work, result, watch),
-                   lambda: made.possible(obj))
-    bar = FreeCADGui.getMainWindow().statusBar()
-    job.changed.connect(lambda: bar.showMessage(
-        f"{title}: {job.stage or jobs.state_text(job.state)} {100 * job.fraction:.0f} %"))
-    job.ended.connect(lambda: (watch.end(), bar.showMessage(
-        f"{title}: {job.error or jobs.state_text(job.state)}")))
+                   lambda: made.possible(obj), ready=made.at_rest)
+    job.ended.connect(watch.end)
+    jobs.tell(job)
     return jobs.queue().add(job)
