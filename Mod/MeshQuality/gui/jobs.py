@@ -13,6 +13,7 @@ import FreeCADGui
 from PySide import QtCore
 
 from ..errors import Cancelled, Error
+from .words import translated, translated_stage
 
 translate = FreeCAD.Qt.translate
 
@@ -188,9 +189,10 @@ def tell(job):
     """Has the status bar show how far a job is."""
     bar = FreeCADGui.getMainWindow().statusBar()
     job.changed.connect(lambda: bar.showMessage(
-        f"{job.title}: {job.stage or state_text(job.state)} {100 * job.fraction:.0f} %"))
+        f"{job.title}: {translated_stage(job.stage) or state_text(job.state)} "
+        f"{100 * job.fraction:.0f} %"))
     job.ended.connect(lambda: bar.showMessage(
-        f"{job.title}: {job.error if job.state == FAILED else state_text(job.state)}"))
+        f"{job.title}: {translated(job.error) if job.state == FAILED else state_text(job.state)}"))
 
 
 _queue = None
