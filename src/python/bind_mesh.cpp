@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "base/error.h"
+#include "mesh/cluster.h"
 #include "mesh/exemptions.h"
 #include "mesh/io.h"
 #include "mesh/report.h"
@@ -91,6 +92,20 @@ py::tuple triangle_shapes(const Surface& surface) {
         }
     }
     return py::make_tuple(angles, aspects, distortions);
+}
+
+/// (float32 (n, 3, 3), int32 (T,)): the coarse triangles, and which of them stands for each of the fine ones, or -1.
+py::tuple clustered(const py::array_t<float, py::array::c_style | py::array::forcecast>& corners, std::size_t wanted) {
+    mesh::Clusters found;
+    {
+        const py::gil_scoped_release release;
+        found = mesh::cluster(corners.data(), static_cast<std::size_t>(corners.size() / 9), wanted);
+    }
+    const auto count = static_cast<py::ssize_t>(found.corners.size() / 9);
+    const std::array<py::ssize_t, 3> shape{count, 3, 3};
+    return py::make_tuple(
+        py::array_t<float>(shape, found.corners.data()),
+        py::array_t<std::int32_t>(static_cast<py::ssize_t>(found.joined.size()), found.joined.data()));
 }
 
 std::vector<std::pair<std::string, std::size_t>> causes_of(const MeshReport& report) {
@@ -205,6 +220,10 @@ void bind_mesh(py::module_& m) {
         "triangle_shapes", &triangle_shapes, py::arg("surface"),
         "float64 (T,) each: the smallest angle of each triangle in degrees, its longest edge / shortest edge, and its "
         "distortion: 1 for 60 degrees everywhere.");
+    m.def("clustered", &clustered, py::arg("corners"), py::arg("wanted"),
+          "(float32 (n, 3, 3), int32 (T,)): about `wanted` triangles that look like float32 (T, 3, 3) from afar, and "
+          "which "
+          "of them stands for each of those, or -1.");
     m.def("surface_from_arrays", &surface_from_arrays, py::arg("vertices"), py::arg("triangles"),
           py::arg("triangle_face") = py::array_t<std::int32_t>(0), py::arg("measured") = true,
           "A Surface of arrays (V, 3) and (T, 3).");

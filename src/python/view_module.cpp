@@ -48,7 +48,7 @@ PYBIND11_MODULE(_view, m) {
     py::class_<QualityScene>(m, "QualityScene", "A coloured mesh with edges, lit triangles and a legend.")
         .def(py::init<>())
         .def_property_readonly("name", &QualityScene::name, "By which coin.SoNode.getByName finds the root node.")
-        .def_property_readonly("triangles", &QualityScene::triangles)
+        .def_property_readonly("triangles", [](QualityScene& scene) { return scene.triangles().count(); })
         .def(
             "show",
             [](QualityScene& scene, const Array<float>& corners) {
@@ -57,8 +57,23 @@ PYBIND11_MODULE(_view, m) {
             py::arg("corners"), "Takes triangles as float32 (T, 3, 3).")
         .def(
             "colour",
-            [](QualityScene& scene, const Array<std::uint8_t>& colours) { scene.colour(colours_of(colours)); },
+            [](QualityScene& scene, const Array<std::uint8_t>& colours) {
+                scene.triangles().colour(colours_of(colours));
+            },
             py::arg("colours"), "uint8 (T, 4): red, green, blue, opacity of each triangle.")
+        .def(
+            "show_coarse",
+            [](QualityScene& scene, const Array<float>& corners) {
+                scene.coarse().show(corners.data(), rows(corners, 9, "corners"));
+            },
+            py::arg("corners"), "float32 (n, 3, 3): what is drawn instead while the camera moves.")
+        .def(
+            "colour_coarse",
+            [](QualityScene& scene, const Array<std::uint8_t>& colours) { scene.coarse().colour(colours_of(colours)); },
+            py::arg("colours"), "uint8 (n, 4), likewise.")
+        .def("moving", &QualityScene::moving, py::arg("moves"), "Whether the camera moves now.")
+        .def_property_readonly("drawing_seconds", &QualityScene::drawing_seconds,
+                               "how long the processor was busy when all was drawn last")
         .def(
             "draw_edges",
             [](QualityScene& scene, const Array<float>& points, const Array<std::int32_t>& lines) {

@@ -2,16 +2,16 @@
 #include "view/quality_scene.h"
 
 #include <Inventor/SoDB.h>
+#include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/nodes/SoBaseColor.h>
-#include <Inventor/nodes/SoDirectionalLight.h>
+#include <Inventor/nodes/SoCallback.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoIndexedLineSet.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoLineSet.h>
-#include <Inventor/nodes/SoPolygonOffset.h>
 #include <Inventor/nodes/SoSeparator.h>
-#include <Inventor/nodes/SoShapeHints.h>
+#include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoVertexProperty.h>
 
 #include "base/error.h"
@@ -21,33 +21,15 @@ namespace mq::view {
 
 namespace {
 
-constexpr Colour kGrey{204, 204, 204, 255};
 constexpr std::uint32_t kLit = 0xff20ffffU;  // red, green, blue, opacity: a colour that no scale has
 constexpr float kEdgeColour[3] = {0.15F, 0.15F, 0.15F};
-constexpr float kSideLight = 0.4F;
-constexpr float kOutline = 3.0F;  // pixels
-
-void set_corners(SoVertexProperty& property, const float* corners, std::size_t triangles) {
-    property.vertex.setNum(static_cast<int>(3 * triangles));
-    property.vertex.setValues(0, static_cast<int>(3 * triangles), reinterpret_cast<const float(*)[3]>(corners));
-}
+constexpr int kFine = 0, kCoarse = 1;  // children of the switch
+constexpr float kOutline = 3.0F;       // pixels
 
 void set_runs(SoMFInt32& runs, std::size_t count, std::int32_t length) {
     const std::vector<std::int32_t> lengths(count, length);
     runs.setNum(static_cast<int>(count));
     runs.setValues(0, static_cast<int>(count), lengths.data());
-}
-
-std::vector<SbVec3f> normals_of(const float* corners, std::size_t triangles) {
-    std::vector<SbVec3f> normals(triangles);
-    for (std::size_t t = 0; t < triangles; ++t) {
-        const SbVec3f a(corners + 9 * t), b(corners + 9 * t + 3), c(corners + 9 * t + 6);
-        normals[t] = (b - a).cross(c - a);
-        if (normals[t].normalize() == 0.0F) {
-            normals[t] = SbVec3f(0.0F, 0.0F, 1.0F);
-        }
-    }
-    return normals;
 }
 
 /// A separator whose drawing is kept by Coin.
@@ -74,8 +56,7 @@ QualityScene::QualityScene() {
     static int count = 0;
     name_ = "MeshQualityScene" + std::to_string(++count);
     root_->setName(name_.c_str());
-    make_surface();
-    make_edges();
+    make_triangles();
     make_lit();
     legend_ = make_legend();
     root_->addChild(legend_);
@@ -83,30 +64,38 @@ QualityScene::QualityScene() {
     draw_edges(nullptr, 0, {});
 }
 
-void QualityScene::make_surface() {
-    SoSeparator* surface = kept_separator();
-    // Beside the light of the view, from all around: colours in the shade must still be those of the legend.
-    for (const SbVec3f& from : {SbVec3f(1, 1, 1), SbVec3f(1, -1, -1), SbVec3f(-1, 1, -1), SbVec3f(-1, -1, 1)}) {
-        auto* light = new SoDirectionalLight;
-        light->direction = from;
-        light->intensity = kSideLight;
-        surface->addChild(light);
-    }
-    auto* hints = new SoShapeHints;  // neither closed nor oriented need the mesh be: both sides are lit
-    hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
-    auto* behind = new SoPolygonOffset;
-    surface_ = new SoVertexProperty;
-    surface_->normalBinding = SoVertexProperty::PER_FACE;
-    surface_->materialBinding = SoVertexProperty::PER_FACE;
-    faces_ = new SoFaceSet;
-    faces_->vertexProperty = surface_;
-    surface->addChild(hints);
-    surface->addChild(behind);
-    surface->addChild(faces_);
-    root_->addChild(surface);
+void QualityScene::make_triangles() {
+    detail_ = new SoSwitch;
+    detail_->whichChild = kFine;
+    auto* fine = new SoSeparator;
+    fine->renderCaching = SoSeparator::OFF;  // the calls that take the time are not to be left out
+    auto* before = new SoCallback;
+    auto* after = new SoCallback;
+    before->setCallback(&QualityScene::begin_drawing, this);
+    after->setCallback(&QualityScene::end_drawing, this);
+    fine->addChild(before);
+    fine->addChild(fine_.node());
+    fine->addChild(make_edges());
+    fine->addChild(after);
+    detail_->addChild(fine);
+    detail_->addChild(coarse_.node());
+    root_->addChild(detail_);
 }
 
-void QualityScene::make_edges() {
+void QualityScene::begin_drawing(void* scene, SoAction* action) {
+    if (action->isOfType(SoGLRenderAction::getClassTypeId())) {
+        static_cast<QualityScene*>(scene)->began_ = std::chrono::steady_clock::now();
+    }
+}
+
+void QualityScene::end_drawing(void* scene, SoAction* action) {
+    if (action->isOfType(SoGLRenderAction::getClassTypeId())) {
+        auto* self = static_cast<QualityScene*>(scene);
+        self->seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - self->began_).count();
+    }
+}
+
+SoSeparator* QualityScene::make_edges() {
     SoSeparator* edges = kept_separator();
     auto* colour = new SoBaseColor;
     colour->rgb.setValue(kEdgeColour);
@@ -116,7 +105,7 @@ void QualityScene::make_edges() {
     edges->addChild(unlit());
     edges->addChild(colour);
     edges->addChild(edges_);
-    root_->addChild(edges);
+    return edges;
 }
 
 void QualityScene::make_lit() {
@@ -134,7 +123,6 @@ void QualityScene::make_lit() {
     lit->addChild(style);
     lit->addChild(lit_faces_);
     lit->addChild(lit_outlines_);
-
     root_->addChild(lit);
 }
 
@@ -143,27 +131,15 @@ QualityScene::~QualityScene() {
 }
 
 void QualityScene::show(const float* corners, std::size_t triangles) {
-    triangles_ = triangles;
-    set_corners(*surface_, corners, triangles);
-    const std::vector<SbVec3f> normals = normals_of(corners, triangles);
-    surface_->normal.setNum(static_cast<int>(triangles));
-    surface_->normal.setValues(0, static_cast<int>(triangles), normals.data());
-    set_runs(faces_->numVertices, triangles, 3);
-    colour(std::vector<Colour>(triangles, kGrey));
+    fine_.show(corners, triangles);
     light_up(nullptr, 0);
 }
 
-void QualityScene::colour(const std::vector<Colour>& colours) {
-    if (colours.size() != triangles_) {
-        throw InvalidInput(std::to_string(colours.size()) + " colours were given for " + std::to_string(triangles_) +
-                           " triangles");
+void QualityScene::moving(bool moves) {
+    const int child = moves && coarse_.count() > 0 ? kCoarse : kFine;
+    if (detail_->whichChild.getValue() != child) {
+        detail_->whichChild = child;
     }
-    std::vector<std::uint32_t> values(colours.size());
-    for (std::size_t t = 0; t < colours.size(); ++t) {
-        values[t] = packed(colours[t]);
-    }
-    surface_->orderedRGBA.setNum(static_cast<int>(values.size()));
-    surface_->orderedRGBA.setValues(0, static_cast<int>(values.size()), values.data());
 }
 
 void QualityScene::draw_edges(const float* points, std::size_t count, const std::vector<std::int32_t>& lines) {

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "view/colour.h"
+#include "view/shaded_triangles.h"
 
+class SoAction;
 class SoFaceSet;
 class SoIndexedLineSet;
 class SoLineSet;
 class SoSeparator;
+class SoSwitch;
 class SoVertexProperty;
 
 namespace mq::view {
@@ -31,12 +35,17 @@ class QualityScene {
     SoSeparator* root() const { return root_; }
     /// Of the root; no other node of this process has it. pivy finds nodes by their names.
     const std::string& name() const { return name_; }
-    std::size_t triangles() const { return triangles_; }
+    ShadedTriangles& triangles() { return fine_; }
+    /// What is drawn instead of triangles and edges while the camera moves; none: nothing else is drawn then.
+    ShadedTriangles& coarse() { return coarse_; }
 
     /// Takes triangles as nine coordinates each. Grey until they are coloured; nothing is lit up.
     void show(const float* corners, std::size_t triangles);
-    /// @throws InvalidInput unless there is a colour for each triangle
-    void colour(const std::vector<Colour>& colours);
+    /// Whether the camera moves now.
+    void moving(bool moves);
+    /// How long the processor was busy when triangles and edges were drawn last; 0: they were not. Long where there is
+    /// no graphics card.
+    double drawing_seconds() const { return seconds_; }
     /// Lines as runs of point indices, each ended by -1; points as three coordinates each. No lines: none are drawn.
     void draw_edges(const float* points, std::size_t count, const std::vector<std::int32_t>& lines);
     /// Lights up other triangles than before: they are drawn over the others with thick outlines, so that the smallest
@@ -46,21 +55,24 @@ class QualityScene {
     void legend(const std::string& title, const std::vector<Colour>& colours, const std::vector<std::string>& labels);
 
   private:
-    void make_surface();
-    void make_edges();
+    static void begin_drawing(void* scene, SoAction* action);
+    static void end_drawing(void* scene, SoAction* action);
+    void make_triangles();
+    SoSeparator* make_edges();
     void make_lit();
 
     std::string name_;
     SoSeparator* root_ = nullptr;
-    SoVertexProperty* surface_ = nullptr;
-    SoFaceSet* faces_ = nullptr;
+    SoSwitch* detail_ = nullptr;
+    ShadedTriangles fine_, coarse_;
+    std::chrono::steady_clock::time_point began_;
+    double seconds_ = 0.0;
     SoVertexProperty* edge_points_ = nullptr;
     SoIndexedLineSet* edges_ = nullptr;
     SoVertexProperty* lit_ = nullptr;
     SoFaceSet* lit_faces_ = nullptr;
     SoLineSet* lit_outlines_ = nullptr;
     SoSeparator* legend_ = nullptr;
-    std::size_t triangles_ = 0;
 };
 
 }  // namespace mq::view

@@ -11,7 +11,7 @@ import Part
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, curved_view, quality_panel
+from MeshQuality.gui import commands, curved_view, quality_data, quality_panel
 from MeshQuality.gui.mesh_panel import MeshPanel
 
 DOCS = os.path.join(helpers.ROOT, "docs")
@@ -69,6 +69,29 @@ class Pictures(gui_helpers.GuiTest):
         self.picture_of_panel(panel, "panel_quality")
         panel.histogram.pick(int((panel.histogram.counts > 0).argmax()))
         self.picture("quality_lit", DOCS)
+        panel.reject()
+
+    def test_panels_in_german(self):
+        FreeCADGui.setLocale("German")
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        gui_helpers.wait(0.2)
+        source = self.bracket()
+        source.Label = "Winkel"
+        panel = MeshPanel(commands.Triangulate().operations([source]))
+        FreeCADGui.Control.showDialog(panel)
+        self.until(lambda: "..." not in panel.estimate.text())
+        self.picture_of_panel(panel, "panel_quality_mesh_de")
+        panel.reject()
+
+    def test_curved_quality(self):
+        source = self.bracket()
+        obj = mq.add_curved_mesh(source, order=2, volume=True)
+        panel = quality_panel.open_panel(obj)
+        self.until(lambda: panel.values is not None)
+        panel.measures.setCurrentIndex(panel.data.measures.index(quality_data.DISTORTION))
+        self.until(lambda: panel.measure is quality_data.DISTORTION)
+        self.picture("quality_distortion", DOCS)
+        self.picture_of_panel(panel, "panel_distortion")
         panel.reject()
 
     def test_certificate_and_marks(self):

@@ -2,6 +2,7 @@
 """Analyse Quality: the numbers, the colours, what lights up, and where the camera flies."""
 
 import re
+from unittest import mock
 
 import FreeCAD
 import FreeCADGui
@@ -11,7 +12,9 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, quality_data, quality_panel
+from MeshQuality import convert
+from MeshQuality.compat import core
+from MeshQuality.gui import commands, quality_data, quality_panel, quality_scene
 
 MAGENTA = (255, 32, 255)
 
@@ -162,7 +165,7 @@ class QualityView(gui_helpers.GuiTest):
         values = np.full(panel.data.elements, 1.5)
         values[3] = np.inf
         measure = quality_data.DISTORTION
-        panel._show(measure, values, np.zeros((len(values), 4)),
+        panel._show(measure, values, (np.zeros((len(values), 4)), None),
                     quality_data.Histogram.of(values, measure), panel.data.faces(values, measure))
         self.assertIn("worst ∞, mean 1.5", panel.summary.text())
         self.assertTrue(panel.worst.item(0).text().startswith("∞: element 3 on Face"))
@@ -207,3 +210,45 @@ class QualityView(gui_helpers.GuiTest):
         self.assertEqual(panel.data.measures, [quality_data.MIN_ANGLE, quality_data.ASPECT,
                                                quality_data.DISTORTION])
         self.assertGreaterEqual(panel.values.min(), 25)
+
+    def big_torus(self):
+        """A mesh of a quarter of a million triangles, half of them squeezed."""
+        u, v = np.meshgrid(np.linspace(0, 2 * np.pi, 500, endpoint=False),
+                           np.linspace(0, 2 * np.pi, 250, endpoint=False) ** 1.5 / (2 * np.pi) ** 0.5,
+                           indexing="ij")
+        points = np.stack(((20 + 8 * np.cos(v)) * np.cos(u), (20 + 8 * np.cos(v)) * np.sin(u),
+                           8 * np.sin(v)), axis=-1).reshape(-1, 3)
+        i, k = np.meshgrid(np.arange(500), np.arange(250), indexing="ij")
+        a, b, c, d = (((i + m) % 500 * 250 + (k + n) % 250).ravel()
+                      for m, n in ((0, 0), (1, 0), (1, 1), (0, 1)))
+        triangles = np.concatenate((np.stack((a, b, c), 1), np.stack((a, c, d), 1)))
+        obj = self.document.addObject("Mesh::Feature", "Big")
+        obj.Mesh = convert.mesh_of_surface(convert.surface_of_arrays(core(), points, triangles,
+                                                                     measured=False))
+        return obj
+
+    def test_big_meshes_are_drawn_coarsely_while_the_camera_moves(self):
+        with mock.patch.object(quality_scene, "_SLOW", 0.0):
+            panel = self.open(self.big_torus())
+            self.assertLess(len(panel.data.coarse), 0.5 * panel.data.elements)
+            self.view.viewAxonometric()
+            self.view.fitAll()
+            gui_helpers.wait(0.6)
+            drawn = panel.scene.node.getChild(0).whichChild
+            self.assertEqual(drawn.getValue(), 0)
+            fine = self.saved("quality_fine")
+            self.until(lambda: panel.scene.scene.drawing_seconds > 0.0)
+            camera = self.view.getCameraNode()
+            camera.position.setValue(camera.position.getValue() * 1.0001)
+            self.until(lambda: drawn.getValue() == 1)
+            coarse = self.saved("quality_coarse")
+            self.until(lambda: drawn.getValue() == 0)
+        # From afar they look alike.
+        self.assertGreater(np.abs(fine - coarse).max(), 0)
+        self.assertLess(np.abs(fine - coarse).mean(), 2)
+
+    def test_small_meshes_have_no_coarse_triangles(self):
+        panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
+        self.assertIsNone(panel.data.coarse)
+        panel.scene.scene.moving(True)
+        self.assertEqual(panel.scene.node.getChild(0).whichChild.getValue(), 0)

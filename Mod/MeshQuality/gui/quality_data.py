@@ -21,6 +21,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 _EXEMPT = re.compile(r"triangle (\d+): (.*)", re.DOTALL)
 BARS = 40
+_MANY, COARSE = 200_000, 50_000  # triangles from which on others stand for them; about how many
 
 
 @dataclass(frozen=True)
@@ -141,6 +142,8 @@ class QualityData:
     face      int (E,): the CAD face of each element, -1 where there is none
     jacobians float64 (E,), of curved elements only
     lines     (float32 (P, 3), int32 runs ended by -1): the elements' edges
+    coarse    float32 (n, 3, 3): triangles that look like those of `corners` from afar; None where
+              there are few of these
     and before it already
     measures  those that make sense here
     """
@@ -167,6 +170,9 @@ class QualityData:
         """Makes what is drawn; once."""
         if self.corners is None:
             self._prepare()
+            self.coarse = None
+            if len(self.corners) > _MANY:
+                self.coarse, self._joined = core().clustered(self.corners, COARSE)
 
     def _take_flat(self, mesh, runs):
         vertices, triangles = mesh.arrays
@@ -189,6 +195,16 @@ class QualityData:
                       np.array(shown.edge_lines, dtype=np.int32))
         self.jacobians = np.array(curved.shown_quality)
         self._curved = curved
+
+    def coarse_colours(self, colours):
+        """uint8 (n, 4): the mean of the colours, uint8 (T, 4), of the triangles that each of `coarse`
+        stands for.
+        """
+        stands = self._joined >= 0
+        joined, count = self._joined[stands], len(self.coarse)
+        sums = [np.bincount(joined, weights=colours[stands, k], minlength=count) for k in range(4)]
+        members = np.bincount(joined, minlength=count)
+        return np.rint(np.column_stack(sums) / members[:, None]).astype(np.uint8)
 
     @property
     def elements(self):

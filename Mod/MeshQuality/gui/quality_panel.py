@@ -17,7 +17,7 @@ from .words import translated
 translate = FreeCAD.Qt.translate
 
 WORST = 50  # elements in the list
-_EDGES = 300_000  # triangles up to which edges are drawn from the beginning
+_EDGES = 50_000  # triangles up to which edges are drawn from the beginning
 
 
 class QualityPanel:
@@ -149,7 +149,8 @@ class QualityPanel:
         self.data.prepare()
         values = np.asarray(measure.values(self.data, progress))
         colours = colour_scale.bytes_of(measure.goodness(values))[self.data.element]
-        return values, colours, Histogram.of(values, measure), self.data.faces(values, measure)
+        coarse = None if self.data.coarse is None else self.data.coarse_colours(colours)
+        return values, (colours, coarse), Histogram.of(values, measure), self.data.faces(values, measure)
 
     def _take(self, measure, found):
         if not self._found and self.scene is not None:
@@ -171,7 +172,7 @@ class QualityPanel:
         self._list_worst()
         self._list_faces(faces)
         if self.scene is not None:
-            self.scene.colour(colours, measure, values)
+            self.scene.colour(*colours, measure, values)
         self._light_up(np.zeros(self.data.elements, dtype=bool))
 
     def _list_worst(self):

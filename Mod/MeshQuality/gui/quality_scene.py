@@ -15,6 +15,8 @@ translate = FreeCAD.Qt.translate
 LEGEND = 64  # colours
 LABELS = 5
 _STEPS, _TICK = 16, 25  # of a flight; ms
+_SLOW = 0.05  # seconds of drawing from which on moving is drawn coarsely
+_STILL = 250  # ms without a move after which all is drawn again
 _AROUND = 25.0  # a place is shown with so many times its size around it
 
 
@@ -30,11 +32,20 @@ class QualityScene:
         self._graph = view.getSceneGraph()
         self._graph.addChild(self.node)
         self.flight = None
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(_STILL)
+        self._timer.timeout.connect(lambda: self.scene.moving(False))
+        self._camera, self._pose = view.getCameraNode(), None
+        self._sensor = coin.SoNodeSensor(self._moved, None)
+        self._sensor.attach(self._camera)
 
     def close(self):
         """Leaves the view as it was."""
         if self.flight is not None:
             self.flight.stop()
+        self._timer.stop()
+        self._sensor.detach()
         self._graph.removeChild(self.node)
         self._graph, self.node = None, None
 
@@ -42,15 +53,34 @@ class QualityScene:
         """Takes the triangles and edges of a QualityData."""
         self.scene.show(data.corners)
         self.scene.draw_edges(*data.lines)
+        if data.coarse is not None:
+            self.scene.show_coarse(data.coarse)
+
+    def _moved(self, *_):
+        """The camera has changed: if it has moved and drawing takes long, coarse triangles are drawn
+        meanwhile. What Coin sets at each drawing, between which distances is drawn, is no move.
+        """
+        camera = self._camera
+        size = camera.height if hasattr(camera, "height") else camera.heightAngle
+        pose = (camera.position.getValue().getValue(), camera.orientation.getValue().getValue(),
+                size.getValue())
+        moved, self._pose = pose != self._pose, pose
+        if moved and self.scene.drawing_seconds > _SLOW:
+            self.scene.moving(True)
+            self._timer.start()
 
     def draw_edges(self, data, wanted):
         """Draws the edges, or not."""
         lines = data.lines if wanted else (np.zeros((0, 3)), np.zeros(0, dtype=np.int32))
         self.scene.draw_edges(*lines)
 
-    def colour(self, colours, measure, values):
-        """uint8 (T, 4) colours of the triangles, and the legend of the measure they show."""
+    def colour(self, colours, coarse, measure, values):
+        """uint8 (T, 4) colours of the triangles, (n, 4) of the coarse ones, and the legend of the
+        measure they show.
+        """
         self.scene.colour(colours)
+        if coarse is not None:
+            self.scene.colour_coarse(coarse)
         bad, good = measure.range(values)
         low, high = min(bad, good), max(bad, good)
         numbers = np.linspace(low, high, LEGEND)

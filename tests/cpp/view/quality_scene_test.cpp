@@ -43,7 +43,7 @@ TEST_F(Scene, IsFoundByItsName) {
 }
 
 TEST_F(Scene, IsEmptyAtFirst) {
-    EXPECT_EQ(scene.triangles(), 0U);
+    EXPECT_EQ(scene.triangles().count(), 0U);
     EXPECT_EQ(triangles(), 0);
 }
 
@@ -51,14 +51,14 @@ TEST_F(Scene, ShowsTrianglesAndForgetsThoseBefore) {
     scene.show(kTwo.data(), 2);
     EXPECT_EQ(triangles(), 2);
     scene.show(kTwo.data(), 1);
-    EXPECT_EQ(scene.triangles(), 1U);
+    EXPECT_EQ(scene.triangles().count(), 1U);
     EXPECT_EQ(triangles(), 1);
 }
 
 TEST_F(Scene, WantsOneColourATriangle) {
     scene.show(kTwo.data(), 2);
-    scene.colour({{255, 0, 0, 255}, {0, 255, 0, 255}});
-    EXPECT_THROW(scene.colour({{255, 0, 0, 255}}), InvalidInput);
+    scene.triangles().colour({{255, 0, 0, 255}, {0, 255, 0, 255}});
+    EXPECT_THROW(scene.triangles().colour({{255, 0, 0, 255}}), InvalidInput);
 }
 
 TEST_F(Scene, EdgesAreLines) {

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/cluster.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mesh/triangle_mesh.h"
+
+namespace mq::mesh {
+
+namespace {
+
+constexpr std::uint64_t kBits = 21;  // of a cell's number along each axis
+
+Vec3 corner_of(const float* corners, std::size_t k) {
+    return {corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]};
+}
+
+/// The side of cells in which an even mesh of that area has so many triangles: two a cell that the surface crosses.
+double cell_side(const float* corners, std::size_t triangles, std::size_t wanted, const Box& box) {
+    double area = 0.0;
+    for (std::size_t t = 0; t < triangles; ++t) {
+        const Vec3 a = corner_of(corners, 3 * t);
+        area += 0.5 * (corner_of(corners, 3 * t + 1) - a).cross(corner_of(corners, 3 * t + 2) - a).norm();
+    }
+    const double side = std::sqrt(2.0 * area / static_cast<double>(std::max<std::size_t>(wanted, 1)));
+    const double finest = box.largest_side() / static_cast<double>((1ULL << kBits) - 2);
+    return std::max({side, finest, std::numeric_limits<double>::min()});
+}
+
+/// By corner: the number of its cluster, counted in the order of the cells.
+struct Numbering {
+    std::vector<std::int32_t> cluster;
+    std::vector<Vec3> centre;  ///< mean of the corners in it
+};
+
+Numbering number(const float* corners, std::size_t count, const Vec3& low, double side, const Progress* progress) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> cells(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const Vec3 at = (corner_of(corners, k) - low) / side;
+        std::uint64_t key = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            key = key << kBits | static_cast<std::uint64_t>(std::max(at[axis], 0.0));
+        }
+        cells[k] = {key, static_cast<std::uint32_t>(k)};
+    }
+    look_for_cancel(progress);
+    std::sort(cells.begin(), cells.end());
+    look_for_cancel(progress);
+    Numbering result;
+    result.cluster.resize(count);
+    std::size_t first = 0;
+    while (first < count) {
+        std::size_t last = first;
+        Vec3 sum = Vec3::Zero();
+        for (; last < count && cells[last].first == cells[first].first; ++last) {
+            result.cluster[cells[last].second] = static_cast<std::int32_t>(result.centre.size());
+            sum += corner_of(corners, cells[last].second);
+        }
+        result.centre.push_back(sum / static_cast<double>(last - first));
+        first = last;
+    }
+    return result;
+}
+
+}  // namespace
+
+Clusters cluster(const float* corners, std::size_t triangles, std::size_t wanted, const Progress* progress) {
+    Box box;
+    for (std::size_t k = 0; k < 3 * triangles; ++k) {
+        box.add(corner_of(corners, k));
+    }
+    Clusters result;
+    result.joined.assign(triangles, -1);
+    if (triangles == 0) {
+        return result;
+    }
+    const Numbering numbers =
+        number(corners, 3 * triangles, box.low, cell_side(corners, triangles, wanted, box), progress);
+    using Corners = std::array<std::int32_t, 3>;
+    std::vector<std::pair<Corners, std::uint32_t>> kept;
+    for (std::size_t t = 0; t < triangles; ++t) {
+        Corners c{numbers.cluster[3 * t], numbers.cluster[3 * t + 1], numbers.cluster[3 * t + 2]};
+        std::sort(c.begin(), c.end());
+        if (c[0] != c[1] && c[1] != c[2]) {
+            kept.emplace_back(c, static_cast<std::uint32_t>(t));
+        }
+    }
+    std::sort(kept.begin(), kept.end());
+    look_for_cancel(progress);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        if (i == 0 || kept[i].first != kept[i - 1].first) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& at = numbers.centre[static_cast<std::size_t>(numbers.cluster[3 * kept[i].second + k])];
+                for (int axis = 0; axis < 3; ++axis) {
+                    result.corners.push_back(static_cast<float>(at[axis]));
+                }
+            }
+        }
+        result.joined[kept[i].second] = static_cast<std::int32_t>(result.corners.size() / 9) - 1;
+    }
+    return result;
+}
+
+}  // namespace mq::mesh
