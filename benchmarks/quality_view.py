@@ -8,33 +8,14 @@ and as it moves, with the coarse triangles that stand for them where drawing tak
 1000000 and 2000000.
 """
 
-import os
-import subprocess
 import sys
-import tempfile
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-sys.path.append(str(ROOT / "tests" / "gui"))
-
-LIMIT = 600  # seconds
+from in_window import text_of
 
 
 def main():
-    import run
-
-    with tempfile.TemporaryDirectory(prefix="meshquality-view-") as home:
-        run.make_home(Path(home))
-        result = Path(home, "result.txt")
-        environment = {
-            **os.environ, "FREECAD_USER_HOME": home, "LIBGL_ALWAYS_SOFTWARE": "1",
-            "MESHQUALITY_VIEW_RESULT": str(result),
-            "MESHQUALITY_VIEW_TRIANGLES": " ".join(sys.argv[1:] or ["100000", "1000000", "2000000"]),
-        }
-        subprocess.run(["xvfb-run", "-a", "-s", run.SCREEN, "freecad",
-                        str(ROOT / "benchmarks" / "quality_view_gui.py")], env=environment,
-                       stdin=subprocess.DEVNULL, timeout=LIMIT, check=False, capture_output=True)
-        print(result.read_text(encoding="utf-8") if result.exists() else "FreeCAD ended early")
+    triangles = sys.argv[1:] or ["100000", "1000000", "2000000"]
+    print(text_of("quality_view_gui.py", MESHQUALITY_VIEW_TRIANGLES=" ".join(triangles)))
 
 
 if __name__ == "__main__":

@@ -107,7 +107,7 @@ def report(stream):
 
 
 def main():
-    with open(os.environ["MESHQUALITY_VIEW_RESULT"], "w", encoding="utf-8") as stream:
+    with open(os.environ["MESHQUALITY_RESULT"], "w", encoding="utf-8") as stream:
         try:
             report(stream)
         except Exception:  # noqa: BLE001 - what goes wrong must reach the result, not a report view

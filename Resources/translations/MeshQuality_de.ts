@@ -1318,6 +1318,17 @@
     </message>
 </context>
 <context>
+    <name>MeshQuality_Quick</name>
+    <message>
+        <source>Mesh the selected shape at once, with the values used last, and show its quality in colour</source>
+        <translation>Vernetzt die gewählte Form sofort mit den zuletzt benutzten Werten und zeigt ihre Qualität farbig</translation>
+    </message>
+    <message>
+        <source>Quick mesh...</source>
+        <translation>Schnelles Netz...</translation>
+    </message>
+</context>
+<context>
     <name>MeshQuality_Triangulate</name>
     <message>
         <source>Mesh the selected shapes with a guaranteed smallest angle</source>

@@ -8,7 +8,7 @@ import FreeCADGui
 import gui_helpers
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, jobs
+from MeshQuality.gui import commands, jobs, quality_panel
 
 ALL = (commands.Triangulate, commands.Curve, commands.Boolean)
 
@@ -133,7 +133,7 @@ class Commands(gui_helpers.PanelTest):
         workbench = FreeCADGui.getWorkbench("MeshQualityWorkbench")
         box = self.box()
         curved = mq.add_curved_mesh(box)
-        for chosen, expected in (((box,), {"Triangulate", "Curve"}), ((), set()),
+        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve"}), ((), set()),
                                  ((box, curved), {"Triangulate", "Curve", "Boolean", "Improve", "Update"}),
                                  ((curved,), {"Analyse", "Improve", "Update", "Export"})):
             self.select(*chosen)
@@ -142,6 +142,30 @@ class Commands(gui_helpers.PanelTest):
                                    side_effect=lambda menu, names, keep=added: keep.extend(names)):
                 workbench.ContextMenu("View")
             self.assertEqual({name.split("_")[1] for name in added}, expected)
+
+    def test_one_click_gives_a_mesh_and_its_quality_in_colour(self):
+        box = self.box()
+        self.select(box)
+        FreeCADGui.runCommand(commands.Quick.NAME)
+        self.until(lambda: quality_panel.shown() is not None)
+        panel = quality_panel.shown()
+        self.addCleanup(lambda: panel.ended or panel.reject())
+        self.until(lambda: panel.values is not None)
+        obj = self.document.Objects[-1]
+        self.assertEqual((panel.obj, obj.Source, obj.Certificate), (obj, box, "kept"))
+        self.assertEqual(self.document.UndoNames[0], commands.Triangulate.TEXT)
+        self.assertEqual(panel.scene.scene.triangles, obj.Mesh.CountFacets)
+        panel.reject()
+        self.assertIsNone(quality_panel.shown())
+        self.assertTrue(obj.ViewObject.Visibility)
+
+    def test_one_click_that_fails_says_why_in_the_panel(self):
+        self.select(self.document.addObject("Part::Feature", "Empty"))
+        FreeCADGui.runCommand(commands.Quick.NAME)
+        gui_helpers.wait(0.3)
+        self.assertIsNone(quality_panel.shown())
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        self.assertEqual(len(self.document.Objects), 1)
 
     def test_update_computes_all_selected_meshes_anew(self):
         box = self.box()

@@ -70,6 +70,22 @@ class Triangulate(_Command):
         return prepare
 
 
+class Quick(Triangulate):
+    NAME = "MeshQuality_Quick"
+    TEXT = "Quick mesh"
+    TIP = "Mesh the selected shape at once, with the values used last, and show its quality in colour"
+    KEYS = "Q, Q"
+
+    def Activated(self):
+        panel = MeshPanel(Triangulate().operations(self.selected()),
+                          afterwards=quality_panel.open_panel)
+        FreeCADGui.Control.showDialog(panel)
+        panel.accept()
+
+    def selected(self):
+        return _if_one(_has_shape)
+
+
 class Curve(_Command):
     KIND = curved_mesh.CurvedMeshObject
     NAME = KIND.COMMAND
@@ -162,7 +178,7 @@ def _has_shape(obj):
         or obj.TypeId == "App::Link"
 
 
-_COMMANDS = (Triangulate, Curve, Boolean, Improve, Analyse, Update, Export)
+_COMMANDS = (Triangulate, Quick, Curve, Boolean, Improve, Analyse, Update, Export)
 
 
 def panel_of(obj):

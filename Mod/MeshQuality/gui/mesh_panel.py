@@ -25,14 +25,15 @@ class MeshPanel:
 
     operations  one for each object, all with the same table
     editing     whether the panel was opened by a double click on its object
+    afterwards  afterwards(obj), called with the first object once OK has closed the panel; or None
     While jobs run Cancel ends them; else it closes the panel. What Apply has done stays.
     """
 
-    def __init__(self, operations, editing=False):
+    def __init__(self, operations, editing=False, afterwards=None):
         self.operations = operations
         self.jobs = []
         self.said = ""  # the message, which ends with the panel
-        self._editing = editing
+        self._editing, self._afterwards = editing, afterwards
         self._closing = False  # whether the panel closes once its jobs are done
         self._trial = None
         self._size = max(made.size() for made in operations)
@@ -168,6 +169,10 @@ class MeshPanel:
     def _close_if_done(self):
         if self._closing and not self.jobs and not self.said:
             self._close()
+            obj = self.operations[0].obj
+            if self._afterwards is not None and obj is not None:
+                # FreeCAD takes the panel away when control returns to the event loop.
+                QtCore.QTimer.singleShot(0, lambda: self._afterwards(obj))
 
     def _say(self, text):
         self.said = text

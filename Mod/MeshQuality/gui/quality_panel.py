@@ -237,6 +237,14 @@ def _hint():
     return translate("MeshQuality", "Click a bar to see where its elements are.")
 
 
+_shown = None
+
+
+def shown():
+    """The panel that is open; None without one."""
+    return _shown if _shown is not None and not _shown.ended else None
+
+
 def open_panel(obj):
     """Opens the panel for an object; what is wrong with it goes to the report view."""
     try:
@@ -247,4 +255,6 @@ def open_panel(obj):
                                   translate("MeshQuality", "Mesh quality"), translated(error))
         return None
     FreeCADGui.Control.showDialog(panel)
+    global _shown
+    _shown = panel
     return panel
