@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/key_set.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
@@ -31,37 +32,38 @@ double cell_side(const float* corners, std::size_t triangles, std::size_t wanted
     return std::max({side, finest, std::numeric_limits<double>::min()});
 }
 
-/// By corner: the number of its cluster, counted in the order of the cells.
+/// By corner: the number of its cluster, counted as they are met.
 struct Numbering {
     std::vector<std::int32_t> cluster;
     std::vector<Vec3> centre;  ///< mean of the corners in it
 };
 
 Numbering number(const float* corners, std::size_t count, const Vec3& low, double side, const Progress* progress) {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> cells(count);
+    Numbering result;
+    result.cluster.resize(count);
+    std::vector<double> members;
+    KeyMap<std::int32_t> numbers;
+    Pace pace(progress);
     for (std::size_t k = 0; k < count; ++k) {
-        const Vec3 at = (corner_of(corners, k) - low) / side;
+        pace.step();
+        const Vec3 corner = corner_of(corners, k);
+        const Vec3 at = (corner - low) / side;
         std::uint64_t key = 0;
         for (int axis = 0; axis < 3; ++axis) {
             key = key << kBits | static_cast<std::uint64_t>(std::max(at[axis], 0.0));
         }
-        cells[k] = {key, static_cast<std::uint32_t>(k)};
-    }
-    look_for_cancel(progress);
-    std::sort(cells.begin(), cells.end());
-    look_for_cancel(progress);
-    Numbering result;
-    result.cluster.resize(count);
-    std::size_t first = 0;
-    while (first < count) {
-        std::size_t last = first;
-        Vec3 sum = Vec3::Zero();
-        for (; last < count && cells[last].first == cells[first].first; ++last) {
-            result.cluster[cells[last].second] = static_cast<std::int32_t>(result.centre.size());
-            sum += corner_of(corners, cells[last].second);
+        const auto [found, added] = numbers.try_emplace(key, static_cast<std::int32_t>(members.size()));
+        if (added) {
+            members.push_back(0.0);
+            result.centre.push_back(Vec3::Zero());
         }
-        result.centre.push_back(sum / static_cast<double>(last - first));
-        first = last;
+        const auto number = static_cast<std::size_t>(found->second);
+        result.cluster[k] = found->second;
+        result.centre[number] += corner;
+        members[number] += 1.0;
+    }
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        result.centre[i] /= members[i];
     }
     return result;
 }

@@ -17,7 +17,7 @@ struct Clusters {
 
 /// Joins the corners of triangles cell by cell of a grid (Rossignac, Borrel 1993, "Multi-resolution 3D approximations
 /// for rendering complex scenes"); what keeps corners in three cells stays a triangle, once. The cells are so large
-/// that about `wanted` triangles stay, as the area tells. Time O(n log n).
+/// that about `wanted` triangles stay, as the area tells. Time O(n).
 /// @param corners 9 numbers for each of `triangles` triangles.
 /// @throws Cancelled when `progress` says so.
 Clusters cluster(const float* corners, std::size_t triangles, std::size_t wanted, const Progress* progress = nullptr);

@@ -165,8 +165,9 @@ class QualityView(gui_helpers.GuiTest):
         values = np.full(panel.data.elements, 1.5)
         values[3] = np.inf
         measure = quality_data.DISTORTION
-        panel._show(measure, values, (np.zeros((len(values), 4)), None),
-                    quality_data.Histogram.of(values, measure), panel.data.faces(values, measure))
+        panel._show(measure, quality_panel._Found(
+            values, np.zeros((len(values), 4)), None, quality_data.Histogram.of(values, measure),
+            panel.data.faces(values, measure), measure.order(values)))
         self.assertIn("worst ∞, mean 1.5", panel.summary.text())
         self.assertTrue(panel.worst.item(0).text().startswith("∞: element 3 on Face"))
         self.assertEqual(panel.faces.item(0, 2).text(), "∞")
@@ -244,6 +245,11 @@ class QualityView(gui_helpers.GuiTest):
             coarse = self.saved("quality_coarse")
             self.until(lambda: drawn.getValue() == 0)
         # From afar they look alike.
+        self.assertFalse(panel.edges.isChecked() or panel.data.has_lines)
+        panel.edges.setChecked(True)
+        self.until(lambda: panel.data.has_lines)
+        self.until(lambda: panel.scene.node.getChild(0).getChild(0).getChild(2).getChild(2)
+                   .coordIndex.getNum() == len(panel.data.lines[1]))
         self.assertGreater(np.abs(fine - coarse).max(), 0)
         self.assertLess(np.abs(fine - coarse).mean(), 2)
 

@@ -4,7 +4,7 @@
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from typing import Optional
 
 import FreeCAD
@@ -141,9 +141,10 @@ class QualityData:
     element   int (T,): the element that each of them is a part of
     face      int (E,): the CAD face of each element, -1 where there is none
     jacobians float64 (E,), of curved elements only
-    lines     (float32 (P, 3), int32 runs ended by -1): the elements' edges
     coarse    float32 (n, 3, 3): triangles that look like those of `corners` from afar; None where
               there are few of these
+    lines     (float32 (P, 3), int32 runs ended by -1): the elements' edges, made when they are first
+              asked for, which takes a second for a million triangles
     and before it already
     measures  those that make sense here
     """
@@ -182,7 +183,7 @@ class QualityData:
         face = mesh_object.faces_of_runs(runs)
         known = len(face) == len(triangles)
         self.face = face if known else np.full(len(triangles), -1)
-        self.lines = vertices.astype(np.float32), runs_of_edges(triangles)
+        self._lines = lambda: (vertices.astype(np.float32), runs_of_edges(triangles))
         self._shapes = None
 
     def _take_curved(self, curved, deviation):
@@ -191,10 +192,20 @@ class QualityData:
         self.corners = np.asarray(surface.vertices)[surface.triangles].astype(np.float32)
         self.element = np.array(shown.element)
         self.face = np.array(curved.triangle_face)
-        self.lines = (np.asarray(surface.vertices).astype(np.float32),
-                      np.array(shown.edge_lines, dtype=np.int32))
+        self._lines = lambda: (np.asarray(surface.vertices).astype(np.float32),
+                               np.array(shown.edge_lines, dtype=np.int32))
         self.jacobians = np.array(curved.shown_quality)
         self._curved = curved
+
+    @cached_property
+    def lines(self):
+        """(points, runs), see above."""
+        return self._lines()
+
+    @property
+    def has_lines(self):
+        """Whether they are made."""
+        return "lines" in vars(self)
 
     def coarse_colours(self, colours):
         """uint8 (n, 4): the mean of the colours, uint8 (T, 4), of the triangles that each of `coarse`

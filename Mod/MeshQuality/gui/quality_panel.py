@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of Analyse Quality: how good a mesh is, where it is worst, and why."""
 
+from dataclasses import dataclass
+from typing import Optional
+
 import FreeCAD
 import FreeCADGui
 import numpy as np
@@ -18,6 +21,26 @@ translate = FreeCAD.Qt.translate
 
 WORST = 50  # elements in the list
 _EDGES = 50_000  # triangles up to which edges are drawn from the beginning
+
+
+@dataclass(frozen=True)
+class _Found:
+    """What is shown of a measure.
+
+    values     float64 (E,)
+    colours    uint8 (T, 4), of the triangles that are drawn
+    coarse     uint8 (n, 4), of the coarse ones; None without them
+    histogram  Histogram
+    faces      [FaceRow, ...]
+    worst      indices of the worst elements
+    """
+
+    values: np.ndarray
+    colours: np.ndarray
+    coarse: Optional[np.ndarray]
+    histogram: Histogram
+    faces: list
+    worst: np.ndarray
 
 
 class QualityPanel:
@@ -134,7 +157,7 @@ class QualityPanel:
         if self._job is not None and self._job.active:
             self._job.cancel()
         if measure.title in self._found:
-            self._show(measure, *self._found[measure.title])
+            self._show(measure, self._found[measure.title])
             return
         self._say(translate("MeshQuality", "Measuring ..."))
         self._job = jobs.queue().add(jobs.Job(
@@ -147,32 +170,33 @@ class QualityPanel:
 
     def _compute(self, measure, progress):
         self.data.prepare()
+        if len(self.data.corners) <= _EDGES:
+            _ = self.data.lines
         values = np.asarray(measure.values(self.data, progress))
         colours = colour_scale.bytes_of(measure.goodness(values))[self.data.element]
         coarse = None if self.data.coarse is None else self.data.coarse_colours(colours)
-        return values, (colours, coarse), Histogram.of(values, measure), self.data.faces(values, measure)
+        return _Found(values, colours, coarse, Histogram.of(values, measure),
+                      self.data.faces(values, measure), measure.order(values)[:WORST])
 
     def _take(self, measure, found):
         if not self._found and self.scene is not None:
             self.scene.show(self.data)
             self.edges.setChecked(len(self.data.corners) <= _EDGES)
-            self._draw_edges()
             self.edges.setEnabled(True)
         self._found[measure.title] = found
-        self._show(measure, *found)
+        self._show(measure, found)
 
-    def _show(self, measure, values, colours, histogram, faces):
-        self.measure, self.values, self._bars = measure, values, histogram
-        order = measure.order(values)
-        self._worst = order[:WORST]
+    def _show(self, measure, found):
+        self.measure, self.values, self._bars = measure, found.values, found.histogram
+        self._worst = found.worst
         self._say(translate("MeshQuality", "{0} elements: worst {1}, mean {2}").format(
-            f"{self.data.elements:,}", measure.text(values[order[0]]),
-            measure.text(_mean(values))))
-        self.histogram.show_histogram(histogram, measure)
+            f"{self.data.elements:,}", measure.text(found.values[found.worst[0]]),
+            measure.text(_mean(found.values))))
+        self.histogram.show_histogram(found.histogram, measure)
         self._list_worst()
-        self._list_faces(faces)
+        self._list_faces(found.faces)
         if self.scene is not None:
-            self.scene.colour(*colours, measure, values)
+            self.scene.colour(found.colours, found.coarse, measure, found.values)
         self._light_up(np.zeros(self.data.elements, dtype=bool))
 
     def _list_worst(self):
@@ -220,8 +244,14 @@ class QualityPanel:
             self.scene.light_up(self.data.triangles_of(chosen))
 
     def _draw_edges(self, *_):
-        if self.scene is not None:
+        if self.scene is None:
+            return
+        if not self.edges.isChecked() or self.data.has_lines:
             self.scene.draw_edges(self.data, self.edges.isChecked())
+            return
+        jobs.queue().add(jobs.Job(
+            "Edges", lambda progress: self.data.lines, lambda lines: self._draw_edges(),
+            lambda: not self.ended and self.edges.isChecked(), quiet=True))
 
     def _say(self, text):
         self.summary.setText(text)

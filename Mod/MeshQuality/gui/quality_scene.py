@@ -50,9 +50,8 @@ class QualityScene:
         self._graph, self.node = None, None
 
     def show(self, data):
-        """Takes the triangles and edges of a QualityData."""
+        """Takes the triangles of a QualityData."""
         self.scene.show(data.corners)
-        self.scene.draw_edges(*data.lines)
         if data.coarse is not None:
             self.scene.show_coarse(data.coarse)
 
