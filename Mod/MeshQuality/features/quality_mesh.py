@@ -31,20 +31,20 @@ class QualityMesh(mesh_object.SourceMesh):
 
     @classmethod
     def compute(cls, shape, values, progress):
-        """The SurfaceMesh of the shape, the Mesh.Mesh made of it, whether it was to be closed, and
-        the faults of its certificate.
+        """The SurfaceMesh of the shape, the Mesh.Mesh made of it, what FaceRuns gets, whether it was to
+        be closed, and the faults of its certificate.
         """
         mesh = triangulate(shape, **values, progress=progress)
         closed = certificate.shall_be_closed(shape)
-        return mesh, mesh.to_mesh(), closed, _faults(mesh, closed)
+        runs = mesh_object.runs_of_faces(mesh.triangle_face)
+        return mesh, mesh.to_mesh(), runs, closed, _faults(mesh, closed)
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, shown, closed, faults = result
+        mesh, shown, obj.FaceRuns, closed, faults = result
         mesh_object.show_mesh(obj, shown)
         show_report(obj, mesh.report)
         mesh_object.show_certificate(obj, mesh.report, closed, faults)
-        obj.FaceRuns = mesh_object.runs_of_faces(mesh.triangle_face)
 
 
 def _faults(mesh, closed):

@@ -6,6 +6,8 @@ on the GUI's thread. The core frees Python's lock while it works, so that the wi
 """
 
 import collections
+import os
+import sys
 import threading
 
 import FreeCAD
@@ -19,6 +21,7 @@ translate = FreeCAD.Qt.translate
 
 WAITING, RUNNING, DONE, FAILED, CANCELLED = "waiting", "running", "done", "failed", "cancelled"
 _POLL = 30  # ms between two looks at the thread
+_NICENESS = 5
 _GRACE = 5.0  # s that a job has to end in when FreeCAD quits
 
 
@@ -112,6 +115,7 @@ class Job(QtCore.QObject):
             self._thread.join(seconds)
 
     def _work(self):
+        _give_way()
         try:
             self._result = self.compute(self._progress)
         except Exception as error:  # noqa: BLE001 - the thread's last resort; the GUI shows it
@@ -183,6 +187,14 @@ class Queue(QtCore.QObject):
                 self.running = job
                 job.start()
                 return
+
+
+def _give_way():
+    """Has this thread, and those that it starts, leave the processor to the window when that has
+    something to do, where the system knows priorities of threads.
+    """
+    if sys.platform == "linux":
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
 
 
 def tell(job):
