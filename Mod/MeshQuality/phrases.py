@@ -49,7 +49,7 @@ REASONS = (
     "no change within the tolerance makes it better",
 )
 
-# Errors that a panel can meet. The core's own stay as they are.
+# Errors that a panel can meet.
 ERRORS = (
     "{option} = {value} is not allowed: it must be a whole number, {range}",
     "{option} = {value} is not allowed: it must be a number, {range}",
@@ -64,8 +64,24 @@ ERRORS = (
     "{name} is null: it has no geometry",
     "{name} has no faces (its type is {name2}): give a solid, a shell or faces",
     "{name} has no triangles",
-    "the shape has no solids to fill: leave volume off to curve its faces",
     "what is to be meshed is not in its document any more: close the panel",
+)
+# Likewise, of the core. What it says of single faults of shapes stays as it is.
+CORE_ERRORS = (
+    "the shape has no solids to fill: leave volume off to curve its faces",
+    "the shape has no faces with an area: give a solid, a shell or faces",
+    "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest",
+    "chord_height is {number} mm: single precision holds this part to {number2} mm only; ask for more "
+    "than that",
+    "tolerance is {number} mm: single precision holds these operands to {number2} mm only; ask for "
+    "more than that",
+    "a local size is given for {name}, but the shape has {count} {name2}",
+    "order is {count}: it goes from 1 to {count2} for volumes",
+    "filling the surface with tetrahedra did not come to an end: its triangles do not fit each other "
+    "across thin walls; ask for a smaller chord height or shorter edges",
+    "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "
+    "walls are too thin for its triangles; ask for a smaller chord height",
+    "{name} has no triangle with an area that encloses a volume",
 )
 RANGES = (
     "greater than {number} and at most {number2} {unit}",
@@ -148,7 +164,30 @@ _SHOWN = {
         "not a clean surface: {count} edges of three or more triangles, {count2} points where it only "
         "touches itself, {count3} triangles without area",
     "the shape has no solids to fill: leave volume off to curve its faces":
-        "the shape has no solids to fill with tetrahedra: switch that off to curve its faces",
+        "The shape has no solids to fill with tetrahedra: switch that off to curve its faces",
+    "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest":
+        "Faces cannot be meshed: {value}. Repair the shape with Part - Check geometry, or choose under "
+        "More options to leave such faces out",
+    "chord_height is {number} mm: single precision holds this part to {number2} mm only; ask for more "
+    "than that":
+        "A distance to the shape of {number} mm is finer than the numbers of a mesh in FreeCAD, which "
+        "hold this part to {number2} mm: ask for more than that",
+    "tolerance is {number} mm: single precision holds these operands to {number2} mm only; ask for "
+    "more than that":
+        "A tolerance of {number} mm is finer than the numbers of a mesh in FreeCAD, which hold these "
+        "operands to {number2} mm: ask for more than that",
+    "a local size is given for {name}, but the shape has {count} {name2}":
+        "Shorter edges are asked for on {name}, but the shape has only {count} of these",
+    "order is {count}: it goes from 1 to {count2} for volumes":
+        "Elements of order {count} are not possible with tetrahedra: it goes from 1 to {count2}",
+    "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "
+    "walls are too thin for its triangles; ask for a smaller chord height":
+        "The surface could not be filled with tetrahedra: it meets itself, or walls are too thin for "
+        "its triangles. Ask for a smaller distance to the shape ({value})",
+    "filling the surface with tetrahedra did not come to an end: its triangles do not fit each other "
+    "across thin walls; ask for a smaller chord height or shorter edges":
+        "The surface could not be filled with tetrahedra: its triangles do not fit each other across thin "
+        "walls. Ask for a smaller distance to the shape or shorter edges",
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
@@ -157,7 +196,7 @@ _KINDS = {
     "vertex": r"(?:Vertex|Edge|Face)\d+", "solid": r"Solid\d+", "option": r"\w+", "value": ".+?",
     "unit": "|".join(UNITS), "name": ".+?", "phrase": ".+", "list": ".+", "range": ".+",
 }
-_PHRASES = (*CERTIFICATE, *REASONS, *ERRORS, *RANGES, *ENDINGS)
+_PHRASES = (*CERTIFICATE, *REASONS, *ERRORS, *CORE_ERRORS, *RANGES, *ENDINGS)
 
 
 def texts():

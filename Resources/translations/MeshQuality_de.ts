@@ -1063,10 +1063,6 @@
         <translation>die Höchstzahl der Dreiecke ist erreicht</translation>
     </message>
     <message>
-        <source>the shape has no solids to fill with tetrahedra: switch that off to curve its faces</source>
-        <translation>die Form hat keine Körper, die mit Tetraedern zu füllen wären: dies abschalten, um ihre Flächen zu krümmen</translation>
-    </message>
-    <message>
         <source>the shape has no usable point there</source>
         <translation>die Form hat dort keinen brauchbaren Punkt</translation>
     </message>
@@ -1209,6 +1205,46 @@
     <message>
         <source>Stop computing</source>
         <translation>Berechnung abbrechen</translation>
+    </message>
+    <message>
+        <source>A distance to the shape of {number} mm is finer than the numbers of a mesh in FreeCAD, which hold this part to {number2} mm: ask for more than that</source>
+        <translation>Ein Abstand zur Form von {number} mm ist feiner, als die Zahlen eines Netzes in FreeCAD dieses Teil fassen ({number2} mm): mehr als das verlangen</translation>
+    </message>
+    <message>
+        <source>A tolerance of {number} mm is finer than the numbers of a mesh in FreeCAD, which hold these operands to {number2} mm: ask for more than that</source>
+        <translation>Eine Toleranz von {number} mm ist feiner, als die Zahlen eines Netzes in FreeCAD diese Operanden fassen ({number2} mm): mehr als das verlangen</translation>
+    </message>
+    <message>
+        <source>Elements of order {count} are not possible with tetrahedra: it goes from 1 to {count2}</source>
+        <translation>Elemente der Ordnung {count} gehen nicht mit Tetraedern: möglich ist 1 bis {count2}</translation>
+    </message>
+    <message>
+        <source>Faces cannot be meshed: {value}. Repair the shape with Part - Check geometry, or choose under More options to leave such faces out</source>
+        <translation>Flächen lassen sich nicht vernetzen: {value}. Die Form mit Part - Geometrie prüfen reparieren, oder unter Weitere Optionen solche Flächen auslassen</translation>
+    </message>
+    <message>
+        <source>Shorter edges are asked for on {name}, but the shape has only {count} of these</source>
+        <translation>Kürzere Kanten sind auf {name} verlangt, aber die Form hat davon nur {count}</translation>
+    </message>
+    <message>
+        <source>The shape has no solids to fill with tetrahedra: switch that off to curve its faces</source>
+        <translation>Die Form hat keine Körper, die mit Tetraedern zu füllen wären: dies abschalten, um ihre Flächen zu krümmen</translation>
+    </message>
+    <message>
+        <source>The surface could not be filled with tetrahedra: it meets itself, or walls are too thin for its triangles. Ask for a smaller distance to the shape ({value})</source>
+        <translation>Die Oberfläche ließ sich nicht mit Tetraedern füllen: sie trifft sich selbst, oder Wände sind zu dünn für ihre Dreiecke. Einen kleineren Abstand zur Form verlangen ({value})</translation>
+    </message>
+    <message>
+        <source>The surface could not be filled with tetrahedra: its triangles do not fit each other across thin walls. Ask for a smaller distance to the shape or shorter edges</source>
+        <translation>Die Oberfläche ließ sich nicht mit Tetraedern füllen: ihre Dreiecke passen über dünne Wände hinweg nicht zueinander. Einen kleineren Abstand zur Form oder kürzere Kanten verlangen</translation>
+    </message>
+    <message>
+        <source>the shape has no faces with an area: give a solid, a shell or faces</source>
+        <translation>die Form hat keine Flächen mit einem Inhalt: einen Körper, eine Hülle oder Flächen angeben</translation>
+    </message>
+    <message>
+        <source>{name} has no triangle with an area that encloses a volume</source>
+        <translation>{name} hat kein Dreieck mit einem Inhalt, das ein Volumen einschließt</translation>
     </message>
 </context>
 <context>

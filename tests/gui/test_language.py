@@ -164,6 +164,19 @@ class German(gui_helpers.PanelTest):
         for text in formats:
             self.assertIsNone(ENGLISH.search(text), text)
 
+    def test_errors_of_the_core_are_german(self):
+        for command, values, words in (
+                (commands.Curve, {"order": 5, "volume": True}, "Elemente der Ordnung 5 gehen nicht"),
+                (commands.Triangulate, {"local_sizes": "Face99=0.5"}, "Kürzere Kanten sind auf Face99"),
+                (commands.Triangulate, {"chord_height": 1e-7, "chord_height_relative": None},
+                 "Ein Abstand zur Form von")):
+            panel = self.panel(command, self.box())
+            panel.options.set_values(values)
+            self.finish(panel)
+            self.assertIn(words, panel.said)
+            self.assertIsNone(ENGLISH.search(panel.said), panel.said)
+            panel.reject()
+
     def test_help_of_properties_is_german(self):
         obj = mq.add_quality_mesh(self.box())
         texts = [obj.getDocumentationOfProperty(name) for name in ("MinAngle", "ChordHeight",

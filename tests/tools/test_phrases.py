@@ -45,6 +45,14 @@ class Phrases(unittest.TestCase):
         for part in parts:
             self.assertIn(part, known)
 
+    def test_every_error_of_the_core_is_one_of_its(self):
+        said = "".join("".join(_STRING.findall(re.sub(r'"\s*"', "", path.read_text(encoding="utf-8"))))
+                       for path in (ROOT / "src").rglob("*.cpp"))
+        for error in phrases.CORE_ERRORS:
+            for part in re.split(r"{\w+}", error):
+                if len(part.split()) > 2:
+                    self.assertIn(part, said)
+
     def test_a_certificate_is_taken_apart(self):
         text = ("smallest angle 4.57 of 25 degrees at triangle 7: corner of 4.57 degrees between Edge3 "
                 "and Edge5 at Vertex2 on Face4 (3 more triangles are below); distance to the shape "
