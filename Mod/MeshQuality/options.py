@@ -174,7 +174,8 @@ def entities_of(sizes):
 
 TRIANGULATE = (
     Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
-           help="Smallest angle of a triangle; beyond about 30 the triangles grow many"),
+           help="No triangle gets a smaller angle than this, unless the part has a sharper corner; beyond "
+                "about 30 many more triangles are needed"),
     Option("chord_height", float, None, unit="mm", low=0.0, group="Accuracy",
            title="Distance to the shape",
            help="Largest distance between the mesh and the shape"),
@@ -218,18 +219,18 @@ CURVE = (
     Option("volume", bool, False, title="Fill solids with tetrahedra",
            help="Fill the solids with tetrahedra"),
     Option("straighten", bool, False, title="Straighten faulty elements",
-           help="Make elements straight that stay invalid after all repairs"),
+           help="Make those elements straight that fold over and cannot be repaired"),
     Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Before curving",
            title="Smallest angle",
-           help="Smallest angle of the straight triangles"),
+           help="Smallest angle of the triangles before they are curved"),
     Option("chord_height", float, None, unit="mm", low=0.0, group="Before curving",
            unset="not given", title="Distance to the shape",
-           help="Largest distance between the straight mesh and the shape"),
+           help="Largest distance between the mesh and the shape before it is curved"),
     Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Before curving",
            unset="not given", title="Or as a part of the size",
            help="The same as a part of the shape's largest dimension; 0.01 unless one is given"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Before curving", title="Longest edge",
-           help="Longest edge of the straight mesh"),
+           help="Longest edge of the mesh before it is curved"),
 )
 
 

@@ -72,10 +72,6 @@
         <translation>Größter Abstand zwischen Netz und Form; 0: beliebig</translation>
     </message>
     <message>
-        <source>Largest distance between the straight mesh and the shape; 0: not given</source>
-        <translation>Größter Abstand zwischen dem geraden Netz und der Form; 0: ohne Angabe</translation>
-    </message>
-    <message>
         <source>Largest distance between the triangles shown and the curved elements; 0: size / 1000</source>
         <translation>Größter Abstand zwischen den gezeigten Dreiecken und den gekrümmten Elementen; 0: Größe / 1000</translation>
     </message>
@@ -100,16 +96,8 @@
         <translation>Längste Kante eines Dreiecks; 0: beliebig</translation>
     </message>
     <message>
-        <source>Longest edge of the straight mesh; 0: any</source>
-        <translation>Längste Kante des geraden Netzes; 0: beliebig</translation>
-    </message>
-    <message>
         <source>Longest edge on single faces, edges or around vertices: Face3=0.5, Edge7=0.2; 0: nowhere</source>
         <translation>Längste Kante auf einzelnen Flächen, Kanten oder um Ecken: Face3=0.5, Edge7=0.2; 0: nirgends</translation>
-    </message>
-    <message>
-        <source>Make elements straight that stay invalid after all repairs</source>
-        <translation>Macht Elemente gerade, die nach allen Reparaturen ungültig bleiben</translation>
     </message>
     <message>
         <source>Mean of that ratio over the elements</source>
@@ -176,16 +164,8 @@
         <translation>Kleinste Jacobi-Determinante aller Elemente, je im Verhältnis zum geraden Element: 1 ist am besten, 0 oder weniger ist ungültig</translation>
     </message>
     <message>
-        <source>Smallest angle of a triangle; beyond about 30 the triangles grow many</source>
-        <translation>Kleinster Winkel eines Dreiecks; über etwa 30 werden es sehr viele Dreiecke</translation>
-    </message>
-    <message>
         <source>Smallest angle of all triangles</source>
         <translation>Kleinster Winkel aller Dreiecke</translation>
-    </message>
-    <message>
-        <source>Smallest angle of the straight triangles</source>
-        <translation>Kleinster Winkel der geraden Dreiecke</translation>
     </message>
     <message>
         <source>Smallest angle that every triangle is to reach</source>
@@ -314,6 +294,26 @@
     <message>
         <source>Work ends, incomplete, at this number; 0: 5 million</source>
         <translation>Die Arbeit endet unvollständig bei dieser Zahl; 0: 5 Millionen</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh and the shape before it is curved; 0: not given</source>
+        <translation>Größter Abstand zwischen Netz und Form, bevor es gekrümmt wird; 0: ohne Angabe</translation>
+    </message>
+    <message>
+        <source>Longest edge of the mesh before it is curved; 0: any</source>
+        <translation>Längste Kante des Netzes, bevor es gekrümmt wird; 0: beliebig</translation>
+    </message>
+    <message>
+        <source>Make those elements straight that fold over and cannot be repaired</source>
+        <translation>Macht jene Elemente gerade, die umklappen und sich nicht reparieren lassen</translation>
+    </message>
+    <message>
+        <source>No triangle gets a smaller angle than this, unless the part has a sharper corner; beyond about 30 many more triangles are needed</source>
+        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo das Teil selbst eine schärfere Ecke hat; über etwa 30 braucht es viel mehr Dreiecke</translation>
+    </message>
+    <message>
+        <source>Smallest angle of the triangles before they are curved</source>
+        <translation>Kleinster Winkel der Dreiecke, bevor sie gekrümmt werden</translation>
     </message>
 </context>
 <context>
@@ -483,10 +483,6 @@
         <translation>Größter Abstand zwischen Netz und Form</translation>
     </message>
     <message>
-        <source>Largest distance between the straight mesh and the shape</source>
-        <translation>Größter Abstand zwischen dem geraden Netz und der Form</translation>
-    </message>
-    <message>
         <source>Largest distance between the triangles shown and the curved elements</source>
         <translation>Größter Abstand zwischen den gezeigten Dreiecken und den gekrümmten Elementen</translation>
     </message>
@@ -505,14 +501,6 @@
     <message>
         <source>Longest edge of a triangle</source>
         <translation>Längste Kante eines Dreiecks</translation>
-    </message>
-    <message>
-        <source>Longest edge of the straight mesh</source>
-        <translation>Längste Kante des geraden Netzes</translation>
-    </message>
-    <message>
-        <source>Make elements straight that stay invalid after all repairs</source>
-        <translation>Macht Elemente gerade, die nach allen Reparaturen ungültig bleiben</translation>
     </message>
     <message>
         <source>Medium</source>
@@ -589,14 +577,6 @@
     <message>
         <source>Smallest angle</source>
         <translation>Kleinster Winkel</translation>
-    </message>
-    <message>
-        <source>Smallest angle of a triangle; beyond about 30 the triangles grow many</source>
-        <translation>Kleinster Winkel eines Dreiecks; über etwa 30 werden es sehr viele Dreiecke</translation>
-    </message>
-    <message>
-        <source>Smallest angle of the straight triangles</source>
-        <translation>Kleinster Winkel der geraden Dreiecke</translation>
     </message>
     <message>
         <source>Straighten faulty elements</source>
@@ -1245,6 +1225,26 @@
     <message>
         <source>{name} has no triangle with an area that encloses a volume</source>
         <translation>{name} hat kein Dreieck mit einem Inhalt, das ein Volumen einschließt</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh and the shape before it is curved</source>
+        <translation>Größter Abstand zwischen Netz und Form, bevor es gekrümmt wird</translation>
+    </message>
+    <message>
+        <source>Longest edge of the mesh before it is curved</source>
+        <translation>Längste Kante des Netzes, bevor es gekrümmt wird</translation>
+    </message>
+    <message>
+        <source>Make those elements straight that fold over and cannot be repaired</source>
+        <translation>Macht jene Elemente gerade, die umklappen und sich nicht reparieren lassen</translation>
+    </message>
+    <message>
+        <source>No triangle gets a smaller angle than this, unless the part has a sharper corner; beyond about 30 many more triangles are needed</source>
+        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo das Teil selbst eine schärfere Ecke hat; über etwa 30 braucht es viel mehr Dreiecke</translation>
+    </message>
+    <message>
+        <source>Smallest angle of the triangles before they are curved</source>
+        <translation>Kleinster Winkel der Dreiecke, bevor sie gekrümmt werden</translation>
     </message>
 </context>
 <context>
