@@ -28,8 +28,7 @@ class Follow(gui_helpers.PanelTest):
 
     def settle(self):
         """Waits until nothing is computed any more."""
-        self.until(lambda: len(jobs.queue()) == 0)
-        gui_helpers.wait(0.05)
+        gui_helpers.wait(0.1)  # until meshes follow after undo
         self.until(lambda: len(jobs.queue()) == 0)
 
     def change(self, height):

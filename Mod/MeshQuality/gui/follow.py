@@ -25,6 +25,8 @@ translate = FreeCAD.Qt.translate
 _PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 _LINE = "<string>"  # file name of the lines of Python that FreeCAD's own commands are made of
 
+_PAUSE = 10  # ms
+
 _followers = {}  # by document and object, by name: what computes it
 _landing = False
 _observer = None
@@ -59,7 +61,7 @@ def resume(obj):
     """Takes up what was not finished when its document was saved, once that has been loaded."""
     if _follows(obj):
         document = obj.Document.Name
-        QtCore.QTimer.singleShot(0, lambda: is_there(document, obj) and _begin(obj))
+        _once_at_rest(document, lambda: is_there(document, obj) and _begin(obj))
 
 
 def _follows(obj):
@@ -196,11 +198,16 @@ def _follow_all(document):
     name = document.Name
 
     def follow():
-        if name not in FreeCAD.listDocuments():
-            return
-        for obj in FreeCAD.getDocument(name).Objects:
-            if _follows(obj) and any("Touched" in o.State for o in (obj, *obj.OutListRecursive)):
-                _begin(obj)
+        if name in FreeCAD.listDocuments():
+            for obj in FreeCAD.getDocument(name).Objects:
+                if _follows(obj) and any("Touched" in o.State
+                                         for o in (obj, *obj.OutListRecursive)):
+                    _begin(obj)
 
-    # Once FreeCAD is through with it.
-    QtCore.QTimer.singleShot(0, follow)
+    _once_at_rest(name, follow)
+
+
+def _once_at_rest(document, act):
+    """Acts once FreeCAD is through with what it does to the document of this name."""
+    QtCore.QTimer.singleShot(
+        _PAUSE, lambda: act() if at_rest(document) else _once_at_rest(document, act))
