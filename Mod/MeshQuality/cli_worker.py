@@ -29,20 +29,25 @@ BOOLEAN_REPORT_FIELDS = (
 )
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
-    "min_distortion", "mean_distortion", "max_deviation", "rms_deviation", "volume",
-    "cad_volume", "volume_error", "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
+    "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
+    "volume", "cad_volume", "volume_error", "straightened", "moved_vertices", "repairs", "notes", "seconds",
+    "cpu_seconds",
 )
 
 
 def report_fields(report):
     """A report as plain values for JSON; numbers that JSON has no word for become null."""
     if isinstance(report, mq.CurveReport):
-        return {name: getattr(report, name) for name in CURVE_REPORT_FIELDS}
+        return _plain({name: getattr(report, name) for name in CURVE_REPORT_FIELDS})
     names = REPORT_FIELDS
     if isinstance(report, mq.BooleanReport):
         names += BOOLEAN_REPORT_FIELDS
     fields = {name: getattr(report, name) for name in names}
     fields["box"] = None if report.box is None else [corner.tolist() for corner in report.box]
+    return _plain(fields)
+
+
+def _plain(fields):
     return {name: None if isinstance(value, float) and not math.isfinite(value) else value
             for name, value in fields.items()}
 

@@ -315,6 +315,10 @@
         <source>Smallest angle of the triangles before they are curved</source>
         <translation>Kleinster Winkel der Dreiecke, bevor sie gekrümmt werden</translation>
     </message>
+    <message>
+        <source>How far the worst element is from equal sides and angles: 1 is best, 5 is poor, infinite: it folds over</source>
+        <translation>Wie weit das schlechteste Element von gleichen Seiten und Winkeln entfernt ist: 1 ist am besten, 5 ist schlecht, unendlich: es klappt um</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -787,10 +791,6 @@
         <translation>Auf einen Balken klicken, um zu sehen, wo seine Elemente liegen.</translation>
     </message>
     <message>
-        <source>Distortion</source>
-        <translation>Verzerrung</translation>
-    </message>
-    <message>
         <source>Flies to the place, and selects the faces of the part on which the mesh misses what was asked for</source>
         <translation>Fliegt an die Stelle und wählt die Flächen des Teils aus, auf denen das Netz das Verlangte verfehlt</translation>
     </message>
@@ -1245,6 +1245,10 @@
     <message>
         <source>Smallest angle of the triangles before they are curved</source>
         <translation>Kleinster Winkel der Dreiecke, bevor sie gekrümmt werden</translation>
+    </message>
+    <message>
+        <source>Distortion of the shape</source>
+        <translation>Verzerrung der Form</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "curve/child_process.h"
+#include "curve/distortion.h"
 #include "curve/enclosed.h"
 #include "curve/straighten.h"
 #include "curve/surface_crossing.h"
@@ -125,6 +126,15 @@ std::vector<double> measure_volume(const Volume& volume, const std::set<int>& st
     return qualities;
 }
 
+double largest_distortion(const CurvedMesh& mesh, bool volume, Progress& progress) {
+    progress.stage("measuring the distortion", 0.95, 1.0);
+    double largest = 0.0;
+    for (const double d : volume ? tetrahedron_distortions(mesh, &progress) : triangle_distortions(mesh, &progress)) {
+        largest = std::max(largest, d);
+    }
+    return largest;
+}
+
 /// Before all the work, where a volume is asked for.
 void require_solids(const geometry::Topology& topology, const Options& options) {
     const auto solid = [](const geometry::Volume& volume) { return volume.kind == geometry::Volume::Kind::Solid; };
@@ -178,11 +188,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     clock.end("curving the surface");
     watched.stage("repairing the surface", 0.3, 0.5);
     repair(editor, session.topology(), options, watched, report);
-    std::set<int> straight_triangles;
-    std::set<int> straight_tetrahedra;
-    if (options.straighten) {
-        straight_triangles = straighten_triangles(editor);
-    }
+    const std::set<int> straight_triangles = options.straighten ? straighten_triangles(editor) : std::set<int>();
     clock.end("repairing the surface");
     std::vector<Region> regions;
     std::vector<double> qualities;
@@ -192,9 +198,8 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
         clock.end("filling");
         watched.stage("repairing the volume", 0.6, 0.95);
         note(repair_volume(volume, watched), report);
-        if (options.straighten) {
-            straight_tetrahedra = straighten_tetrahedra(volume, editor);
-        }
+        const std::set<int> straight_tetrahedra =
+            options.straighten ? straighten_tetrahedra(volume, editor) : std::set<int>();
         clock.end("repairing the volume");
         measure_surface(editor, straight_triangles, report);
         qualities = measure_volume(volume, straight_tetrahedra, report);
@@ -207,12 +212,13 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     }
     report.repairs.emplace_back("elements made straight", report.straightened.size());
     report.volume = enclosed_volume(surface, session.topology());
-    clock.end("measuring");
     CurvedMesh result = assemble(surface, regions);
     result.tetrahedron_quality = std::move(qualities);
     for (const int t : living(surface)) {
         result.triangle_quality.push_back(editor.triangle(t).quality);
     }
+    report.max_shape_distortion = largest_distortion(result, options.volume, watched);
+    clock.end("measuring");
     report.vertices = result.vertices;
     report.cpu_seconds = cpu_seconds() - start;
     result.report = std::move(report);

@@ -24,7 +24,8 @@ struct CurveReport {
     double min_scaled_jacobian = 0.0;           ///< min over the elements of min J / J of the straight element
     double min_distortion = 0.0;                ///< min over the elements of I = min J / max J, equation (3)
     double mean_distortion = 0.0;
-    double max_deviation = 0.0;  ///< of boundary triangles from their CAD faces, mm
+    double max_shape_distortion = 0.0;  ///< largest eta of the elements, see curve/distortion.h; 0 without elements
+    double max_deviation = 0.0;         ///< of boundary triangles from their CAD faces, mm
     double rms_deviation = 0.0;
     double volume = 0.0;             ///< that the curved triangles enclose, mm^3; 0 without a solid
     double cad_volume = 0.0;         ///< of the part's solids; 0: unknown

@@ -106,6 +106,8 @@ void bind_curve_report(py::module_& m) {
         .def_readonly("invalid_elements", &CurveReport::invalid_elements)
         .def_readonly("min_scaled_jacobian", &CurveReport::min_scaled_jacobian, "min J / J of the straight element")
         .def_readonly("min_distortion", &CurveReport::min_distortion, "min J / max J")
+        .def_readonly("max_shape_distortion", &CurveReport::max_shape_distortion,
+                      "the largest of triangle_distortion or tetrahedron_distortion: 1 is the regular shape")
         .def_readonly("mean_distortion", &CurveReport::mean_distortion)
         .def_readonly("max_deviation", &CurveReport::max_deviation, "from the CAD faces, mm")
         .def_readonly("rms_deviation", &CurveReport::rms_deviation)

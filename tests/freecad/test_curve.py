@@ -59,6 +59,7 @@ class Curve(helpers.DocumentTest):
         self.assertTrue(np.isfinite(tetrahedra).all())
         self.assertIs(mesh.tetrahedron_distortion, tetrahedra)
         self.assertRaises(ValueError, tetrahedra.__setitem__, 0, 1.0)
+        self.assertEqual(mesh.report.max_shape_distortion, tetrahedra.max())
         shown = mesh.shown_distortion()
         self.assertTrue(np.isin(shown, tetrahedra).all())
         # Straight elements are as bad as their corners tell, whatever their order.
@@ -69,6 +70,7 @@ class Curve(helpers.DocumentTest):
         expected = (sides**2).sum(axis=(1, 2)) / (4 * math.sqrt(3) * area)
         np.testing.assert_allclose(flat.triangle_distortion, expected, rtol=1e-9)
         np.testing.assert_array_equal(flat.shown_distortion(), flat.triangle_distortion)
+        self.assertEqual(flat.report.max_shape_distortion, flat.triangle_distortion.max())
 
     def test_edges_lie_on_their_cad_edges(self):
         shape = Part.makeCylinder(5, 10)

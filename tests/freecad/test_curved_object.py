@@ -39,6 +39,7 @@ class Recompute(CurvedObjectTest):
         self.assertEqual((obj.Elements, obj.Invalid), (len(expected.tetrahedra), 0))
         self.assertEqual(obj.MinScaledJacobian, report.min_scaled_jacobian)
         self.assertEqual(obj.MinDistortion, report.min_distortion)
+        self.assertEqual(obj.MaxShapeDistortion, report.max_shape_distortion)
         self.assertEqual(obj.MaxDeviation.Value, report.max_deviation)
         self.assertEqual(obj.MovedVertices, 0)
         self.assertTrue(obj.Mesh.isSolid())

@@ -32,6 +32,9 @@ _MEASURED = (
      "invalid", "min_distortion"),
     ("MeanDistortion", "App::PropertyFloat", "Mean of that ratio over the elements",
      "mean_distortion"),
+    ("MaxShapeDistortion", "App::PropertyFloat",
+     "How far the worst element is from equal sides and angles: 1 is best, 5 is poor, infinite: it "
+     "folds over", "max_shape_distortion"),
     ("MaxDeviation", "App::PropertyLength", "Largest distance of the elements from the shape",
      "max_deviation"),
     ("RmsDeviation", "App::PropertyLength", "Root mean square of that distance", "rms_deviation"),

@@ -86,7 +86,7 @@ DISTANCE = Measure(
     " mm", None, 0.0, lambda data, progress: data.distances(progress))
 # The inverse is what is called a quality: a fifth is what a corner of 7 degrees has.
 DISTORTION = Measure(
-    QT_TRANSLATE_NOOP("MeshQuality", "Distortion"),
+    QT_TRANSLATE_NOOP("MeshQuality", "Distortion of the shape"),
     QT_TRANSLATE_NOOP("MeshQuality", "How far an element is from equal sides and angles: 1 is best, 5 "
                                      "is poor, ∞ means that it folds over."),
     "", 5.0, 1.0, lambda data, progress: data.distortions(progress))
