@@ -2,22 +2,15 @@
 #include "triangulate/chord.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace mq::triangulate {
 
 namespace {
 
-using geometry::Answer;
-using geometry::Query;
 using mesh::SurfaceMesh;
 
 constexpr int kMaxRounds = 60;
-
-std::uint64_t edge_key(const SurfaceMesh& mesh, int h) {
-    const int a = mesh.vertex_of(h);
-    const int b = mesh.vertex_of(SurfaceMesh::next(h));
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
-}
 
 std::uint64_t triangle_key(const SurfaceMesh& mesh, int t) {
     return (static_cast<std::uint64_t>(t) << 32) | mesh.stamp(t);
@@ -25,24 +18,6 @@ std::uint64_t triangle_key(const SurfaceMesh& mesh, int t) {
 
 double length_of(const SurfaceMesh& mesh, int h) {
     return (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).norm();
-}
-
-Candidate centroid_site(const SurfaceMesh& mesh, int t) {
-    Candidate c = edge_middle_site(mesh, 3 * t);
-    const int apex = 3 * t + 2;
-    c.point = (2.0 * c.point + mesh.point_of(apex)) / 3.0;
-    c.uv = (2.0 * c.uv + mesh.site(mesh.site_of(apex)).uv) / 3.0;
-    return c;
-}
-
-Query nearest_on_surface(const Workspace& work, const Candidate& c) {
-    return Query::face_nearest(work.mesh.face_of(c.triangle), work.grid.to_part(c.point), c.uv.x(), c.uv.y());
-}
-
-Query nearest_on_curve(const Workspace& work, int segment) {
-    const SurfaceMesh::Segment& s = work.mesh.segment(segment);
-    const Vec3 middle = 0.5 * (work.mesh.vertex(s.vertices[0]).point + work.mesh.vertex(s.vertices[1]).point);
-    return Query::edge_nearest(s.edge, work.grid.to_part(middle), 0.5 * (s.t[0] + s.t[1]), s.t[0], s.t[1]);
 }
 
 int longest_side(const SurfaceMesh& mesh, int t) {
@@ -62,22 +37,20 @@ double ChordRefiner::excess_of_edge(double chord, int half_edge) const {
 }
 
 void ChordRefiner::measure_segments(std::vector<Site>& found) {
-    geometry::Engine::Batch batch;
+    std::vector<int> segments;
     std::vector<int> sides;
     for (int s = 0; s < work_.mesh.segment_count(); ++s) {
         const auto& uses = work_.mesh.segment(s).uses;
         if (!uses.empty() && !segments_.refused(s) &&
             passed_edges_.count(edge_key(work_.mesh, uses[0].half_edge)) == 0) {
-            batch.push_back(nearest_on_curve(work_, s));
+            segments.push_back(s);
             sides.push_back(uses[0].half_edge);
         }
     }
-    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
-    Pace pace(work_.progress);
+    const std::vector<Distance> distances =
+        tolerance_ > 0.0 ? measure_.of_segments(segments, tolerance_) : std::vector<Distance>(segments.size());
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        pace.step();
-        const double chord = answers[i].found() ? answers[i].distance : 0.0;
-        const double e = excess_of_edge(chord, sides[i]);
+        const double e = excess_of_edge(distances[i].distance, sides[i]);
         if (e > 1.0) {
             found.push_back({sides[i], 0, e, {}});
         } else {
@@ -87,46 +60,41 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
 }
 
 void ChordRefiner::measure_edges(std::vector<Site>& found) {
-    geometry::Engine::Batch batch;
-    std::vector<Site> sites;
+    std::vector<int> edges;
     Pace pace(work_.progress);
     for (int h = 0; h < work_.mesh.half_edge_count(); ++h) {
         pace.step();
         if (work_.mesh.twin(h) > h && passed_edges_.count(edge_key(work_.mesh, h)) == 0) {
-            sites.push_back({h, work_.mesh.stamp(h / 3), 0.0, edge_middle_site(work_.mesh, h)});
-            batch.push_back(nearest_on_surface(work_, sites.back().candidate));
+            edges.push_back(h);
         }
     }
-    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
-    for (std::size_t i = 0; i < sites.size(); ++i) {
+    const std::vector<Distance> distances =
+        tolerance_ > 0.0 ? measure_.of_edges(edges, tolerance_) : std::vector<Distance>(edges.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
         pace.step();
-        const double chord = answers[i].found() ? answers[i].distance : 0.0;
-        sites[i].excess = excess_of_edge(chord, sites[i].half_edge);
-        if (sites[i].excess > 1.0) {
-            found.push_back(sites[i]);
+        const int h = edges[i];
+        const double e = excess_of_edge(distances[i].distance, h);
+        if (e > 1.0) {
+            found.push_back({h, work_.mesh.stamp(h / 3), e, edge_middle_site(work_.mesh, h)});
         } else {
-            passed_edges_.insert(edge_key(work_.mesh, sites[i].half_edge));
+            passed_edges_.insert(edge_key(work_.mesh, h));
         }
     }
 }
 
 void ChordRefiner::measure_triangles(std::vector<Site>& found) {
-    geometry::Engine::Batch batch;
     std::vector<int> triangles;
     Pace pace(work_.progress);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         pace.step();
-        if (passed_triangles_.count(triangle_key(work_.mesh, t)) == 0) {
+        if (passed_triangles_.insert(triangle_key(work_.mesh, t)).second) {
             triangles.push_back(t);
-            batch.push_back(nearest_on_surface(work_, centroid_site(work_.mesh, t)));
         }
     }
-    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
+    const std::vector<Distance> distances = measure_.of_triangles(triangles, tolerance_);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        pace.step();
         const int t = triangles[i];
-        const double e = excess(answers[i].found() ? answers[i].distance : 0.0);
-        passed_triangles_.insert(triangle_key(work_.mesh, t));
+        const double e = excess(distances[i].distance);
         if (e > 1.0) {
             const int h = longest_side(work_.mesh, t);
             found.push_back({h, work_.mesh.stamp(t), e, edge_middle_site(work_.mesh, h)});
@@ -205,50 +173,44 @@ void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>
     }
 }
 
-ChordHeight measure_chord_height(Workspace& work) {
-    constexpr std::size_t kChunk = 65536;
-    ChordHeight worst;
-    geometry::Engine::Batch batch;
+ChordHeight measure_chord_height(Workspace& work, double asked) {
+    const SurfaceMesh& mesh = work.mesh;
+    std::vector<int> segments;
+    std::vector<int> sides;
+    std::vector<int> edges;
     std::vector<int> triangles;
-    std::vector<Vec3> points;
-    const auto flush = [&] {
-        const geometry::Engine::Answers answers = work.session.ask(std::move(batch));
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            if (answers[i].found() && (worst.triangle < 0 || answers[i].distance > worst.distance)) {
-                worst = {answers[i].distance, triangles[i], points[i]};
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        if (!mesh.segment(s).uses.empty()) {
+            segments.push_back(s);
+            sides.push_back(mesh.segment(s).uses.front().half_edge);
+        }
+    }
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        if (mesh.twin(h) > h) {
+            edges.push_back(h);
+        }
+    }
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        triangles.push_back(t);
+    }
+    ChordHeight worst;
+    const auto take = [&](const std::vector<Distance>& distances, const std::vector<int>& pieces, int per_triangle) {
+        for (std::size_t i = 0; i < distances.size(); ++i) {
+            if (worst.triangle < 0 || distances[i].distance > worst.distance) {
+                worst = {distances[i].distance, pieces[i] / per_triangle, work.grid.to_part(distances[i].point)};
             }
         }
-        batch.clear();
-        triangles.clear();
-        points.clear();
-        work.progress.check();
     };
-    const auto add = [&](const Query& q, int triangle, const Vec3& point) {
-        batch.push_back(q);
-        triangles.push_back(triangle);
-        points.push_back(work.grid.to_part(point));
-        if (batch.size() == kChunk) {
-            flush();
-        }
-    };
-    for (int s = 0; s < work.mesh.segment_count(); ++s) {
-        const auto& uses = work.mesh.segment(s).uses;
-        if (!uses.empty()) {
-            const int h = uses.front().half_edge;
-            add(nearest_on_curve(work, s), SurfaceMesh::triangle_of(h), edge_middle_site(work.mesh, h).point);
-        }
+    ChordMeasure measure(work);
+    if (!(asked > 0.0)) {  // then what the middles show says where else to look
+        constexpr double kMiddlesOnly = std::numeric_limits<double>::infinity();
+        take(measure.of_segments(segments, kMiddlesOnly), sides, 3);
+        take(measure.of_edges(edges, kMiddlesOnly), edges, 3);
+        asked = worst.distance;
     }
-    for (int h = 0; h < work.mesh.half_edge_count(); ++h) {
-        if (work.mesh.twin(h) > h) {
-            const Candidate middle = edge_middle_site(work.mesh, h);
-            add(nearest_on_surface(work, middle), SurfaceMesh::triangle_of(h), middle.point);
-        }
-    }
-    for (int t = 0; t < work.mesh.triangle_count(); ++t) {
-        const Candidate centroid = centroid_site(work.mesh, t);
-        add(nearest_on_surface(work, centroid), t, centroid.point);
-    }
-    flush();
+    take(measure.of_segments(segments, asked), sides, 3);
+    take(measure.of_edges(edges, asked), edges, 3);
+    take(measure.of_triangles(triangles, asked), triangles, 1);
     return worst;
 }
 

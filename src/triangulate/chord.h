@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/key_set.h"
+#include "triangulate/chord_measure.h"
 #include "triangulate/edge_bounds.h"
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
@@ -12,13 +13,12 @@
 namespace mq::triangulate {
 
 /// Algorithm E (Aftosmis 1999, section 3.5): splits edges until none is farther from the part than a tolerance, or
-/// longer than a bound. Segments are measured against their curve, other edges and the centroids of triangles against
-/// their surface.
+/// longer than a bound. See ChordMeasure for where it is measured.
 class ChordRefiner {
   public:
     /// `tolerance` in mm; 0: no bound.
     ChordRefiner(Workspace& work, SegmentSplitter& segments, double tolerance, EdgeBounds bounds)
-        : work_(work), segments_(segments), tolerance_(tolerance), bounds_(std::move(bounds)) {}
+        : work_(work), segments_(segments), measure_(work), tolerance_(tolerance), bounds_(std::move(bounds)) {}
 
     /// @return whether anything was split.
     bool run();
@@ -41,6 +41,7 @@ class ChordRefiner {
 
     Workspace& work_;
     SegmentSplitter& segments_;
+    ChordMeasure measure_;
     double tolerance_;
     EdgeBounds bounds_;
     KeySet passed_edges_;
@@ -56,8 +57,7 @@ struct ChordHeight {
     Vec3 point = Vec3::Zero();  ///< of the mesh, in the part's frame
 };
 
-/// The largest distance between the mesh and the part over the middles of all edges and the centroids of all
-/// triangles: segments against their curves, the others against their surfaces.
-ChordHeight measure_chord_height(Workspace& work);
+/// The largest distance between the mesh and the part (see ChordMeasure). `asked` in mm: the tolerance; 0: none.
+ChordHeight measure_chord_height(Workspace& work, double asked);
 
 }  // namespace mq::triangulate

@@ -124,7 +124,7 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
 }
 
 void report_chord_height(Workspace& work, const Output& out, mesh::MeshReport& report) {
-    const ChordHeight worst = measure_chord_height(work);
+    const ChordHeight worst = measure_chord_height(work, report.chord_height_asked);
     report.max_chord_height = worst.distance;
     const auto found = std::find(out.source.begin(), out.source.end(), worst.triangle);
     if (found != out.source.end()) {

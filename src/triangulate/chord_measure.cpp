@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/chord_measure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "triangulate/deviation.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Answer;
+using geometry::Query;
+using mesh::SurfaceMesh;
+
+// Other sites than middles are asked for where this part of the tolerance is expected there.
+constexpr double kWorthAsking = 0.8;
+// A curve whose middle is this near to the tolerance is measured beside it, too, at these parts of the way.
+constexpr double kWorthAskingCurve = 0.6;
+constexpr std::array<double, 2> kBesideMiddle{0.35, 0.65};
+
+// Questions about distances, each for one of the pieces that are measured.
+class Questions {
+  public:
+    Questions(Workspace& work, std::vector<Distance>& results) : work_(work), results_(results) {}
+
+    void add(std::size_t piece, const Vec3& point, Query query) {
+        batch_.push_back(query);
+        asked_.push_back({piece, point});
+    }
+    bool full() const { return batch_.size() >= kFull; }
+
+    // Hands every answer to `see(piece, point, answer)` after it has been taken into the results.
+    template <typename See>
+    void ask(See see) {
+        const geometry::Engine::Answers answers = work_.session.ask(std::move(batch_));
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            Distance& result = results_[asked_[i].piece];
+            if (answers[i].found() && answers[i].distance >= result.distance) {
+                result = {answers[i].distance, asked_[i].point};
+            }
+            see(asked_[i].piece, asked_[i].point, answers[i]);
+        }
+        batch_.clear();
+        asked_.clear();
+        work_.progress.check();
+    }
+
+  private:
+    static constexpr std::size_t kFull = 65536;
+    struct Asked {
+        std::size_t piece;
+        Vec3 point;
+    };
+    Workspace& work_;
+    std::vector<Distance>& results_;
+    geometry::Engine::Batch batch_;
+    std::vector<Asked> asked_;
+};
+
+Vec3 between(const Vec3& a, const Vec3& b, double at) {
+    return (1.0 - at) * a + at * b;
+}
+
+}  // namespace
+
+std::uint64_t edge_key(const SurfaceMesh& mesh, int half_edge) {
+    const int a = mesh.vertex_of(half_edge);
+    const int b = mesh.vertex_of(SurfaceMesh::next(half_edge));
+    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
+}
+
+std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments, double tolerance) {
+    std::vector<Distance> results(segments.size());
+    const SurfaceMesh& mesh = work_.mesh;
+    Questions questions(work_, results);
+    const auto add = [&](std::size_t i, double at) {
+        const SurfaceMesh::Segment& s = mesh.segment(segments[i]);
+        const Vec3 p = between(mesh.vertex(s.vertices[0]).point, mesh.vertex(s.vertices[1]).point, at);
+        const double guess = (1.0 - at) * s.t[0] + at * s.t[1];
+        questions.add(i, p, Query::edge_nearest(s.edge, work_.grid.to_part(p), guess, s.t[0], s.t[1]));
+    };
+    const auto remember = [&](std::size_t i, const Vec3& p, const Answer& foot) {
+        const auto& v = mesh.segment(segments[i]).vertices;
+        const auto key =
+            (static_cast<std::uint64_t>(std::min(v[0], v[1])) << 32) | static_cast<std::uint32_t>(std::max(v[0], v[1]));
+        const Vec3 way = foot.found() ? Vec3(work_.grid.to_part(p) - foot.point) : Vec3::Zero();
+        offsets_[key] = {way.x(), way.y(), way.z()};
+    };
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        add(i, 0.5);
+        if (questions.full()) {
+            questions.ask(remember);
+        }
+    }
+    questions.ask(remember);
+    const auto ignore = [](std::size_t, const Vec3&, const Answer&) {};
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        if (results[i].distance > kWorthAskingCurve * tolerance && results[i].distance <= tolerance) {
+            for (const double at : kBesideMiddle) {
+                add(i, at);
+            }
+        }
+    }
+    questions.ask(ignore);
+    return results;
+}
+
+std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges, double tolerance) {
+    std::vector<Distance> results(half_edges.size());
+    const SurfaceMesh& mesh = work_.mesh;
+    Questions questions(work_, results);
+    std::vector<char> middle_seen(half_edges.size(), 0);
+    const auto add = [&](std::size_t i, double at) {
+        const int h = half_edges[i];
+        const int next = SurfaceMesh::next(h);
+        const Vec3 p = between(mesh.point_of(h), mesh.point_of(next), at);
+        const Vec2 uv = (1.0 - at) * mesh.site(mesh.site_of(h)).uv + at * mesh.site(mesh.site_of(next)).uv;
+        questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()));
+    };
+    const auto remember = [&](std::size_t i, const Vec3& p, const Answer& foot) {
+        if (middle_seen[i] == 0) {
+            middle_seen[i] = 1;
+            const double side = (work_.grid.to_part(p) - foot.point).dot(foot.normal);
+            heights_[edge_key(mesh, half_edges[i])] = foot.found() ? std::copysign(foot.distance, side) : 0.0;
+        }
+    };
+    for (std::size_t i = 0; i < half_edges.size(); ++i) {
+        add(i, 0.5);
+        const EdgePeak peak = edge_peak(mesh, half_edges[i]);
+        if (peak.at != 0.5 && peak.height > kWorthAsking * tolerance) {
+            add(i, peak.at);
+        }
+        if (questions.full()) {
+            questions.ask(remember);
+        }
+    }
+    questions.ask(remember);
+    return results;
+}
+
+double ChordMeasure::height(int half_edge) const {
+    const auto key = edge_key(work_.mesh, half_edge);
+    if (work_.mesh.segment_of(half_edge) < 0) {
+        const auto found = heights_.find(key);
+        return found != heights_.end() ? found->second : 0.0;
+    }
+    const auto found = offsets_.find(key);
+    if (found == offsets_.end()) {
+        return 0.0;
+    }
+    const Vec3& a = work_.mesh.site(work_.mesh.site_of(half_edge)).normal;
+    const Vec3& b = work_.mesh.site(work_.mesh.site_of(SurfaceMesh::next(half_edge))).normal;
+    const Offset& way = found->second;
+    return Vec3(way[0], way[1], way[2]).dot((a + b).normalized());
+}
+
+std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangles, double tolerance) {
+    std::vector<Distance> results(triangles.size());
+    const SurfaceMesh& mesh = work_.mesh;
+    Questions questions(work_, results);
+    const auto ignore = [](std::size_t, const Vec3&, const Answer&) {};
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const int h = 3 * triangles[i];
+        const TrianglePeak peak = triangle_peak(height(h), height(h + 1), height(h + 2));
+        if (peak.height <= kWorthAsking * tolerance) {
+            continue;
+        }
+        Vec3 p = Vec3::Zero();
+        Vec2 uv = Vec2::Zero();
+        for (int k = 0; k < 3; ++k) {
+            p += peak.weights[k] * mesh.point_of(h + k);
+            uv += peak.weights[k] * mesh.site(mesh.site_of(h + k)).uv;
+        }
+        questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()));
+        if (questions.full()) {
+            questions.ask(ignore);
+        }
+    }
+    questions.ask(ignore);
+    return results;
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/key_set.h"
+#include "triangulate/workspace.h"
+
+namespace mq::triangulate {
+
+/// A point of the mesh and its distance from the part, mm. In the mesh's frame.
+struct Distance {
+    double distance = 0.0;
+    Vec3 point = Vec3::Zero();
+};
+
+/// Measures how far pieces of the mesh are from the part: segments from their curves, inner edges and triangles from
+/// their surfaces.
+///
+/// Every segment and edge is measured at its middle, and where else the largest distance is expected, if that is near
+/// `tolerance` (mm): at the peak of the cubic with the surface's slopes at the ends of an edge, and at the peak of the
+/// quadratic over the middles of a triangle's sides. The surface is nearest to these points, and smooth between them,
+/// so the same figure bounds the way back, from the surface to the mesh.
+class ChordMeasure {
+  public:
+    explicit ChordMeasure(Workspace& work) : work_(work) {}
+
+    std::vector<Distance> of_segments(const std::vector<int>& segments, double tolerance);
+    std::vector<Distance> of_edges(const std::vector<int>& half_edges, double tolerance);
+    /// Their sides must have been measured.
+    std::vector<Distance> of_triangles(const std::vector<int>& triangles, double tolerance);
+
+  private:
+    double height(int half_edge) const;
+
+    Workspace& work_;
+    using Offset = std::array<double, 3>;
+    KeyMap<double> heights_;  // over the middles of inner edges, with the sign of the side, by edge
+    KeyMap<Offset> offsets_;  // of the middles of segments from their curves, by edge
+};
+
+/// By the vertices at the ends: the same for both sides, and for an edge that comes back.
+std::uint64_t edge_key(const mesh::SurfaceMesh& mesh, int half_edge);
+
+}  // namespace mq::triangulate
