@@ -17,8 +17,8 @@ from MeshQuality.cli import DONE, FAILED, MESH_SUFFIXES, USAGE
 REPORT_FIELDS = (
     "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
     "nonmanifold_edges", "misoriented_edges", "pinched_vertices", "degenerate_triangles",
-    "duplicate_triangles", "components", "euler", "min_angle", "max_angle", "mean_min_angle",
-    "max_aspect", "angle_histogram", "area", "volume", "min_angle_asked", "min_angle_unexempted",
+    "duplicate_triangles", "self_intersections", "components", "euler", "min_angle", "max_angle",
+    "mean_min_angle", "max_aspect", "angle_histogram", "area", "volume", "min_angle_asked", "min_angle_unexempted",
     "max_chord_height", "chord_height_asked", "exempt", "exempt_causes", "fallback", "notes",
     "complete", "seconds", "cpu_seconds", "queries", "predicates", "exact_predicates",
 )

@@ -107,6 +107,7 @@ STAGES = {
     "sampling": "laying points on the surface",
     "refining angles": "improving the angles",
     "refining to the chord height": "getting nearer to the shape",
+    "separating crossings": "separating faces that cross",
     "mending": "mending what is left",
     "checking": "checking the result",
     "improving": "improving",

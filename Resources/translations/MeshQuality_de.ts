@@ -1250,6 +1250,10 @@
         <source>Distortion of the shape</source>
         <translation>Verzerrung der Form</translation>
     </message>
+    <message>
+        <source>separating faces that cross</source>
+        <translation>Flächen, die sich schneiden, werden getrennt</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

@@ -152,6 +152,7 @@ std::string faults_text(const MeshReport& r) {
     fault(r.pinched_vertices, "pinched vertices");
     fault(r.degenerate_triangles, "degenerate triangles");
     fault(r.duplicate_triangles, "duplicate triangles");
+    fault(r.self_intersections > 0 ? static_cast<std::size_t>(r.self_intersections) : 0, "self-intersections");
     return text.empty() ? "none" : text;
 }
 

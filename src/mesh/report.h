@@ -43,6 +43,9 @@ struct MeshReport {
     std::int32_t max_chord_triangle = -1;  ///< where that is; -1: not known
     Vec3 max_chord_point = Vec3::Zero();   ///< of the mesh there, in the part's frame
     double chord_height_asked = 0.0;       ///< 0: none
+    /// Pairs of triangles of one volume that meet elsewhere than in their common vertices and edges; -1: not looked
+    /// for.
+    std::int64_t self_intersections = -1;
     std::vector<std::pair<std::int32_t, std::string>> exempt;    ///< triangle, why and by which entities
     std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
     std::vector<std::string> notes;  ///< what the reader must know: faults of the part, budget reached, ...

@@ -161,6 +161,9 @@ void bind_report(py::module_& m) {
             "max_chord_point", [](const MeshReport& r) { return point(r.max_chord_point); },
             "float64 (3,): the point of that triangle where that is, with the mesh's origin")
         .def_readonly("chord_height_asked", &MeshReport::chord_height_asked, "mm; 0: none")
+        .def_readonly("self_intersections", &MeshReport::self_intersections,
+                      "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges; "
+                      "-1: not looked for")
         .def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
         .def_property_readonly("exempt_causes", &causes_of,
                                "[(cause with # for numbers, triangles), ...], most frequent first")

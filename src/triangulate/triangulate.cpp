@@ -8,7 +8,8 @@
 #include "triangulate/assemble.h"
 #include "triangulate/chord.h"
 #include "triangulate/corner_angle.h"
-#include "triangulate/explain.h"
+#include "triangulate/crossing_refiner.h"
+#include "triangulate/final_report.h"
 #include "triangulate/mender.h"
 #include "triangulate/output.h"
 #include "triangulate/refine.h"
@@ -19,16 +20,13 @@ namespace mq::triangulate {
 namespace {
 
 constexpr int kMaxChordRounds = 12;
+constexpr int kMaxCrossingRounds = 24;
 
 // Of the whole work, for the progress.
 constexpr double kFirstShare = 0.15;
 
-bool polished(const Options& options) {
-    return options.method == Method::Refine || options.polish;
-}
-
 double first_share(const Options& options) {
-    return options.method == Method::Refine ? kFirstShare : polished(options) ? 0.5 : 0.9;
+    return options.method == Method::Refine ? kFirstShare : options.keeps_bounds() ? 0.5 : 0.9;
 }
 
 double cpu_seconds() {
@@ -87,71 +85,32 @@ void refine(Workspace& work, const Options& options, double chord, StageClock& c
     const double middle = from + 0.34 * (0.9 - from);
     EdgeBounds bounds(work.session.topology(), options.max_edge, options.local_sizes);
     const bool angles_only = !(chord > 0.0) && !bounds.any();
-    work.progress.stage("refining angles", from, angles_only ? 0.85 : middle);
+    work.progress.stage("refining angles", from, angles_only ? 0.8 : middle);
     Refiner refiner(work, segments, options.min_angle, options.insertion);
     refiner.run();
     clock.end("angles");
-    if (!angles_only) {
-        work.progress.stage("refining to the chord height", middle, 0.85);
-        ChordRefiner chords(work, segments, chord, bounds);
-        for (int round = 0; round < kMaxChordRounds && chords.run(); ++round) {
+    ChordRefiner chords(work, segments, chord, bounds);
+    const auto refine_chords = [&] {
+        for (int round = 0; !angles_only && round < kMaxChordRounds && chords.run(); ++round) {
             refiner.run();
             work.progress.advance((round + 1.0) / kMaxChordRounds);
         }
-        clock.end("chord height");
+    };
+    work.progress.stage("refining to the chord height", middle, 0.8);
+    refine_chords();
+    clock.end("chord height");
+    work.progress.stage("separating crossings", 0.8, 0.85);
+    CrossingRefiner crossings(work, segments);
+    for (int round = 0; round < kMaxCrossingRounds && crossings.run(); ++round) {
+        refiner.run();
+        refine_chords();
     }
+    clock.end("crossings");
     if (options.insertion != Insertion::Paper) {
         work.progress.stage("mending", 0.85, 0.9);
         Mender(work, options.min_angle, chord, bounds).run();
         clock.end("mending");
     }
-}
-
-void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
-    report.min_angle_unexempted = 180.0;
-    Pace pace(work.progress);
-    for (std::size_t i = 0; i < out.source.size(); ++i) {
-        pace.step();
-        const int t = out.source[i];
-        const double angle = smallest_angle(work.mesh, t).angle * 180.0 / M_PI;
-        const auto found = work.exempt.find(t);
-        if (angle < bound && found != work.exempt.end() && found->second.stamp == work.mesh.stamp(t)) {
-            report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, t, found->second));
-        } else {
-            report.min_angle_unexempted = std::min(report.min_angle_unexempted, angle);
-        }
-    }
-}
-
-void report_chord_height(Workspace& work, const Output& out, mesh::MeshReport& report) {
-    const ChordHeight worst = measure_chord_height(work, report.chord_height_asked);
-    report.max_chord_height = worst.distance;
-    const auto found = std::find(out.source.begin(), out.source.end(), worst.triangle);
-    if (found != out.source.end()) {
-        report.max_chord_triangle = static_cast<std::int32_t>(found - out.source.begin());
-        report.max_chord_point = worst.point;
-    }
-}
-
-mesh::MeshReport final_report(Workspace& work, const Output& out, const Options& options, double chord) {
-    mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
-    report.min_angle_asked = polished(options) ? options.min_angle : 0.0;
-    report.chord_height_asked = chord;
-    report_chord_height(work, out, report);
-    report_exemptions(work, out, report.min_angle_asked, report);
-    report.notes = work.session.topology().faults;
-    if (chord > 0.0 && report.max_chord_height > chord) {
-        report.notes.push_back("chord height " + std::to_string(report.max_chord_height) + " mm instead of the " +
-                               std::to_string(chord) + " mm asked for: " +
-                               (polished(options) ? "some edges cannot be split without folding or crowding the mesh"
-                                                  : "without polish the samples alone decide"));
-    }
-    report.complete = !work.over_budget();
-    if (work.over_budget()) {
-        report.notes.push_back("stopped at max_triangles = " + std::to_string(work.budget) +
-                               ": the mesh is consistent, but its bounds are not all met; raise max_triangles");
-    }
-    return report;
 }
 
 // The faces over shared edges: coarse, or over samples.
@@ -207,7 +166,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     work.budget = options.budget();
     std::vector<int> touched;
     separate_doubled_edges(work, touched);
-    if (polished(options)) {
+    if (options.keeps_bounds()) {
         maxmin.sweep(touched);
         refine(work, options, chord, clock);
     }

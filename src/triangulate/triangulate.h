@@ -51,6 +51,8 @@ struct Options {
     bool polish = true;      ///< swaps and rounds of Algorithms M and E follow, so that the bounds hold
     std::uint64_t seed = 0;  ///< of the Sprinkle method
 
+    /// The bounds hold on the result, not only on the samples.
+    bool keeps_bounds() const { return method == Method::Refine || polish; }
     std::size_t budget() const { return max_triangles > 0 ? max_triangles : 5'000'000; }
     /// @throws InvalidInput naming the option, its value and its range.
     void validate() const;

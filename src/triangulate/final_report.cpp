@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/final_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "triangulate/chord.h"
+#include "triangulate/corner_angle.h"
+#include "triangulate/crossing_finder.h"
+#include "triangulate/explain.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
+    report.min_angle_unexempted = 180.0;
+    Pace pace(work.progress);
+    for (std::size_t i = 0; i < out.source.size(); ++i) {
+        pace.step();
+        const int t = out.source[i];
+        const double angle = smallest_angle(work.mesh, t).angle * 180.0 / M_PI;
+        const auto found = work.exempt.find(t);
+        if (angle < bound && found != work.exempt.end() && found->second.stamp == work.mesh.stamp(t)) {
+            report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, t, found->second));
+        } else {
+            report.min_angle_unexempted = std::min(report.min_angle_unexempted, angle);
+        }
+    }
+}
+
+void report_chord_height(Workspace& work, const Output& out, mesh::MeshReport& report) {
+    const ChordHeight worst = measure_chord_height(work, report.chord_height_asked);
+    report.max_chord_height = worst.distance;
+    const auto found = std::find(out.source.begin(), out.source.end(), worst.triangle);
+    if (found != out.source.end()) {
+        report.max_chord_triangle = static_cast<std::int32_t>(found - out.source.begin());
+        report.max_chord_point = worst.point;
+    }
+}
+
+void report_crossings(Workspace& work, mesh::MeshReport& report) {
+    const CrossingFinder finder(work);
+    report.self_intersections = 0;
+    for (const auto& [faces, count] : finder.by_faces(finder.pairs())) {
+        report.self_intersections += static_cast<std::int64_t>(count);
+        const std::string first = geometry::name_of({2, faces.first});
+        const std::string what = faces.first == faces.second
+                                     ? first + " crosses itself"
+                                     : first + " and " + geometry::name_of({2, faces.second}) + " cross";
+        report.notes.push_back(what + " in " + std::to_string(count) + " pairs of triangles");
+    }
+}
+
+}  // namespace
+
+mesh::MeshReport final_report(Workspace& work, const Output& out, const Options& options, double chord) {
+    mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
+    report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
+    report.chord_height_asked = chord;
+    report_chord_height(work, out, report);
+    report_exemptions(work, out, report.min_angle_asked, report);
+    report.notes = work.session.topology().faults;
+    report_crossings(work, report);
+    if (chord > 0.0 && report.max_chord_height > chord) {
+        report.notes.push_back("chord height " + std::to_string(report.max_chord_height) + " mm instead of the " +
+                               std::to_string(chord) + " mm asked for: " +
+                               (options.keeps_bounds()
+                                    ? "some edges cannot be split without folding or crowding the mesh"
+                                    : "without polish the samples alone decide"));
+    }
+    report.complete = !work.over_budget();
+    if (work.over_budget()) {
+        report.notes.push_back("stopped at max_triangles = " + std::to_string(work.budget) +
+                               ": the mesh is consistent, but its bounds are not all met; raise max_triangles");
+    }
+    return report;
+}
+
+}  // namespace mq::triangulate

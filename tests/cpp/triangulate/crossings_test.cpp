@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Solid.hxx>
+
+#include "mesh/self_intersection.h"
+#include "triangulate/checks.h"
+
+/// Faces of one volume do not cross, however near to each other they run, unless the part's own do.
+namespace mq::triangulate {
+namespace {
+
+/// One solid with two spheres as its shells, the second one turned inside out.
+TopoDS_Shape two_spheres(double radius, double other, double apart) {
+    BRep_Builder builder;
+    TopoDS_Solid solid;
+    builder.MakeSolid(solid);
+    builder.Add(solid, BRepPrimAPI_MakeSphere(radius).Shell());
+    builder.Add(solid, BRepPrimAPI_MakeSphere(gp_Pnt(apart, 0.0, 0.0), other).Shell().Reversed());
+    return solid;
+}
+
+std::size_t self_intersections(const mesh::TriangleMesh& mesh) {
+    return mesh::self_intersections(mesh.vertices, mesh.triangles).size();
+}
+
+TEST(Crossings, ThinWallsAreRefinedUntilTheirSidesAreApart) {
+    for (const double wall : {0.3, 0.05}) {
+        SCOPED_TRACE(wall);
+        const Result result = mesh_of(geometry::make_shape_model(two_spheres(10.0, 10.0 - wall, 0.0)));
+        EXPECT_TRUE(result.report.closed);
+        EXPECT_TRUE(result.report.manifold);
+        expect_angles(result, 25.0);
+        EXPECT_EQ(result.report.self_intersections, 0);
+        EXPECT_EQ(self_intersections(result.mesh), 0u);
+        // n triangles of height h over a sphere: about 4 pi r^2 / (0.43 * 8 r h), on both sides.
+        EXPECT_LT(static_cast<double>(result.mesh.triangles.size()), 6.0 * 2.0 * 4.0 * M_PI * 10.0 / (3.4 * wall));
+    }
+}
+
+TEST(Crossings, OfThePartItselfAreNamedAndEndTheWork) {
+    const Result result = mesh_of(geometry::make_shape_model(two_spheres(10.0, 8.0, 5.0)));
+    expect_angles(result, 25.0);
+    EXPECT_TRUE(result.report.complete);
+    EXPECT_EQ(static_cast<std::size_t>(result.report.self_intersections), self_intersections(result.mesh));
+    EXPECT_GT(result.report.self_intersections, 0);
+    ASSERT_FALSE(result.report.notes.empty());
+    EXPECT_NE(result.report.notes.back().find("Face1 and Face2 cross in"), std::string::npos);
+    EXPECT_LT(result.mesh.triangles.size(), 40000u);
+}
+
+TEST(Crossings, OfDifferentVolumesAreNotLookedAt) {
+    const Result alone = mesh_of(geometry::make_sphere(10.0));
+    BRep_Builder builder;
+    TopoDS_Compound both;
+    builder.MakeCompound(both);
+    builder.Add(both, BRepPrimAPI_MakeSphere(10.0).Solid());
+    builder.Add(both, BRepPrimAPI_MakeSphere(gp_Pnt(5.0, 0.0, 0.0), 10.0).Solid());
+    const Result result = mesh_of(geometry::make_shape_model(both));
+    EXPECT_EQ(result.report.self_intersections, 0);
+    EXPECT_LT(result.mesh.triangles.size(), 3 * alone.mesh.triangles.size());
+}
+
+}  // namespace
+}  // namespace mq::triangulate
