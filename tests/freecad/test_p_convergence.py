@@ -17,12 +17,14 @@ class PConvergence(unittest.TestCase):
     def test_curved_elements_gain_with_each_order(self):
         import poisson
 
-        rows = poisson.study((1, 2))
+        rows = poisson.study((1, 2, 3))
         table = {name: [row[i] for row in rows] for i, name in enumerate(poisson.COLUMNS)}
         self.assertEqual(len(set(table["elements"])), 1, "one mesh for all orders")
         for name in ("curved_l2", "curved_h1"):
             self.assertLess(table[name][1], table[name][0] / 4, name)
-        self.assertGreater(table["straight_l2"][1], 3 * table["curved_l2"][1])
+            self.assertLess(table[name][2], table[name][1] / 8, name)
+        self.assertGreater(table["straight_l2"][1], 2 * table["curved_l2"][1])
+        self.assertGreater(table["straight_l2"][2], 20 * table["curved_l2"][2])
 
     def test_the_finite_elements_reproduce_polynomials(self):
         import poisson
