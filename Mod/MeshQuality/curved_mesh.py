@@ -60,12 +60,22 @@ class CurvedMesh:
         Its report is None: what it said is in the object's properties. Raises InvalidInput for
         other objects and for one that was never computed.
         """
+        return cls.taken_from(obj)()
+
+    @classmethod
+    def taken_from(cls, obj):
+        """A function that makes what `of` gives of the object as it is now; any thread may call it."""
         if not getattr(obj, "ElementsOrder", 0):
             raise InvalidInput(f"{convert.label_of(obj)} holds no curved mesh: give an object of "
                                "add_curved_mesh that was computed")
-        arrays = {array: np.array(getattr(obj, name), dtype=np.float64)
-                  for name, array in ARRAYS.items()}
-        return cls(core().curved_from_arrays(obj.ElementsOrder, arrays), measured=False)
+        order, lists = obj.ElementsOrder, {name: getattr(obj, name) for name in ARRAYS}
+
+        def make():
+            arrays = {array: np.array(lists[name], dtype=np.float64)
+                      for name, array in ARRAYS.items()}
+            return cls(core().curved_from_arrays(order, arrays), measured=False)
+
+        return make
 
     def lists(self):
         """{property: list} of what `keep_in` needs; any thread may make them."""

@@ -88,24 +88,24 @@ class CurvedMeshObject(mesh_object.SourceMesh):
             from ..gui.curved_view import Drawing
 
             work.compute = partial(work.compute, draw=Drawing)
-        if obj is not None and obj.ElementsFingerprint:
-            shape, values = work.compute.args
-            known = obj.Certificate != certificate.UNKNOWN
-            if known and _elements_fingerprint(shape, values) == obj.ElementsFingerprint:
-                work.compute = partial(work.compute, kept=CurvedMesh.of(obj))
+        if obj is not None and obj.ElementsFingerprint and obj.Certificate != certificate.UNKNOWN:
+            work.compute = partial(work.compute, held=(obj.ElementsFingerprint,
+                                                       CurvedMesh.taken_from(obj)))
         return work
 
     @classmethod
-    def compute(cls, shape, values, progress, kept=None, draw=None):
-        """The Result; `kept` are the elements where they are there already, `draw` is what makes the
-        drawing of them.
+    def compute(cls, shape, values, progress, held=None, draw=None):
+        """The Result; `held` are the fingerprint of elements that there are already and what makes
+        them, `draw` is what makes the drawing.
         """
-        of_elements = _elements_values(values)
-        curved = kept or curve(shape, **of_elements, progress=progress)
+        fingerprint = _elements_fingerprint(shape, values)
+        kept = held is not None and held[0] == fingerprint
+        curved = held[1]() if kept \
+            else curve(shape, **_elements_values(values), progress=progress)
         tessellation = curved.tessellate(values["deviation"], progress)
         proof = None if kept else _Proof(curved, certificate.shall_be_closed(shape))
         surface = tessellation.surface()
-        return Result(curved, _elements_fingerprint(shape, values), tessellation.deviation,
+        return Result(curved, fingerprint, tessellation.deviation,
                       convert.mesh_of_surface(surface),
                       mesh_object.runs_of_faces(surface.triangle_face), proof,
                       {} if kept else curved.lists(),

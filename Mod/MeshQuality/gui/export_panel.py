@@ -73,14 +73,14 @@ class ExportPanel:
     def _start(self):
         try:
             path = export.checked(self.path.property("fileName"))
-            curved = CurvedMesh.of(self.obj)
+            curved = CurvedMesh.taken_from(self.obj)
         except (Error, ImportError) as error:
             self._say(translated(error))
             return
         self.path.setEnabled(False)
         self.bar.show()
         self._say("")
-        self.job = jobs.Job("Export curved mesh", lambda progress: export.write_ahead(curved, path),
+        self.job = jobs.Job("Export curved mesh", lambda progress: export.write_ahead(curved(), path),
                             lambda forget: self._land(path, forget),
                             lambda: is_there(self._document, self.obj),
                             drop=lambda forget: forget())

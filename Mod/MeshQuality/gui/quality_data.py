@@ -160,7 +160,8 @@ class QualityData:
         self._why = dict(self._reasons(obj))
         if getattr(obj, "ElementsOrder", 0):
             self.measures = [JACOBIAN, DISTORTION]
-            self._prepare = partial(self._take_curved, CurvedMesh.of(obj), obj.ShownDeviation.Value)
+            self._prepare = partial(self._take_curved, CurvedMesh.taken_from(obj),
+                                    obj.ShownDeviation.Value)
         else:
             self.measures = [MIN_ANGLE, ASPECT, DISTORTION] \
                 + ([DISTANCE] if self._shape is not None else [])
@@ -186,7 +187,8 @@ class QualityData:
         self._lines = lambda: (vertices.astype(np.float32), runs_of_edges(triangles))
         self._shapes = None
 
-    def _take_curved(self, curved, deviation):
+    def _take_curved(self, taken, deviation):
+        curved = taken()
         shown = curved.tessellate(deviation)
         surface = shown.surface()
         self.corners = np.asarray(surface.vertices)[surface.triangles].astype(np.float32)
