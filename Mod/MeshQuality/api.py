@@ -10,7 +10,8 @@ from .surface_mesh import SurfaceMesh
 def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None,
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
                 progress=None, insertion="off-centre", allow_missing_faces=False,
-                connectivity="pseudo-delaunay", polish=True, seed=0, local_sizes=None):
+                connectivity="pseudo-delaunay", polish=True, seed=0, local_sizes=None,
+                edges_per_circle=None, growth=None):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -20,6 +21,9 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     max_edge, min_edge     mm; None: no bound
     local_sizes            {"Face3": 0.5, "Edge7": 0.2, "Vertex1": 0.1}: longest edges in mm of the
                            triangles on a face, along an edge, around a vertex
+    edges_per_circle       at least so many edges for each full turn of a curve or a surface, 3 or more
+    growth                 how many times longer than their neighbours edges become towards coarse
+                           places, greater than 1; None: as fast as the angles allow
     method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
     max_triangles          the work ends incomplete at this number; None: 5 million
     progress               callable(fraction 0..1, stage); returning False cancels
@@ -41,7 +45,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "min_edge": min_edge, "method": method, "insertion": insertion,
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
         "connectivity": connectivity, "polish": polish, "seed": seed,
-        "local_sizes": local_sizes,
+        "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth": growth,
     })
     _require_callable(progress)
     live_shape = convert.shape_of(shape)

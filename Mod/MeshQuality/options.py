@@ -188,6 +188,12 @@ TRIANGULATE = (
            help="Longest edge on single faces, edges or around vertices: Face3=0.5, Edge7=0.2"),
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size", title="Shortest edge",
            rare=True, help="No edge is split into shorter ones than this"),
+    Option("edges_per_circle", float, None, low=3.0, above=False, group="Size",
+           title="Edges on a full circle", rare=True,
+           help="Bent edges and faces get at least so many edges for each full turn: 12 to 36 is usual"),
+    Option("growth", float, None, low=1.0, group="Size", title="Growth of edges", rare=True,
+           help="How many times longer than their neighbours edges become on the way from fine places to "
+                "coarse ones: 1.2 is slow, 2 is fast"),
     Option("method", str, "refine", choices=METHODS, title="Method", rare=True,
            choice_titles=("refine where needed", "sample in hexagons", "sample at random"),
            help="refine inserts points until every angle and distance fits; star (hexagons) and "

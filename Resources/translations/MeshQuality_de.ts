@@ -319,6 +319,14 @@
         <source>How far the worst element is from equal sides and angles: 1 is best, 5 is poor, infinite: it folds over</source>
         <translation>Wie weit das schlechteste Element von gleichen Seiten und Winkeln entfernt ist: 1 ist am besten, 5 ist schlecht, unendlich: es klappt um</translation>
     </message>
+    <message>
+        <source>Bent edges and faces get at least so many edges for each full turn: 12 to 36 is usual; 0: any</source>
+        <translation>Gebogene Kanten und Flächen erhalten mindestens so viele Dreieckskanten je volle Umdrehung: 12 bis 36 sind üblich; 0: beliebig</translation>
+    </message>
+    <message>
+        <source>How many times longer than their neighbours edges become on the way from fine places to coarse ones: 1.2 is slow, 2 is fast; 0: any</source>
+        <translation>Wievielmal so lang wie ihre Nachbarn Kanten auf dem Weg von feinen zu groben Stellen werden: 1,2 ist langsam, 2 ist schnell; 0: beliebig</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1253,6 +1261,22 @@
     <message>
         <source>separating faces that cross</source>
         <translation>Flächen, die sich schneiden, werden getrennt</translation>
+    </message>
+    <message>
+        <source>Bent edges and faces get at least so many edges for each full turn: 12 to 36 is usual</source>
+        <translation>Gebogene Kanten und Flächen erhalten mindestens so viele Dreieckskanten je volle Umdrehung: 12 bis 36 sind üblich</translation>
+    </message>
+    <message>
+        <source>Edges on a full circle</source>
+        <translation>Kanten je Vollkreis</translation>
+    </message>
+    <message>
+        <source>Growth of edges</source>
+        <translation>Wachstum der Kanten</translation>
+    </message>
+    <message>
+        <source>How many times longer than their neighbours edges become on the way from fine places to coarse ones: 1.2 is slow, 2 is fast</source>
+        <translation>Wievielmal so lang wie ihre Nachbarn Kanten auf dem Weg von feinen zu groben Stellen werden: 1,2 ist langsam, 2 ist schnell</translation>
     </message>
 </context>
 <context>

@@ -145,6 +145,8 @@ void bind_triangulate(py::module_& m) {
         .def_readwrite("chord_height_relative", &Options::chord_height_relative)
         .def_readwrite("max_edge", &Options::max_edge)
         .def_readwrite("min_edge", &Options::min_edge)
+        .def_readwrite("edges_per_circle", &Options::edges_per_circle)
+        .def_readwrite("growth", &Options::growth)
         .def_property("local_sizes", nullptr, &set_local_sizes,
                       "[(dimension 0 | 1 | 2, index of the vertex, edge or face, longest edge in mm), ...]")
         .def_readwrite("max_triangles", &Options::max_triangles)

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/angle.h"
+#include "triangulate/gradation.h"
+
 namespace mq::triangulate {
 
 namespace {
@@ -11,6 +14,8 @@ namespace {
 using mesh::SurfaceMesh;
 
 constexpr int kMaxRounds = 60;
+// Edges around one vertex differ: the longest that belongs to a size, of triangles with good angles.
+constexpr double kLongestOfItsSize = 1.6;
 
 std::uint64_t triangle_key(const SurfaceMesh& mesh, int t) {
     return (static_cast<std::uint64_t>(t) << 32) | mesh.stamp(t);
@@ -18,6 +23,11 @@ std::uint64_t triangle_key(const SurfaceMesh& mesh, int t) {
 
 double length_of(const SurfaceMesh& mesh, int h) {
     return (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).norm();
+}
+
+// Radians, by which the surface turns from end to end; 0 where it has no normal.
+double turn_along(const SurfaceMesh& mesh, int h) {
+    return angle_between(mesh.site(mesh.site_of(h)).normal, mesh.site(mesh.site_of(SurfaceMesh::next(h))).normal);
 }
 
 int longest_side(const SurfaceMesh& mesh, int t) {
@@ -31,9 +41,33 @@ int longest_side(const SurfaceMesh& mesh, int t) {
 }  // namespace
 
 double ChordRefiner::excess_of_edge(double chord, int half_edge) const {
-    const double worst = excess(chord);
-    return bounds_.any() ? std::max(worst, length_of(work_.mesh, half_edge) / bounds_.of(work_.mesh, half_edge))
-                         : worst;
+    double worst = excess(chord);
+    if (sizing_.bounds.any()) {
+        worst = std::max(worst, length_of(work_.mesh, half_edge) / sizing_.bounds.of(work_.mesh, half_edge));
+    }
+    return sizing_.turn > 0.0 ? std::max(worst, turn_along(work_.mesh, half_edge) / sizing_.turn) : worst;
+}
+
+// Radians: of the curve, and of the surfaces beside it.
+std::vector<double> ChordRefiner::turns_of(const std::vector<int>& segments) {
+    std::vector<double> turns(segments.size(), 0.0);
+    if (!(sizing_.turn > 0.0)) {
+        return turns;
+    }
+    geometry::Engine::Batch batch;
+    for (const int s : segments) {
+        for (const double t : work_.mesh.segment(s).t) {
+            batch.push_back(geometry::Query::edge_point(work_.mesh.segment(s).edge, t));
+        }
+    }
+    const geometry::Engine::Answers ends = work_.session.ask(std::move(batch));
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        turns[i] = angle_between(ends[2 * i].normal, ends[2 * i + 1].normal);
+        for (const SurfaceMesh::SegmentUse& use : work_.mesh.segment(segments[i]).uses) {
+            turns[i] = std::max(turns[i], turn_along(work_.mesh, use.half_edge));
+        }
+    }
+    return turns;
 }
 
 void ChordRefiner::measure_segments(std::vector<Site>& found) {
@@ -47,10 +81,12 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
             sides.push_back(uses[0].half_edge);
         }
     }
-    const std::vector<Distance> distances =
-        tolerance_ > 0.0 ? measure_.of_segments(segments, tolerance_) : std::vector<Distance>(segments.size());
+    const std::vector<Distance> distances = sizing_.tolerance > 0.0 ? measure_.of_segments(segments, sizing_.tolerance)
+                                                                    : std::vector<Distance>(segments.size());
+    const std::vector<double> turns = turns_of(segments);
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        const double e = excess_of_edge(distances[i].distance, sides[i]);
+        double e = excess_of_edge(distances[i].distance, sides[i]);
+        e = sizing_.turn > 0.0 ? std::max(e, turns[i] / sizing_.turn) : e;
         if (e > 1.0) {
             found.push_back({sides[i], 0, e, {}});
         } else {
@@ -69,7 +105,7 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
         }
     }
     const std::vector<Distance> distances =
-        tolerance_ > 0.0 ? measure_.of_edges(edges, tolerance_) : std::vector<Distance>(edges.size());
+        sizing_.tolerance > 0.0 ? measure_.of_edges(edges, sizing_.tolerance) : std::vector<Distance>(edges.size());
     for (std::size_t i = 0; i < edges.size(); ++i) {
         pace.step();
         const int h = edges[i];
@@ -91,7 +127,7 @@ void ChordRefiner::measure_triangles(std::vector<Site>& found) {
             triangles.push_back(t);
         }
     }
-    const std::vector<Distance> distances = measure_.of_triangles(triangles, tolerance_);
+    const std::vector<Distance> distances = measure_.of_triangles(triangles, sizing_.tolerance);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int t = triangles[i];
         const double e = excess(distances[i].distance);
@@ -102,14 +138,39 @@ void ChordRefiner::measure_triangles(std::vector<Site>& found) {
     }
 }
 
+void ChordRefiner::measure_growth(std::vector<Site>& found) {
+    const SurfaceMesh& mesh = work_.mesh;
+    const std::vector<double> sizes = graded_sizes(mesh, sizing_.growth);
+    const auto check = [&](int h) {
+        const double size = std::max(sizes[mesh.vertex_of(h)], sizes[mesh.vertex_of(SurfaceMesh::next(h))]);
+        const double e = length_of(mesh, h) / (kLongestOfItsSize * size);
+        if (e > 1.0) {
+            found.push_back({h, mesh.stamp(h / 3), e, edge_middle_site(mesh, h)});
+        }
+    };
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        if (!mesh.segment(s).uses.empty() && !segments_.refused(s)) {
+            check(mesh.segment(s).uses.front().half_edge);
+        }
+    }
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        if (mesh.twin(h) > h && refused_edges_.count(edge_key(mesh, h)) == 0) {
+            check(h);
+        }
+    }
+}
+
 std::vector<ChordRefiner::Site> ChordRefiner::violations() {
     std::vector<Site> found;
     measure_segments(found);
     if (found.empty()) {
         measure_edges(found);
     }
-    if (found.empty() && tolerance_ > 0.0) {
+    if (found.empty() && sizing_.tolerance > 0.0) {
         measure_triangles(found);
+    }
+    if (found.empty() && sizing_.growth > 0.0) {
+        measure_growth(found);
     }
     std::stable_sort(found.begin(), found.end(), [](const Site& a, const Site& b) { return a.excess > b.excess; });
     return found;
@@ -169,7 +230,8 @@ void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>
         }
     }
     if (!split_segment && insert_vertex(work_, h / 3, *p, touched_, kAlignedAtLast)) {
-        passed_edges_.insert(edge_key(work_.mesh, h));  // refused: it cannot be split here
+        passed_edges_.insert(edge_key(work_.mesh, h));  // it cannot be split here
+        refused_edges_.insert(edge_key(work_.mesh, h));
     }
 }
 

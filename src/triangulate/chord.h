@@ -6,19 +6,18 @@
 
 #include "base/key_set.h"
 #include "triangulate/chord_measure.h"
-#include "triangulate/edge_bounds.h"
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
+#include "triangulate/sizing.h"
 
 namespace mq::triangulate {
 
 /// Algorithm E (Aftosmis 1999, section 3.5): splits edges until none is farther from the part than a tolerance, or
-/// longer than a bound. See ChordMeasure for where it is measured.
+/// longer than the other bounds allow. See ChordMeasure for where distances are measured.
 class ChordRefiner {
   public:
-    /// `tolerance` in mm; 0: no bound.
-    ChordRefiner(Workspace& work, SegmentSplitter& segments, double tolerance, EdgeBounds bounds)
-        : work_(work), segments_(segments), measure_(work), tolerance_(tolerance), bounds_(std::move(bounds)) {}
+    ChordRefiner(Workspace& work, SegmentSplitter& segments, const Sizing& sizing)
+        : work_(work), segments_(segments), measure_(work), sizing_(sizing) {}
 
     /// @return whether anything was split.
     bool run();
@@ -34,17 +33,19 @@ class ChordRefiner {
     void measure_segments(std::vector<Site>& found);
     void measure_edges(std::vector<Site>& found);
     void measure_triangles(std::vector<Site>& found);
-    double excess(double chord) const { return tolerance_ > 0.0 ? chord / tolerance_ : 0.0; }
+    void measure_growth(std::vector<Site>& found);
+    double excess(double chord) const { return sizing_.tolerance > 0.0 ? chord / sizing_.tolerance : 0.0; }
     double excess_of_edge(double chord, int half_edge) const;
+    std::vector<double> turns_of(const std::vector<int>& segments);
     void split(const std::vector<Site>& sites);
     void split_one(const Site& site, const std::optional<SurfacePoint>& p);
 
     Workspace& work_;
     SegmentSplitter& segments_;
     ChordMeasure measure_;
-    double tolerance_;
-    EdgeBounds bounds_;
+    const Sizing& sizing_;
     KeySet passed_edges_;
+    KeySet refused_edges_;
     KeySet passed_triangles_;
     std::vector<int> touched_;
     bool changed_ = false;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
 #include "triangulate/corner_angle.h"
 
 namespace mq::triangulate {
@@ -31,8 +32,8 @@ void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<D
 
 }  // namespace
 
-Mender::Mender(Workspace& work, double min_angle_degrees, double tolerance, const EdgeBounds& bounds)
-    : work_(work), bound_(min_angle_degrees * M_PI / 180.0), tolerance_(tolerance), bounds_(bounds) {}
+Mender::Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing)
+    : work_(work), bound_(min_angle_degrees * M_PI / 180.0), sizing_(sizing) {}
 
 const Exemption* Mender::exemption_of(int triangle) const {
     const auto found = work_.exempt.find(triangle);
@@ -209,20 +210,23 @@ bool Mender::try_best(std::vector<Proposal>& proposals, double at_least) {
 bool Mender::good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const {
     const double least = std::min(kAligned, disc_alignment(work_.mesh, disc));
     return fan_angle(work_.mesh, disc, apex.point, apex_site) >= enough_after(before) &&
-           fan_alignment(work_.mesh, disc, apex, apex_site) >= least && within_bounds(disc, apex.point, apex_site);
+           fan_alignment(work_.mesh, disc, apex, apex_site) >= least && within_bounds(disc, apex, apex_site);
 }
 
-bool Mender::within_bounds(const Disc& disc, const Vec3& apex, int apex_site) const {
+bool Mender::within_bounds(const Disc& disc, const Corner& apex, int apex_site) const {
     return std::all_of(disc.rim.begin(), disc.rim.end(), [&](int side) {
-        const double length = (work_.mesh.point_of(side) - apex).norm();
+        const Corner corner = corner_of(work_.mesh, work_.mesh.site_of(side));
+        const double length = (corner.point - apex.point).norm();
         return work_.mesh.site_of(side) == apex_site ||
-               (length >= work_.shortest_allowed() && (!bounds_.any() || length <= bounds_.of(work_.mesh, side)));
+               (length >= work_.shortest_allowed() &&
+                (!sizing_.bounds.any() || length <= sizing_.bounds.of(work_.mesh, side)) &&
+                (!(sizing_.turn > 0.0) || angle_between(corner.normal, apex.normal) <= sizing_.turn));
     });
 }
 
 // The middles of the spokes and the centroids of the triangles.
 bool Mender::near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
-    if (!(tolerance_ > 0.0)) {
+    if (!(sizing_.tolerance > 0.0)) {
         return true;
     }
     const SurfaceMesh& mesh = work_.mesh;
@@ -241,7 +245,7 @@ bool Mender::near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, 
         }
     }
     for (const geometry::Answer& answer : work_.session.ask(std::move(batch))) {
-        if (answer.found() && answer.distance > tolerance_) {
+        if (answer.found() && answer.distance > sizing_.tolerance) {
             return false;
         }
     }

@@ -8,8 +8,8 @@
 
 #include "base/key_set.h"
 #include "triangulate/disc.h"
-#include "triangulate/edge_bounds.h"
 #include "triangulate/insertion.h"
+#include "triangulate/sizing.h"
 
 namespace mq::triangulate {
 
@@ -23,8 +23,7 @@ namespace mq::triangulate {
 /// Every change lifts the smallest angle of its disc by a least amount, and the number of attempts is limited.
 class Mender {
   public:
-    /// `tolerance` in mm; 0: no bound on the chord height.
-    Mender(Workspace& work, double min_angle_degrees, double tolerance, const EdgeBounds& bounds);
+    Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing);
 
     /// @return whether anything was changed. Leaves no triangle that is gone.
     bool run();
@@ -59,15 +58,14 @@ class Mender {
     std::uint64_t key(const Disc& disc) const;
     double enough_after(double before) const;
     bool good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const;
-    bool within_bounds(const Disc& disc, const Vec3& apex, int apex_site) const;
+    bool within_bounds(const Disc& disc, const Corner& apex, int apex_site) const;
     bool near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const;
     void replace(const Disc& disc, int apex_site);
     void finish();
 
     Workspace& work_;
     double bound_;  // radians
-    double tolerance_;
-    const EdgeBounds& bounds_;
+    const Sizing& sizing_;
     std::priority_queue<Bad> queue_;
     KeySet failed_;     // by key, until something changes beside them
     KeySet exhausted_;  // discs that nothing better was found for, by key

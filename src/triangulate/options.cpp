@@ -26,6 +26,14 @@ void Options::validate() const {
     check_length("chord_height_relative", chord_height_relative);
     check_length("max_edge", max_edge);
     check_length("min_edge", min_edge);
+    if (!(edges_per_circle == 0.0 || (edges_per_circle >= 3.0 && std::isfinite(edges_per_circle)))) {
+        throw InvalidInput("edges_per_circle is " + std::to_string(edges_per_circle) +
+                           ": it must be at least 3, or 0 for no bound; 12 to 36 is usual");
+    }
+    if (!(growth == 0.0 || (growth > 1.0 && std::isfinite(growth)))) {
+        throw InvalidInput("growth is " + std::to_string(growth) +
+                           ": it must be greater than 1, or 0 for no bound; 1.2 to 2 is usual");
+    }
     if (chord_height > 0.0 && chord_height_relative > 0.0) {
         throw InvalidInput("chord_height and chord_height_relative are both given: choose one");
     }

@@ -2,6 +2,7 @@
 #include "triangulate/triangulate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 
 #include "base/predicates.h"
@@ -83,15 +84,15 @@ void refine(Workspace& work, const Options& options, double chord, StageClock& c
     SegmentSplitter segments(work);
     const double from = first_share(options);
     const double middle = from + 0.34 * (0.9 - from);
-    EdgeBounds bounds(work.session.topology(), options.max_edge, options.local_sizes);
-    const bool angles_only = !(chord > 0.0) && !bounds.any();
-    work.progress.stage("refining angles", from, angles_only ? 0.8 : middle);
+    const Sizing sizing{chord, EdgeBounds(work.session.topology(), options.max_edge, options.local_sizes),
+                        options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0, options.growth};
+    work.progress.stage("refining angles", from, sizing.any() ? middle : 0.8);
     Refiner refiner(work, segments, options.min_angle, options.insertion);
     refiner.run();
     clock.end("angles");
-    ChordRefiner chords(work, segments, chord, bounds);
+    ChordRefiner chords(work, segments, sizing);
     const auto refine_chords = [&] {
-        for (int round = 0; !angles_only && round < kMaxChordRounds && chords.run(); ++round) {
+        for (int round = 0; sizing.any() && round < kMaxChordRounds && chords.run(); ++round) {
             refiner.run();
             work.progress.advance((round + 1.0) / kMaxChordRounds);
         }
@@ -108,7 +109,7 @@ void refine(Workspace& work, const Options& options, double chord, StageClock& c
     clock.end("crossings");
     if (options.insertion != Insertion::Paper) {
         work.progress.stage("mending", 0.85, 0.9);
-        Mender(work, options.min_angle, chord, bounds).run();
+        Mender(work, options.min_angle, sizing).run();
         clock.end("mending");
     }
 }

@@ -41,6 +41,8 @@ struct Options {
     double max_edge = 0.0;               ///< mm; 0: no bound
     double min_edge = 0.0;               ///< mm; no edge is split into shorter ones than this; 0: no bound
     std::vector<LocalSize> local_sizes;  ///< shorter edges in places
+    double edges_per_circle = 0.0;  ///< of any curve and surface: by a turn of 360 degrees; at least 3; 0: no bound
+    double growth = 0.0;            ///< from edges to those beside them, more than 1; 0: no bound
     Insertion insertion = Insertion::OffCentre;
     std::size_t max_triangles = 0;     ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the rest of a part whose faces fail, and name them in the report

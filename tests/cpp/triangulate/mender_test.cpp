@@ -106,8 +106,8 @@ TEST(Mender, StopsWhenAsked) {
     Pipeline pipeline(geometry::make_shape_model(geometry::wedge(5.0, 10.0, 3.0)));
     pipeline.refine(25.0);
     pipeline.progress.cancel();
-    const EdgeBounds none(pipeline.session.topology(), 0.0, {});
-    EXPECT_THROW(Mender(pipeline.work, 25.0, 0.0, none).run(), Cancelled);
+    const Sizing none{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {})};
+    EXPECT_THROW(Mender(pipeline.work, 25.0, none).run(), Cancelled);
 }
 
 }  // namespace
