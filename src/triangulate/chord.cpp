@@ -17,10 +17,6 @@ constexpr int kMaxRounds = 60;
 // Edges around one vertex differ: the longest that belongs to a size, of triangles with good angles.
 constexpr double kLongestOfItsSize = 1.6;
 
-std::uint64_t triangle_key(const SurfaceMesh& mesh, int t) {
-    return (static_cast<std::uint64_t>(t) << 32) | mesh.stamp(t);
-}
-
 double length_of(const SurfaceMesh& mesh, int h) {
     return (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).norm();
 }
@@ -85,7 +81,7 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
                                                                     : std::vector<Distance>(segments.size());
     const std::vector<double> turns = turns_of(segments);
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        double e = excess_of_edge(distances[i].distance, sides[i]);
+        double e = excess_of_edge(distances[i].avoidable, sides[i]);
         e = sizing_.turn > 0.0 ? std::max(e, turns[i] / sizing_.turn) : e;
         if (e > 1.0) {
             found.push_back({sides[i], 0, e, {}});
@@ -98,10 +94,20 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
 void ChordRefiner::measure_edges(std::vector<Site>& found) {
     std::vector<int> edges;
     Pace pace(work_.progress);
-    for (int h = 0; h < work_.mesh.half_edge_count(); ++h) {
+    edges_passed_.resize(work_.mesh.triangle_count(), 0);
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         pace.step();
-        if (work_.mesh.twin(h) > h && passed_edges_.count(edge_key(work_.mesh, h)) == 0) {
-            edges.push_back(h);
+        if (edges_passed_[t] == work_.mesh.stamp(t) + 1) {
+            continue;
+        }
+        if (all_edges_passed(t)) {
+            edges_passed_[t] = work_.mesh.stamp(t) + 1;
+            continue;
+        }
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (work_.mesh.twin(h) > h && passed_edges_.count(edge_key(work_.mesh, h)) == 0) {
+                edges.push_back(h);
+            }
         }
     }
     const std::vector<Distance> distances =
@@ -109,7 +115,7 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
         pace.step();
         const int h = edges[i];
-        const double e = excess_of_edge(distances[i].distance, h);
+        const double e = excess_of_edge(distances[i].avoidable, h);
         if (e > 1.0) {
             found.push_back({h, work_.mesh.stamp(h / 3), e, edge_middle_site(work_.mesh, h)});
         } else {
@@ -118,19 +124,30 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
     }
 }
 
+bool ChordRefiner::all_edges_passed(int triangle) const {
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        if (work_.mesh.twin(h) >= 0 && passed_edges_.count(edge_key(work_.mesh, h)) == 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void ChordRefiner::measure_triangles(std::vector<Site>& found) {
     std::vector<int> triangles;
+    measured_.resize(work_.mesh.triangle_count(), 0);
     Pace pace(work_.progress);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         pace.step();
-        if (passed_triangles_.insert(triangle_key(work_.mesh, t)).second) {
+        if (measured_[t] != work_.mesh.stamp(t) + 1) {
+            measured_[t] = work_.mesh.stamp(t) + 1;
             triangles.push_back(t);
         }
     }
     const std::vector<Distance> distances = measure_.of_triangles(triangles, sizing_.tolerance);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int t = triangles[i];
-        const double e = excess(distances[i].distance);
+        const double e = excess(distances[i].avoidable);
         if (e > 1.0) {
             const int h = longest_side(work_.mesh, t);
             found.push_back({h, work_.mesh.stamp(t), e, edge_middle_site(work_.mesh, h)});
@@ -259,7 +276,8 @@ ChordHeight measure_chord_height(Workspace& work, double asked) {
     const auto take = [&](const std::vector<Distance>& distances, const std::vector<int>& pieces, int per_triangle) {
         for (std::size_t i = 0; i < distances.size(); ++i) {
             if (worst.triangle < 0 || distances[i].distance > worst.distance) {
-                worst = {distances[i].distance, pieces[i] / per_triangle, work.grid.to_part(distances[i].point)};
+                worst = {distances[i].distance, pieces[i] / per_triangle, work.grid.to_part(distances[i].point),
+                         distances[i].avoidable < distances[i].distance};
             }
         }
     };

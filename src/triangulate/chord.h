@@ -33,6 +33,7 @@ class ChordRefiner {
     void measure_segments(std::vector<Site>& found);
     void measure_edges(std::vector<Site>& found);
     void measure_triangles(std::vector<Site>& found);
+    bool all_edges_passed(int triangle) const;
     void measure_growth(std::vector<Site>& found);
     double excess(double chord) const { return sizing_.tolerance > 0.0 ? chord / sizing_.tolerance : 0.0; }
     double excess_of_edge(double chord, int half_edge) const;
@@ -46,7 +47,9 @@ class ChordRefiner {
     const Sizing& sizing_;
     KeySet passed_edges_;
     KeySet refused_edges_;
-    KeySet passed_triangles_;
+    // By triangle, 1 + its stamp when all its edges had passed, and when it was measured itself.
+    std::vector<std::uint32_t> edges_passed_;
+    std::vector<std::uint32_t> measured_;
     std::vector<int> touched_;
     bool changed_ = false;
 };
@@ -56,6 +59,7 @@ struct ChordHeight {
     double distance = 0.0;      ///< mm
     int triangle = -1;          ///< of the working mesh; -1: nothing was measured
     Vec3 point = Vec3::Zero();  ///< of the mesh, in the part's frame
+    bool of_the_part = false;   ///< a CAD edge there lies off its face as far
 };
 
 /// The largest distance between the mesh and the part (see ChordMeasure). `asked` in mm: the tolerance; 0: none.

@@ -19,16 +19,21 @@ using mesh::SurfaceMesh;
 constexpr double kWorthAsking = 0.8;
 // A curve whose middle is this near to the tolerance is measured beside it, too, at these parts of the way.
 constexpr double kWorthAskingCurve = 0.6;
+// A CAD edge can lie off its face by more than the tolerance. A distance is then made smaller only while this part of
+// the tolerance is not the edge's own: without that triangles would shrink to nothing there.
+constexpr double kAvoidable = 0.25;
 constexpr std::array<double, 2> kBesideMiddle{0.35, 0.65};
 
 // Questions about distances, each for one of the pieces that are measured.
 class Questions {
   public:
-    Questions(Workspace& work, std::vector<Distance>& results) : work_(work), results_(results) {}
+    Questions(Workspace& work, std::vector<Distance>& results, double tolerance)
+        : work_(work), results_(results), tolerance_(tolerance) {}
 
-    void add(std::size_t piece, const Vec3& point, Query query) {
+    // `unavoidable`: mm, by which the point is off the part whatever the mesh does.
+    void add(std::size_t piece, const Vec3& point, Query query, double unavoidable = 0.0) {
         batch_.push_back(query);
-        asked_.push_back({piece, point});
+        asked_.push_back({piece, point, unavoidable});
     }
     bool full() const { return batch_.size() >= kFull; }
 
@@ -39,7 +44,11 @@ class Questions {
         for (std::size_t i = 0; i < answers.size(); ++i) {
             Distance& result = results_[asked_[i].piece];
             if (answers[i].found() && answers[i].distance >= result.distance) {
-                result = {answers[i].distance, asked_[i].point};
+                result.distance = answers[i].distance;
+                result.point = asked_[i].point;
+            }
+            if (answers[i].found() && answers[i].distance - asked_[i].unavoidable > kAvoidable * tolerance_) {
+                result.avoidable = std::max(result.avoidable, answers[i].distance);
             }
             see(asked_[i].piece, asked_[i].point, answers[i]);
         }
@@ -53,9 +62,11 @@ class Questions {
     struct Asked {
         std::size_t piece;
         Vec3 point;
+        double unavoidable;
     };
     Workspace& work_;
     std::vector<Distance>& results_;
+    double tolerance_;
     geometry::Engine::Batch batch_;
     std::vector<Asked> asked_;
 };
@@ -75,7 +86,7 @@ std::uint64_t edge_key(const SurfaceMesh& mesh, int half_edge) {
 std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments, double tolerance) {
     std::vector<Distance> results(segments.size());
     const SurfaceMesh& mesh = work_.mesh;
-    Questions questions(work_, results);
+    Questions questions(work_, results, tolerance);
     const auto add = [&](std::size_t i, double at) {
         const SurfaceMesh::Segment& s = mesh.segment(segments[i]);
         const Vec3 p = between(mesh.vertex(s.vertices[0]).point, mesh.vertex(s.vertices[1]).point, at);
@@ -111,14 +122,15 @@ std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments
 std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges, double tolerance) {
     std::vector<Distance> results(half_edges.size());
     const SurfaceMesh& mesh = work_.mesh;
-    Questions questions(work_, results);
+    Questions questions(work_, results, tolerance);
     std::vector<char> middle_seen(half_edges.size(), 0);
     const auto add = [&](std::size_t i, double at) {
         const int h = half_edges[i];
         const int next = SurfaceMesh::next(h);
         const Vec3 p = between(mesh.point_of(h), mesh.point_of(next), at);
         const Vec2 uv = (1.0 - at) * mesh.site(mesh.site_of(h)).uv + at * mesh.site(mesh.site_of(next)).uv;
-        questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()));
+        questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()),
+                      (1.0 - at) * offset(h) + at * offset(next));
     };
     const auto remember = [&](std::size_t i, const Vec3& p, const Answer& foot) {
         if (middle_seen[i] == 0) {
@@ -127,6 +139,7 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
             heights_[edge_key(mesh, half_edges[i])] = foot.found() ? std::copysign(foot.distance, side) : 0.0;
         }
     };
+    measure_sites(half_edges);
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
         add(i, 0.5);
         const EdgePeak peak = edge_peak(mesh, half_edges[i]);
@@ -139,6 +152,33 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
     }
     questions.ask(remember);
     return results;
+}
+
+// At both ends of half-edges. Vertices inside faces are on their surface.
+void ChordMeasure::measure_sites(const std::vector<int>& half_edges) {
+    constexpr double kAsked = -2.0;
+    const SurfaceMesh& mesh = work_.mesh;
+    site_offsets_.resize(mesh.site_count(), -1.0);
+    geometry::Engine::Batch batch;
+    std::vector<int> sites;
+    for (const int half_edge : half_edges) {
+        for (const int h : {half_edge, SurfaceMesh::next(half_edge)}) {
+            const int site = mesh.site_of(h);
+            if (mesh.vertex(mesh.vertex_of(h)).entity[0] == 2) {
+                site_offsets_[site] = 0.0;
+            } else if (site_offsets_[site] == -1.0) {
+                site_offsets_[site] = kAsked;
+                sites.push_back(site);
+                const Vec2& uv = mesh.site(site).uv;
+                batch.push_back(Query::face_point(mesh.face_of(h / 3), uv.x(), uv.y()));
+            }
+        }
+    }
+    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        const Vec3 p = work_.grid.to_part(mesh.vertex(mesh.site(sites[i]).vertex).point);
+        site_offsets_[sites[i]] = answers[i].found() ? (answers[i].point - p).norm() : 0.0;
+    }
 }
 
 double ChordMeasure::height(int half_edge) const {
@@ -160,8 +200,13 @@ double ChordMeasure::height(int half_edge) const {
 std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangles, double tolerance) {
     std::vector<Distance> results(triangles.size());
     const SurfaceMesh& mesh = work_.mesh;
-    Questions questions(work_, results);
+    Questions questions(work_, results, tolerance);
     const auto ignore = [](std::size_t, const Vec3&, const Answer&) {};
+    std::vector<int> sides;
+    for (const int t : triangles) {
+        sides.insert(sides.end(), {3 * t, 3 * t + 1});
+    }
+    measure_sites(sides);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int h = 3 * triangles[i];
         const TrianglePeak peak = triangle_peak(height(h), height(h + 1), height(h + 2));
@@ -170,11 +215,14 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
         }
         Vec3 p = Vec3::Zero();
         Vec2 uv = Vec2::Zero();
+        double unavoidable = 0.0;
         for (int k = 0; k < 3; ++k) {
             p += peak.weights[k] * mesh.point_of(h + k);
             uv += peak.weights[k] * mesh.site(mesh.site_of(h + k)).uv;
+            unavoidable += peak.weights[k] * offset(h + k);
         }
-        questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()));
+        questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()),
+                      unavoidable);
         if (questions.full()) {
             questions.ask(ignore);
         }

@@ -14,6 +14,8 @@ namespace mq::triangulate {
 struct Distance {
     double distance = 0.0;
     Vec3 point = Vec3::Zero();
+    /// The largest distance at points where more than the part itself is the reason: CAD edges can lie off their faces.
+    double avoidable = 0.0;
 };
 
 /// Measures how far pieces of the mesh are from the part: segments from their curves, inner edges and triangles from
@@ -34,8 +36,11 @@ class ChordMeasure {
 
   private:
     double height(int half_edge) const;
+    void measure_sites(const std::vector<int>& half_edges);
+    double offset(int half_edge) const { return site_offsets_[work_.mesh.site_of(half_edge)]; }
 
     Workspace& work_;
+    std::vector<double> site_offsets_;  // of vertices on CAD edges from the surface, mm, by site; below 0: not known
     using Offset = std::array<double, 3>;
     KeyMap<double> heights_;  // over the middles of inner edges, with the sign of the side, by edge
     KeyMap<Offset> offsets_;  // of the middles of segments from their curves, by edge

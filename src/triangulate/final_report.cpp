@@ -29,13 +29,24 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
     }
 }
 
-void report_chord_height(Workspace& work, const Output& out, mesh::MeshReport& report) {
-    const ChordHeight worst = measure_chord_height(work, report.chord_height_asked);
+void report_chord_height(Workspace& work, const Output& out, bool keeps_bounds, mesh::MeshReport& report) {
+    const double asked = report.chord_height_asked;
+    const ChordHeight worst = measure_chord_height(work, asked);
     report.max_chord_height = worst.distance;
     const auto found = std::find(out.source.begin(), out.source.end(), worst.triangle);
-    if (found != out.source.end()) {
-        report.max_chord_triangle = static_cast<std::int32_t>(found - out.source.begin());
-        report.max_chord_point = worst.point;
+    if (found == out.source.end()) {
+        return;
+    }
+    report.max_chord_triangle = static_cast<std::int32_t>(found - out.source.begin());
+    report.max_chord_point = worst.point;
+    if (asked > 0.0 && worst.distance > asked) {
+        const std::string face = geometry::name_of({2, work.mesh.face_of(worst.triangle)});
+        report.notes.push_back("chord height " + std::to_string(worst.distance) + " mm instead of the " +
+                               std::to_string(asked) + " mm asked for: " +
+                               (!keeps_bounds ? "without polish the samples alone decide"
+                                : worst.of_the_part
+                                    ? "edges of " + face + " lie off it by more than that"
+                                    : "some edges cannot be split without folding or crowding the mesh"));
     }
 }
 
@@ -58,17 +69,10 @@ mesh::MeshReport final_report(Workspace& work, const Output& out, const Options&
     mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
     report.chord_height_asked = chord;
-    report_chord_height(work, out, report);
     report_exemptions(work, out, report.min_angle_asked, report);
     report.notes = work.session.topology().faults;
     report_crossings(work, report);
-    if (chord > 0.0 && report.max_chord_height > chord) {
-        report.notes.push_back("chord height " + std::to_string(report.max_chord_height) + " mm instead of the " +
-                               std::to_string(chord) + " mm asked for: " +
-                               (options.keeps_bounds()
-                                    ? "some edges cannot be split without folding or crowding the mesh"
-                                    : "without polish the samples alone decide"));
-    }
+    report_chord_height(work, out, options.keeps_bounds(), report);
     report.complete = !work.over_budget();
     if (work.over_budget()) {
         report.notes.push_back("stopped at max_triangles = " + std::to_string(work.budget) +

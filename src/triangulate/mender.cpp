@@ -18,7 +18,9 @@ using mesh::SurfaceMesh;
 constexpr double kGainOfMissing = 0.05;
 constexpr double kGain = 1e-6;
 constexpr std::size_t kMaxTried = 6;
-// Attempts: so many and a part of the number of triangles, so that parts full of needles do not take for ever.
+// Attempts: so many for each triangle that is bad at first, and no more than so many and a part of the number of all
+// triangles, so that parts full of needles do not take for ever.
+constexpr std::size_t kAttemptsEach = 40;
 constexpr std::size_t kAttempts = 2000;
 constexpr std::size_t kTrianglesPerAttempt = 4;
 constexpr int kMaxGrowth = 3;
@@ -28,6 +30,14 @@ void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<D
     if (auto disc = disc_of(mesh, std::move(triangles))) {
         discs.push_back(std::move(*disc));
     }
+}
+
+double largest_distance(const geometry::Engine::Answers& answers) {
+    double largest = 0.0;
+    for (const geometry::Answer& answer : answers) {
+        largest = answer.found() ? std::max(largest, answer.distance) : largest;
+    }
+    return largest;
 }
 
 }  // namespace
@@ -81,7 +91,9 @@ bool Mender::run() {
         push_if_bad(t);
     }
     bool changed = false;
-    const std::size_t most = kAttempts + static_cast<std::size_t>(work_.mesh.triangle_count()) / kTrianglesPerAttempt;
+    const std::size_t most =
+        std::min(kAttemptsEach * queue_.size(),
+                 kAttempts + static_cast<std::size_t>(work_.mesh.triangle_count()) / kTrianglesPerAttempt);
     for (std::size_t attempts = 0; !queue_.empty() && attempts < most && !work_.over_budget();) {
         work_.progress.check();
         const Bad bad = queue_.top();
@@ -224,11 +236,8 @@ bool Mender::within_bounds(const Disc& disc, const Corner& apex, int apex_site) 
     });
 }
 
-// The middles of the spokes and the centroids of the triangles.
-bool Mender::near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
-    if (!(sizing_.tolerance > 0.0)) {
-        return true;
-    }
+// Over the middles of the spokes and the centroids of a fan's triangles.
+double Mender::distance_of_fan(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
     const SurfaceMesh& mesh = work_.mesh;
     geometry::Engine::Batch batch;
     const int face = mesh.face_of(disc.triangles.front());
@@ -244,12 +253,33 @@ bool Mender::near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, 
             add((mesh.point_of(side) + mesh.point_of(next) + apex.point) / 3.0, (a + b + uv) / 3.0);
         }
     }
-    for (const geometry::Answer& answer : work_.session.ask(std::move(batch))) {
-        if (answer.found() && answer.distance > sizing_.tolerance) {
-            return false;
+    return largest_distance(work_.session.ask(std::move(batch)));
+}
+
+// Over the middles of the inner edges that are there.
+double Mender::distance_of_disc(const Disc& disc) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    geometry::Engine::Batch batch;
+    const auto add = [&](const Candidate& c) {
+        batch.push_back(Query::face_nearest(mesh.face_of(c.triangle), work_.grid.to_part(c.point), c.uv.x(), c.uv.y()));
+    };
+    for (const int t : disc.triangles) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (std::find(disc.rim.begin(), disc.rim.end(), h) == disc.rim.end()) {
+                add(edge_middle_site(mesh, h));
+            }
         }
     }
-    return true;
+    return largest_distance(work_.session.ask(std::move(batch)));
+}
+
+// CAD edges can lie off their faces by more than the tolerance; there it must not become worse.
+bool Mender::near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
+    if (!(sizing_.tolerance > 0.0)) {
+        return true;
+    }
+    const double distance = distance_of_fan(disc, apex, uv, apex_site);
+    return distance <= sizing_.tolerance || distance <= distance_of_disc(disc);
 }
 
 bool Mender::carry_out(Proposal& proposal) {

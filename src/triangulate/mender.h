@@ -59,6 +59,8 @@ class Mender {
     double enough_after(double before) const;
     bool good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const;
     bool within_bounds(const Disc& disc, const Corner& apex, int apex_site) const;
+    double distance_of_fan(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const;
+    double distance_of_disc(const Disc& disc) const;
     bool near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const;
     void replace(const Disc& disc, int apex_site);
     void finish();

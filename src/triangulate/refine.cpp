@@ -48,7 +48,9 @@ void Refiner::push_if_bad(int triangle) {
 void Refiner::push_touched() {
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    looked_at_.resize(work_.mesh.triangle_count(), 0);
     for (const int t : touched_) {
+        looked_at_[t] = work_.mesh.stamp(t) + 1;
         push_if_bad(t);
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             const int s = work_.mesh.segment_of(h);
@@ -60,9 +62,13 @@ void Refiner::push_touched() {
     touched_.clear();
 }
 
+// Triangles that have not changed since the last run are good, or known to be hopeless.
 void Refiner::run() {
+    looked_at_.resize(work_.mesh.triangle_count(), 0);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
-        touched_.push_back(t);
+        if (looked_at_[t] != work_.mesh.stamp(t) + 1) {
+            touched_.push_back(t);
+        }
     }
     int retries = 0;
     for (;;) {

@@ -75,7 +75,8 @@ class Refiner {
     std::map<int, int> sharpened_;  // by vertex: how often the chords at a narrow corner were halved
     KeySet turned_;                 // triangles that were refined for their alignment, by key
     std::vector<int> touched_;
-    std::vector<Job> again_;  // fallbacks for the next round
+    std::vector<std::uint32_t> looked_at_;  // by triangle: 1 + its stamp when it was last pushed if bad
+    std::vector<Job> again_;                // fallbacks for the next round
 };
 
 }  // namespace mq::triangulate

@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/chord.h"
 
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <functional>
 #include <random>
 
@@ -200,6 +207,40 @@ TEST(Chord, RefusesABoundBelowTheGrid) {
             EXPECT_NE(std::string(error.what()).find("chord_height"), std::string::npos) << error.what();
         }
     }
+}
+
+/// A box of 1 mm with one edge that bulges off both of its faces.
+TopoDS_Shape bulging_box(double bulge) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape();
+    const TopoDS_Edge edge = TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current());
+    double from = 0.0;
+    double to = 0.0;
+    const Handle(Geom_Curve) line = BRep_Tool::Curve(edge, from, to);
+    const gp_Pnt a = line->Value(from);
+    const gp_Pnt b = line->Value(to);
+    const gp_Pnt middle(0.5 * (a.X() + b.X()), 0.5 * (a.Y() + b.Y()), 0.5 * (a.Z() + b.Z()));
+    const gp_Vec out(gp_Pnt(0.5, 0.5, 0.5), middle);
+    TColgp_Array1OfPnt poles(1, 3);
+    poles.SetValue(1, a);
+    poles.SetValue(2, middle.Translated(2.0 * bulge * out.Normalized()));
+    poles.SetValue(3, b);
+    EXPECT_EQ(from, 0.0);
+    EXPECT_EQ(to, 1.0);
+    BRep_Builder().UpdateEdge(edge, new Geom_BezierCurve(poles), 2.0 * bulge);
+    return box;
+}
+
+TEST(Chord, EndsWhereEdgesLieOffTheirFaces) {
+    Options options;
+    options.chord_height = 0.0005;
+    const Result result = mesh_of(geometry::make_shape_model(bulging_box(0.01)), options);
+    expect_sound(result, 2, true);
+    EXPECT_GT(result.report.max_chord_height, 0.0005);
+    EXPECT_LT(result.report.max_chord_height, 0.01);
+    ASSERT_FALSE(result.report.notes.empty());
+    EXPECT_NE(result.report.notes.back().find("lie off it by more than that"), std::string::npos);
+    EXPECT_LT(result.mesh.triangles.size(), 20000u);
+    EXPECT_TRUE(result.report.complete);
 }
 
 TEST(Chord, MaxEdgeBoundsEveryEdge) {
