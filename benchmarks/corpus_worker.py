@@ -13,6 +13,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
+import brep_numbers
 import FreeCAD
 import Part
 
@@ -40,24 +41,8 @@ def describe(shape):
         "solids": len(shape.Solids),
         "closed_shells": all(shell.isClosed() for shell in shape.Shells)
         and in_shells >= len(shape.Faces),
-        "brep_euler": euler(Part.makeCompound(shape.Faces)),
+        "brep_euler": brep_numbers.euler(shape),
     }
-
-
-def euler(faces):
-    """V - E + F, where a face whose boundary falls into n parts counts 2 - n."""
-    edges = [edge for edge in faces.Edges if not edge.Degenerated]
-    return len(faces.Vertexes) - len(edges) + sum(2 - boundary_parts(f) for f in faces.Faces)
-
-
-def boundary_parts(face):
-    """The number of the face's wires, those that touch in a vertex counted as one."""
-    parts = []
-    for wire in face.Wires:
-        part = {vertex.hashCode() for vertex in wire.Vertexes}
-        touching = [other for other in parts if other & part]
-        parts = [other for other in parts if not other & part] + [part.union(*touching)]
-    return len(parts)
 
 
 def causes(exempt):

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Makes one random part inside freecadcmd, meshes it and checks what the mesher promises.
+
+The job comes as JSON in the environment variable MESHQUALITY_JOB: seed, skip (steps of the part to
+leave out), plain (options to leave out), result (file to write) and brep (file for the part, or
+null). `faults` of the result holds a sentence for every promise that is not kept.
+"""
+
+import json
+import os
+import random
+import re
+import sys
+from collections import Counter
+from pathlib import Path
+
+import brep_numbers
+import fuzz_shapes
+import numpy as np
+
+JOB = json.loads(os.environ["MESHQUALITY_JOB"])
+DISTANCE_SLACK = 1e-6
+
+
+def random_options(seed, size):
+    dice = random.Random(f"{seed}:options")
+    found = {
+        "min_angle": dice.choice((25.0, 30.0, round(dice.uniform(20, 33), 2))),
+        "chord_height": size * 10 ** dice.uniform(-3.3, -1.5),
+        "max_edge": size * 10 ** dice.uniform(-1.5, -0.3),
+        "min_edge": size * 10 ** dice.uniform(-4, -2.5),
+        "method": dice.choice(("refine",) * 8 + ("star", "sprinkle")),
+    }
+    odds = {"chord_height": 0.7, "max_edge": 0.3, "min_edge": 0.15}
+    return {name: value for name, value in found.items()
+            if dice.random() < odds.get(name, 1.0) and name not in JOB["plain"]}
+
+
+def corner_angles(mesh):
+    """The smallest angle of every triangle in degrees."""
+    points = mesh.vertices[mesh.triangles]
+    cosines = []
+    for corner in range(3):
+        a = points[:, (corner + 1) % 3] - points[:, corner]
+        b = points[:, (corner + 2) % 3] - points[:, corner]
+        lengths = np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1)
+        cosines.append(np.einsum("ij,ij->i", a, b) / np.maximum(lengths, 1e-300))
+    return np.degrees(np.arccos(np.clip(np.max(cosines, axis=0), -1.0, 1.0)))
+
+
+def topology_faults(mesh, shape):
+    report, faults = mesh.report, []
+    edges = mesh.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2).astype(np.int64)
+    directed = edges[:, 0] * len(mesh.vertices) + edges[:, 1]
+    against = edges[:, 1] * len(mesh.vertices) + edges[:, 0]
+    if len(np.unique(directed)) != len(directed):
+        faults.append("an edge is run twice in one direction")
+    if len(np.setdiff1d(against, directed)):
+        faults.append("not closed")
+    faults += [f"the report says not {name}" for name in ("closed", "oriented", "manifold")
+               if not getattr(report, name)]
+    if report.euler != brep_numbers.euler(shape):
+        faults.append(f"Euler number {report.euler} instead of {brep_numbers.euler(shape)}")
+    lost = sorted(set(range(len(shape.Faces))) - set(np.unique(mesh.triangle_face).tolist()))
+    named = " ".join(report.notes)
+    faults += [f"Face{face + 1} is lost" for face in lost
+               if not re.search(rf"\bFace{face + 1}\b", named)]
+    if report.self_intersections != 0:
+        faults.append(f"{report.self_intersections} self-intersections")
+    return faults
+
+
+def angle_faults(mesh, asked):
+    report, faults = mesh.report, []
+    exempt = dict(report.exempt)
+    below = np.flatnonzero(corner_angles(mesh) < asked - 1e-9)
+    if report.min_angle_unexempted < asked:
+        faults.append(f"angle {report.min_angle_unexempted:.3f} not exempted")
+    if [t for t in below.tolist() if t not in exempt]:
+        faults.append("a triangle below the bound is not in the list")
+    if [why for why in exempt.values() if not re.search(r"(Vertex|Edge|Face|min_edge)", why)]:
+        faults.append("a reason names no entity")
+    return faults
+
+
+def distance_faults(mesh, shape, options):
+    import MeshQuality as mq
+
+    report, faults = mesh.report, []
+    asked = options.get("chord_height")
+    if asked and "min_edge" not in options:
+        for who, far in (("report", report.max_chord_height),
+                         ("quality", mq.quality(mesh, shape).max_chord_height)):
+            if far > asked * (1 + DISTANCE_SLACK):
+                faults.append(f"{who}: distance {far / asked:.3g} of the chord height")
+    # Two-sided: the volume between surface and mesh.
+    room = 1.05 * shape.Area * max(report.max_chord_height, 0.0) + 1e-5 * shape.Volume
+    if abs(report.volume - shape.Volume) > room:
+        faults.append(f"volume off by {report.volume / shape.Volume - 1:.2g}")
+    return faults
+
+
+def number_faults(mesh):
+    faults = []
+    if (mesh.vertices.astype(np.float32) != mesh.vertices).any():
+        faults.append("a vertex is not single precision")
+    if len(np.unique(mesh.triangles)) != len(mesh.vertices):
+        faults.append("a vertex without triangles")
+    if not mesh.report.complete:
+        faults.append("incomplete")
+    return faults
+
+
+def same(a, b):
+    return a.vertices.tobytes() == b.vertices.tobytes() \
+        and a.triangles.tobytes() == b.triangles.tobytes() \
+        and a.triangle_face.tobytes() == b.triangle_face.tobytes()
+
+
+def crosses_itself(shape):
+    try:
+        shape.check(True)
+    except ValueError as error:
+        return str(error)[:200]
+    return ""
+
+
+def check(shape, options):
+    import MeshQuality as mq
+
+    mesh = mq.triangulate(shape, **options)
+    faults = topology_faults(mesh, shape) + angle_faults(mesh, options["min_angle"]) \
+        + distance_faults(mesh, shape, options) + number_faults(mesh)
+    if JOB["seed"] % 4 == 0 and not same(mesh, mq.triangulate(shape, **options)):
+        faults.append("not the same bytes twice")
+    causes = Counter(re.sub(r"\d+(\.\d+)?", "#", why) for _, why in mesh.report.exempt)
+    return {"faults": faults, "triangles": len(mesh.triangles), "notes": list(mesh.report.notes),
+            "cpu_seconds": mesh.report.cpu_seconds, "exempt": len(mesh.report.exempt),
+            "causes": causes.most_common(5)}
+
+
+def work():
+    import MeshQuality as mq
+
+    shape, steps = fuzz_shapes.random_part(JOB["seed"], JOB["skip"])
+    if shape is None or not shape.isValid():
+        return {"state": "no part", "faults": []}
+    if JOB["brep"]:
+        shape.exportBrep(JOB["brep"])
+    options = random_options(JOB["seed"], shape.BoundBox.DiagonalLength)
+    if "min_angle" not in options:
+        options["min_angle"] = 25.0
+    result = {"state": "ok", "steps": steps, "options": options, "faces": len(shape.Faces)}
+    # Kept before the work, so that a crash still tells which part it was.
+    Path(JOB["result"]).write_text(json.dumps({**result, "state": "crash"}), encoding="utf-8")
+    try:
+        result.update(check(shape, options))
+    except mq.Error as error:
+        result["faults"] = [f"{type(error).__name__}: {error}"]
+    if result["faults"]:
+        result["crossing"] = crosses_itself(shape)
+    return result
+
+
+def main():
+    result = work()
+    Path(JOB["result"]).write_text(json.dumps(result, default=float), encoding="utf-8")
+
+
+main()
+sys.exit(0)
