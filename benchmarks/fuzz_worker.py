@@ -11,6 +11,7 @@ import os
 import random
 import re
 import sys
+import time
 from collections import Counter
 from pathlib import Path
 
@@ -20,6 +21,8 @@ import numpy as np
 
 JOB = json.loads(os.environ["MESHQUALITY_JOB"])
 DISTANCE_SLACK = 1e-6
+LARGEST = 1e9  # mm; what modelling makes beyond it is not meant
+MEASURED = 5.0  # seconds for measuring distances a second time, which is slow on splines
 
 
 def random_options(seed, size):
@@ -83,14 +86,23 @@ def angle_faults(mesh, asked):
     return faults
 
 
-def distance_faults(mesh, shape, options):
+def measured_apart(mesh, shape):
+    """The distance that does not come from the mesher, or -1 where that takes too long."""
     import MeshQuality as mq
 
+    end = time.monotonic() + MEASURED
+    try:
+        return mq.quality(mesh, shape, lambda *_: time.monotonic() < end).max_chord_height
+    except mq.Cancelled:
+        return -1.0
+
+
+def distance_faults(mesh, shape, options):
     report, faults = mesh.report, []
     asked = options.get("chord_height")
     if asked and "min_edge" not in options:
         for who, far in (("report", report.max_chord_height),
-                         ("quality", mq.quality(mesh, shape).max_chord_height)):
+                         ("quality", measured_apart(mesh, shape))):
             if far > asked * (1 + DISTANCE_SLACK):
                 faults.append(f"{who}: distance {far / asked:.3g} of the chord height")
     # Two-sided: the volume between surface and mesh.
@@ -143,7 +155,7 @@ def work():
     import MeshQuality as mq
 
     shape, steps = fuzz_shapes.random_part(JOB["seed"], JOB["skip"])
-    if shape is None or not shape.isValid():
+    if shape is None or not shape.isValid() or shape.BoundBox.DiagonalLength > LARGEST:
         return {"state": "no part", "faults": []}
     if JOB["brep"]:
         shape.exportBrep(JOB["brep"])
