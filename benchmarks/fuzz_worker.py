@@ -133,7 +133,7 @@ def crosses_itself(shape):
     try:
         shape.check(True)
     except ValueError as error:
-        return str(error)[:200]
+        return str(error)[:200] if "SelfIntersect" in str(error) else ""
     return ""
 
 
