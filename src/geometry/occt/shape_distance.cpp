@@ -4,6 +4,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepExtrema_ExtPF.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -15,6 +16,7 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp_Trsf.hxx>
 #include <limits>
 #include <memory>
 #include <string>
@@ -24,6 +26,23 @@
 namespace mq::geometry {
 
 namespace {
+
+// OpenCASCADE's search for the nearest point takes 1e-7 mm for nothing, and misses points on parts not much larger than
+// that. Parts below this size, in mm, are measured magnified to it.
+constexpr double kLeastSize = 10.0;
+
+double magnification(const TopoDS_Shape& shape) {
+    Bnd_Box box;
+    BRepBndLib::Add(shape, box, false);
+    const double size = box.IsVoid() || box.IsOpen() ? 0.0 : std::sqrt(box.SquareExtent());
+    return size > 0.0 && size < kLeastSize ? kLeastSize / size : 1.0;
+}
+
+TopoDS_Shape magnified(const TopoDS_Shape& shape, double factor) {
+    gp_Trsf scaling;
+    scaling.SetScaleFactor(factor);
+    return factor == 1.0 ? shape : BRepBuilderAPI_Transform(shape, scaling, true).Shape();
+}
 
 /// One trimmed face: its inside, its edges and its vertices, each prepared once for many points.
 class FaceDistance {
@@ -107,8 +126,9 @@ double nearest(std::vector<std::unique_ptr<FaceDistance>>& faces, const Vec3& po
 
 std::vector<double> distances_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points, Progress* progress) {
     try {
+        const double factor = magnification(shape);
         TopTools_IndexedMapOfShape map;
-        TopExp::MapShapes(shape, TopAbs_FACE, map);
+        TopExp::MapShapes(magnified(shape, factor), TopAbs_FACE, map);
         std::vector<std::unique_ptr<FaceDistance>> faces;
         for (int i = 1; i <= map.Extent(); ++i) {
             faces.push_back(std::make_unique<FaceDistance>(TopoDS::Face(map(i))));
@@ -124,7 +144,7 @@ std::vector<double> distances_to_faces(const TopoDS_Shape& shape, const std::vec
                 progress->check();
                 progress->advance(static_cast<double>(i) / static_cast<double>(points.size()));
             }
-            distances[i] = nearest(faces, points[i], start, order);
+            distances[i] = nearest(faces, factor * points[i], start, order) / factor;
         }
         return distances;
     } catch (const Standard_Failure& failure) {

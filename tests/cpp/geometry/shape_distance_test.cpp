@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <TopoDS_Shape.hxx>
@@ -36,6 +37,20 @@ TEST(ShapeDistance, SphereWithItsPolesAndCentre) {
     EXPECT_NEAR(largest(sphere, {Vec3(0, 0, -4.5)}), 0.5, 1e-9);
     EXPECT_NEAR(largest(sphere, {Vec3(3, 0, 0)}), 2.0, 1e-9);
     EXPECT_NEAR(largest(sphere, {Vec3(0, 0, 0)}), 5.0, 1e-9);
+}
+
+// As splines, whose nearest points are searched for.
+TEST(ShapeDistance, PartsOfAThousandthOfAMillimetreAreMeasuredAsLargeOnes) {
+    constexpr double kRadius = 3e-4;
+    const TopoDS_Shape sphere = BRepBuilderAPI_NurbsConvert(BRepPrimAPI_MakeSphere(kRadius).Shape()).Shape();
+    std::vector<Vec3> points;
+    for (int i = 0; i < 200; ++i) {
+        const double turn = 2.4 * i;
+        const double z = (i + 0.5) / 100.0 - 1.0;
+        const double r = std::sqrt(1.0 - z * z);
+        points.push_back(0.99 * kRadius * Vec3(r * std::cos(turn), r * std::sin(turn), z));
+    }
+    EXPECT_NEAR(largest(sphere, points), 0.01 * kRadius, 1e-9 * kRadius);
 }
 
 TEST(ShapeDistance, StopsWhenCancelledAndRefusesAShapeWithoutFaces) {
