@@ -11,7 +11,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
                 progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", polish=True, seed=0, local_sizes=None,
-                edges_per_circle=None, growth=None):
+                edges_per_circle=None, growth=None, keep_edges="all", feature_angle=10.0):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -29,6 +29,12 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     progress               callable(fraction 0..1, stage); returning False cancels
     insertion              where a triangle with a small angle gets its new point: "off-centre" needs
                            fewer triangles, "paper" is the rule of Aftosmis 1999
+    keep_edges             "all": the mesh follows every edge of the shape; "feature": not those that
+                           the surface crosses smoothly, so that tiny edges and slivers between such
+                           edges cost no triangles; report.spanning then names the triangles that
+                           lie on several faces
+    feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than
+                           this all along
     allow_missing_faces    mesh the rest of a part whose faces fail, and name them in the report
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
@@ -46,6 +52,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
         "connectivity": connectivity, "polish": polish, "seed": seed,
         "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth": growth,
+        "keep_edges": keep_edges, "feature_angle": feature_angle,
     })
     _require_callable(progress)
     live_shape = convert.shape_of(shape)

@@ -13,6 +13,7 @@ from .errors import InvalidInput
 METHODS = ("refine", "star", "sprinkle")
 CONNECTIVITIES = ("pseudo-delaunay", "parametric")
 INSERTIONS = ("off-centre", "paper")
+KEPT_EDGES = ("all", "feature")
 OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
 BOOLEAN_METHODS = ("default", "uniform")
 
@@ -202,6 +203,13 @@ TRIANGULATE = (
            rare=True, choice_titles=("few triangles", "as Aftosmis 1999"),
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, paper is the rule of Aftosmis 1999"),
+    Option("keep_edges", str, "all", choices=KEPT_EDGES, title="Edges of the shape", rare=True,
+           choice_titles=("keep all", "keep sharp ones"),
+           help="Which edges of the shape the mesh follows: all, or feature: not those that the "
+                "surface crosses smoothly, which triangles then may span"),
+    Option("feature_angle", float, 10.0, unit="degrees", low=0.0, high=40.0,
+           title="Edges are smooth below", rare=True,
+           help="With keep_edges = feature: edges are smooth where the surface turns by less than this"),
     Option("max_triangles", int, None, low=1, above=False, group="Size", title="Most triangles",
            rare=True, unset="5 million", help="Work ends, incomplete, at this number"),
     Option("allow_missing_faces", bool, False, title="Leave out faces that fail", rare=True,

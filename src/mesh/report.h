@@ -47,6 +47,7 @@ struct MeshReport {
     /// for.
     std::int64_t self_intersections = -1;
     std::vector<std::pair<std::int32_t, std::string>> exempt;    ///< triangle, why and by which entities
+    std::vector<std::pair<std::int32_t, std::string>> spanning;  ///< triangle, which CAD faces it lies on
     std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
     std::vector<std::string> notes;  ///< what the reader must know: faults of the part, budget reached, ...
     bool complete = true;            ///< false when a budget ended the work early

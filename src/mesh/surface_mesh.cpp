@@ -175,6 +175,12 @@ void SurfaceMesh::swap(int h) {
     link(3 * t + 1, 3 * o + 2);
 }
 
+void SurfaceMesh::dissolve(int segment) {
+    std::vector<SegmentUse>& uses = segments_[segment].uses;
+    link(uses[0].half_edge, uses[1].half_edge);
+    uses.clear();
+}
+
 std::vector<int> SurfaceMesh::replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added) {
     using Side = std::pair<int, int>;
     std::map<Side, Link> rim;

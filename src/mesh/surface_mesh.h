@@ -91,6 +91,14 @@ class SurfaceMesh {
     /// half-edges of the same two triangles. Checks nothing.
     void swap(int h);
 
+    /// Joins the two sides of a segment as twins, across faces: it constrains no longer, and has no uses. Needs exactly
+    /// two uses, which run opposite ways. Sites stay: the same vertex has one on either side.
+    void dissolve(int segment);
+    /// The vertex of `h` by another of its sites.
+    void put_site(int h, int site) { corner_[h] = site; }
+    /// The face that a triangle counts to.
+    void put_face(int triangle, int face) { face_[triangle] = face; }
+
     /// Other triangles in the place of some: all of one face, with the same rim, sites as corners.
     /// @return the indices of `added`; those of `removed` come first, and what is left over of them is gone.
     std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);

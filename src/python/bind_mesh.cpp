@@ -165,6 +165,9 @@ void bind_report(py::module_& m) {
                       "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges; "
                       "-1: not looked for")
         .def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
+        .def_readonly("spanning", &MeshReport::spanning,
+                      "[(triangle, the CAD faces that it lies on), ...], of keep_edges = feature; its own face is that "
+                      "with the largest share")
         .def_property_readonly("exempt_causes", &causes_of,
                                "[(cause with # for numbers, triangles), ...], most frequent first")
         .def_readonly("fallback", &MeshReport::fallback,

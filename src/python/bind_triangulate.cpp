@@ -83,6 +83,8 @@ using Names = std::vector<std::pair<Value, const char*>>;
 
 const Names<triangulate::Insertion> kInsertions{{triangulate::Insertion::OffCentre, "off-centre"},
                                                 {triangulate::Insertion::Paper, "paper"}};
+const Names<triangulate::KeepEdges> kKeepEdges{{triangulate::KeepEdges::All, "all"},
+                                               {triangulate::KeepEdges::Feature, "feature"}};
 const Names<triangulate::Method> kMethods{{triangulate::Method::Refine, "refine"},
                                           {triangulate::Method::Star, "star"},
                                           {triangulate::Method::Sprinkle, "sprinkle"}};
@@ -149,11 +151,13 @@ void bind_triangulate(py::module_& m) {
         .def_readwrite("growth", &Options::growth)
         .def_property("local_sizes", nullptr, &set_local_sizes,
                       "[(dimension 0 | 1 | 2, index of the vertex, edge or face, longest edge in mm), ...]")
+        .def_readwrite("feature_angle", &Options::feature_angle)
         .def_readwrite("max_triangles", &Options::max_triangles)
         .def_readwrite("allow_missing_faces", &Options::allow_missing_faces)
         .def_readwrite("polish", &Options::polish)
         .def_readwrite("seed", &Options::seed);
     def_named(options, "insertion", &Options::insertion, kInsertions);
+    def_named(options, "keep_edges", &Options::keep_edges, kKeepEdges);
     def_named(options, "method", &Options::method, kMethods);
     def_named(options, "connectivity", &Options::connectivity, kConnectivities);
     m.def("triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),

@@ -6,6 +6,7 @@
 
 #include "base/angle.h"
 #include "triangulate/gradation.h"
+#include "triangulate/relics.h"
 
 namespace mq::triangulate {
 
@@ -265,14 +266,18 @@ ChordHeight measure_chord_height(Workspace& work, double asked) {
         }
     }
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
-        if (mesh.twin(h) > h) {
-            edges.push_back(h);
+        const int other = mesh.twin(h);
+        // Along a released edge the sides have sites of their own; where both may lie on several faces, see below.
+        if (other > h && (work.spanning.count(h / 3) == 0 || work.spanning.count(other / 3) == 0)) {
+            edges.push_back(work.spanning.count(h / 3) == 0 ? h : other);
         }
     }
     for (int t = 0; t < mesh.triangle_count(); ++t) {
-        triangles.push_back(t);
+        if (work.spanning.count(t) == 0) {
+            triangles.push_back(t);
+        }
     }
-    ChordHeight worst;
+    ChordHeight worst = farthest_spanning(work);
     const auto take = [&](const std::vector<Distance>& distances, const std::vector<int>& pieces, int per_triangle) {
         for (std::size_t i = 0; i < distances.size(); ++i) {
             if (worst.triangle < 0 || distances[i].distance > worst.distance) {

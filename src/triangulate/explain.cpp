@@ -58,6 +58,8 @@ std::string explain(const Workspace& work, int triangle, const Exemption& exempt
             return "a further vertex would fold the mesh" + at_edge + where;
         case Cause::NoSurfacePoint:
             return "the engine finds no point of the surface there" + where;
+        case Cause::Stuck:
+            return "no change of the triangles around makes the angle larger within the bounds" + where;
         case Cause::Budget:
             return "max_triangles is reached" + where;
     }

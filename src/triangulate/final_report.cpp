@@ -29,6 +29,21 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
     }
 }
 
+void report_spanning(const Workspace& work, const Output& out, mesh::MeshReport& report) {
+    for (std::size_t i = 0; i < out.source.size(); ++i) {
+        const auto found = work.spanning.find(out.source[i]);
+        if (found == work.spanning.end() || found->second.faces.size() < 2) {
+            continue;
+        }
+        std::string text = "spans ";
+        const std::vector<int>& faces = found->second.faces;
+        for (std::size_t k = 0; k < faces.size(); ++k) {
+            text += (k == 0 ? "" : k + 1 == faces.size() ? " and " : ", ") + geometry::name_of({2, faces[k]});
+        }
+        report.spanning.emplace_back(static_cast<std::int32_t>(i), std::move(text));
+    }
+}
+
 void report_chord_height(Workspace& work, const Output& out, bool keeps_bounds, mesh::MeshReport& report) {
     const double asked = report.chord_height_asked;
     const ChordHeight worst = measure_chord_height(work, asked);
@@ -70,6 +85,7 @@ mesh::MeshReport final_report(Workspace& work, const Output& out, const Options&
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
     report.chord_height_asked = chord;
     report_exemptions(work, out, report.min_angle_asked, report);
+    report_spanning(work, out, report);
     report.notes = work.session.topology().faults;
     report_crossings(work, report);
     report_chord_height(work, out, options.keeps_bounds(), report);

@@ -116,7 +116,9 @@ bool Mender::run() {
 }
 
 void Mender::finish() {
-    for (const auto& [from, to] : work_.mesh.compact()) {
+    const std::vector<std::pair<int, int>> pairs = work_.mesh.compact();
+    moved(pairs);
+    for (const auto& [from, to] : pairs) {
         const auto found = work_.exempt.find(from);
         if (found != work_.exempt.end()) {
             Exemption exemption = found->second;
@@ -282,10 +284,36 @@ bool Mender::near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, 
     return distance <= sizing_.tolerance || distance <= distance_of_disc(disc);
 }
 
+std::optional<SurfacePoint> Mender::apex_near(const Disc& disc, const Vec3& p) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    Candidate candidate = edge_middle_site(mesh, disc.rim.front());
+    candidate.point = p;
+    candidate.uv_is_near = false;
+    candidate.uv = Vec2::Zero();
+    candidate.reach = 0.0;
+    for (const int side : disc.rim) {
+        candidate.uv += mesh.site(mesh.site_of(side)).uv / static_cast<double>(disc.rim.size());
+        candidate.reach = std::max(candidate.reach, kMaxLift * (mesh.point_of(side) - p).norm());
+    }
+    return surface_points(work_, {candidate}).front();
+}
+
+int Mender::add_apex(const Disc& disc, const SurfacePoint& p) {
+    const int face = work_.mesh.face_of(disc.triangles.front());
+    return work_.mesh.add_site({work_.mesh.add_vertex(p.point, {2, face}), p.uv, p.normal});
+}
+
+std::vector<int> Mender::exchange(const Disc& disc, int apex_site) {
+    return work_.maxmin.replace(disc.triangles, fan(work_.mesh, disc, apex_site));
+}
+
 bool Mender::carry_out(Proposal& proposal) {
-    SurfaceMesh& mesh = work_.mesh;
+    const SurfaceMesh& mesh = work_.mesh;
     const Disc& disc = proposal.disc;
     int site = proposal.apex_site;
+    if (!admissible(disc)) {
+        return false;
+    }
     if (site >= 0) {
         const Vec2 uv = mesh.site(site).uv;
         const Corner apex = corner_of(mesh, site);
@@ -294,22 +322,12 @@ bool Mender::carry_out(Proposal& proposal) {
             return false;
         }
     } else {
-        Candidate candidate = edge_middle_site(mesh, disc.rim.front());
-        candidate.point = proposal.apex;
-        candidate.uv_is_near = false;
-        candidate.uv = Vec2::Zero();
-        candidate.reach = 0.0;
-        for (const int side : disc.rim) {
-            candidate.uv += mesh.site(mesh.site_of(side)).uv / static_cast<double>(disc.rim.size());
-            candidate.reach = std::max(candidate.reach, kMaxLift * (mesh.point_of(side) - proposal.apex).norm());
-        }
-        const auto found = surface_points(work_, {candidate}).front();
+        const auto found = apex_near(disc, proposal.apex);
         if (!found || !good_enough(disc, {found->point, found->normal}, -1, proposal.before) ||
             !near_surface(disc, {found->point, found->normal}, found->uv, -1)) {
             return false;
         }
-        const int face = mesh.face_of(disc.triangles.front());
-        site = mesh.add_site({mesh.add_vertex(found->point, {2, face}), found->uv, found->normal});
+        site = add_apex(disc, *found);
     }
     replace(disc, site);
     return true;
@@ -325,11 +343,10 @@ void Mender::replace(const Disc& disc, int apex_site) {
         }
     }
     const SurfaceMesh& mesh = work_.mesh;
-    const std::vector<std::array<int, 3>> triangles = fan(mesh, disc, apex_site);
     for (const int t : disc.triangles) {
         work_.exempt.erase(t);
     }
-    for (const int t : work_.maxmin.replace(disc.triangles, triangles)) {
+    for (const int t : exchange(disc, apex_site)) {
         if (reason && smallest_angle(mesh, t).angle < bound_) {
             reason->stamp = mesh.stamp(t);
             work_.exempt[t] = *reason;

@@ -37,6 +37,13 @@ void Options::validate() const {
     if (chord_height > 0.0 && chord_height_relative > 0.0) {
         throw InvalidInput("chord_height and chord_height_relative are both given: choose one");
     }
+    if (!(feature_angle > 0.0 && feature_angle <= 40.0)) {
+        throw InvalidInput("feature_angle is " + std::to_string(feature_angle) +
+                           " degrees: it must be above 0 and at most 40; 10 is usual");
+    }
+    if (keep_edges == KeepEdges::Feature && !keeps_bounds()) {
+        throw InvalidInput("keep_edges releases edges after refinement: it needs polish, or the method refine");
+    }
     if (max_edge > 0.0 && min_edge > max_edge) {
         throw InvalidInput("min_edge is larger than max_edge");
     }

@@ -14,6 +14,7 @@
 #include "triangulate/mender.h"
 #include "triangulate/output.h"
 #include "triangulate/refine.h"
+#include "triangulate/relics.h"
 #include "triangulate/sampling.h"
 
 namespace mq::triangulate {
@@ -80,7 +81,7 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
     return text;
 }
 
-void refine(Workspace& work, const Options& options, double chord, StageClock& clock) {
+void refine(Workspace& work, const Options& options, double chord, StageClock& clock, std::string& released) {
     SegmentSplitter segments(work);
     const double from = first_share(options);
     const double middle = from + 0.34 * (0.9 - from);
@@ -111,6 +112,11 @@ void refine(Workspace& work, const Options& options, double chord, StageClock& c
         work.progress.stage("mending", 0.85, 0.9);
         Mender(work, options.min_angle, sizing).run();
         clock.end("mending");
+    }
+    if (options.keep_edges == KeepEdges::Feature) {
+        work.progress.stage("releasing smooth edges", 0.88, 0.9);
+        released = release_relics(work, options, sizing);
+        clock.end("smooth edges");
     }
 }
 
@@ -166,10 +172,11 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     work.min_edge = options.min_edge;
     work.budget = options.budget();
     std::vector<int> touched;
+    std::string released;
     separate_doubled_edges(work, touched);
     if (options.keeps_bounds()) {
         maxmin.sweep(touched);
-        refine(work, options, chord, clock);
+        refine(work, options, chord, clock, released);
     }
 
     watched.stage("checking", 0.9, 1.0);
@@ -179,6 +186,9 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     Result result;
     result.report = final_report(work, out, options, chord);
     result.mesh = std::move(out.mesh);
+    if (!released.empty()) {
+        result.report.notes.push_back(std::move(released));
+    }
     for (const auto& failure : first.faces.failures) {
         result.report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
     }

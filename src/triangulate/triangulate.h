@@ -34,6 +34,12 @@ enum class Connectivity {
     Parametric,      ///< constrained Delaunay in (u, v), scaled
 };
 
+/// Which CAD edges constrain the mesh.
+enum class KeepEdges {
+    All,      ///< every one (Aftosmis 1999)
+    Feature,  ///< not those that the surface crosses smoothly: triangles may span them
+};
+
 struct Options {
     double min_angle = 25.0;             ///< degrees, 0 < a <= 34
     double chord_height = 0.0;           ///< mm; 0: no bound
@@ -44,7 +50,9 @@ struct Options {
     double edges_per_circle = 0.0;  ///< of any curve and surface: by a turn of 360 degrees; at least 3; 0: no bound
     double growth = 0.0;            ///< from edges to those beside them, more than 1; 0: no bound
     Insertion insertion = Insertion::OffCentre;
-    std::size_t max_triangles = 0;     ///< 0: 5 million
+    KeepEdges keep_edges = KeepEdges::All;
+    double feature_angle = 10.0;    ///< degrees, 0 < a <= 40; an edge is smooth where the faces' normals differ by less
+    std::size_t max_triangles = 0;  ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the rest of a part whose faces fail, and name them in the report
     Method method = Method::Refine;
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@ enum class Cause {
     Fold,            ///< a further vertex would fold the mesh over the surface
     NoSurfacePoint,  ///< the engine finds no point of the surface there
     Budget,          ///< max_triangles is reached
+    Stuck,           ///< no change of the triangles around makes the angle larger within the bounds
 };
 
 struct Exemption {
@@ -33,6 +35,18 @@ struct Exemption {
     int vertex = -1;          ///< the corner at fault, or -1
     int segment = -1;         ///< the segment at fault, or -1
     std::uint32_t stamp = 0;  ///< of the triangle when it was exempted
+};
+
+/// CAD faces that a piece of the mesh may lie on, with a guess of (u, v) for each where there is one.
+struct Sheets {
+    std::vector<int> faces;                    ///< ascending
+    std::vector<std::optional<Vec2>> guesses;  ///< one a face
+};
+
+/// A triangle that may lie on more than one CAD face.
+struct Span {
+    std::vector<int> faces;  ///< that it lies on, the one with the largest share first
+    Sheets sheets;           ///< all that are near it
 };
 
 /// What the algorithms share while they work on one part.
@@ -47,6 +61,7 @@ struct Workspace {
     std::size_t budget = 0;               ///< triangles
     std::vector<std::uint8_t> shrinks{};  ///< per vertex: insertions in its ancestry that made edges shorter
     std::map<int, Exemption> exempt{};    ///< by triangle
+    std::map<int, Span> spanning{};       ///< by triangle; only after relics were released
 
     bool over_budget() const { return static_cast<std::size_t>(mesh.triangle_count()) >= budget; }
     double shortest_allowed() const { return min_edge > floor ? min_edge : floor; }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/nearest_sheet.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Answer;
+using geometry::Engine;
+using geometry::Query;
+
+void take(Foot& foot, const Answer& answer, int face) {
+    if (answer.found() && answer.distance < foot.distance) {
+        foot = {answer.distance, face, answer.point, Vec2(answer.u, answer.v), answer.normal};
+    }
+}
+
+// The CAD edges with both sides on `faces`.
+std::vector<int> edges_between(const geometry::Topology& topology, const std::vector<int>& faces) {
+    const auto among = [&](int use) {
+        const int face = topology.uses[static_cast<std::size_t>(use)].face;
+        return std::binary_search(faces.begin(), faces.end(), face);
+    };
+    std::vector<int> edges;
+    for (const int face : faces) {
+        for (const geometry::Loop& loop : topology.faces[static_cast<std::size_t>(face)].loops) {
+            for (const int use : loop.uses) {
+                const int e = topology.uses[static_cast<std::size_t>(use)].edge;
+                const geometry::Edge& edge = topology.edges[static_cast<std::size_t>(e)];
+                if (!edge.degenerate && edge.uses.size() > 1 &&
+                    std::all_of(edge.uses.begin(), edge.uses.end(), among)) {
+                    edges.push_back(e);
+                }
+            }
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+}
+
+// Of the points that have no foot yet.
+void ask_edges(Workspace& work, const std::vector<Vec3>& points, const Sheets& sheets, std::vector<Foot>& feet) {
+    const geometry::Topology& topology = work.session.topology();
+    const std::vector<int> edges = edges_between(topology, sheets.faces);
+    Engine::Batch batch;
+    std::vector<std::size_t> owner;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t k = 0; k < edges.size() && !feet[i].found(); ++k) {
+            const geometry::Edge& edge = topology.edges[static_cast<std::size_t>(edges[k])];
+            const double guess = 0.5 * (edge.t0 + edge.t1);
+            batch.push_back(Query::edge_nearest(edges[k], work.grid.to_part(points[i]), guess, edge.t0, edge.t1));
+            owner.push_back(i);
+        }
+    }
+    const Engine::Answers answers = work.session.ask(std::move(batch));
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        take(feet[owner[i]], answers[i], -1);
+    }
+}
+
+}  // namespace
+
+std::vector<Foot> feet_on(Workspace& work, const std::vector<Vec3>& points, const Sheets& sheets) {
+    const std::size_t count = sheets.faces.size();
+    Engine::Batch batch;
+    for (const Vec3& point : points) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const Vec3 p = work.grid.to_part(point);
+            const std::optional<Vec2>& guess = sheets.guesses[k];
+            batch.push_back(guess ? Query::face_nearest(sheets.faces[k], p, guess->x(), guess->y())
+                                  : Query::face_nearest_global(sheets.faces[k], p));
+        }
+    }
+    const Engine::Answers nearest = work.session.ask(std::move(batch));
+    std::vector<Foot> feet(points.size());
+    if (count == 1) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            take(feet[i], nearest[i], sheets.faces[0]);
+        }
+        return feet;
+    }
+    Engine::Batch inside;
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+        inside.push_back(Query::face_contains(sheets.faces[i % count], nearest[i].u, nearest[i].v));
+    }
+    const Engine::Answers sides = work.session.ask(std::move(inside));
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+        if (sides[i].found() && sides[i].side >= 0) {
+            take(feet[i / count], nearest[i], sheets.faces[i % count]);
+        }
+    }
+    ask_edges(work, points, sheets, feet);
+    return feet;
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/patch_mender.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/triangle_tree.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using mesh::SurfaceMesh;
+
+constexpr double kMaxLift = 0.5;
+// Of the tolerance: between the places that are measured distances may be a little larger.
+constexpr double kMargin = 0.9;
+constexpr double kNoTolerance = 4.0;  // of single precision: so far may flat places be off
+constexpr std::size_t kMaxFaces = 12;
+constexpr int kMaxRounds = 16;
+constexpr std::size_t kMaxTried = 3;
+
+// Where edges and triangles are measured: the distance may peak anywhere where a face ends within.
+void sample_edge(const Vec3& a, const Vec3& b, std::vector<Vec3>& points) {
+    for (const double at : {0.25, 0.5, 0.75}) {
+        points.push_back((1.0 - at) * a + at * b);
+    }
+}
+
+void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<Vec3>& points) {
+    points.push_back((a + b + c) / 3.0);
+    points.push_back(0.6 * a + 0.2 * b + 0.2 * c);
+    points.push_back(0.2 * a + 0.6 * b + 0.2 * c);
+    points.push_back(0.2 * a + 0.2 * b + 0.6 * c);
+}
+
+std::vector<Vec3> samples_of_fan(const SurfaceMesh& mesh, const Disc& disc, const Vec3& apex, int apex_site) {
+    std::vector<Vec3> points;
+    for (const int side : disc.rim) {
+        const int next = SurfaceMesh::next(side);
+        if (mesh.site_of(side) != apex_site) {
+            sample_edge(mesh.point_of(side), apex, points);
+            if (mesh.site_of(next) != apex_site) {
+                sample_triangle(mesh.point_of(side), mesh.point_of(next), apex, points);
+            }
+        }
+    }
+    return points;
+}
+
+// The sites that the rim surrounds.
+std::vector<int> inner_sites(const SurfaceMesh& mesh, const Disc& disc) {
+    std::vector<int> rim;
+    for (const int side : disc.rim) {
+        rim.push_back(mesh.site_of(side));
+    }
+    std::vector<int> inner;
+    for (const int t : disc.triangles) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const int site = mesh.site_of(h);
+            if (std::find(rim.begin(), rim.end(), site) == rim.end() &&
+                std::find(inner.begin(), inner.end(), site) == inner.end()) {
+                inner.push_back(site);
+            }
+        }
+    }
+    return inner;
+}
+
+double farthest(const std::vector<Foot>& feet) {
+    double worst = 0.0;
+    for (const Foot& foot : feet) {
+        worst = std::max(worst, foot.distance);
+    }
+    return worst;
+}
+
+}  // namespace
+
+PatchMender::PatchMender(Workspace& work, double min_angle_degrees, const Sizing& sizing, Patches& patches)
+    : Mender(work, min_angle_degrees, sizing), patches_(patches) {
+    find_half_edges();
+}
+
+void PatchMender::find_half_edges() {
+    half_edge_of_.assign(static_cast<std::size_t>(work_.mesh.vertex_count()), -1);
+    for (int h = work_.mesh.half_edge_count() - 1; h >= 0; --h) {
+        half_edge_of_[static_cast<std::size_t>(work_.mesh.vertex_of(h))] = h;
+    }
+}
+
+bool PatchMender::admissible(const Disc& disc) const {
+    const std::vector<int> inner = inner_sites(work_.mesh, disc);
+    // Two triangles back to back over a released edge have a rim of two sides: nothing could take their place.
+    return disc.rim.size() > 2 &&
+           std::none_of(inner.begin(), inner.end(),
+                        [&](int site) { return patches_.locked(work_.mesh.site(site).vertex); }) &&
+           patches_.sheets(disc.triangles, Vec3::Zero()).faces.size() <= kMaxFaces;
+}
+
+// Of the disc, with its inner vertices, which are points of the part.
+std::vector<Passenger> PatchMender::passengers(const Disc& disc) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    std::vector<Passenger> all = patches_.passengers(work_, disc.triangles);
+    for (const int site : inner_sites(mesh, disc)) {
+        const Vec3& point = mesh.vertex(mesh.site(site).vertex).point;
+        all.push_back({point, patches_.face_of_site(site), mesh.site(site).uv, 0.0});
+    }
+    return all;
+}
+
+bool PatchMender::near_surface(const Disc& disc, const Corner& apex, const Vec2&, int apex_site) const {
+    const std::vector<Passenger> all = passengers(disc);
+    double allowed = kMargin * sizing_.tolerance;
+    if (!(sizing_.tolerance > 0.0)) {
+        allowed = kNoTolerance * work_.grid.resolution();
+        for (const Passenger& passenger : all) {
+            allowed = std::max(allowed, passenger.distance);
+        }
+    }
+    return near_passengers(disc, apex.point, apex_site, all, allowed) &&
+           farthest(feet_on(work_, samples_of_fan(work_.mesh, disc, apex.point, apex_site),
+                            patches_.sheets(disc.triangles, apex.point))) <= allowed;
+}
+
+bool PatchMender::near_passengers(const Disc& disc, const Vec3& apex, int apex_site,
+                                  const std::vector<Passenger>& passengers, double allowed) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    return std::all_of(passengers.begin(), passengers.end(), [&](const Passenger& passenger) {
+        const Vec3& p = passenger.point;
+        return std::any_of(disc.rim.begin(), disc.rim.end(), [&](int side) {
+            const int next = SurfaceMesh::next(side);
+            return mesh.site_of(side) != apex_site && mesh.site_of(next) != apex_site &&
+                   (mesh::nearest_on_triangle(p, mesh.point_of(side), mesh.point_of(next), apex) - p).norm() <= allowed;
+        });
+    });
+}
+
+std::optional<SurfacePoint> PatchMender::apex_near(const Disc& disc, const Vec3& p) const {
+    double reach = 0.0;
+    for (const int side : disc.rim) {
+        reach = std::max(reach, kMaxLift * (work_.mesh.point_of(side) - p).norm());
+    }
+    const Foot foot = feet_on(work_, {p}, patches_.sheets(disc.triangles, p)).front();
+    if (foot.face < 0 || foot.distance > reach) {
+        return std::nullopt;
+    }
+    apex_face_ = foot.face;
+    return SurfacePoint{work_.grid.snap(foot.point), foot.uv, foot.normal};
+}
+
+int PatchMender::add_apex(const Disc&, const SurfacePoint& p) {
+    const int site = work_.mesh.add_site({work_.mesh.add_vertex(p.point, {2, apex_face_}), p.uv, p.normal});
+    patches_.add_site(site, apex_face_);
+    half_edge_of_.push_back(-1);
+    return site;
+}
+
+std::vector<int> PatchMender::exchange(const Disc& disc, int apex_site) {
+    const std::vector<Passenger> all = passengers(disc);
+    for (const int site : inner_sites(work_.mesh, disc)) {
+        half_edge_of_[static_cast<std::size_t>(work_.mesh.site(site).vertex)] = -1;
+    }
+    std::vector<int> added = Mender::exchange(disc, apex_site);
+    patches_.replaced(added, all);
+    for (const int t : added) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            half_edge_of_[static_cast<std::size_t>(work_.mesh.vertex_of(h))] = h;
+        }
+    }
+    return added;
+}
+
+void PatchMender::moved(const std::vector<std::pair<int, int>>& pairs) {
+    patches_.moved(pairs);
+    find_half_edges();
+}
+
+// @param around takes the vertices of the rim.
+bool PatchMender::take_out(int vertex, std::vector<int>& around) {
+    const SurfaceMesh& mesh = work_.mesh;
+    const int h = half_edge_of_[static_cast<std::size_t>(vertex)];
+    if (h < 0 || patches_.locked(vertex)) {
+        return false;
+    }
+    const std::vector<int> star = mesh.star(h);
+    if (mesh.twin(SurfaceMesh::prev(star.back())) < 0) {
+        return false;  // on an edge that stays
+    }
+    const auto disc = disc_of(mesh, triangles_around(mesh, h));
+    if (!disc || !admissible(*disc)) {
+        return false;
+    }
+    const double aligned = std::min(kWellAligned, disc_alignment(mesh, *disc));
+    std::vector<std::pair<double, int>> apexes;
+    for (const int side : disc->rim) {
+        const double angle = fan_angle(mesh, *disc, mesh.point_of(side), mesh.site_of(side));
+        if (angle >= bound_) {
+            apexes.emplace_back(-angle, side);
+        }
+    }
+    std::sort(apexes.begin(), apexes.end());
+    apexes.resize(std::min(apexes.size(), kMaxTried));
+    for (const auto& [angle, side] : apexes) {
+        const int site = mesh.site_of(side);
+        const Corner apex = corner_of(mesh, site);
+        if (fan_alignment(mesh, *disc, apex, site) >= aligned && within_bounds(*disc, apex, site) &&
+            rim_apex_legal(mesh, work_.maxmin, *disc, site) && near_surface(*disc, apex, Vec2::Zero(), site)) {
+            for (const int other : disc->rim) {
+                around.push_back(mesh.vertex_of(other));
+            }
+            replace(*disc, site);
+            return true;
+        }
+    }
+    return false;
+}
+
+void PatchMender::coarsen() {
+    std::vector<int> vertices = patches_.vertices_on_edges();
+    for (int round = 0; round < kMaxRounds && !vertices.empty(); ++round) {
+        // Where edges are shortest first.
+        std::vector<std::pair<double, int>> order;
+        for (const int v : vertices) {
+            const int h = half_edge_of_[static_cast<std::size_t>(v)];
+            double shortest = 1e300;
+            for (const int spoke : h < 0 ? std::vector<int>() : work_.mesh.star(h)) {
+                const Vec3 way = work_.mesh.point_of(SurfaceMesh::next(spoke)) - work_.mesh.point_of(spoke);
+                shortest = std::min(shortest, way.norm());
+            }
+            order.emplace_back(shortest, v);
+        }
+        std::sort(order.begin(), order.end());
+        std::vector<int> around;
+        for (const auto& [length, v] : order) {
+            work_.progress.check();
+            take_out(v, around);
+        }
+        std::sort(around.begin(), around.end());
+        around.erase(std::unique(around.begin(), around.end()), around.end());
+        vertices = std::move(around);
+    }
+    finish();
+}
+
+}  // namespace mq::triangulate
