@@ -327,6 +327,14 @@
         <source>How many times longer than their neighbours edges become on the way from fine places to coarse ones: 1.2 is slow, 2 is fast; 0: any</source>
         <translation>Wievielmal so lang wie ihre Nachbarn Kanten auf dem Weg von feinen zu groben Stellen werden: 1,2 ist langsam, 2 ist schnell; 0: beliebig</translation>
     </message>
+    <message>
+        <source>Which edges of the shape the mesh follows: all, or feature: not those that the surface crosses smoothly, which triangles then may span</source>
+        <translation>Welchen Kanten der Form das Netz folgt: allen, oder nur scharfen: nicht denen, über die die Fläche glatt hinweggeht; über diese dürfen Dreiecke dann hinwegreichen</translation>
+    </message>
+    <message>
+        <source>With keep_edges = feature: edges are smooth where the surface turns by less than this</source>
+        <translation>Wenn nur scharfe Kanten bleiben: glatt sind Kanten, an denen sich die Fläche um weniger als dies dreht</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1277,6 +1285,30 @@
     <message>
         <source>How many times longer than their neighbours edges become on the way from fine places to coarse ones: 1.2 is slow, 2 is fast</source>
         <translation>Wievielmal so lang wie ihre Nachbarn Kanten auf dem Weg von feinen zu groben Stellen werden: 1,2 ist langsam, 2 ist schnell</translation>
+    </message>
+    <message>
+        <source>Edges are smooth below</source>
+        <translation>Kanten sind glatt unter</translation>
+    </message>
+    <message>
+        <source>Edges of the shape</source>
+        <translation>Kanten der Form</translation>
+    </message>
+    <message>
+        <source>Which edges of the shape the mesh follows: all, or feature: not those that the surface crosses smoothly, which triangles then may span</source>
+        <translation>Welchen Kanten der Form das Netz folgt: allen, oder nur scharfen: nicht denen, über die die Fläche glatt hinweggeht; über diese dürfen Dreiecke dann hinwegreichen</translation>
+    </message>
+    <message>
+        <source>With keep_edges = feature: edges are smooth where the surface turns by less than this</source>
+        <translation>Wenn nur scharfe Kanten bleiben: glatt sind Kanten, an denen sich die Fläche um weniger als dies dreht</translation>
+    </message>
+    <message>
+        <source>keep all</source>
+        <translation>alle behalten</translation>
+    </message>
+    <message>
+        <source>keep sharp ones</source>
+        <translation>scharfe behalten</translation>
     </message>
 </context>
 <context>

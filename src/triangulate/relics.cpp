@@ -46,7 +46,6 @@ class Attempt {
         if (!(sizing.growth > 0.0)) {  // larger triangles would grow faster than asked for
             mender.coarsen();
         }
-        mender.run();
         work_.spanning = patches_.settle(work_);
     }
 
