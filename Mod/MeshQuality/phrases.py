@@ -44,6 +44,9 @@ REASONS = (
     "a further vertex would lie closer to its neighbours than they do to each other",
     "a further vertex would fold the mesh",
     "the engine finds no point of the surface there",
+    "no change of the triangles around makes the angle larger "
+
+    "within the bounds",
     "max_triangles is reached",
     "its smallest angle lies between two sharp edges that must stay",
     "no change within the tolerance makes it better",
@@ -109,6 +112,7 @@ STAGES = {
     "refining to the chord height": "getting nearer to the shape",
     "separating crossings": "separating faces that cross",
     "mending": "mending what is left",
+    "releasing smooth edges": "releasing smooth edges",
     "checking": "checking the result",
     "improving": "improving",
     "classifying": "sorting the triangles",

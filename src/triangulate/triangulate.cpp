@@ -81,7 +81,9 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
     return text;
 }
 
-void refine(Workspace& work, const Options& options, double chord, StageClock& clock, std::string& released) {
+// @return what was done about smooth edges, for the report
+std::string refine(Workspace& work, const Options& options, double chord, StageClock& clock) {
+    std::string released;
     SegmentSplitter segments(work);
     const double from = first_share(options);
     const double middle = from + 0.34 * (0.9 - from);
@@ -118,6 +120,7 @@ void refine(Workspace& work, const Options& options, double chord, StageClock& c
         released = release_relics(work, options, sizing);
         clock.end("smooth edges");
     }
+    return released;
 }
 
 // The faces over shared edges: coarse, or over samples.
@@ -134,6 +137,12 @@ SampledTriangulation first_triangulation(geometry::Session& session, const Singl
     SampledTriangulation samples = sample_part(session, grid, options, chord, std::move(coarse), progress);
     clock.end("sampling");
     return samples;
+}
+
+void add_note(mesh::MeshReport& report, const std::string& note) {
+    if (!note.empty()) {
+        report.notes.push_back(note);
+    }
 }
 
 void check_failures(const geometry::InitialTriangulation& faces, const Options& options) {
@@ -176,7 +185,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     separate_doubled_edges(work, touched);
     if (options.keeps_bounds()) {
         maxmin.sweep(touched);
-        refine(work, options, chord, clock, released);
+        released = refine(work, options, chord, clock);
     }
 
     watched.stage("checking", 0.9, 1.0);
@@ -186,9 +195,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     Result result;
     result.report = final_report(work, out, options, chord);
     result.mesh = std::move(out.mesh);
-    if (!released.empty()) {
-        result.report.notes.push_back(std::move(released));
-    }
+    add_note(result.report, released);
     for (const auto& failure : first.faces.failures) {
         result.report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
     }
