@@ -45,7 +45,6 @@ REASONS = (
     "a further vertex would fold the mesh",
     "the engine finds no point of the surface there",
     "no change of the triangles around makes the angle larger "
-
     "within the bounds",
     "max_triangles is reached",
     "its smallest angle lies between two sharp edges that must stay",

@@ -1310,6 +1310,14 @@
         <source>keep sharp ones</source>
         <translation>scharfe behalten</translation>
     </message>
+    <message>
+        <source>no change of the triangles around makes the angle larger within the bounds</source>
+        <translation>keine Änderung der Dreiecke ringsum macht den Winkel innerhalb der Grenzen größer</translation>
+    </message>
+    <message>
+        <source>releasing smooth edges</source>
+        <translation>glatte Kanten freigeben</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
