@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "base/vec.h"
 
@@ -69,8 +69,7 @@ struct Answer {
     double distance = 0.0;
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::Zero();
-    std::array<Vec3, 5> derivatives{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-    ///< Su, Sv, Suu, Suv, Svv
+    std::vector<Vec3> derivatives{};  ///< Su, Sv, Suu, Suv, Svv, where asked for: most answers are small without
 
     /// The point can be used; the normal too unless the surface is singular there.
     bool found() const { return status == Status::Ok || status == Status::Singular; }

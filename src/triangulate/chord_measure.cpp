@@ -124,13 +124,17 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
     const SurfaceMesh& mesh = work_.mesh;
     Questions questions(work_, results, tolerance);
     std::vector<char> middle_seen(half_edges.size(), 0);
+    // Between ends that are off the face by less than the tolerance, the mesh need not be.
+    const auto unavoidable = [&](double a, double b, double at) {
+        return std::max(a, b) > tolerance ? (1.0 - at) * a + at * b : 0.0;
+    };
     const auto add = [&](std::size_t i, double at) {
         const int h = half_edges[i];
         const int next = SurfaceMesh::next(h);
         const Vec3 p = between(mesh.point_of(h), mesh.point_of(next), at);
         const Vec2 uv = (1.0 - at) * mesh.site(mesh.site_of(h)).uv + at * mesh.site(mesh.site_of(next)).uv;
         questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()),
-                      (1.0 - at) * offset(h) + at * offset(next));
+                      unavoidable(offset(h), offset(next), at));
     };
     const auto remember = [&](std::size_t i, const Vec3& p, const Answer& foot) {
         if (middle_seen[i] == 0) {
@@ -216,13 +220,15 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
         Vec3 p = Vec3::Zero();
         Vec2 uv = Vec2::Zero();
         double unavoidable = 0.0;
+        double farthest = 0.0;
         for (int k = 0; k < 3; ++k) {
             p += peak.weights[k] * mesh.point_of(h + k);
             uv += peak.weights[k] * mesh.site(mesh.site_of(h + k)).uv;
             unavoidable += peak.weights[k] * offset(h + k);
+            farthest = std::max(farthest, offset(h + k));
         }
         questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()),
-                      unavoidable);
+                      farthest > tolerance ? unavoidable : 0.0);
         if (questions.full()) {
             questions.ask(ignore);
         }
