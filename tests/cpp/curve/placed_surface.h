@@ -15,10 +15,18 @@ namespace mq::curve {
 class PlacedSurface {
   public:
     PlacedSurface(const std::shared_ptr<geometry::Model>& model, int order, double max_edge)
-        : session(engine, model),
-          surface(classify(session, straight(model, max_edge), order)),
-          editor(session, surface) {
+        : PlacedSurface(model, order, straight(model, max_edge)) {}
+    PlacedSurface(const std::shared_ptr<geometry::Model>& model, int order, const mesh::TriangleMesh& straight)
+        : session(engine, model), surface(classify(session, straight, order)), editor(session, surface) {
         editor.placement.place(living());
+    }
+
+    static mesh::TriangleMesh straight(const std::shared_ptr<geometry::Model>& model, double max_edge) {
+        geometry::Engine engine(geometry::Engine::Mode::Direct);
+        triangulate::Options options;
+        options.min_angle = 20.0;
+        options.max_edge = max_edge;
+        return triangulate::triangulate(engine, model, options).mesh;
     }
 
     std::vector<int> living() const {
@@ -68,14 +76,6 @@ class PlacedSurface {
     mutable geometry::Session session;
     Surface surface;
     SurfaceEditor editor;
-
-  private:
-    mesh::TriangleMesh straight(const std::shared_ptr<geometry::Model>& model, double max_edge) {
-        triangulate::Options options;
-        options.min_angle = 20.0;
-        options.max_edge = max_edge;
-        return triangulate::triangulate(engine, model, options).mesh;
-    }
 };
 
 }  // namespace mq::curve

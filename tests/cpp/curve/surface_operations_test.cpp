@@ -2,6 +2,8 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
 #include <cmath>
 
 #include "curve/placed_surface.h"
@@ -158,7 +160,15 @@ TEST(SurfaceCrossings, CoarseTrianglesOfThinWallsAreRefined) {
     const gp_Ax2 turned(gp::Origin(), gp::DX());
     const TopoDS_Shape shell =
         BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(1.0).Shape(), BRepPrimAPI_MakeSphere(turned, 0.97).Shape()).Shape();
-    PlacedSurface placed(geometry::make_shape_model(shell), 2, 0.9);
+    // Those of one shell are kept apart before they are curved, faces that no shell joins are not.
+    TopoDS_Compound faces;
+    BRep_Builder builder;
+    builder.MakeCompound(faces);
+    for (TopExp_Explorer face(shell, TopAbs_FACE); face.More(); face.Next()) {
+        builder.Add(faces, face.Current());
+    }
+    const mesh::TriangleMesh crossing = PlacedSurface::straight(geometry::make_shape_model(faces), 0.9);
+    PlacedSurface placed(geometry::make_shape_model(shell), 2, crossing);
     const Progress progress;
     ASSERT_FALSE(crossings(placed.surface, 0, progress).empty());
     EXPECT_NE(trouble_spot(placed.surface, 0, progress).find("meet near"), std::string::npos);
