@@ -2,6 +2,7 @@
 #include "triangulate/nearest_sheet.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace mq::triangulate {
@@ -12,26 +13,23 @@ using geometry::Answer;
 using geometry::Engine;
 using geometry::Query;
 
+// Where along a curve the search for its nearest point starts: it may have several that are nearest for a while.
+constexpr std::array<double, 5> kGuesses{0.02, 0.25, 0.5, 0.75, 0.98};
+
 void take(Foot& foot, const Answer& answer, int face) {
     if (answer.found() && answer.distance < foot.distance) {
         foot = {answer.distance, face, answer.point, Vec2(answer.u, answer.v), answer.normal};
     }
 }
 
-// The CAD edges with both sides on `faces`.
-std::vector<int> edges_between(const geometry::Topology& topology, const std::vector<int>& faces) {
-    const auto among = [&](int use) {
-        const int face = topology.uses[static_cast<std::size_t>(use)].face;
-        return std::binary_search(faces.begin(), faces.end(), face);
-    };
+// Beside a curved border the foot of a point over its chord lies on the border.
+std::vector<int> edges_of(const geometry::Topology& topology, const std::vector<int>& faces) {
     std::vector<int> edges;
     for (const int face : faces) {
         for (const geometry::Loop& loop : topology.faces[static_cast<std::size_t>(face)].loops) {
             for (const int use : loop.uses) {
                 const int e = topology.uses[static_cast<std::size_t>(use)].edge;
-                const geometry::Edge& edge = topology.edges[static_cast<std::size_t>(e)];
-                if (!edge.degenerate && edge.uses.size() > 1 &&
-                    std::all_of(edge.uses.begin(), edge.uses.end(), among)) {
+                if (!topology.edges[static_cast<std::size_t>(e)].degenerate) {
                     edges.push_back(e);
                 }
             }
@@ -45,15 +43,17 @@ std::vector<int> edges_between(const geometry::Topology& topology, const std::ve
 // Of the points that have no foot yet.
 void ask_edges(Workspace& work, const std::vector<Vec3>& points, const Sheets& sheets, std::vector<Foot>& feet) {
     const geometry::Topology& topology = work.session.topology();
-    const std::vector<int> edges = edges_between(topology, sheets.faces);
+    const std::vector<int> edges = edges_of(topology, sheets.faces);
     Engine::Batch batch;
     std::vector<std::size_t> owner;
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t k = 0; k < edges.size() && !feet[i].found(); ++k) {
             const geometry::Edge& edge = topology.edges[static_cast<std::size_t>(edges[k])];
-            const double guess = 0.5 * (edge.t0 + edge.t1);
-            batch.push_back(Query::edge_nearest(edges[k], work.grid.to_part(points[i]), guess, edge.t0, edge.t1));
-            owner.push_back(i);
+            for (const double part : kGuesses) {
+                const double guess = edge.t0 + part * (edge.t1 - edge.t0);
+                batch.push_back(Query::edge_nearest(edges[k], work.grid.to_part(points[i]), guess, edge.t0, edge.t1));
+                owner.push_back(i);
+            }
         }
     }
     const Engine::Answers answers = work.session.ask(std::move(batch));
