@@ -36,6 +36,18 @@ double CrossingRefiner::depth(int a, int b) const {
     return std::min(above, below);
 }
 
+// Triangles of one face that lie the same way and overlap are a fold, which is no matter of chords. (So are coarse
+// layers of a face that is rolled up: these are left, and reported.)
+bool CrossingRefiner::folded(const std::array<int, 2>& pair) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    std::array<Vec3, 2> normals;
+    for (int i = 0; i < 2; ++i) {
+        const Vec3& o = mesh.point_of(3 * pair[i]);
+        normals[i] = (mesh.point_of(3 * pair[i] + 1) - o).cross(mesh.point_of(3 * pair[i] + 2) - o);
+    }
+    return mesh.face_of(pair[0]) == mesh.face_of(pair[1]) && normals[0].dot(normals[1]) > 0.0;
+}
+
 std::vector<CrossingRefiner::Crossing> CrossingRefiner::crossings() {
     std::vector<Crossing> result;
     for (const auto& pair : finder_.pairs()) {
@@ -46,8 +58,8 @@ std::vector<CrossingRefiner::Crossing> CrossingRefiner::crossings() {
             crossing.heights[i] = height(crossing.sides[i]);
             heights += crossing.heights[i];
         }
-        crossing.by_chords =
-            std::min(depth(pair[0], pair[1]), depth(pair[1], pair[0])) <= kDeeper * heights + work_.grid.resolution();
+        crossing.by_chords = !folded(pair) && std::min(depth(pair[0], pair[1]), depth(pair[1], pair[0])) <=
+                                                  kDeeper * heights + work_.grid.resolution();
         result.push_back(crossing);
     }
     return result;

@@ -38,6 +38,7 @@ class CrossingRefiner {
 
     std::vector<Crossing> crossings();
     double depth(int a, int b) const;
+    bool folded(const std::array<int, 2>& pair) const;
     void judge(const std::vector<Crossing>& crossings);
     void request(const Crossing& crossing, std::vector<Site>& sites) const;
     bool split(const std::vector<Site>& sites);
