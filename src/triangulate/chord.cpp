@@ -95,14 +95,13 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
 void ChordRefiner::measure_edges(std::vector<Site>& found) {
     std::vector<int> edges;
     Pace pace(work_.progress);
-    edges_passed_.resize(work_.mesh.triangle_count(), 0);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         pace.step();
-        if (edges_passed_[t] == work_.mesh.stamp(t) + 1) {
+        if (edges_passed_.marked(work_.mesh, t)) {
             continue;
         }
         if (all_edges_passed(t)) {
-            edges_passed_[t] = work_.mesh.stamp(t) + 1;
+            edges_passed_.mark(work_.mesh, t);
             continue;
         }
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
@@ -136,12 +135,11 @@ bool ChordRefiner::all_edges_passed(int triangle) const {
 
 void ChordRefiner::measure_triangles(std::vector<Site>& found) {
     std::vector<int> triangles;
-    measured_.resize(work_.mesh.triangle_count(), 0);
     Pace pace(work_.progress);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         pace.step();
-        if (measured_[t] != work_.mesh.stamp(t) + 1) {
-            measured_[t] = work_.mesh.stamp(t) + 1;
+        if (!measured_.marked(work_.mesh, t)) {
+            measured_.mark(work_.mesh, t);
             triangles.push_back(t);
         }
     }

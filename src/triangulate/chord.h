@@ -9,6 +9,7 @@
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
 #include "triangulate/sizing.h"
+#include "triangulate/triangle_marks.h"
 
 namespace mq::triangulate {
 
@@ -47,9 +48,8 @@ class ChordRefiner {
     const Sizing& sizing_;
     KeySet passed_edges_;
     KeySet refused_edges_;
-    // By triangle, 1 + its stamp when all its edges had passed, and when it was measured itself.
-    std::vector<std::uint32_t> edges_passed_;
-    std::vector<std::uint32_t> measured_;
+    TriangleMarks edges_passed_;  // those all of whose edges passed
+    TriangleMarks measured_;
     std::vector<int> touched_;
     bool changed_ = false;
 };

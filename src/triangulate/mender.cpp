@@ -60,7 +60,8 @@ bool Mender::hopeless(int triangle) const {
 std::uint64_t Mender::key(const Disc& disc) const {
     std::uint64_t sum = disc.triangles.size();
     for (const int t : disc.triangles) {
-        sum = KeyHash()(sum ^ key(t)) + sum;
+        const std::uint64_t as_it_is = (static_cast<std::uint64_t>(t) << 32) | work_.mesh.stamp(t);
+        sum = KeyHash()(sum ^ as_it_is) + sum;
     }
     return sum;
 }
@@ -73,10 +74,6 @@ double Mender::enough_after(double before) const {
 bool Mender::at_resolution(int triangle) const {
     const Exemption* exemption = exemption_of(triangle);
     return exemption != nullptr && exemption->cause == Cause::Resolution;
-}
-
-std::uint64_t Mender::key(int triangle) const {
-    return (static_cast<std::uint64_t>(triangle) << 32) | work_.mesh.stamp(triangle);
 }
 
 void Mender::push_if_bad(int triangle) {
@@ -98,14 +95,14 @@ bool Mender::run() {
         work_.progress.check();
         const Bad bad = queue_.top();
         queue_.pop();
-        if (work_.mesh.stamp(bad.triangle) != bad.stamp || failed_.count(key(bad.triangle)) > 0) {
+        if (work_.mesh.stamp(bad.triangle) != bad.stamp || failed_.marked(work_.mesh, bad.triangle)) {
             continue;
         }
         ++attempts;
         if (mend(bad.triangle)) {
             changed = true;
         } else {
-            failed_.insert(key(bad.triangle));
+            failed_.mark(work_.mesh, bad.triangle);
         }
     }
     queue_ = {};
@@ -354,7 +351,7 @@ void Mender::replace(const Disc& disc, int apex_site) {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             for (const int other : triangles_around(mesh, h)) {
                 if (!at_resolution(other)) {
-                    failed_.erase(key(other));
+                    failed_.unmark(other);
                 }
                 push_if_bad(other);
             }

@@ -11,6 +11,7 @@
 #include "triangulate/disc.h"
 #include "triangulate/insertion.h"
 #include "triangulate/sizing.h"
+#include "triangulate/triangle_marks.h"
 
 namespace mq::triangulate {
 
@@ -80,7 +81,6 @@ class Mender {
     std::optional<Disc> propose(const Disc& disc, std::vector<Proposal>& proposals) const;
     bool try_best(std::vector<Proposal>& proposals, double at_least);
     bool carry_out(Proposal& proposal);
-    std::uint64_t key(int triangle) const;
     std::uint64_t key(const Disc& disc) const;
     double enough_after(double before) const;
     bool good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const;
@@ -88,8 +88,8 @@ class Mender {
     double distance_of_disc(const Disc& disc) const;
 
     std::priority_queue<Bad> queue_;
-    KeySet failed_;     // by key, until something changes beside them
-    KeySet exhausted_;  // discs that nothing better was found for, by key
+    TriangleMarks failed_;  // until something changes beside them
+    KeySet exhausted_;      // discs that nothing better was found for, by key
 };
 
 }  // namespace mq::triangulate

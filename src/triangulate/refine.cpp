@@ -38,7 +38,7 @@ Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_de
 void Refiner::push_if_bad(int triangle) {
     const SmallestAngle smallest = smallest_angle(work_.mesh, triangle);
     const double aligned = alignment(work_.mesh, triangle);
-    if (aligned < kWellAligned && turned_.count(key(triangle)) == 0) {
+    if (aligned < kWellAligned && !turned_.marked(work_.mesh, triangle)) {
         queue_.push({aligned - 2.0, triangle, work_.mesh.stamp(triangle)});
     } else if (smallest.angle < bound_) {
         queue_.push({smallest.angle, triangle, work_.mesh.stamp(triangle)});
@@ -48,9 +48,8 @@ void Refiner::push_if_bad(int triangle) {
 void Refiner::push_touched() {
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-    looked_at_.resize(work_.mesh.triangle_count(), 0);
     for (const int t : touched_) {
-        looked_at_[t] = work_.mesh.stamp(t) + 1;
+        looked_at_.mark(work_.mesh, t);
         push_if_bad(t);
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             const int s = work_.mesh.segment_of(h);
@@ -64,9 +63,8 @@ void Refiner::push_touched() {
 
 // Triangles that have not changed since the last run are good, or known to be hopeless.
 void Refiner::run() {
-    looked_at_.resize(work_.mesh.triangle_count(), 0);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
-        if (looked_at_[t] != work_.mesh.stamp(t) + 1) {
+        if (!looked_at_.marked(work_.mesh, t)) {
             touched_.push_back(t);
         }
     }
@@ -175,7 +173,7 @@ std::optional<Candidate> Refiner::site_by_rule(int triangle, int attempt, int& b
 
 // Once a triangle: where splitting is refused it stays as it is.
 void Refiner::take_turned(const Bad& bad, std::vector<Job>& jobs) {
-    turned_.insert(key(bad.triangle));
+    turned_.mark(work_.mesh, bad.triangle);
     touched_.push_back(bad.triangle);
     const int h = most_turned_side(work_.mesh, bad.triangle);
     const double side = (work_.mesh.point_of(SurfaceMesh::next(h)) - work_.mesh.point_of(h)).norm();
@@ -189,10 +187,6 @@ void Refiner::take_turned(const Bad& bad, std::vector<Job>& jobs) {
                narrowest_corner(work_.mesh, segment, 1).angle > kNarrow) {
         segments_.request(segment);
     }
-}
-
-std::uint64_t Refiner::key(int triangle) const {
-    return (static_cast<std::uint64_t>(triangle) << 32) | work_.mesh.stamp(triangle);
 }
 
 // The angle lies between two segments that meet in its corner: the part itself has it.

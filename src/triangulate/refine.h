@@ -7,9 +7,9 @@
 #include <queue>
 #include <vector>
 
-#include "base/key_set.h"
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
+#include "triangulate/triangle_marks.h"
 #include "triangulate/triangulate.h"
 
 namespace mq::triangulate {
@@ -43,7 +43,6 @@ class Refiner {
             0;  // the chosen rule's site; when it is refused the other rule's, then the middle of the longest edge
     };
 
-    std::uint64_t key(int triangle) const;
     void take_turned(const Bad& bad, std::vector<Job>& jobs);
     void push_if_bad(int triangle);
     void push_touched();
@@ -73,10 +72,10 @@ class Refiner {
     Insertion insertion_;
     std::priority_queue<Bad> queue_;
     std::map<int, int> sharpened_;  // by vertex: how often the chords at a narrow corner were halved
-    KeySet turned_;                 // triangles that were refined for their alignment, by key
+    TriangleMarks turned_;          // those that were refined for their alignment
     std::vector<int> touched_;
-    std::vector<std::uint32_t> looked_at_;  // by triangle: 1 + its stamp when it was last pushed if bad
-    std::vector<Job> again_;                // fallbacks for the next round
+    TriangleMarks looked_at_;  // those that were pushed if bad
+    std::vector<Job> again_;   // fallbacks for the next round
 };
 
 }  // namespace mq::triangulate
