@@ -4,6 +4,7 @@
 #include <tsl/robin_map.h>
 #include <tsl/robin_set.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -21,5 +22,15 @@ struct KeyHash {
 using KeySet = tsl::robin_set<std::uint64_t, KeyHash>;
 template <typename Value>
 using KeyMap = tsl::robin_map<std::uint64_t, Value, KeyHash>;
+
+/// Of two numbers in this order.
+inline std::uint64_t ordered_key(std::uint32_t first, std::uint32_t second) {
+    return (static_cast<std::uint64_t>(first) << 32) | second;
+}
+
+/// Of two indices, at least 0, in either order.
+inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
+    return ordered_key(static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)));
+}
 
 }  // namespace mq

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/key_set.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
@@ -14,7 +15,7 @@ class EdgeSet {
   public:
     EdgeSet() : slots_(1024, kEmpty) {}
 
-    bool has(std::int32_t from, std::int32_t to) const { return slots_[place(key(from, to))] != kEmpty; }
+    bool has(std::int32_t from, std::int32_t to) const { return slots_[place(ordered_key(from, to))] != kEmpty; }
     /// Whether a triangle is proper and none of its edges is in use.
     bool admits(const mesh::Triangle& t) const {
         return t[0] != t[1] && t[1] != t[2] && t[2] != t[0] && !has(t[0], t[1]) && !has(t[1], t[2]) && !has(t[2], t[0]);
@@ -23,9 +24,9 @@ class EdgeSet {
         if (2 * (count_ + 1) > slots_.size()) {
             grow();
         }
-        std::uint64_t& slot = slots_[place(key(from, to))];
+        std::uint64_t& slot = slots_[place(ordered_key(from, to))];
         count_ += slot == kEmpty ? 1 : 0;
-        slot = key(from, to);
+        slot = ordered_key(from, to);
     }
     void add(const mesh::Triangle& t) {
         for (int i = 0; i < 3; ++i) {
@@ -36,9 +37,6 @@ class EdgeSet {
   private:
     static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
 
-    static std::uint64_t key(std::int32_t from, std::int32_t to) {
-        return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
-    }
     /// Where the key is, or would go.
     std::size_t place(std::uint64_t k) const {
         std::uint64_t hash = k * 0x9e3779b97f4a7c15ULL;

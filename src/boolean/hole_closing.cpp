@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/key_set.h"
 #include "boolean/hole_filling.h"
 #include "boolean/surface_draft.h"
 #include "mesh/triangle_contact.h"
@@ -25,11 +26,6 @@ struct Hole {
 
     std::size_t triangle_count() const { return fan ? border.size() : border.size() - 2; }
 };
-
-std::uint64_t edge_key(std::int32_t a, std::int32_t b) {
-    const auto [low, high] = std::minmax(a, b);
-    return (static_cast<std::uint64_t>(low) << 32) | static_cast<std::uint32_t>(high);
-}
 
 class HoleClosing {
   public:
@@ -128,7 +124,7 @@ class HoleClosing {
                 const std::int32_t g = mesh::next_corner(static_cast<std::int32_t>(corner));
                 for (const std::int32_t v : {draft_.tail(g), draft_.head(g)}) {
                     if (rim.count(v) > 0) {
-                        edges_.insert(edge_key(draft_.tail(h), v));
+                        edges_.insert(pair_key(draft_.tail(h), v));
                     }
                 }
             }
@@ -142,7 +138,7 @@ class HoleClosing {
             const std::int32_t a = t[i];
             const std::int32_t b = t[(i + 1) % 3];
             const bool chord = (a + 1) % count != b && (b + 1) % count != a;
-            if (chord && edges_.count(edge_key(draft_.tail(border_at(hole, a)), draft_.tail(border_at(hole, b)))) > 0) {
+            if (chord && edges_.count(pair_key(draft_.tail(border_at(hole, a)), draft_.tail(border_at(hole, b)))) > 0) {
                 return true;
             }
         }
@@ -210,7 +206,7 @@ class HoleClosing {
                     draft_.pair(3 * t + i, border_of_edge(hole, a));
                     continue;
                 }
-                const auto [other, fresh] = open.emplace(edge_key(a, b), 3 * t + i);
+                const auto [other, fresh] = open.emplace(pair_key(a, b), 3 * t + i);
                 if (!fresh) {
                     draft_.pair(3 * t + i, other->second);
                 }
@@ -218,7 +214,7 @@ class HoleClosing {
         }
         for (std::int32_t t = hole.first_triangle; t < hole.first_triangle + int(filling.size()); ++t) {
             for (int i = 0; i < 3; ++i) {
-                edges_.insert(edge_key(draft_.triangles[t][i], draft_.triangles[t][(i + 1) % 3]));
+                edges_.insert(pair_key(draft_.triangles[t][i], draft_.triangles[t][(i + 1) % 3]));
             }
         }
     }
@@ -260,7 +256,7 @@ class HoleClosing {
         for (std::int32_t t = hole.first_triangle; t < hole.first_triangle + int(hole.triangle_count()); ++t) {
             for (std::int32_t h = 3 * t; h < 3 * t + 3; ++h) {
                 if (draft_.mates[h] / 3 >= hole.first_triangle) {
-                    edges_.erase(edge_key(draft_.tail(h), draft_.head(h)));
+                    edges_.erase(pair_key(draft_.tail(h), draft_.head(h)));
                 }
             }
         }

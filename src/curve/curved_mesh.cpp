@@ -92,7 +92,7 @@ class Assembler {
 
     /// Inner nodes from a to b.
     std::vector<int> edge_nodes(int a, int b, mesh::VertexEntity entity) {
-        auto [found, fresh] = edges_.try_emplace(edge_key(a, b));
+        auto [found, fresh] = edges_.try_emplace(pair_key(a, b));
         if (fresh) {
             const int low = std::min(a, b);
             const int high = std::max(a, b);

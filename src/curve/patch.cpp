@@ -100,7 +100,7 @@ void Patch::take_element(int t) {
     for (const auto& edge : kEdges) {
         const std::size_t low = v[edge[0]] < v[edge[1]] ? edge[0] : edge[1];
         const std::size_t high = low == edge[0] ? edge[1] : edge[0];
-        const auto [found, fresh] = points_of_edge_.try_emplace(edge_key(v[low], v[high]));
+        const auto [found, fresh] = points_of_edge_.try_emplace(pair_key(v[low], v[high]));
         if (fresh) {
             const bool free = inside_edge(v[low], v[high]);
             for (const Vec3& p : edge_points(v[low], v[high])) {
@@ -223,8 +223,8 @@ void Patch::spread_bulges(int sweeps) {
         for (const int t : volume_.of_edge(edges_[i].a, edges_[i].b)) {
             for (const int c : volume_.tetrahedra[static_cast<std::size_t>(t)].corners) {
                 if (c != edges_[i].a && c != edges_[i].b) {
-                    around[i].push_back(edge_key(edges_[i].a, c));
-                    around[i].push_back(edge_key(edges_[i].b, c));
+                    around[i].push_back(pair_key(edges_[i].a, c));
+                    around[i].push_back(pair_key(edges_[i].b, c));
                 }
             }
         }
@@ -235,13 +235,13 @@ void Patch::spread_bulges(int sweeps) {
             for (const EdgeKey key : around[i]) {
                 sum += bulge.at(key);
             }
-            bulge[edge_key(edges_[i].a, edges_[i].b)] = sum / static_cast<double>(around[i].size());
+            bulge[pair_key(edges_[i].a, edges_[i].b)] = sum / static_cast<double>(around[i].size());
         }
     }
     for (const FreeEdge& edge : edges_) {
         const Vec3& a = volume_.point(edge.a);
         const Vec3& b = volume_.point(edge.b);
-        const Vec3& m = bulge.at(edge_key(edge.a, edge.b));
+        const Vec3& m = bulge.at(pair_key(edge.a, edge.b));
         for (int k = 1; k < q; ++k) {
             const double s = static_cast<double>(k) / q;
             points_[static_cast<std::size_t>(edge.points[static_cast<std::size_t>(k - 1)])] =
@@ -259,7 +259,7 @@ void Patch::reblend_faces() {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t k = (i + 1) % 3;
             control[static_cast<std::size_t>(lattice.corner(static_cast<int>(i)))] = volume_.point(face.corners[i]);
-            const std::vector<int>& points = points_of_edge_.at(edge_key(face.corners[i], face.corners[k]));
+            const std::vector<int>& points = points_of_edge_.at(pair_key(face.corners[i], face.corners[k]));
             for (int m = 1; m < q; ++m) {
                 Exponents e{0, 0, 0, 0};
                 e[i] = face.corners[i] < face.corners[k] ? q - m : m;

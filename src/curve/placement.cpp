@@ -54,7 +54,7 @@ void Placement::place(const std::vector<int>& triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const int a = std::min(triangle.corners[k], triangle.corners[(k + 1) % 3]);
             const int b = std::max(triangle.corners[k], triangle.corners[(k + 1) % 3]);
-            if (surface_.shapes.has_edge(a, b) || !seen.insert(edge_key(a, b)).second) {
+            if (surface_.shapes.has_edge(a, b) || !seen.insert(pair_key(a, b)).second) {
                 continue;
             }
             if (surface_.segment(a, b) != nullptr) {

@@ -18,10 +18,6 @@ std::array<std::size_t, 3> ascending(const std::array<int, 3>& corners) {
 
 }  // namespace
 
-EdgeKey edge_key(int a, int b) {
-    return (static_cast<EdgeKey>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
-}
-
 FaceKey face_key(int a, int b, int c) {
     FaceKey key{a, b, c};
     std::sort(key.begin(), key.end());
@@ -51,15 +47,15 @@ void Shapes::set_edge(int a, int b, const std::vector<Vec3>& inner) {
     if (a > b) {
         std::reverse(control.begin(), control.end());
     }
-    edges_[edge_key(a, b)] = std::move(control);
+    edges_[pair_key(a, b)] = std::move(control);
 }
 
 void Shapes::forget_edge(int a, int b) {
-    edges_.erase(edge_key(a, b));
+    edges_.erase(pair_key(a, b));
 }
 
 std::vector<Vec3> Shapes::edge_inner(int a, int b) const {
-    const auto found = edges_.find(edge_key(a, b));
+    const auto found = edges_.find(pair_key(a, b));
     if (found == edges_.end()) {
         const Vec3& from = vertices[static_cast<std::size_t>(std::min(a, b))].point;
         const Vec3& to = vertices[static_cast<std::size_t>(std::max(a, b))].point;
@@ -103,7 +99,7 @@ void Shapes::place_edge(const Lattice& lattice, int a, int b, std::size_t i, std
         std::swap(a, b);
         std::swap(i, k);
     }
-    const auto found = edges_.find(edge_key(a, b));
+    const auto found = edges_.find(pair_key(a, b));
     const Vec3& from = vertices[static_cast<std::size_t>(a)].point;
     const Vec3& to = vertices[static_cast<std::size_t>(b)].point;
     for (int m = 1; m < order_; ++m) {

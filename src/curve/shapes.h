@@ -6,16 +6,15 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/key_set.h"
 #include "curve/bernstein.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::curve {
 
-using EdgeKey = std::uint64_t;
+using EdgeKey = std::uint64_t;  ///< pair_key of the vertices
 using FaceKey = std::array<std::int32_t, 3>;
 
-/// The same for (a, b) and (b, a).
-EdgeKey edge_key(int a, int b);
 /// Ascending vertices.
 FaceKey face_key(int a, int b, int c);
 
@@ -44,7 +43,7 @@ class Shapes {
     /// The q - 1 inner control points from `a` to `b`.
     void set_edge(int a, int b, const std::vector<Vec3>& inner);
     void forget_edge(int a, int b);
-    bool has_edge(int a, int b) const { return edges_.count(edge_key(a, b)) > 0; }
+    bool has_edge(int a, int b) const { return edges_.count(pair_key(a, b)) > 0; }
     std::vector<Vec3> edge_inner(int a, int b) const;
 
     /// The inner control points of face (a, b, c), in the order of the triangle lattice on these corners.

@@ -56,16 +56,16 @@ bool Surface::has_edge(int a, int b) const {
 }
 
 const Segment* Surface::segment(int a, int b) const {
-    const auto found = segments.find(edge_key(a, b));
+    const auto found = segments.find(pair_key(a, b));
     return found == segments.end() ? nullptr : &found->second;
 }
 
 void Surface::set_segment(int a, int b, int edge, double t_a, double t_b) {
-    segments[edge_key(a, b)] = a < b ? Segment{edge, t_a, t_b} : Segment{edge, t_b, t_a};
+    segments[pair_key(a, b)] = a < b ? Segment{edge, t_a, t_b} : Segment{edge, t_b, t_a};
 }
 
 double Surface::t_of(int vertex, int other) const {
-    const Segment& s = segments.at(edge_key(vertex, other));
+    const Segment& s = segments.at(pair_key(vertex, other));
     return vertex < other ? s.t_low : s.t_high;
 }
 

@@ -63,8 +63,7 @@ class Surface {
     std::size_t alive() const;
 
     static std::uint64_t key(int vertex, int face) {
-        return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(vertex)) << 32) |
-               static_cast<std::uint32_t>(face);
+        return ordered_key(static_cast<std::uint32_t>(vertex), static_cast<std::uint32_t>(face));
     }
 
   private:

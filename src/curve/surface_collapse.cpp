@@ -79,7 +79,7 @@ bool collapse_surface_edge(SurfaceEditor& editor, int a, int b, SurfaceEditor::R
         return true;
     }
     if (along >= 0) {
-        surface.segments.erase(edge_key(along, b));
+        surface.segments.erase(pair_key(along, b));
     }
     return false;
 }

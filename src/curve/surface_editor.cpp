@@ -120,7 +120,7 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
         for (std::size_t k = 0; k < 3; ++k) {
             if (!surface.has_edge(corners[k], corners[(k + 1) % 3])) {
                 surface.shapes.forget_edge(corners[k], corners[(k + 1) % 3]);
-                surface.segments.erase(edge_key(corners[k], corners[(k + 1) % 3]));
+                surface.segments.erase(pair_key(corners[k], corners[(k + 1) % 3]));
             }
         }
     }
@@ -138,7 +138,7 @@ void SurfaceEditor::take_back(const std::vector<int>& removed, const std::vector
     }
     for (const auto& [a, b] : fresh_edges) {
         surface.shapes.forget_edge(a, b);
-        surface.segments.erase(edge_key(a, b));
+        surface.segments.erase(pair_key(a, b));
     }
 }
 

@@ -157,12 +157,12 @@ class Snapping {
     void restore(const Before& before, const std::vector<int>& removed) {
         int from = a_;
         for (std::size_t i = 0; i < snaps_.size(); ++i) {
-            surface_.segments.erase(edge_key(from, snaps_[i].vertex));
+            surface_.segments.erase(pair_key(from, snaps_[i].vertex));
             from = snaps_[i].vertex;
             surface_.shapes.vertices[static_cast<std::size_t>(from)] = before.vertices[i];
             surface_.uv[Surface::key(from, face_)] = before.uv[i];
         }
-        surface_.segments.erase(edge_key(from, b_));
+        surface_.segments.erase(pair_key(from, b_));
         for (const auto& [ends, inner] : before.edges) {
             surface_.shapes.set_edge(ends.first, ends.second, inner);
         }

@@ -172,7 +172,7 @@ class Tessellator {
         if (triangle_[a] > triangle_[b]) {
             std::swap(a, b);
         }
-        if (!sides_.insert(edge_key(triangle_[a], triangle_[b])).second) {
+        if (!sides_.insert(pair_key(triangle_[a], triangle_[b])).second) {
             return;
         }
         std::vector<Vec3> nodes;
@@ -195,7 +195,7 @@ class Tessellator {
         }
         const auto [first, second] = halve(Lattice::of(1, mesh_.order), control, 0, 1);
         const std::int32_t middle = add_vertex(first.back());
-        side_middles_[edge_key(a, b)] = middle;
+        side_middles_[pair_key(a, b)] = middle;
         divide(a, middle, first, depth + 1);
         divide(middle, b, second, depth + 1);
     }
@@ -226,7 +226,7 @@ class Tessellator {
     /// The vertex that halves edge k of the piece, from its corner k to the next; -1: it is near enough as it is.
     std::int32_t middle(const Piece& piece, std::size_t k) {
         const std::size_t next = (k + 1) % 3;
-        const EdgeKey key = edge_key(piece.corners[k], piece.corners[next]);
+        const EdgeKey key = pair_key(piece.corners[k], piece.corners[next]);
         if (on_side(piece.at[k], piece.at[next])) {
             const auto found = side_middles_.find(key);
             return found == side_middles_.end() ? -1 : found->second;

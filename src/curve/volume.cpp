@@ -26,7 +26,7 @@ Volume::Volume(Surface& given) : surface(given) {
         }
         fixed_faces_.insert(face_key(t.corners[0], t.corners[1], t.corners[2]));
         for (std::size_t k = 0; k < 3; ++k) {
-            fixed_edges_.insert(edge_key(t.corners[k], t.corners[(k + 1) % 3]));
+            fixed_edges_.insert(pair_key(t.corners[k], t.corners[(k + 1) % 3]));
         }
     }
     of_vertex_.resize(surface.shapes.vertices.size());

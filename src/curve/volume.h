@@ -38,7 +38,7 @@ class Volume {
     std::vector<int> of_edge(int a, int b) const;
     std::vector<int> of_face(int a, int b, int c) const;
     bool has_edge(int a, int b) const;
-    bool fixed_edge(int a, int b) const { return fixed_edges_.count(edge_key(a, b)) > 0; }
+    bool fixed_edge(int a, int b) const { return fixed_edges_.count(pair_key(a, b)) > 0; }
     bool fixed_face(int a, int b, int c) const { return fixed_faces_.count(face_key(a, b, c)) > 0; }
     /// Six times the volume of the straight tetrahedron.
     double straight_jacobian(const std::array<int, 4>& corners) const;

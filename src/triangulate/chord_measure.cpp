@@ -78,9 +78,7 @@ Vec3 between(const Vec3& a, const Vec3& b, double at) {
 }  // namespace
 
 std::uint64_t edge_key(const SurfaceMesh& mesh, int half_edge) {
-    const int a = mesh.vertex_of(half_edge);
-    const int b = mesh.vertex_of(SurfaceMesh::next(half_edge));
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
+    return pair_key(mesh.vertex_of(half_edge), mesh.vertex_of(SurfaceMesh::next(half_edge)));
 }
 
 std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments, double tolerance) {
@@ -95,10 +93,8 @@ std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments
     };
     const auto remember = [&](std::size_t i, const Vec3& p, const Answer& foot) {
         const auto& v = mesh.segment(segments[i]).vertices;
-        const auto key =
-            (static_cast<std::uint64_t>(std::min(v[0], v[1])) << 32) | static_cast<std::uint32_t>(std::max(v[0], v[1]));
         const Vec3 way = foot.found() ? Vec3(work_.grid.to_part(p) - foot.point) : Vec3::Zero();
-        offsets_[key] = {way.x(), way.y(), way.z()};
+        offsets_[pair_key(v[0], v[1])] = {way.x(), way.y(), way.z()};
     };
     for (std::size_t i = 0; i < segments.size(); ++i) {
         add(i, 0.5);

@@ -22,11 +22,6 @@ constexpr int kRoots = 4;
 constexpr int kMostDepth = 48;
 constexpr std::size_t kBlock = 4096;
 
-std::uint64_t key(int a, int b) {
-    const auto low = static_cast<std::uint64_t>(std::min(a, b));
-    return low << 32 | static_cast<std::uint64_t>(std::max(a, b));
-}
-
 }  // namespace
 
 FaceCells::FaceCells(geometry::Session& session, int face, std::vector<Segment2> outline, Spacing spacing)
@@ -195,7 +190,7 @@ std::vector<std::size_t> FaceCells::halve(const std::vector<std::size_t>& cells)
     std::vector<std::array<int, 2>> middles;
     KeyMap<int> known;
     const auto middle = [&](int a, int b) {
-        const auto entry = known.insert({key(a, b), static_cast<int>(corners_.size())});
+        const auto entry = known.insert({pair_key(a, b), static_cast<int>(corners_.size())});
         if (entry.second) {
             corners_.push_back({0.5 * (corners_[a].uv + corners_[b].uv), Vec3::Zero(), 0.0});
         }

@@ -30,12 +30,12 @@ Maxmin::Maxmin(SurfaceMesh& mesh) : mesh_(mesh) {
 
 void Maxmin::remember(int a, int b) {
     if (on_border(a) && on_border(b)) {
-        ++pairs_[pair_of(a, b)];
+        ++pairs_[pair_key(a, b)];
     }
 }
 
 void Maxmin::forget(int a, int b) {
-    const auto found = pairs_.find(pair_of(a, b));
+    const auto found = pairs_.find(pair_key(a, b));
     if (found != pairs_.end() && --found->second == 0) {
         pairs_.erase(found);
     }
@@ -46,7 +46,7 @@ std::vector<int> Maxmin::doubled_edges() const {
     for (int h = 0; h < mesh_.half_edge_count(); ++h) {
         const int a = mesh_.vertex_of(h);
         const int b = mesh_.vertex_of(SurfaceMesh::next(h));
-        if (mesh_.twin(h) > h && on_border(a) && on_border(b) && pairs_.at(pair_of(a, b)) > 1) {
+        if (mesh_.twin(h) > h && on_border(a) && on_border(b) && pairs_.at(pair_key(a, b)) > 1) {
             result.push_back(h);
         }
     }

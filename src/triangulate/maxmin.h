@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/key_set.h"
 #include "mesh/surface_mesh.h"
 #include "triangulate/fold.h"
 
@@ -34,7 +35,7 @@ class Maxmin {
     /// Other triangles in the place of some (see SurfaceMesh::replace), in the books as well.
     std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);
     /// Whether an edge or a segment joins the two vertices already, both of them on CAD edges.
-    bool joined(int a, int b) const { return on_border(a) && on_border(b) && pairs_.count(pair_of(a, b)) > 0; }
+    bool joined(int a, int b) const { return on_border(a) && on_border(b) && pairs_.count(pair_key(a, b)) > 0; }
 
     /// Half-edges without a segment that join two vertices that another edge joins already.
     std::vector<int> doubled_edges() const;
@@ -44,9 +45,6 @@ class Maxmin {
 
   private:
     bool legal(int h, double least) const;
-    static std::uint64_t pair_of(int a, int b) {
-        return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
-    }
     bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
 
     mesh::SurfaceMesh& mesh_;

@@ -60,8 +60,7 @@ bool Mender::hopeless(int triangle) const {
 std::uint64_t Mender::key(const Disc& disc) const {
     std::uint64_t sum = disc.triangles.size();
     for (const int t : disc.triangles) {
-        const std::uint64_t as_it_is = (static_cast<std::uint64_t>(t) << 32) | work_.mesh.stamp(t);
-        sum = KeyHash()(sum ^ as_it_is) + sum;
+        sum = KeyHash()(sum ^ ordered_key(static_cast<std::uint32_t>(t), work_.mesh.stamp(t))) + sum;
     }
     return sum;
 }

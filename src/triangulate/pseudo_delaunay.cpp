@@ -30,10 +30,6 @@ constexpr double kSheet = 0.5;       // of an edge's length: farther along the n
 constexpr std::size_t kTries = 12;   // candidates of one edge
 constexpr double kFar = 8.0;         // in spacings: no triangle between samples without gaps is as large
 
-std::uint64_t key(int a, int b) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
-}
-
 class Front {
   public:
     Front(const SamplingContext& context, int face, const FaceBorder& border,
@@ -104,7 +100,7 @@ Front::Front(const SamplingContext& context, int face, const FaceBorder& border,
       sites_(border.sites) {
     place_sites(samples);
     for (const FrontBorder::Edge& e : outline_.edges()) {
-        open_[key(e.from, e.to)] = e.piece;
+        open_[ordered_key(e.from, e.to)] = e.piece;
         next_[e.from].push_back(e.to);
         queue_.push_back({e.from, e.to});
     }
@@ -228,9 +224,9 @@ bool Front::empty(const Edge& edge, const Option& ball) const {
 }
 
 bool Front::side_fits(int from, int to) const {
-    return open_.count(key(from, to)) != 0 ||
-           (open_.count(key(to, from)) == 0 && half_edge_.count(key(from, to)) == 0 &&
-            half_edge_.count(key(to, from)) == 0 && !crosses_front(from, to));
+    return open_.count(ordered_key(from, to)) != 0 ||
+           (open_.count(ordered_key(to, from)) == 0 && half_edge_.count(ordered_key(from, to)) == 0 &&
+            half_edge_.count(ordered_key(to, from)) == 0 && !crosses_front(from, to));
 }
 
 // A triangle fits when it is not turned away, does not overlap others at its corners, and its sides cross no others.
@@ -301,10 +297,10 @@ void Front::add_triangle(int a, int b, int c) {
 }
 
 void Front::close_or_open(int from, int to, int half_edge) {
-    half_edge_[key(from, to)] = half_edge;
-    const auto found = open_.find(key(from, to));
+    half_edge_[ordered_key(from, to)] = half_edge;
+    const auto found = open_.find(ordered_key(from, to));
     if (found == open_.end()) {
-        open_[key(to, from)] = -1;
+        open_[ordered_key(to, from)] = -1;
         next_[to].push_back(from);
         queue_.push_back({to, from});
         piece_.push_back(-1);
@@ -330,7 +326,7 @@ FaceTriangulation Front::run(const FaceTriangulation& coarse) {
             pace.step();
             const Edge edge = queue_.front();
             queue_.pop_front();
-            if (open_.count(key(edge.from, edge.to)) != 0 && !advance(edge, pass)) {
+            if (open_.count(ordered_key(edge.from, edge.to)) != 0 && !advance(edge, pass)) {
                 left.push_back(edge);
             }
         }
@@ -356,7 +352,7 @@ void Front::collect(FaceTriangulation& made) const {
         link.border = piece_[h];
         if (link.border < 0) {
             const auto& t = triangles_[h / 3];
-            link.half_edge = half_edge_.at(key(t[(h + 1) % 3], t[h % 3]));
+            link.half_edge = half_edge_.at(ordered_key(t[(h + 1) % 3], t[h % 3]));
         }
     }
     outline_.part_merged(made);

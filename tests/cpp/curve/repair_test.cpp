@@ -347,7 +347,7 @@ TEST(Straighten, TrianglesThatStayInvalidBecomeStraightAndNoOthers) {
     std::set<EdgeKey> straight;
     for (const int t : done) {
         const auto& c = surface.triangles[static_cast<std::size_t>(t)].corners;
-        straight.insert({edge_key(c[0], c[1]), edge_key(c[1], c[2]), edge_key(c[2], c[0])});
+        straight.insert({pair_key(c[0], c[1]), pair_key(c[1], c[2]), pair_key(c[2], c[0])});
     }
     for (const auto& [key, segment] : surface.segments) {
         const bool made_straight = straight.count(key) > 0;

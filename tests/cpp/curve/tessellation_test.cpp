@@ -76,20 +76,20 @@ void expect_edge_lines(const CurvedMesh& mesh, const Tessellation& flat) {
     std::set<EdgeKey> edges;
     for (const mesh::Triangle& t : flat.mesh.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
-            edges.insert(edge_key(t[k], t[(k + 1) % 3]));
+            edges.insert(pair_key(t[k], t[(k + 1) % 3]));
         }
     }
     std::set<EdgeKey> sides;
     const auto width = static_cast<std::size_t>(mesh.nodes_per_triangle());
     for (std::size_t t = 0; t < mesh.triangle_face.size(); ++t) {
         for (std::size_t k = 0; k < 3; ++k) {
-            sides.insert(edge_key(mesh.triangles[t * width + k], mesh.triangles[t * width + (k + 1) % 3]));
+            sides.insert(pair_key(mesh.triangles[t * width + k], mesh.triangles[t * width + (k + 1) % 3]));
         }
     }
     std::size_t runs = 0;
     for (std::size_t i = 0; i + 1 < flat.edge_lines.size(); ++i) {
         if (flat.edge_lines[i] >= 0 && flat.edge_lines[i + 1] >= 0) {
-            EXPECT_EQ(edges.count(edge_key(flat.edge_lines[i], flat.edge_lines[i + 1])), 1u);
+            EXPECT_EQ(edges.count(pair_key(flat.edge_lines[i], flat.edge_lines[i + 1])), 1u);
         }
     }
     for (const std::int32_t v : flat.edge_lines) {
