@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angle.h"
 #include "triangulate/corner_angle.h"
+#include "triangulate/disc_change.h"
 
 namespace mq::triangulate {
 
@@ -45,14 +45,9 @@ double largest_distance(const geometry::Engine::Answers& answers) {
 Mender::Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing)
     : work_(work), bound_(min_angle_degrees * M_PI / 180.0), sizing_(sizing) {}
 
-const Exemption* Mender::exemption_of(int triangle) const {
-    const auto found = work_.exempt.find(triangle);
-    return found != work_.exempt.end() && found->second.stamp == work_.mesh.stamp(triangle) ? &found->second : nullptr;
-}
-
 // The part itself has the angle.
 bool Mender::hopeless(int triangle) const {
-    const Exemption* exemption = exemption_of(triangle);
+    const Exemption* exemption = work_.exemption_of(triangle);
     return exemption != nullptr && (exemption->cause == Cause::NarrowCorner || exemption->cause == Cause::Apex);
 }
 
@@ -71,7 +66,7 @@ double Mender::enough_after(double before) const {
 
 // Tips that end within nothing are tried once.
 bool Mender::at_resolution(int triangle) const {
-    const Exemption* exemption = exemption_of(triangle);
+    const Exemption* exemption = work_.exemption_of(triangle);
     return exemption != nullptr && exemption->cause == Cause::Resolution;
 }
 
@@ -107,22 +102,8 @@ bool Mender::run() {
     queue_ = {};
     failed_.clear();
     exhausted_.clear();
-    finish();
+    close_gaps(work_);
     return changed;
-}
-
-void Mender::finish() {
-    const std::vector<std::pair<int, int>> pairs = work_.mesh.compact();
-    moved(pairs);
-    for (const auto& [from, to] : pairs) {
-        const auto found = work_.exempt.find(from);
-        if (found != work_.exempt.end()) {
-            Exemption exemption = found->second;
-            exemption.stamp = work_.mesh.stamp(to);
-            work_.exempt.erase(found);
-            work_.exempt[to] = exemption;
-        }
-    }
 }
 
 std::vector<Disc> Mender::discs_around(int triangle) const {
@@ -220,18 +201,8 @@ bool Mender::try_best(std::vector<Proposal>& proposals, double at_least) {
 bool Mender::good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const {
     const double least = std::min(kAligned, disc_alignment(work_.mesh, disc));
     return fan_angle(work_.mesh, disc, apex.point, apex_site) >= enough_after(before) &&
-           fan_alignment(work_.mesh, disc, apex, apex_site) >= least && within_bounds(disc, apex, apex_site);
-}
-
-bool Mender::within_bounds(const Disc& disc, const Corner& apex, int apex_site) const {
-    return std::all_of(disc.rim.begin(), disc.rim.end(), [&](int side) {
-        const Corner corner = corner_of(work_.mesh, work_.mesh.site_of(side));
-        const double length = (corner.point - apex.point).norm();
-        return work_.mesh.site_of(side) == apex_site ||
-               (length >= work_.shortest_allowed() &&
-                (!sizing_.bounds.any() || length <= sizing_.bounds.of(work_.mesh, side)) &&
-                (!(sizing_.turn > 0.0) || angle_between(corner.normal, apex.normal) <= sizing_.turn));
-    });
+           fan_alignment(work_.mesh, disc, apex, apex_site) >= least &&
+           within_bounds(work_, sizing_, disc, apex, apex_site);
 }
 
 // Over the middles of the spokes and the centroids of a fan's triangles.
@@ -294,22 +265,10 @@ std::optional<SurfacePoint> Mender::apex_near(const Disc& disc, const Vec3& p) c
     return surface_points(work_, {candidate}).front();
 }
 
-int Mender::add_apex(const Disc& disc, const SurfacePoint& p) {
-    const int face = work_.mesh.face_of(disc.triangles.front());
-    return work_.mesh.add_site({work_.mesh.add_vertex(p.point, {2, face}), p.uv, p.normal});
-}
-
-std::vector<int> Mender::exchange(const Disc& disc, int apex_site) {
-    return work_.maxmin.replace(disc.triangles, fan(work_.mesh, disc, apex_site));
-}
-
 bool Mender::carry_out(Proposal& proposal) {
     const SurfaceMesh& mesh = work_.mesh;
     const Disc& disc = proposal.disc;
     int site = proposal.apex_site;
-    if (!admissible(disc)) {
-        return false;
-    }
     if (site >= 0) {
         const Vec2 uv = mesh.site(site).uv;
         const Corner apex = corner_of(mesh, site);
@@ -323,32 +282,18 @@ bool Mender::carry_out(Proposal& proposal) {
             !near_surface(disc, {found->point, found->normal}, found->uv, -1)) {
             return false;
         }
-        site = add_apex(disc, *found);
+        const int face = mesh.face_of(disc.triangles.front());
+        site = work_.mesh.add_site({work_.mesh.add_vertex(found->point, {2, face}), found->uv, found->normal});
     }
     replace(disc, site);
     return true;
 }
 
-// What is still bad stays exempt for the reason that was there; what failed beside it gets another chance.
+// What failed beside it gets another chance.
 void Mender::replace(const Disc& disc, int apex_site) {
-    std::optional<Exemption> reason;
-    for (const int t : disc.triangles) {
-        const Exemption* exemption = exemption_of(t);
-        if (exemption != nullptr && (!reason || exemption->cause == Cause::NarrowCluster)) {
-            reason = *exemption;
-        }
-    }
-    const SurfaceMesh& mesh = work_.mesh;
-    for (const int t : disc.triangles) {
-        work_.exempt.erase(t);
-    }
-    for (const int t : exchange(disc, apex_site)) {
-        if (reason && smallest_angle(mesh, t).angle < bound_) {
-            reason->stamp = mesh.stamp(t);
-            work_.exempt[t] = *reason;
-        }
+    for (const int t : put_fan(work_, disc, apex_site, bound_)) {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            for (const int other : triangles_around(mesh, h)) {
+            for (const int other : triangles_around(work_.mesh, h)) {
                 if (!at_resolution(other)) {
                     failed_.unmark(other);
                 }

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <queue>
-#include <utility>
 #include <vector>
 
 #include "base/key_set.h"
@@ -26,34 +25,9 @@ namespace mq::triangulate {
 class Mender {
   public:
     Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing);
-    virtual ~Mender() = default;
-    Mender(const Mender&) = delete;
-    Mender& operator=(const Mender&) = delete;
 
     /// @return whether anything was changed. Leaves no triangle that is gone.
     bool run();
-
-  protected:
-    /// Whether the disc may be changed at all.
-    virtual bool admissible(const Disc&) const { return true; }
-    /// Whether the fan is within the tolerance.
-    virtual bool near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const;
-    /// The surface point near `p` for the apex of a fan.
-    virtual std::optional<SurfacePoint> apex_near(const Disc& disc, const Vec3& p) const;
-    /// A site for a point that `apex_near` gave.
-    virtual int add_apex(const Disc& disc, const SurfacePoint& p);
-    /// @return the triangles that are in the place of the disc's.
-    virtual std::vector<int> exchange(const Disc& disc, int apex_site);
-    /// What stands for triangles when the last of them take the indices of those that are gone.
-    virtual void moved(const std::vector<std::pair<int, int>>&) {}
-
-    bool within_bounds(const Disc& disc, const Corner& apex, int apex_site) const;
-    void replace(const Disc& disc, int apex_site);
-    void finish();
-
-    Workspace& work_;
-    double bound_;  // radians
-    const Sizing& sizing_;
 
   private:
     struct Bad {
@@ -75,18 +49,23 @@ class Mender {
     void push_if_bad(int triangle);
     bool hopeless(int triangle) const;
     bool at_resolution(int triangle) const;
-    const Exemption* exemption_of(int triangle) const;
     bool mend(int triangle);
     std::vector<Disc> discs_around(int triangle) const;
     std::optional<Disc> propose(const Disc& disc, std::vector<Proposal>& proposals) const;
     bool try_best(std::vector<Proposal>& proposals, double at_least);
+    std::optional<SurfacePoint> apex_near(const Disc& disc, const Vec3& p) const;
     bool carry_out(Proposal& proposal);
+    void replace(const Disc& disc, int apex_site);
     std::uint64_t key(const Disc& disc) const;
     double enough_after(double before) const;
     bool good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const;
+    bool near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const;
     double distance_of_fan(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const;
     double distance_of_disc(const Disc& disc) const;
 
+    Workspace& work_;
+    double bound_;  // radians
+    const Sizing& sizing_;
     std::priority_queue<Bad> queue_;
     TriangleMarks failed_;  // until something changes beside them
     KeySet exhausted_;      // discs that nothing better was found for, by key

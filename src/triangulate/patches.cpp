@@ -154,11 +154,6 @@ Sheets Patches::sheets(const std::vector<int>& triangles, const Vec3& middle) co
     return result;
 }
 
-void Patches::add_site(int site, int face) {
-    face_of_site_.resize(static_cast<std::size_t>(site) + 1, -1);
-    face_of_site_.back() = face;
-}
-
 std::vector<Passenger> Patches::passengers(Workspace& work, const std::vector<int>& triangles) {
     std::vector<Passenger> all;
     for (const int t : triangles) {

@@ -45,8 +45,7 @@ class Patches {
     std::vector<Passenger> passengers(Workspace& work, const std::vector<int>& triangles);
     int face_of_site(int site) const { return face_of_site_[static_cast<std::size_t>(site)]; }
 
-    /// To be told: new sites, triangles that took the place of others with their passengers, and triangles that moved.
-    void add_site(int site, int face);
+    /// To be told: triangles that took the place of others with their passengers, and triangles that moved.
     void replaced(const std::vector<int>& triangles, const std::vector<Passenger>& passengers);
     void moved(const std::vector<std::pair<int, int>>& pairs);
 

@@ -6,7 +6,7 @@
 
 #include "triangulate/corner_angle.h"
 #include "triangulate/crossing_finder.h"
-#include "triangulate/patch_mender.h"
+#include "triangulate/patch_coarsener.h"
 #include "triangulate/smooth_edges.h"
 
 namespace mq::triangulate {
@@ -42,9 +42,8 @@ class Attempt {
             patches_.lock(v);
         }
         withdraw_corners(work_);
-        PatchMender mender(work_, options.min_angle, sizing, patches_);
         if (!(sizing.growth > 0.0)) {  // larger triangles would grow faster than asked for
-            mender.coarsen();
+            PatchCoarsener(work_, options.min_angle, sizing, patches_).run();
         }
         work_.spanning = patches_.settle(work_);
     }

@@ -65,6 +65,11 @@ struct Workspace {
 
     bool over_budget() const { return static_cast<std::size_t>(mesh.triangle_count()) >= budget; }
     double shortest_allowed() const { return min_edge > floor ? min_edge : floor; }
+    /// Why the triangle as it is was given up; null: it was not.
+    const Exemption* exemption_of(int triangle) const {
+        const auto found = exempt.find(triangle);
+        return found != exempt.end() && found->second.stamp == mesh.stamp(triangle) ? &found->second : nullptr;
+    }
     Cause too_short() const { return min_edge > floor ? Cause::MinEdge : Cause::Resolution; }
 };
 

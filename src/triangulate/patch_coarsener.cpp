@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/patch_mender.h"
+#include "triangulate/patch_coarsener.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "mesh/triangle_tree.h"
+#include "triangulate/disc_change.h"
 
 namespace mq::triangulate {
 
@@ -12,7 +13,6 @@ namespace {
 
 using mesh::SurfaceMesh;
 
-constexpr double kMaxLift = 0.5;
 // Of the tolerance: between the places that are measured distances may be a little larger.
 constexpr double kMargin = 0.9;
 constexpr double kNoTolerance = 4.0;  // of single precision: so far may flat places be off
@@ -77,19 +77,19 @@ double farthest(const std::vector<Foot>& feet) {
 
 }  // namespace
 
-PatchMender::PatchMender(Workspace& work, double min_angle_degrees, const Sizing& sizing, Patches& patches)
-    : Mender(work, min_angle_degrees, sizing), patches_(patches) {
+PatchCoarsener::PatchCoarsener(Workspace& work, double min_angle_degrees, const Sizing& sizing, Patches& patches)
+    : work_(work), bound_(min_angle_degrees * M_PI / 180.0), sizing_(sizing), patches_(patches) {
     find_half_edges();
 }
 
-void PatchMender::find_half_edges() {
+void PatchCoarsener::find_half_edges() {
     half_edge_of_.assign(static_cast<std::size_t>(work_.mesh.vertex_count()), -1);
     for (int h = work_.mesh.half_edge_count() - 1; h >= 0; --h) {
         half_edge_of_[static_cast<std::size_t>(work_.mesh.vertex_of(h))] = h;
     }
 }
 
-bool PatchMender::admissible(const Disc& disc) const {
+bool PatchCoarsener::admissible(const Disc& disc) const {
     const std::vector<int> inner = inner_sites(work_.mesh, disc);
     // Two triangles back to back over a released edge have a rim of two sides: nothing could take their place.
     return disc.rim.size() > 2 &&
@@ -99,7 +99,7 @@ bool PatchMender::admissible(const Disc& disc) const {
 }
 
 // Of the disc, with its inner vertices, which are points of the part.
-std::vector<Passenger> PatchMender::passengers(const Disc& disc) const {
+std::vector<Passenger> PatchCoarsener::passengers(const Disc& disc) const {
     const SurfaceMesh& mesh = work_.mesh;
     std::vector<Passenger> all = patches_.passengers(work_, disc.triangles);
     for (const int site : inner_sites(mesh, disc)) {
@@ -109,7 +109,7 @@ std::vector<Passenger> PatchMender::passengers(const Disc& disc) const {
     return all;
 }
 
-bool PatchMender::near_surface(const Disc& disc, const Corner& apex, const Vec2&, int apex_site) const {
+bool PatchCoarsener::near_surface(const Disc& disc, const Vec3& apex, int apex_site) const {
     const std::vector<Passenger> all = passengers(disc);
     double allowed = kMargin * sizing_.tolerance;
     if (!(sizing_.tolerance > 0.0)) {
@@ -118,13 +118,13 @@ bool PatchMender::near_surface(const Disc& disc, const Corner& apex, const Vec2&
             allowed = std::max(allowed, passenger.distance);
         }
     }
-    return near_passengers(disc, apex.point, apex_site, all, allowed) &&
-           farthest(feet_on(work_, samples_of_fan(work_.mesh, disc, apex.point, apex_site),
-                            patches_.sheets(disc.triangles, apex.point))) <= allowed;
+    return near_passengers(disc, apex, apex_site, all, allowed) &&
+           farthest(feet_on(work_, samples_of_fan(work_.mesh, disc, apex, apex_site),
+                            patches_.sheets(disc.triangles, apex))) <= allowed;
 }
 
-bool PatchMender::near_passengers(const Disc& disc, const Vec3& apex, int apex_site,
-                                  const std::vector<Passenger>& passengers, double allowed) const {
+bool PatchCoarsener::near_passengers(const Disc& disc, const Vec3& apex, int apex_site,
+                                     const std::vector<Passenger>& passengers, double allowed) const {
     const SurfaceMesh& mesh = work_.mesh;
     return std::all_of(passengers.begin(), passengers.end(), [&](const Passenger& passenger) {
         const Vec3& p = passenger.point;
@@ -136,48 +136,22 @@ bool PatchMender::near_passengers(const Disc& disc, const Vec3& apex, int apex_s
     });
 }
 
-std::optional<SurfacePoint> PatchMender::apex_near(const Disc& disc, const Vec3& p) const {
-    double reach = 0.0;
-    for (const int side : disc.rim) {
-        reach = std::max(reach, kMaxLift * (work_.mesh.point_of(side) - p).norm());
-    }
-    const Foot foot = feet_on(work_, {p}, patches_.sheets(disc.triangles, p)).front();
-    if (foot.face < 0 || foot.distance > reach) {
-        return std::nullopt;
-    }
-    apex_face_ = foot.face;
-    return SurfacePoint{work_.grid.snap(foot.point), foot.uv, foot.normal};
-}
-
-int PatchMender::add_apex(const Disc&, const SurfacePoint& p) {
-    const int site = work_.mesh.add_site({work_.mesh.add_vertex(p.point, {2, apex_face_}), p.uv, p.normal});
-    patches_.add_site(site, apex_face_);
-    half_edge_of_.push_back(-1);
-    return site;
-}
-
-std::vector<int> PatchMender::exchange(const Disc& disc, int apex_site) {
+void PatchCoarsener::replace(const Disc& disc, int apex_site) {
     const std::vector<Passenger> all = passengers(disc);
     for (const int site : inner_sites(work_.mesh, disc)) {
         half_edge_of_[static_cast<std::size_t>(work_.mesh.site(site).vertex)] = -1;
     }
-    std::vector<int> added = Mender::exchange(disc, apex_site);
+    const std::vector<int> added = put_fan(work_, disc, apex_site, bound_);
     patches_.replaced(added, all);
     for (const int t : added) {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             half_edge_of_[static_cast<std::size_t>(work_.mesh.vertex_of(h))] = h;
         }
     }
-    return added;
-}
-
-void PatchMender::moved(const std::vector<std::pair<int, int>>& pairs) {
-    patches_.moved(pairs);
-    find_half_edges();
 }
 
 // @param around takes the vertices of the rim.
-bool PatchMender::take_out(int vertex, std::vector<int>& around) {
+bool PatchCoarsener::take_out(int vertex, std::vector<int>& around) {
     const SurfaceMesh& mesh = work_.mesh;
     const int h = half_edge_of_[static_cast<std::size_t>(vertex)];
     if (h < 0 || patches_.locked(vertex)) {
@@ -204,8 +178,8 @@ bool PatchMender::take_out(int vertex, std::vector<int>& around) {
     for (const auto& [angle, side] : apexes) {
         const int site = mesh.site_of(side);
         const Corner apex = corner_of(mesh, site);
-        if (fan_alignment(mesh, *disc, apex, site) >= aligned && within_bounds(*disc, apex, site) &&
-            rim_apex_legal(mesh, work_.maxmin, *disc, site) && near_surface(*disc, apex, Vec2::Zero(), site)) {
+        if (fan_alignment(mesh, *disc, apex, site) >= aligned && within_bounds(work_, sizing_, *disc, apex, site) &&
+            rim_apex_legal(mesh, work_.maxmin, *disc, site) && near_surface(*disc, apex.point, site)) {
             for (const int other : disc->rim) {
                 around.push_back(mesh.vertex_of(other));
             }
@@ -216,19 +190,23 @@ bool PatchMender::take_out(int vertex, std::vector<int>& around) {
     return false;
 }
 
-void PatchMender::coarsen() {
+double PatchCoarsener::shortest_spoke(int vertex) const {
+    const int h = half_edge_of_[static_cast<std::size_t>(vertex)];
+    double shortest = 1e300;
+    for (const int spoke : h < 0 ? std::vector<int>() : work_.mesh.star(h)) {
+        const Vec3 way = work_.mesh.point_of(SurfaceMesh::next(spoke)) - work_.mesh.point_of(spoke);
+        shortest = std::min(shortest, way.norm());
+    }
+    return shortest;
+}
+
+void PatchCoarsener::run() {
     std::vector<int> vertices = patches_.vertices_on_edges();
     for (int round = 0; round < kMaxRounds && !vertices.empty(); ++round) {
         // Where edges are shortest first.
         std::vector<std::pair<double, int>> order;
         for (const int v : vertices) {
-            const int h = half_edge_of_[static_cast<std::size_t>(v)];
-            double shortest = 1e300;
-            for (const int spoke : h < 0 ? std::vector<int>() : work_.mesh.star(h)) {
-                const Vec3 way = work_.mesh.point_of(SurfaceMesh::next(spoke)) - work_.mesh.point_of(spoke);
-                shortest = std::min(shortest, way.norm());
-            }
-            order.emplace_back(shortest, v);
+            order.emplace_back(shortest_spoke(v), v);
         }
         std::sort(order.begin(), order.end());
         std::vector<int> around;
@@ -240,7 +218,7 @@ void PatchMender::coarsen() {
         around.erase(std::unique(around.begin(), around.end()), around.end());
         vertices = std::move(around);
     }
-    finish();
+    patches_.moved(close_gaps(work_));
 }
 
 }  // namespace mq::triangulate

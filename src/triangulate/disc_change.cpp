@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/disc_change.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/angle.h"
+#include "triangulate/corner_angle.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+// One of the disc's exemptions stands for all of them.
+std::optional<Exemption> reason_of(const Workspace& work, const Disc& disc) {
+    std::optional<Exemption> reason;
+    for (const int t : disc.triangles) {
+        const Exemption* exemption = work.exemption_of(t);
+        if (exemption != nullptr && (!reason || exemption->cause == Cause::NarrowCluster)) {
+            reason = *exemption;
+        }
+    }
+    return reason;
+}
+
+}  // namespace
+
+bool within_bounds(const Workspace& work, const Sizing& sizing, const Disc& disc, const Corner& apex, int apex_site) {
+    return std::all_of(disc.rim.begin(), disc.rim.end(), [&](int side) {
+        const Corner corner = corner_of(work.mesh, work.mesh.site_of(side));
+        const double length = (corner.point - apex.point).norm();
+        return work.mesh.site_of(side) == apex_site ||
+               (length >= work.shortest_allowed() &&
+                (!sizing.bounds.any() || length <= sizing.bounds.of(work.mesh, side)) &&
+                (!(sizing.turn > 0.0) || angle_between(corner.normal, apex.normal) <= sizing.turn));
+    });
+}
+
+std::vector<int> put_fan(Workspace& work, const Disc& disc, int apex_site, double bound) {
+    std::optional<Exemption> reason = reason_of(work, disc);
+    for (const int t : disc.triangles) {
+        work.exempt.erase(t);
+    }
+    std::vector<int> added = work.maxmin.replace(disc.triangles, fan(work.mesh, disc, apex_site));
+    for (const int t : added) {
+        if (reason && smallest_angle(work.mesh, t).angle < bound) {
+            reason->stamp = work.mesh.stamp(t);
+            work.exempt[t] = *reason;
+        }
+    }
+    return added;
+}
+
+std::vector<std::pair<int, int>> close_gaps(Workspace& work) {
+    std::vector<std::pair<int, int>> moved = work.mesh.compact();
+    for (const auto& [from, to] : moved) {
+        const auto found = work.exempt.find(from);
+        if (found != work.exempt.end()) {
+            Exemption exemption = found->second;
+            exemption.stamp = work.mesh.stamp(to);
+            work.exempt.erase(found);
+            work.exempt[to] = exemption;
+        }
+    }
+    return moved;
+}
+
+}  // namespace mq::triangulate
