@@ -20,9 +20,9 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
         pace.step();
         const int t = out.source[i];
         const double angle = smallest_angle(work.mesh, t).angle * 180.0 / M_PI;
-        const auto found = work.exempt.find(t);
-        if (angle < bound && found != work.exempt.end() && found->second.stamp == work.mesh.stamp(t)) {
-            report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, t, found->second));
+        const Exemption* exemption = work.exemption_of(t);
+        if (angle < bound && exemption != nullptr) {
+            report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, t, *exemption));
         } else {
             report.min_angle_unexempted = std::min(report.min_angle_unexempted, angle);
         }

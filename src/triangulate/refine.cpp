@@ -91,9 +91,7 @@ void Refiner::run() {
 void Refiner::exempt_the_rest() {
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         const Bad bad{smallest_angle(work_.mesh, t).angle, t, work_.mesh.stamp(t)};
-        const auto found = work_.exempt.find(t);
-        const bool known = found != work_.exempt.end() && found->second.stamp == bad.stamp;
-        if (bad.angle < bound_ && !known && !narrow_corner(bad)) {
+        if (bad.angle < bound_ && work_.exemption_of(t) == nullptr && !narrow_corner(bad)) {
             exempt(bad, Cause::Budget);
         }
     }
