@@ -42,6 +42,9 @@ FaceEvaluator::FaceEvaluator(const TopoDS_Face& shape, const Face& data)
     inverse_ = location_.Inverted();
     located_ = !location.IsIdentity();
     set_bounds(data);
+    if (surface_.GetType() == GeomAbs_BSplineSurface) {
+        spans_.emplace(surface_.BSpline());
+    }
     set_references();
     set_elementary();
 }
@@ -131,12 +134,22 @@ Vec2 FaceEvaluator::brought_in(double u, double v) const {
     return uv;
 }
 
+/// Of a B-spline, and not on the bounds where the adaptor takes the side that the face is on.
+bool FaceEvaluator::in_a_span(const Vec2& uv) const {
+    return spans_ && spans_->contains(uv.x(), uv.y()) && uv.x() > natural_.low[0] && uv.x() < natural_.high[0] &&
+           uv.y() > natural_.low[1] && uv.y() < natural_.high[1];
+}
+
 SurfacePoint FaceEvaluator::first(double u, double v) const {
     const Vec2 uv = brought_in(u, v);
     gp_Pnt p;
     gp_Vec su;
     gp_Vec sv;
-    surface_.D1(uv.x(), uv.y(), p, su, sv);
+    if (in_a_span(uv)) {
+        spans_->at(uv.x(), uv.y()).D1(uv.x(), uv.y(), p, su, sv);
+    } else {
+        surface_.D1(uv.x(), uv.y(), p, su, sv);
+    }
     SurfacePoint s;
     s.point = to_vec(p);
     s.su = to_vec(su);
@@ -148,7 +161,11 @@ SurfacePoint FaceEvaluator::second(double u, double v) const {
     const Vec2 uv = brought_in(u, v);
     gp_Pnt p;
     gp_Vec d[5];
-    surface_.D2(uv.x(), uv.y(), p, d[0], d[1], d[2], d[3], d[4]);
+    if (in_a_span(uv)) {
+        spans_->at(uv.x(), uv.y()).D2(uv.x(), uv.y(), p, d[0], d[1], d[2], d[3], d[4]);
+    } else {
+        surface_.D2(uv.x(), uv.y(), p, d[0], d[1], d[2], d[3], d[4]);
+    }
     SurfacePoint s;
     s.point = to_vec(p);
     s.su = to_vec(d[0]);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/elementary_surface.h"
+#include "geometry/occt/span_caches.h"
 #include "geometry/query.h"
 #include "geometry/topology.h"
 
@@ -49,6 +50,7 @@ class FaceEvaluator {
     void set_elementary();
     bool legal(double u, double v) const;
     Vec2 brought_in(double u, double v) const;
+    bool in_a_span(const Vec2& uv) const;
     SurfacePoint first(double u, double v) const;
     SurfacePoint second(double u, double v) const;
     SurfacePoint placed(SurfacePoint s) const;
@@ -76,6 +78,7 @@ class FaceEvaluator {
 
     TopoDS_Face shape_;
     GeomAdaptor_Surface surface_;
+    mutable std::optional<SpanCaches> spans_;
     gp_Trsf location_;
     gp_Trsf inverse_;
     bool located_ = false;
