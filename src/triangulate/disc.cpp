@@ -160,23 +160,32 @@ class Rim {
 
     const Vec3& middle() const { return middle_; }
     double reach() const { return reach_; }
-    Vec3 between(std::size_t i) const { return 0.5 * (middle_ + sides_[i].a); }
-    std::size_t size() const { return sides_.size(); }
+    // Half way from the middle to the corners.
+    std::vector<Vec3> inner_points() const {
+        std::vector<Vec3> points;
+        for (const Side& side : sides_) {
+            points.push_back(0.5 * (middle_ + side.a));
+        }
+        return points;
+    }
 
     // Of the smallest angle of the fan: -1 where one is turned over; any less than `enough` where it is less than that.
-    double squared_sine(const Vec3& apex, double enough) const {
+    // The side that failed last is the first to be looked at: mostly it fails again.
+    double squared_sine(const Vec3& apex, double enough) {
         double least = 1.0;
-        for (const Side& side : sides_) {
+        for (Side& side : sides_) {
             const Vec3 a = side.a - apex;
             const Vec3 b = side.b - apex;
             const Vec3 area = a.cross(b);
             if (!(area.dot(normal_) > 0.0)) {
+                std::swap(side, sides_.front());
                 return -1.0;
             }
             const double aa = a.squaredNorm();
             const double bb = b.squaredNorm();
             least = std::min(least, area.squaredNorm() * std::min({aa, bb, side.length}) / (aa * bb * side.length));
             if (least < enough) {
+                std::swap(side, sides_.front());
                 break;
             }
         }
@@ -198,7 +207,7 @@ class Rim {
 }  // namespace
 
 Vec3 best_apex(const SurfaceMesh& mesh, const Disc& disc, double at_least) {
-    const Rim rim(mesh, disc);
+    Rim rim(mesh, disc);
     const double hopeless = std::pow(std::sin(kHopeless * at_least), 2);
     const Vec3 x = disc.normal.unitOrthogonal();
     const Vec3 y = disc.normal.cross(x).normalized();
@@ -214,8 +223,8 @@ Vec3 best_apex(const SurfaceMesh& mesh, const Disc& disc, double at_least) {
         return false;
     };
     // Where the smallest angle is at least some value is a convex region, so any start in it will do.
-    for (std::size_t i = 0; i < rim.size(); ++i) {
-        attempt(rim.between(i));
+    for (const Vec3& p : rim.inner_points()) {
+        attempt(p);
     }
     double step = 0.25 * rim.reach();
     for (int n = 0; n < kSearchSteps && (n < kScouting || largest > hopeless); ++n, step *= kShrink) {
