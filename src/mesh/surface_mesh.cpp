@@ -27,6 +27,7 @@ int SurfaceMesh::add_triangle(const std::array<int, 3>& sites, int face) {
     for (const int s : sites) {
         corner_.push_back(s);
         twin_.push_back(kLoose);
+        number_.push_back(-1);
     }
     face_.push_back(face);
     stamp_.push_back(0);
@@ -41,15 +42,18 @@ int SurfaceMesh::add_segment(int edge, const std::array<int, 2>& vertices, const
 void SurfaceMesh::link(int half_edge, int twin) {
     twin_[half_edge] = twin;
     twin_[twin] = half_edge;
+    number_[half_edge] = numbers_;
+    number_[twin] = numbers_++;
 }
 
 void SurfaceMesh::bind(int half_edge, int segment, int use) {
     twin_[half_edge] = ~segment;
+    number_[half_edge] = numbers_++;
     segments_[segment].uses.push_back({half_edge, use});
 }
 
 SurfaceMesh::Link SurfaceMesh::take(int h) const {
-    Link link{twin_[h], -1};
+    Link link{twin_[h], -1, number_[h]};
     if (link.twin < 0 && link.twin != kLoose) {
         const auto& uses = segments_[~link.twin].uses;
         for (int k = 0; k < static_cast<int>(uses.size()); ++k) {
@@ -63,6 +67,7 @@ SurfaceMesh::Link SurfaceMesh::take(int h) const {
 
 void SurfaceMesh::put(int h, const Link& link) {
     twin_[h] = link.twin;
+    number_[h] = link.number;
     if (link.twin >= 0) {
         twin_[link.twin] = h;
     } else if (link.twin != kLoose) {
@@ -147,8 +152,10 @@ int SurfaceMesh::split_segment(int segment, int vertex, double t, const std::vec
         const int near_half = along ? 3 * tri : 3 * added;
         const int far_half = along ? 3 * added : 3 * tri;
         twin_[near_half] = ~segment;
+        number_[near_half] = numbers_++;
         segments_[segment].uses[k].half_edge = near_half;
         twin_[far_half] = ~far;
+        number_[far_half] = numbers_++;
         segments_[far].uses.push_back({far_half, segments_[segment].uses[k].use});
     }
     return far;
@@ -243,6 +250,7 @@ std::vector<std::pair<int, int>> SurfaceMesh::compact() {
 void SurfaceMesh::drop_last_triangle() {
     corner_.resize(corner_.size() - 3);
     twin_.resize(twin_.size() - 3);
+    number_.resize(number_.size() - 3);
     face_.pop_back();
     stamp_.pop_back();
 }
@@ -278,7 +286,7 @@ std::string SurfaceMesh::inconsistency() const {
         }
         if (twin_[h] >= 0) {
             const int g = twin_[h];
-            if (twin_[g] != h || vertex_of(g) != to || vertex_of(next(g)) != from) {
+            if (twin_[g] != h || vertex_of(g) != to || vertex_of(next(g)) != from || number_[g] != number_[h]) {
                 return name + " and its twin do not match";
             }
             continue;

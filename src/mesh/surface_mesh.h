@@ -72,6 +72,12 @@ class SurfaceMesh {
     /// The segment under `h`, or -1 where it has a twin.
     int segment_of(int h) const { return twin_[h] < 0 ? ~twin_[h] : -1; }
     int face_of(int triangle) const { return face_[triangle]; }
+    /// The number of the edge under `h`, on this face where it lies on a segment; the same for both half-edges. An edge
+    /// keeps it as long as it joins the same vertices, and no other ever has it: what was found out about an edge can
+    /// be kept by it.
+    int number_of(int h) const { return number_[h]; }
+    /// Of all numbers that were given.
+    int number_count() const { return numbers_; }
     /// Changes whenever the corners of the triangle change.
     std::uint32_t stamp(int triangle) const { return stamp_[triangle]; }
 
@@ -119,6 +125,7 @@ class SurfaceMesh {
     struct Link {
         int twin;
         int slot;  // of the segment's use, where twin names a segment
+        int number;
     };
     Link take(int h) const;
     void put(int h, const Link& link);
@@ -130,8 +137,10 @@ class SurfaceMesh {
     std::vector<Segment> segments_;
     std::vector<int> corner_;  // site at the origin of each half-edge
     std::vector<int> twin_;    // half-edge, or ~segment
+    std::vector<int> number_;  // of the edge
     std::vector<int> face_;
     std::vector<std::uint32_t> stamp_;
+    int numbers_ = 0;
 };
 
 }  // namespace mq::mesh

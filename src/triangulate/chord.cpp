@@ -2,11 +2,9 @@
 #include "triangulate/chord.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/angle.h"
 #include "triangulate/gradation.h"
-#include "triangulate/relics.h"
 
 namespace mq::triangulate {
 
@@ -72,8 +70,7 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
     std::vector<int> sides;
     for (int s = 0; s < work_.mesh.segment_count(); ++s) {
         const auto& uses = work_.mesh.segment(s).uses;
-        if (!uses.empty() && !segments_.refused(s) &&
-            passed_edges_.count(edge_key(work_.mesh, uses[0].half_edge)) == 0) {
+        if (!uses.empty() && !segments_.refused(s) && !passed_.marked(work_.mesh, uses[0].half_edge)) {
             segments.push_back(s);
             sides.push_back(uses[0].half_edge);
         }
@@ -87,7 +84,7 @@ void ChordRefiner::measure_segments(std::vector<Site>& found) {
         if (e > 1.0) {
             found.push_back({sides[i], 0, e, {}});
         } else {
-            passed_edges_.insert(edge_key(work_.mesh, sides[i]));
+            passed_.mark(work_.mesh, sides[i]);
         }
     }
 }
@@ -105,7 +102,7 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
             continue;
         }
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            if (work_.mesh.twin(h) > h && passed_edges_.count(edge_key(work_.mesh, h)) == 0) {
+            if (work_.mesh.twin(h) > h && !passed_.marked(work_.mesh, h)) {
                 edges.push_back(h);
             }
         }
@@ -119,14 +116,14 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
         if (e > 1.0) {
             found.push_back({h, work_.mesh.stamp(h / 3), e, edge_middle_site(work_.mesh, h)});
         } else {
-            passed_edges_.insert(edge_key(work_.mesh, h));
+            passed_.mark(work_.mesh, h);
         }
     }
 }
 
 bool ChordRefiner::all_edges_passed(int triangle) const {
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        if (work_.mesh.twin(h) >= 0 && passed_edges_.count(edge_key(work_.mesh, h)) == 0) {
+        if (work_.mesh.twin(h) >= 0 && !passed_.marked(work_.mesh, h)) {
             return false;
         }
     }
@@ -170,7 +167,7 @@ void ChordRefiner::measure_growth(std::vector<Site>& found) {
         }
     }
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
-        if (mesh.twin(h) > h && refused_edges_.count(edge_key(mesh, h)) == 0) {
+        if (mesh.twin(h) > h && !refused_.marked(mesh, h)) {
             check(h);
         }
     }
@@ -246,55 +243,9 @@ void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>
         }
     }
     if (!split_segment && insert_vertex(work_, h / 3, *p, touched_, kAlignedAtLast)) {
-        passed_edges_.insert(edge_key(work_.mesh, h));  // it cannot be split here
-        refused_edges_.insert(edge_key(work_.mesh, h));
+        passed_.mark(work_.mesh, h);  // it cannot be split here
+        refused_.mark(work_.mesh, h);
     }
-}
-
-ChordHeight measure_chord_height(Workspace& work, double asked) {
-    const SurfaceMesh& mesh = work.mesh;
-    std::vector<int> segments;
-    std::vector<int> sides;
-    std::vector<int> edges;
-    std::vector<int> triangles;
-    for (int s = 0; s < mesh.segment_count(); ++s) {
-        if (!mesh.segment(s).uses.empty()) {
-            segments.push_back(s);
-            sides.push_back(mesh.segment(s).uses.front().half_edge);
-        }
-    }
-    for (int h = 0; h < mesh.half_edge_count(); ++h) {
-        const int other = mesh.twin(h);
-        // Along a released edge the sides have sites of their own; where both may lie on several faces, see below.
-        if (other > h && (work.spanning.count(h / 3) == 0 || work.spanning.count(other / 3) == 0)) {
-            edges.push_back(work.spanning.count(h / 3) == 0 ? h : other);
-        }
-    }
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-        if (work.spanning.count(t) == 0) {
-            triangles.push_back(t);
-        }
-    }
-    ChordHeight worst = farthest_spanning(work);
-    const auto take = [&](const std::vector<Distance>& distances, const std::vector<int>& pieces, int per_triangle) {
-        for (std::size_t i = 0; i < distances.size(); ++i) {
-            if (worst.triangle < 0 || distances[i].distance > worst.distance) {
-                worst = {distances[i].distance, pieces[i] / per_triangle, work.grid.to_part(distances[i].point),
-                         distances[i].avoidable < distances[i].distance};
-            }
-        }
-    };
-    ChordMeasure measure(work);
-    if (!(asked > 0.0)) {  // then what the middles show says where else to look
-        constexpr double kMiddlesOnly = std::numeric_limits<double>::infinity();
-        take(measure.of_segments(segments, kMiddlesOnly), sides, 3);
-        take(measure.of_edges(edges, kMiddlesOnly), edges, 3);
-        asked = worst.distance;
-    }
-    take(measure.of_segments(segments, asked), sides, 3);
-    take(measure.of_edges(edges, asked), edges, 3);
-    take(measure.of_triangles(triangles, asked), triangles, 1);
-    return worst;
 }
 
 }  // namespace mq::triangulate

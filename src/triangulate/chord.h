@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/key_set.h"
 #include "triangulate/chord_measure.h"
+#include "triangulate/edge_marks.h"
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
 #include "triangulate/sizing.h"
@@ -17,8 +17,8 @@ namespace mq::triangulate {
 /// longer than the other bounds allow. See ChordMeasure for where distances are measured.
 class ChordRefiner {
   public:
-    ChordRefiner(Workspace& work, SegmentSplitter& segments, const Sizing& sizing)
-        : work_(work), segments_(segments), measure_(work), sizing_(sizing) {}
+    ChordRefiner(Workspace& work, SegmentSplitter& segments, ChordMeasure& measure, const Sizing& sizing)
+        : work_(work), segments_(segments), measure_(measure), sizing_(sizing) {}
 
     /// @return whether anything was split.
     bool run();
@@ -44,25 +44,14 @@ class ChordRefiner {
 
     Workspace& work_;
     SegmentSplitter& segments_;
-    ChordMeasure measure_;
+    ChordMeasure& measure_;
     const Sizing& sizing_;
-    KeySet passed_edges_;
-    KeySet refused_edges_;
+    EdgeMarks passed_;            // within all bounds, or not to be split
+    EdgeMarks refused_;           // those not to be split
     TriangleMarks edges_passed_;  // those all of whose edges passed
     TriangleMarks measured_;
     std::vector<int> touched_;
     bool changed_ = false;
 };
-
-/// A distance of the mesh from the part, and where that is.
-struct ChordHeight {
-    double distance = 0.0;      ///< mm
-    int triangle = -1;          ///< of the working mesh; -1: nothing was measured
-    Vec3 point = Vec3::Zero();  ///< of the mesh, in the part's frame
-    bool of_the_part = false;   ///< a CAD edge there lies off its face as far
-};
-
-/// The largest distance between the mesh and the part (see ChordMeasure). `asked` in mm: the tolerance; 0: none.
-ChordHeight measure_chord_height(Workspace& work, double asked);
 
 }  // namespace mq::triangulate

@@ -46,6 +46,7 @@ class Questions {
             if (answers[i].found() && answers[i].distance >= result.distance) {
                 result.distance = answers[i].distance;
                 result.point = asked_[i].point;
+                result.recalled = false;
             }
             if (answers[i].found() && answers[i].distance - asked_[i].unavoidable > kAvoidable * tolerance_) {
                 result.avoidable = std::max(result.avoidable, answers[i].distance);
@@ -77,8 +78,26 @@ Vec3 between(const Vec3& a, const Vec3& b, double at) {
 
 }  // namespace
 
-std::uint64_t edge_key(const SurfaceMesh& mesh, int half_edge) {
-    return pair_key(mesh.vertex_of(half_edge), mesh.vertex_of(SurfaceMesh::next(half_edge)));
+const ChordMeasure::Known& ChordMeasure::known(int half_edge) const {
+    static const Known kNothing;
+    const auto number = static_cast<std::size_t>(work_.mesh.number_of(half_edge));
+    return number < known_.size() ? known_[number] : kNothing;
+}
+
+void ChordMeasure::keep(int half_edge, double tolerance, const Distance& distance) {
+    known_.resize(static_cast<std::size_t>(work_.mesh.number_count()));
+    Known& known = known_[static_cast<std::size_t>(work_.mesh.number_of(half_edge))];
+    known.tolerance = static_cast<float>(tolerance);
+    known.distance = static_cast<float>(distance.distance);
+    known.avoidable = static_cast<float>(distance.avoidable);
+}
+
+void ChordMeasure::forget(int half_edge) {
+    const int s = work_.mesh.segment_of(half_edge);
+    const auto number = static_cast<std::size_t>(work_.mesh.number_of(s >= 0 ? half_edge_of(s) : half_edge));
+    if (number < known_.size()) {
+        known_[number] = {};
+    }
 }
 
 std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments, double tolerance) {
@@ -96,8 +115,13 @@ std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments
         const Vec3 way = foot.found() ? Vec3(work_.grid.to_part(p) - foot.point) : Vec3::Zero();
         offsets_[pair_key(v[0], v[1])] = {way.x(), way.y(), way.z()};
     };
+    const auto settled = [&](std::size_t i) {
+        return known(half_edge_of(segments[i])).tolerance == static_cast<float>(tolerance);
+    };
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        add(i, 0.5);
+        if (!recall(half_edge_of(segments[i]), results[i])) {
+            add(i, 0.5);
+        }
         if (questions.full()) {
             questions.ask(remember);
         }
@@ -105,19 +129,23 @@ std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments
     questions.ask(remember);
     const auto ignore = [](std::size_t, const Vec3&, const Answer&) {};
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        if (results[i].distance > kWorthAskingCurve * tolerance && results[i].distance <= tolerance) {
+        if (!settled(i) && results[i].distance > kWorthAskingCurve * tolerance && results[i].distance <= tolerance) {
             for (const double at : kBesideMiddle) {
                 add(i, at);
             }
         }
     }
     questions.ask(ignore);
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        keep(half_edge_of(segments[i]), tolerance, results[i]);
+    }
     return results;
 }
 
 std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges, double tolerance) {
     std::vector<Distance> results(half_edges.size());
     const SurfaceMesh& mesh = work_.mesh;
+    known_.resize(static_cast<std::size_t>(mesh.number_count()));
     Questions questions(work_, results, tolerance);
     std::vector<char> middle_seen(half_edges.size(), 0);
     // Between ends that are off the face by less than the tolerance, the mesh need not be.
@@ -136,12 +164,21 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
         if (middle_seen[i] == 0) {
             middle_seen[i] = 1;
             const double side = (work_.grid.to_part(p) - foot.point).dot(foot.normal);
-            heights_[edge_key(mesh, half_edges[i])] = foot.found() ? std::copysign(foot.distance, side) : 0.0;
+            known_[static_cast<std::size_t>(mesh.number_of(half_edges[i]))].height =
+                foot.found() ? static_cast<float>(std::copysign(foot.distance, side)) : 0.0F;
         }
     };
     measure_sites(half_edges);
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
-        add(i, 0.5);
+        const Known& before = known(half_edges[i]);
+        if (recall(half_edges[i], results[i])) {
+            middle_seen[i] = 1;
+        } else {
+            add(i, 0.5);
+        }
+        if (before.tolerance == static_cast<float>(tolerance)) {
+            continue;
+        }
         const EdgePeak peak = edge_peak(mesh, half_edges[i]);
         if (peak.at != 0.5 && peak.height > kWorthAsking * tolerance) {
             add(i, peak.at);
@@ -151,7 +188,22 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
         }
     }
     questions.ask(remember);
+    for (std::size_t i = 0; i < half_edges.size(); ++i) {
+        keep(half_edges[i], tolerance, results[i]);
+    }
     return results;
+}
+
+// @return whether anything is known of it.
+bool ChordMeasure::recall(int half_edge, Distance& result) const {
+    const Known& before = known(half_edge);
+    if (before.tolerance < 0.0F) {
+        return false;
+    }
+    result.distance = static_cast<double>(before.distance);
+    result.avoidable = static_cast<double>(before.avoidable);
+    result.recalled = true;
+    return true;
 }
 
 // At both ends of half-edges. Vertices inside faces are on their surface.
@@ -182,12 +234,11 @@ void ChordMeasure::measure_sites(const std::vector<int>& half_edges) {
 }
 
 double ChordMeasure::height(int half_edge) const {
-    const auto key = edge_key(work_.mesh, half_edge);
     if (work_.mesh.segment_of(half_edge) < 0) {
-        const auto found = heights_.find(key);
-        return found != heights_.end() ? found->second : 0.0;
+        return static_cast<double>(known(half_edge).height);
     }
-    const auto found = offsets_.find(key);
+    const auto found =
+        offsets_.find(pair_key(work_.mesh.vertex_of(half_edge), work_.mesh.vertex_of(SurfaceMesh::next(half_edge))));
     if (found == offsets_.end()) {
         return 0.0;
     }

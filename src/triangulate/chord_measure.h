@@ -16,6 +16,7 @@ struct Distance {
     Vec3 point = Vec3::Zero();
     /// The largest distance at points where more than the part itself is the reason: CAD edges can lie off their faces.
     double avoidable = 0.0;
+    bool recalled = false;  ///< measured before, and kept in single precision, without the point
 };
 
 /// Measures how far pieces of the mesh are from the part: segments from their curves, inner edges and triangles from
@@ -25,6 +26,8 @@ struct Distance {
 /// `tolerance` (mm): at the peak of the cubic with the surface's slopes at the ends of an edge, and at the peak of the
 /// quadratic over the middles of a triangle's sides. The surface is nearest to these points, and smooth between them,
 /// so the same figure bounds the way back, from the surface to the mesh.
+///
+/// What was measured is kept by edge, so nothing is asked twice.
 class ChordMeasure {
   public:
     explicit ChordMeasure(Workspace& work) : work_(work) {}
@@ -34,19 +37,29 @@ class ChordMeasure {
     /// Their sides must have been measured.
     std::vector<Distance> of_triangles(const std::vector<int>& triangles, double tolerance);
 
+    /// To measure an edge anew, or a segment by any of its half-edges.
+    void forget(int half_edge);
+
   private:
+    struct Known {
+        float tolerance = -1.0F;  // that it was measured for; below 0: it was not
+        float distance = 0.0F;
+        float avoidable = 0.0F;
+        float height = 0.0F;  // over the middle, with the sign of the side; not of segments
+    };
+    const Known& known(int half_edge) const;
+    bool recall(int half_edge, Distance& result) const;
+    void keep(int half_edge, double tolerance, const Distance& distance);
+    int half_edge_of(int segment) const { return work_.mesh.segment(segment).uses.front().half_edge; }
     double height(int half_edge) const;
     void measure_sites(const std::vector<int>& half_edges);
     double offset(int half_edge) const { return site_offsets_[work_.mesh.site_of(half_edge)]; }
 
     Workspace& work_;
     std::vector<double> site_offsets_;  // of vertices on CAD edges from the surface, mm, by site; below 0: not known
+    std::vector<Known> known_;          // by the number of the edge; of a segment the one of its first half-edge
     using Offset = std::array<double, 3>;
-    KeyMap<double> heights_;  // over the middles of inner edges, with the sign of the side, by edge
-    KeyMap<Offset> offsets_;  // of the middles of segments from their curves, by edge
+    KeyMap<Offset> offsets_;  // of the middles of segments from their curves, by their vertices
 };
-
-/// By the vertices at the ends: the same for both sides, and for an edge that comes back.
-std::uint64_t edge_key(const mesh::SurfaceMesh& mesh, int half_edge);
 
 }  // namespace mq::triangulate

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "triangulate/chord.h"
+#include "triangulate/chord_height.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/crossing_finder.h"
 #include "triangulate/explain.h"
@@ -44,9 +44,10 @@ void report_spanning(const Workspace& work, const Output& out, mesh::MeshReport&
     }
 }
 
-void report_chord_height(Workspace& work, const Output& out, bool keeps_bounds, mesh::MeshReport& report) {
+void report_chord_height(Workspace& work, ChordMeasure& measure, const Output& out, bool keeps_bounds,
+                         mesh::MeshReport& report) {
     const double asked = report.chord_height_asked;
-    const ChordHeight worst = measure_chord_height(work, asked);
+    const ChordHeight worst = measure_chord_height(work, measure, asked);
     report.max_chord_height = worst.distance;
     const auto found = std::find(out.source.begin(), out.source.end(), worst.triangle);
     if (found == out.source.end()) {
@@ -80,7 +81,8 @@ void report_crossings(Workspace& work, mesh::MeshReport& report) {
 
 }  // namespace
 
-mesh::MeshReport final_report(Workspace& work, const Output& out, const Options& options, double chord) {
+mesh::MeshReport final_report(Workspace& work, ChordMeasure& measure, const Output& out, const Options& options,
+                              double chord) {
     mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
     report.chord_height_asked = chord;
@@ -88,7 +90,7 @@ mesh::MeshReport final_report(Workspace& work, const Output& out, const Options&
     report_spanning(work, out, report);
     report.notes = work.session.topology().faults;
     report_crossings(work, report);
-    report_chord_height(work, out, options.keeps_bounds(), report);
+    report_chord_height(work, measure, out, options.keeps_bounds(), report);
     report.complete = !work.over_budget();
     if (work.over_budget()) {
         report.notes.push_back("stopped at max_triangles = " + std::to_string(work.budget) +

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "triangulate/chord.h"
+#include "triangulate/chord_height.h"
 #include "triangulate/sizing.h"
 #include "triangulate/triangulate.h"
 #include "triangulate/workspace.h"

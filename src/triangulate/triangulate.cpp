@@ -82,7 +82,7 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
 }
 
 // @return what was done about smooth edges, for the report
-std::string refine(Workspace& work, const Options& options, double chord, StageClock& clock) {
+std::string refine(Workspace& work, ChordMeasure& measure, const Options& options, double chord, StageClock& clock) {
     std::string released;
     SegmentSplitter segments(work);
     const double from = first_share(options);
@@ -93,7 +93,7 @@ std::string refine(Workspace& work, const Options& options, double chord, StageC
     Refiner refiner(work, segments, options.min_angle, options.insertion);
     refiner.run();
     clock.end("angles");
-    ChordRefiner chords(work, segments, sizing);
+    ChordRefiner chords(work, segments, measure, sizing);
     const auto refine_chords = [&] {
         for (int round = 0; sizing.any() && round < kMaxChordRounds && chords.run(); ++round) {
             refiner.run();
@@ -180,12 +180,13 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     work.floor = grid.shortest_side();
     work.min_edge = options.min_edge;
     work.budget = options.budget();
+    ChordMeasure measure(work);
     std::vector<int> touched;
     std::string released;
     separate_doubled_edges(work, touched);
     if (options.keeps_bounds()) {
         maxmin.sweep(touched);
-        released = refine(work, options, chord, clock);
+        released = refine(work, measure, options, chord, clock);
     }
 
     watched.stage("checking", 0.9, 1.0);
@@ -193,7 +194,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     Output out = write_out(surface, topology, grid.origin(), watched);
     watched.check();
     Result result;
-    result.report = final_report(work, out, options, chord);
+    result.report = final_report(work, measure, out, options, chord);
     result.mesh = std::move(out.mesh);
     add_note(result.report, released);
     for (const auto& failure : first.faces.failures) {
