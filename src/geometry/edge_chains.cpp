@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kMaxTurn = 0.5236;  // 30 degrees between the tangents of one piece
 constexpr int kMaxDepth = 14;
+// The ball of a node takes no more of an edge than this share of its length, however large its tolerance is.
+constexpr double kMostOfEdge = 0.1;
 
 struct Interval {
     int edge;
@@ -35,6 +37,14 @@ bool turns_too_much(const Answer* samples) {
     return worst > kMaxTurn;
 }
 
+double length_of(const std::vector<Vec3>& points) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        length += (points[i] - points[i - 1]).norm();
+    }
+    return length;
+}
+
 }  // namespace
 
 EdgeChains::EdgeChains(Session& session, const SingleGrid& grid) : grid_(grid) {
@@ -43,6 +53,7 @@ EdgeChains::EdgeChains(Session& session, const SingleGrid& grid) : grid_(grid) {
     points_.resize(topology.edges.size());
     sample(session);
     collapse_short_edges(topology);
+    leave_nodes_alone(topology);
     place_nodes(topology);
     points_.clear();
 }
@@ -98,10 +109,7 @@ void EdgeChains::sample(Session& session) {
 void EdgeChains::collapse_short_edges(const Topology& topology) {
     for (std::size_t e = 0; e < chains_.size(); ++e) {
         const Edge& edge = topology.edges[e];
-        double length = 0.0;
-        for (std::size_t i = 1; i < points_[e].size(); ++i) {
-            length += (points_[e][i] - points_[e][i - 1]).norm();
-        }
+        const double length = length_of(points_[e]);
         double limit = grid_.shortest_side();
         if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1]) {
             // Nodes whose tolerance balls hold each other are one point to the modeler.
@@ -111,6 +119,31 @@ void EdgeChains::collapse_short_edges(const Topology& topology) {
         if (edge.degenerate || length < limit) {
             chains_[e].collapsed = true;
             chains_[e].t = {edge.t0, edge.t1};
+        }
+    }
+}
+
+bool EdgeChains::at_node(int edge, int end, const Vec3& point) const {
+    const Ball& ball = balls_[edge][end];
+    return (point - ball.centre).norm() < ball.radius;
+}
+
+void EdgeChains::leave_nodes_alone(const Topology& topology) {
+    balls_.resize(chains_.size());
+    for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
+        std::vector<Vec3>& points = points_[e];
+        std::vector<double>& t = chains_[e].t;
+        const double most = kMostOfEdge * length_of(points);
+        for (int end = 0; end < 2 && !chains_[e].collapsed; ++end) {
+            const int n = topology.edges[e].nodes[end];
+            if (n >= 0 && topology.nodes[n].tolerance > grid_.shortest_side()) {
+                balls_[e][end] = {topology.nodes[n].point, std::min(topology.nodes[n].tolerance, most)};
+            }
+            while (points.size() > 2 && at_node(e, end, end == 0 ? points[1] : points[points.size() - 2])) {
+                const auto beside = end == 0 ? 1 : static_cast<std::ptrdiff_t>(points.size()) - 2;
+                points.erase(points.begin() + beside);
+                t.erase(t.begin() + beside);
+            }
         }
     }
 }
@@ -161,6 +194,11 @@ std::set<int> EdgeChains::halve(Session& session, const std::set<Mark>& marks) {
         EdgeChain& chain = chains_[e];
         const Vec3 point = grid_.snap(answers[k].point);
         const double reach = grid_.shortest_side();
+        const bool first = i == 0;
+        const bool last = i + 2 == static_cast<int>(chain.t.size());
+        if ((first && at_node(e, 0, answers[k].point)) || (last && at_node(e, 1, answers[k].point))) {
+            continue;
+        }
         if (!answers[k].found() || chain.collapsed || answers[k].t <= chain.t[i] || answers[k].t >= chain.t[i + 1] ||
             (point - vertices_[chain.vertices[i]].point).norm() < reach ||
             (point - vertices_[chain.vertices[i + 1]].point).norm() < reach) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <set>
 #include <utility>
 #include <vector>
@@ -26,7 +27,9 @@ struct EdgeChain {
 /// All edges of a part, each discretised once, so that faces meet vertex by vertex.
 class EdgeChains {
   public:
-    /// Samples every edge so that its direction turns by 45 degrees at most from vertex to vertex.
+    /// Samples every edge so that its direction turns by 45 degrees at most from vertex to vertex. No vertex is put
+    /// where the edge is still within the tolerance of the node at its end: modelers leave hooks there, and curves on
+    /// faces that cross those of other edges.
     EdgeChains(Session& session, const SingleGrid& grid);
 
     const std::vector<ChainVertex>& vertices() const { return vertices_; }
@@ -45,12 +48,20 @@ class EdgeChains {
     void place_nodes(const Topology& topology);
     void sample(Session& session);
     void collapse_short_edges(const Topology& topology);
+    void leave_nodes_alone(const Topology& topology);
+    bool at_node(int edge, int end, const Vec3& point) const;
 
     const SingleGrid& grid_;
     std::vector<ChainVertex> vertices_;
     std::vector<EdgeChain> chains_;
     std::vector<int> node_vertex_;
     std::vector<std::vector<Vec3>> points_;  // per edge, while sampling
+    /// Around an end of an edge: what lies in it is as good as the node.
+    struct Ball {
+        Vec3 centre = Vec3::Zero();  // in the part's frame
+        double radius = 0.0;
+    };
+    std::vector<std::array<Ball, 2>> balls_;  // per edge
 };
 
 }  // namespace mq::geometry

@@ -128,19 +128,37 @@ double end_reach(const FaceBorder& border, const Run& run) {
     return shortest;
 }
 
-void add_run(FaceBorder& border, SiteMerger& merger, const Run& run, double reach) {
+// Where runs of a loop meet. The images of one node there are as far apart as its tolerance and those of the edges
+// allow, and that may be more than a piece is long: otherwise the loop would turn back to get from one to the other.
+struct Joint {
+    int site = -1;       // -1: not there yet
+    double reach = 0.0;  // in the scaled domain
+
+    bool holds(const FaceBorder& border, const Site& point) const {
+        return site >= 0 && border.sites[site].vertex == point.vertex &&
+               (border.scaled(border.sites[site].uv) - border.scaled(point.uv)).norm() <= reach;
+    }
+};
+
+// @return the sites of its ends.
+std::array<int, 2> add_run(FaceBorder& border, SiteMerger& merger, const Run& run, double reach, const Joint& before,
+                           const Joint& after) {
     const std::size_t n = run.points.size();
     const double own = 0.25 * end_reach(border, run);
     std::vector<int> ids(n);
     for (std::size_t i = 0; i < n; ++i) {
         const bool end = i == 0 || i + 1 == n;
-        ids[i] = merger.find_or_add(run.points[i], end ? std::min(std::max(reach, 1e-9), own) : 0.0);
+        const Joint& joint = i == 0 ? before : after;
+        ids[i] = end && joint.holds(border, run.points[i])
+                     ? joint.site
+                     : merger.find_or_add(run.points[i], end ? std::min(std::max(reach, 1e-9), own) : 0.0);
     }
     for (std::size_t i = 0; i + 1 < n; ++i) {
         if (ids[i] != ids[i + 1]) {
             border.pieces.push_back({ids[i], ids[i + 1], run.use, run.index[i], run.internal});
         }
     }
+    return {ids.front(), ids.back()};
 }
 
 // A loop may jump between two images of one vertex in (u, v) where the model has no edge for it: at a pole that is not
@@ -176,23 +194,33 @@ FaceBorder face_border(Session& session, const EdgeChains& chains, const SingleG
     if (!failure.empty()) {
         return border;
     }
-    double tolerance = topology.faces[face].tolerance;
-    for (const Run& run : runs) {
+    const auto tolerance_of = [&](const Run& run) {
         const Edge& edge = topology.edges[topology.uses[run.use].edge];
-        tolerance = std::max(tolerance, edge.tolerance);
+        double tolerance = edge.tolerance;
         for (const int n : edge.nodes) {
             tolerance = std::max(tolerance, n >= 0 ? topology.nodes[n].tolerance : 0.0);
         }
+        return tolerance;
+    };
+    constexpr double kTolerances = 4.0;
+    double tolerance = std::max(topology.faces[face].tolerance, grid.resolution());
+    for (const Run& run : runs) {
+        tolerance = std::max(tolerance, tolerance_of(run));
     }
-    const double reach = 4.0 * std::max(tolerance, grid.resolution());
     SiteMerger merger(border);
     std::vector<std::size_t> loop_of_piece;
-    std::size_t loop = 0;
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-        while (loop < loop_end.size() && r >= loop_end[loop]) {
-            ++loop;
+    for (std::size_t loop = 0, first = 0; loop < loop_end.size(); first = loop_end[loop++]) {
+        std::array<int, 2> ends{-1, -1};
+        int start = -1;
+        for (std::size_t r = first; r < loop_end[loop]; ++r) {
+            const std::size_t next = r + 1 < loop_end[loop] ? r + 1 : first;
+            const std::size_t last = r > first ? r - 1 : loop_end[loop] - 1;
+            const double own = tolerance_of(runs[r]);
+            const Joint before{ends[1], kTolerances * std::max(own, tolerance_of(runs[last]))};
+            const Joint after{next == first ? start : -1, kTolerances * std::max(own, tolerance_of(runs[next]))};
+            ends = add_run(border, merger, runs[r], kTolerances * tolerance, before, after);
+            start = r == first ? ends[0] : start;
         }
-        add_run(border, merger, runs[r], reach);
         loop_of_piece.resize(border.pieces.size(), loop);
     }
     bridge_gaps(border, loop_of_piece);

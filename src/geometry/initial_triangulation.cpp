@@ -34,17 +34,19 @@ InitialTriangulation triangulate_initially(Session& session, const SingleGrid& g
             open.push_back(f);
         }
     }
+    bool shaping = true;
     for (int round = 0; round < kMaxRounds && !open.empty(); ++round) {
         std::set<EdgeChains::Mark> marks;
         for (std::size_t i = 0; i < open.size(); ++i) {
             progress.check();
             FaceTriangulation& face = result.faces[open[i]];
-            face = triangulate_face(session, result.chains, grid, open[i], round < kShapingRounds);
+            face = triangulate_face(session, result.chains, grid, open[i], shaping);
             marks.insert(face.marks.begin(), face.marks.end());
             progress.advance((round + static_cast<double>(i) / open.size()) / (round + 2.0));
         }
         open = faces_of(topology, result.chains.halve(session, marks));
-        if (round + 1 == kShapingRounds) {  // wishes that could not be granted do not count from now on
+        if (shaping && (round + 1 == kShapingRounds || open.empty())) {
+            shaping = false;  // wishes that could not be granted do not count from now on
             for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
                 if (!result.faces[f].marks.empty() && std::find(open.begin(), open.end(), f) == open.end()) {
                     open.push_back(f);
