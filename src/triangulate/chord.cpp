@@ -5,6 +5,7 @@
 
 #include "base/angle.h"
 #include "triangulate/gradation.h"
+#include "triangulate/side_length.h"
 
 namespace mq::triangulate {
 
@@ -16,21 +17,9 @@ constexpr int kMaxRounds = 60;
 // Edges around one vertex differ: the longest that belongs to a size, of triangles with good angles.
 constexpr double kLongestOfItsSize = 1.6;
 
-double length_of(const SurfaceMesh& mesh, int h) {
-    return (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).norm();
-}
-
 // Radians, by which the surface turns from end to end; 0 where it has no normal.
 double turn_along(const SurfaceMesh& mesh, int h) {
     return angle_between(mesh.site(mesh.site_of(h)).normal, mesh.site(mesh.site_of(SurfaceMesh::next(h))).normal);
-}
-
-int longest_side(const SurfaceMesh& mesh, int t) {
-    int best = 3 * t;
-    for (int h = 3 * t + 1; h < 3 * t + 3; ++h) {
-        best = length_of(mesh, h) > length_of(mesh, best) ? h : best;
-    }
-    return best;
 }
 
 }  // namespace
@@ -38,7 +27,7 @@ int longest_side(const SurfaceMesh& mesh, int t) {
 double ChordRefiner::excess_of_edge(double chord, int half_edge) const {
     double worst = excess(chord);
     if (sizing_.bounds.any()) {
-        worst = std::max(worst, length_of(work_.mesh, half_edge) / sizing_.bounds.of(work_.mesh, half_edge));
+        worst = std::max(worst, side_length(work_.mesh, half_edge) / sizing_.bounds.of(work_.mesh, half_edge));
     }
     return sizing_.turn > 0.0 ? std::max(worst, turn_along(work_.mesh, half_edge) / sizing_.turn) : worst;
 }
@@ -156,7 +145,7 @@ void ChordRefiner::measure_growth(std::vector<Site>& found) {
     const std::vector<double> sizes = graded_sizes(mesh, sizing_.growth);
     const auto check = [&](int h) {
         const double size = std::max(sizes[mesh.vertex_of(h)], sizes[mesh.vertex_of(SurfaceMesh::next(h))]);
-        const double e = length_of(mesh, h) / (kLongestOfItsSize * size);
+        const double e = side_length(mesh, h) / (kLongestOfItsSize * size);
         if (e > 1.0) {
             found.push_back({h, mesh.stamp(h / 3), e, edge_middle_site(mesh, h)});
         }

@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "triangulate/side_length.h"
+
 namespace mq::triangulate {
 
 using mesh::SurfaceMesh;
@@ -23,7 +25,7 @@ std::vector<std::vector<Spoke>> spokes_of(const SurfaceMesh& mesh) {
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
         const int from = mesh.vertex_of(h);
         const int to = mesh.vertex_of(SurfaceMesh::next(h));
-        const double length = (mesh.vertex(to).point - mesh.vertex(from).point).norm();
+        const double length = side_length(mesh, h);
         spokes[from].push_back({to, length});
         spokes[to].push_back({from, length});
     }

@@ -7,6 +7,7 @@
 
 #include "base/predicates.h"
 #include "triangulate/cavity.h"
+#include "triangulate/side_length.h"
 
 namespace mq::triangulate {
 
@@ -22,10 +23,6 @@ constexpr double kMaxLift = 0.5;
 constexpr int kMaxWalk = 100;
 constexpr std::size_t kMaxVisit = 400;
 
-double length(const SurfaceMesh& mesh, int h) {
-    return (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).norm();
-}
-
 struct Weights {
     double w[3];
 };
@@ -37,7 +34,7 @@ Candidate weighted_site(const SurfaceMesh& mesh, int triangle, const Weights& we
         const int h = 3 * triangle + i;
         c.point += weights.w[i] * mesh.point_of(h);
         c.uv += weights.w[i] * mesh.site(mesh.site_of(h)).uv;
-        c.reach = std::max(c.reach, (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).norm());
+        c.reach = std::max(c.reach, side_length(mesh, h));
     }
     return c;
 }
@@ -107,12 +104,7 @@ std::optional<Candidate> paper_site(const SurfaceMesh& mesh, int triangle, int& 
 }
 
 Candidate off_centre_site(const SurfaceMesh& mesh, int triangle, double angle) {
-    int h = 3 * triangle;
-    for (int side = h + 1; side < 3 * triangle + 3; ++side) {
-        if (length(mesh, side) < length(mesh, h)) {
-            h = side;
-        }
-    }
+    const int h = shortest_side(mesh, triangle);
     const Vec3& a = mesh.point_of(h);
     const Vec3& b = mesh.point_of(SurfaceMesh::next(h));
     const Vec3& c = mesh.point_of(SurfaceMesh::prev(h));

@@ -6,6 +6,7 @@
 
 #include "mesh/triangle_tree.h"
 #include "triangulate/disc_change.h"
+#include "triangulate/side_length.h"
 
 namespace mq::triangulate {
 
@@ -194,8 +195,7 @@ double PatchCoarsener::shortest_spoke(int vertex) const {
     const int h = half_edge_of_[static_cast<std::size_t>(vertex)];
     double shortest = 1e300;
     for (const int spoke : h < 0 ? std::vector<int>() : work_.mesh.star(h)) {
-        const Vec3 way = work_.mesh.point_of(SurfaceMesh::next(spoke)) - work_.mesh.point_of(spoke);
-        shortest = std::min(shortest, way.norm());
+        shortest = std::min(shortest, side_length(work_.mesh, spoke));
     }
     return shortest;
 }

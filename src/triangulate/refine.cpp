@@ -7,6 +7,7 @@
 #include "base/angle.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/fold.h"
+#include "triangulate/side_length.h"
 
 namespace mq::triangulate {
 
@@ -174,8 +175,7 @@ void Refiner::take_turned(const Bad& bad, std::vector<Job>& jobs) {
     turned_.mark(work_.mesh, bad.triangle);
     touched_.push_back(bad.triangle);
     const int h = most_turned_side(work_.mesh, bad.triangle);
-    const double side = (work_.mesh.point_of(SurfaceMesh::next(h)) - work_.mesh.point_of(h)).norm();
-    if (side < kMinTurned * work_.session.topology().box.largest_side()) {
+    if (side_length(work_.mesh, h) < kMinTurned * work_.session.topology().box.largest_side()) {
         return;
     }
     const int segment = work_.mesh.segment_of(h);
@@ -330,7 +330,7 @@ bool Refiner::crowded(int triangle, double nearest, int& shrinks) const {
         const std::size_t v = work_.mesh.vertex_of(h);
         shrinks = std::max<int>(shrinks, v < work_.shrinks.size() ? work_.shrinks[v] : 0);
     }
-    const double shortest = shortest_edge(triangle);
+    const double shortest = side_length(work_.mesh, shortest_side(work_.mesh, triangle));
     if (nearest >= shortest) {
         return false;
     }
@@ -347,7 +347,7 @@ void Refiner::give_up(const Job& job, Cause cause, const std::vector<int>& segme
     if (job.bad.turned()) {
         return;
     }
-    const int h = longest_edge(job.bad.triangle);
+    const int h = longest_side(work_.mesh, job.bad.triangle);
     const int segment = work_.mesh.segment_of(h);
     int blocking = -1;
     const auto other = job.attempt == 0 ? site_by_rule(job.bad.triangle, 1, blocking) : std::nullopt;
@@ -385,27 +385,6 @@ void Refiner::exempt_for(const Bad& bad, Cause cause, const std::vector<int>& se
 
 void Refiner::exempt(const Bad& bad, Cause cause, int vertex, int segment) {
     work_.exempt[bad.triangle] = {cause, vertex, segment, bad.stamp};
-}
-
-double Refiner::shortest_edge(int triangle) const {
-    double shortest = 1e300;
-    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        shortest = std::min(shortest, (work_.mesh.point_of(SurfaceMesh::next(h)) - work_.mesh.point_of(h)).norm());
-    }
-    return shortest;
-}
-
-int Refiner::longest_edge(int triangle) const {
-    int best = 3 * triangle;
-    double longest = -1.0;
-    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        const double length = (work_.mesh.point_of(SurfaceMesh::next(h)) - work_.mesh.point_of(h)).squaredNorm();
-        if (length > longest) {
-            longest = length;
-            best = h;
-        }
-    }
-    return best;
 }
 
 }  // namespace mq::triangulate

@@ -63,8 +63,6 @@ class Refiner {
     bool slender_apex(int h) const;
     bool retry_exempted();
     void exempt_the_rest();
-    double shortest_edge(int triangle) const;
-    int longest_edge(int triangle) const;
 
     Workspace& work_;
     SegmentSplitter& segments_;
