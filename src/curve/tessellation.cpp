@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/distance.h"
 #include "base/error.h"
 #include "base/key_set.h"
 #include "base/single_grid.h"
@@ -19,13 +20,6 @@ namespace {
 constexpr int kDeepest = 20;
 /// Inside a patch that is curved alike in all directions the middle is 4/3 as far off as the middles of its edges.
 constexpr double kEdgePart = 0.7;
-
-double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 ab = b - a;
-    const double length2 = ab.squaredNorm();
-    const double t = length2 > 0.0 ? std::clamp(ab.dot(p - a) / length2, 0.0, 1.0) : 0.0;
-    return (p - a - t * ab).norm();
-}
 
 double distance_to_triangle(const Vec3& p, const std::array<Vec3, 3>& c) {
     const Vec3 normal = (c[1] - c[0]).cross(c[2] - c[0]);

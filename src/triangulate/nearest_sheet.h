@@ -24,4 +24,9 @@ struct Foot {
 /// between the faces are asked. So a distance is never less than that from the part.
 std::vector<Foot> feet_on(Workspace& work, const std::vector<Vec3>& points, const Sheets& sheets);
 
+/// Adds the points where an edge, or the inside of a triangle, is measured that may lie on several faces: the distance
+/// may peak anywhere where a face ends within.
+void sample_edge(const Vec3& a, const Vec3& b, std::vector<Vec3>& points);
+void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<Vec3>& points);
+
 }  // namespace mq::triangulate

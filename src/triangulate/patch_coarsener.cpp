@@ -21,20 +21,6 @@ constexpr std::size_t kMaxFaces = 12;
 constexpr int kMaxRounds = 16;
 constexpr std::size_t kMaxTried = 3;
 
-// Where edges and triangles are measured: the distance may peak anywhere where a face ends within.
-void sample_edge(const Vec3& a, const Vec3& b, std::vector<Vec3>& points) {
-    for (const double at : {0.25, 0.5, 0.75}) {
-        points.push_back((1.0 - at) * a + at * b);
-    }
-}
-
-void sample_triangle(const Vec3& a, const Vec3& b, const Vec3& c, std::vector<Vec3>& points) {
-    points.push_back((a + b + c) / 3.0);
-    points.push_back(0.6 * a + 0.2 * b + 0.2 * c);
-    points.push_back(0.2 * a + 0.6 * b + 0.2 * c);
-    points.push_back(0.2 * a + 0.2 * b + 0.6 * c);
-}
-
 std::vector<Vec3> samples_of_fan(const SurfaceMesh& mesh, const Disc& disc, const Vec3& apex, int apex_site) {
     std::vector<Vec3> points;
     for (const int side : disc.rim) {

@@ -101,11 +101,11 @@ ChordHeight farthest_spanning(Workspace& work) {
         const Vec3& a = mesh.point_of(3 * triangle);
         const Vec3& b = mesh.point_of(3 * triangle + 1);
         const Vec3& c = mesh.point_of(3 * triangle + 2);
-        std::vector<Vec3> points{(a + b + c) / 3.0, 0.6 * a + 0.2 * b + 0.2 * c, 0.2 * a + 0.6 * b + 0.2 * c,
-                                 0.2 * a + 0.2 * b + 0.6 * c};
-        for (const double at : {0.25, 0.5, 0.75}) {
-            points.insert(points.end(), {(1.0 - at) * a + at * b, (1.0 - at) * b + at * c, (1.0 - at) * c + at * a});
-        }
+        std::vector<Vec3> points;
+        sample_triangle(a, b, c, points);
+        sample_edge(a, b, points);
+        sample_edge(b, c, points);
+        sample_edge(c, a, points);
         const std::vector<Foot> feet = feet_on(work, points, span.sheets);
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (feet[i].found() && (worst.triangle < 0 || feet[i].distance > worst.distance)) {

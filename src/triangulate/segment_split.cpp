@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "base/distance.h"
 #include "base/predicates.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/fold.h"
@@ -30,13 +31,6 @@ constexpr int kMaxPostponed = 12;
 constexpr int kMaxHalvings = 20;
 // An edge this near to the middle of an innermost piece, in lengths of the piece, calls for a shorter piece.
 constexpr double kBesideEdge = 0.4;
-
-double distance_to_piece(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 along = b - a;
-    const double length = along.squaredNorm();
-    const double t = length > 0.0 ? std::clamp(along.dot(p - a) / length, 0.0, 1.0) : 0.0;
-    return (a + t * along - p).norm();
-}
 
 }  // namespace
 
@@ -119,7 +113,7 @@ double SegmentSplitter::clear_of_other_edges(int node, double radius) const {
         const Vec3& a = mesh.vertex(piece.vertices[0]).point;
         const Vec3& b = mesh.vertex(piece.vertices[1]).point;
         const auto too_near = [&](const Vec3& way) {
-            return distance_to_piece(p + 0.5 * way, a, b) < kBesideEdge * way.norm();
+            return distance_to_segment(p + 0.5 * way, a, b) < kBesideEdge * way.norm();
         };
         for (const Vec3& d : directions) {
             for (int n = 0; n < kMaxHalvings && too_near(radius * d); ++n) {
