@@ -408,6 +408,38 @@ TEST(SurfaceMesh, StampsChangeWithTheCorners) {
     }
 }
 
+/// What was measured is remembered by an edge's number: it must mean the same two vertices for ever, on one face.
+TEST(SurfaceMesh, NumbersOfEdgesStayWithTheirVertices) {
+    for (const Sample& sample : all_samples()) {
+        SCOPED_TRACE(sample.name);
+        SurfaceMesh mesh = sample.mesh;
+        Shaker shaker(mesh, 11);
+        std::map<int, std::array<int, 3>> known;  // face and vertices by number
+        int kept = 0;
+        for (int i = 0; i < 200; ++i) {
+            std::map<int, int> seen;
+            for (int h = 0; h < mesh.half_edge_count(); ++h) {
+                const int a = mesh.vertex_of(h);
+                const int b = mesh.vertex_of(SurfaceMesh::next(h));
+                const std::array<int, 3> ends{mesh.face_of(h / 3), std::min(a, b), std::max(a, b)};
+                const int number = mesh.number_of(h);
+                ASSERT_GE(number, 0);
+                ASSERT_LT(number, mesh.number_count());
+                const auto [found, fresh] = known.emplace(number, ends);
+                ASSERT_EQ(found->second, ends);
+                kept += fresh ? 0 : 1;
+                ++seen[number];
+                ASSERT_EQ(mesh.twin(h) < 0 || mesh.number_of(mesh.twin(h)) == number, true);
+            }
+            for (const auto& [number, sides] : seen) {
+                ASSERT_LE(sides, 2);
+            }
+            shaker.step();
+        }
+        EXPECT_GT(kept, 0);
+    }
+}
+
 TEST(SurfaceMesh, InconsistencyNamesLooseAndWrongHalfEdges) {
     SurfaceMesh mesh;
     std::array<int, 4> sites{};
