@@ -20,6 +20,7 @@ int SurfaceMesh::add_vertex(const Vec3& point, VertexEntity entity) {
 
 int SurfaceMesh::add_site(const Site& site) {
     sites_.push_back(site);
+    sites_.back().point = vertices_[site.vertex].point;
     return site_count() - 1;
 }
 
@@ -253,6 +254,17 @@ void SurfaceMesh::drop_last_triangle() {
     number_.resize(number_.size() - 3);
     face_.pop_back();
     stamp_.pop_back();
+}
+
+bool SurfaceMesh::closed_with_spokes_up_to(int most, int h) const {
+    int g = h;
+    for (int n = 0; n < most; ++n) {
+        g = twin(prev(g));
+        if (g < 0 || g == h) {
+            return g == h;
+        }
+    }
+    return false;
 }
 
 std::vector<int> SurfaceMesh::star(int h) const {

@@ -17,14 +17,17 @@ double angle_at(const SurfaceMesh& mesh, int h) {
 }
 
 SmallestAngle smallest_angle(const SurfaceMesh& mesh, int triangle) {
-    SmallestAngle best{-1, 1e300};
+    int opposite = 3 * triangle;  // the shortest side
+    double shortest = 1e300;
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        const double angle = angle_at(mesh, h);
-        if (angle < best.angle) {
-            best = {h, angle};
+        const double length = (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).squaredNorm();
+        if (length < shortest) {
+            shortest = length;
+            opposite = h;
         }
     }
-    return best;
+    const int corner = SurfaceMesh::prev(opposite);
+    return {corner, angle_at(mesh, corner)};
 }
 
 int narrow_corner_of(const SurfaceMesh& mesh, int triangle) {

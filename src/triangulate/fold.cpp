@@ -7,7 +7,7 @@ namespace mq::triangulate {
 
 Corner corner_of(const mesh::SurfaceMesh& mesh, int site) {
     const auto& s = mesh.site(site);
-    return {mesh.vertex(s.vertex).point, s.normal};
+    return {s.point, s.normal};
 }
 
 double alignment(const Corner& a, const Corner& b, const Corner& c) {

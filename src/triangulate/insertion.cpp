@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/predicates.h"
 #include "triangulate/cavity.h"
@@ -177,7 +176,7 @@ Location locate(const SurfaceMesh& mesh, int triangle, const SurfacePoint& p) {
 Surroundings look_around(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
     Surroundings result;
     std::vector<int> queue{triangle};
-    std::set<int> seen{triangle};
+    queue.reserve(32);
     for (std::size_t i = 0; i < queue.size() && queue.size() < kMaxVisit; ++i) {
         for (int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
             const int s = mesh.segment_of(h);
@@ -189,8 +188,7 @@ Surroundings look_around(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
                 continue;
             }
             const int other = SurfaceMesh::triangle_of(mesh.twin(h));
-            if (seen.count(other) == 0 && in_circumsphere(mesh, other, p)) {
-                seen.insert(other);
+            if (std::find(queue.begin(), queue.end(), other) == queue.end() && in_circumsphere(mesh, other, p)) {
                 queue.push_back(other);
             }
         }

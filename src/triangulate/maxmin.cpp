@@ -77,8 +77,7 @@ bool Maxmin::legal(int h, double least) const {
     }
     // A vertex with three edges inside a face: the swap would join two vertices that are joined already.
     for (const int corner : {h, SurfaceMesh::next(h)}) {
-        const std::vector<int> star = mesh_.star(corner);
-        if (star.size() <= 3 && mesh_.twin(SurfaceMesh::prev(star.back())) >= 0) {
+        if (mesh_.closed_with_spokes_up_to(3, corner)) {
             return false;
         }
     }

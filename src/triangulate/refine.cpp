@@ -238,6 +238,9 @@ bool Refiner::narrowed_by_chords(int a, int b, int vertex) {
 bool Refiner::slender_apex(int h) const {
     const int site = work_.mesh.site_of(h);
     bool apex = !(work_.mesh.site(site).normal.squaredNorm() > 0.0);
+    if (!apex && work_.mesh.vertex(work_.mesh.vertex_of(h)).entity[0] == 2) {
+        return false;  // inside a face a vertex has one site
+    }
     double sum = 0.0;
     const std::vector<int> star = work_.mesh.star(h);
     for (const int spoke : star) {
