@@ -37,7 +37,17 @@ CrossingFinder::Faces CrossingFinder::faces_of(const std::array<int, 2>& pair) c
     return std::minmax({work_.mesh.face_of(pair[0]), work_.mesh.face_of(pair[1])});
 }
 
-std::vector<std::array<int, 2>> CrossingFinder::pairs() const {
+// Every change of the mesh makes an edge with a new number; triangles that take the places of others are fewer then.
+const std::vector<std::array<int, 2>>& CrossingFinder::pairs() {
+    const std::array<int, 2> state{work_.mesh.number_count(), work_.mesh.triangle_count()};
+    if (state != state_) {
+        find();
+        state_ = state;
+    }
+    return pairs_;
+}
+
+void CrossingFinder::find() {
     const SurfaceMesh& mesh = work_.mesh;
     std::vector<Vec3> vertices;
     std::vector<mesh::Triangle> triangles;
@@ -47,13 +57,12 @@ std::vector<std::array<int, 2>> CrossingFinder::pairs() const {
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         triangles.push_back({mesh.vertex_of(3 * t), mesh.vertex_of(3 * t + 1), mesh.vertex_of(3 * t + 2)});
     }
-    std::vector<std::array<int, 2>> pairs;
+    pairs_.clear();
     for (const mesh::ContactPair& pair : mesh::self_intersections(vertices, triangles, kMostPairs, &work_.progress)) {
         if (one_volume(faces_of({pair.a, pair.b}))) {
-            pairs.push_back({pair.a, pair.b});
+            pairs_.push_back({pair.a, pair.b});
         }
     }
-    return pairs;
 }
 
 std::map<CrossingFinder::Faces, std::size_t> CrossingFinder::by_faces(

@@ -18,7 +18,8 @@ namespace mq::triangulate {
 /// Where the part's own faces cross, most crossings of the two are deeper than chords explain, and stay as they are.
 class CrossingRefiner {
   public:
-    CrossingRefiner(Workspace& work, SegmentSplitter& segments) : work_(work), segments_(segments), finder_(work) {}
+    CrossingRefiner(Workspace& work, SegmentSplitter& segments, CrossingFinder& finder)
+        : work_(work), segments_(segments), finder_(finder) {}
 
     /// Splits all triangles that cross and are not exact already.
     /// @return whether anything was split.
@@ -47,7 +48,7 @@ class CrossingRefiner {
 
     Workspace& work_;
     SegmentSplitter& segments_;
-    CrossingFinder finder_;
+    CrossingFinder& finder_;
     std::set<CrossingFinder::Faces> of_the_part_;
 };
 

@@ -66,8 +66,7 @@ void report_chord_height(Workspace& work, ChordMeasure& measure, const Output& o
     }
 }
 
-void report_crossings(Workspace& work, mesh::MeshReport& report) {
-    const CrossingFinder finder(work);
+void report_crossings(CrossingFinder& finder, mesh::MeshReport& report) {
     report.self_intersections = 0;
     for (const auto& [faces, count] : finder.by_faces(finder.pairs())) {
         report.self_intersections += static_cast<std::int64_t>(count);
@@ -81,7 +80,7 @@ void report_crossings(Workspace& work, mesh::MeshReport& report) {
 
 }  // namespace
 
-mesh::MeshReport final_report(Workspace& work, ChordMeasure& measure, const Output& out, const Options& options,
+mesh::MeshReport final_report(Workspace& work, Findings& findings, const Output& out, const Options& options,
                               double chord) {
     mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
@@ -89,8 +88,8 @@ mesh::MeshReport final_report(Workspace& work, ChordMeasure& measure, const Outp
     report_exemptions(work, out, report.min_angle_asked, report);
     report_spanning(work, out, report);
     report.notes = work.session.topology().faults;
-    report_crossings(work, report);
-    report_chord_height(work, measure, out, options.keeps_bounds(), report);
+    report_crossings(findings.crossings, report);
+    report_chord_height(work, findings.chords, out, options.keeps_bounds(), report);
     report.complete = !work.over_budget();
     if (work.over_budget()) {
         report.notes.push_back("stopped at max_triangles = " + std::to_string(work.budget) +

@@ -82,7 +82,7 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
 }
 
 // @return what was done about smooth edges, for the report
-std::string refine(Workspace& work, ChordMeasure& measure, const Options& options, double chord, StageClock& clock) {
+std::string refine(Workspace& work, Findings& findings, const Options& options, double chord, StageClock& clock) {
     std::string released;
     SegmentSplitter segments(work);
     const double from = first_share(options);
@@ -93,7 +93,7 @@ std::string refine(Workspace& work, ChordMeasure& measure, const Options& option
     Refiner refiner(work, segments, options.min_angle, options.insertion);
     refiner.run();
     clock.end("angles");
-    ChordRefiner chords(work, segments, measure, sizing);
+    ChordRefiner chords(work, segments, findings.chords, sizing);
     const auto refine_chords = [&] {
         for (int round = 0; sizing.any() && round < kMaxChordRounds && chords.run(); ++round) {
             refiner.run();
@@ -104,7 +104,7 @@ std::string refine(Workspace& work, ChordMeasure& measure, const Options& option
     refine_chords();
     clock.end("chord height");
     work.progress.stage("separating crossings", 0.8, 0.85);
-    CrossingRefiner crossings(work, segments);
+    CrossingRefiner crossings(work, segments, findings.crossings);
     for (int round = 0; round < kMaxCrossingRounds && crossings.run(); ++round) {
         refiner.run();
         refine_chords();
@@ -180,13 +180,13 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     work.floor = grid.shortest_side();
     work.min_edge = options.min_edge;
     work.budget = options.budget();
-    ChordMeasure measure(work);
+    Findings findings(work);
     std::vector<int> touched;
     std::string released;
     separate_doubled_edges(work, touched);
     if (options.keeps_bounds()) {
         maxmin.sweep(touched);
-        released = refine(work, measure, options, chord, clock);
+        released = refine(work, findings, options, chord, clock);
     }
 
     watched.stage("checking", 0.9, 1.0);
@@ -194,7 +194,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     Output out = write_out(surface, topology, grid.origin(), watched);
     watched.check();
     Result result;
-    result.report = final_report(work, measure, out, options, chord);
+    result.report = final_report(work, findings, out, options, chord);
     result.mesh = std::move(out.mesh);
     add_note(result.report, released);
     for (const auto& failure : first.faces.failures) {
