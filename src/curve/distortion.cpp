@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "curve/gmsh_order.h"
 #include "curve/jacobian.h"
+#include "curve/simplex_part.h"
 
 namespace mq::curve {
 
@@ -76,36 +77,26 @@ class ShapeSearch {
         while (high_ > 0.0 && queue_.top().low < (1.0 - kDistortionAccuracy) * high_ && serial_ < kMaxPieces) {
             const Piece piece = queue_.top();
             queue_.pop();
-            const auto [a, b] = longest_edge(piece);
+            const auto [a, b] = longest_edge(piece.part, lattice_.dimension());
             auto [volume_a, volume_b] = halve(lattice_, piece.volume, a, b);
             auto [stretch_a, stretch_b] = halve(lattice_, piece.stretch, a, b);
-            const Barycentric middle =
-                middle_of(piece.corners[static_cast<std::size_t>(a)], piece.corners[static_cast<std::size_t>(b)]);
-            push({0.0, 0, std::move(volume_a), std::move(stretch_a), with(piece.corners, b, middle)});
-            push({0.0, 0, std::move(volume_b), std::move(stretch_b), with(piece.corners, a, middle)});
+            const auto [part_a, part_b] = halve(piece.part, a, b);
+            push({0.0, 0, std::move(volume_a), std::move(stretch_a), part_a});
+            push({0.0, 0, std::move(volume_b), std::move(stretch_b), part_b});
         }
         return queue_.top().low > 0.0 ? 1.0 / queue_.top().low : std::numeric_limits<double>::infinity();
     }
 
   private:
-    using Corners = std::array<Barycentric, 4>;
     struct Piece {
         double low = 0.0;
         int serial = 0;  // ties go to the older piece, so that the order is fixed
         std::vector<Volume> volume;
         std::vector<double> stretch;
-        Corners corners{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+        SimplexPart part = kWholeSimplex;
 
         bool operator<(const Piece& other) const { return low != other.low ? low > other.low : serial > other.serial; }
     };
-
-    static Barycentric middle_of(const Barycentric& a, const Barycentric& b) {
-        return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]), 0.5 * (a[3] + b[3])};
-    }
-    static Corners with(Corners corners, int k, const Barycentric& point) {
-        corners[static_cast<std::size_t>(k)] = point;
-        return corners;
-    }
 
     void push(Piece piece) {
         piece.serial = serial_++;
@@ -124,26 +115,6 @@ class ShapeSearch {
         }
         piece.low = std::min(piece.low, high_);
         queue_.push(std::move(piece));
-    }
-
-    std::pair<int, int> longest_edge(const Piece& piece) const {
-        std::pair<int, int> longest{0, 1};
-        double most = -1.0;
-        for (int a = 0; a <= lattice_.dimension(); ++a) {
-            for (int b = a + 1; b <= lattice_.dimension(); ++b) {
-                double square = 0.0;
-                for (std::size_t k = 0; k < 4; ++k) {
-                    const double d =
-                        piece.corners[static_cast<std::size_t>(a)][k] - piece.corners[static_cast<std::size_t>(b)][k];
-                    square += d * d;
-                }
-                if (square > most * (1.0 + 1e-9)) {
-                    most = square;
-                    longest = {a, b};
-                }
-            }
-        }
-        return longest;
     }
 
     const Lattice& lattice_;

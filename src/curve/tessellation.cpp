@@ -10,6 +10,7 @@
 #include "base/single_grid.h"
 #include "curve/gmsh_order.h"
 #include "curve/shapes.h"
+#include "curve/simplex_part.h"
 
 namespace mq::curve {
 
@@ -80,10 +81,6 @@ Vec3 polar(const Lattice& lattice, const std::vector<Vec3>& control, const Argum
         above = &here;
     }
     return points[0];
-}
-
-Barycentric middle_of(const Barycentric& a, const Barycentric& b) {
-    return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]), 0.0};
 }
 
 /// Whether both points lie on one side of the curved triangle. Halving and thirds keep zeros.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <queue>
 
+#include "curve/simplex_part.h"
+
 namespace mq::curve {
 
 namespace {
@@ -14,7 +16,7 @@ struct Piece {
     double low = 0.0;
     int serial = 0;  // ties go to the older piece, so that the order is fixed
     std::vector<double> coefficients;
-    std::array<Barycentric, 4> corners{};
+    SimplexPart part = kWholeSimplex;
 
     bool operator<(const Piece& other) const { return low != other.low ? low > other.low : serial > other.serial; }
 };
@@ -24,9 +26,6 @@ class Search {
     explicit Search(const JacobianForm& form) : form_(form), dimension_(form.lattice->dimension()) {
         Piece whole;
         whole.coefficients = form.coefficients;
-        for (std::size_t k = 0; k <= static_cast<std::size_t>(dimension_); ++k) {
-            whole.corners[k][k] = 1.0;
-        }
         best_.high = std::numeric_limits<double>::infinity();
         push(std::move(whole));
     }
@@ -37,22 +36,13 @@ class Search {
 
     /// Halves the piece with the lowest bound across its longest edge.
     void step() {
-        Piece piece = queue_.top();
+        const Piece piece = queue_.top();
         queue_.pop();
-        const auto [a, b] = longest_edge(piece);
+        const auto [a, b] = longest_edge(piece.part, dimension_);
         auto [first, second] = halve(*form_.lattice, piece.coefficients, a, b);
-        Barycentric middle{};
-        for (std::size_t k = 0; k < 4; ++k) {
-            middle[k] =
-                0.5 * (piece.corners[static_cast<std::size_t>(a)][k] + piece.corners[static_cast<std::size_t>(b)][k]);
-        }
-        Piece other = piece;
-        piece.coefficients = std::move(first);
-        piece.corners[static_cast<std::size_t>(b)] = middle;
-        other.coefficients = std::move(second);
-        other.corners[static_cast<std::size_t>(a)] = middle;
-        push(std::move(piece));
-        push(std::move(other));
+        const auto [first_part, second_part] = halve(piece.part, a, b);
+        push({0.0, 0, std::move(first), first_part});
+        push({0.0, 0, std::move(second), second_part});
     }
 
     Minimum result() const {
@@ -70,30 +60,10 @@ class Search {
             const double at_corner = piece.coefficients[static_cast<std::size_t>(form_.lattice->corner(k))];
             if (at_corner < best_.high) {
                 best_.high = at_corner;
-                best_.at = piece.corners[static_cast<std::size_t>(k)];
+                best_.at = piece.part[static_cast<std::size_t>(k)];
             }
         }
         queue_.push(std::move(piece));
-    }
-
-    std::pair<int, int> longest_edge(const Piece& piece) const {
-        std::pair<int, int> longest{0, 1};
-        double most = -1.0;
-        for (int a = 0; a <= dimension_; ++a) {
-            for (int b = a + 1; b <= dimension_; ++b) {
-                double square = 0.0;
-                for (std::size_t k = 0; k < 4; ++k) {
-                    const double d =
-                        piece.corners[static_cast<std::size_t>(a)][k] - piece.corners[static_cast<std::size_t>(b)][k];
-                    square += d * d;
-                }
-                if (square > most * (1.0 + 1e-9)) {
-                    most = square;
-                    longest = {a, b};
-                }
-            }
-        }
-        return longest;
     }
 
     const JacobianForm& form_;
