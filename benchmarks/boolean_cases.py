@@ -18,7 +18,6 @@ faults, and the largest distance of either surface's corners and centres from th
 import argparse
 import fnmatch
 import gzip
-import os
 import tempfile
 import time
 from pathlib import Path
@@ -66,11 +65,10 @@ HEAD = f"{'case':<26} {'CPU s':>7} {'wall s':>7} {'aim':>5} {'triangles':>10} {'
 
 
 def parser():
-    data = Path(os.environ.get("MESHQUALITY_DATA",
-                               inside_freecad.ROOT.parent / "shared" / "data"))
     result = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument("--data", default=str(data), help="folder with boolean/")
+    result.add_argument("--data", default=str(inside_freecad.data_folder()),
+                        help="folder with boolean/")
     result.add_argument("--only", action="append", metavar="PATTERN", help="names of cases")
     result.add_argument("-n", type=int, default=3, dest="runs", help="runs of each case")
     result.add_argument("--method", default="default", help="as for mq.boolean")

@@ -56,8 +56,8 @@ def summarise(mesh, seconds):
     report = mesh.report
     names = (
         "triangles", "vertices", "closed", "oriented", "manifold", "euler", "components",
-        "min_angle", "min_angle_unexempted", "mean_min_angle", "max_angle", "max_chord_height", "complete",
-        "cpu_seconds", "queries", "predicates", "exact_predicates",
+        "min_angle", "min_angle_unexempted", "mean_min_angle", "max_angle", "max_chord_height",
+        "complete", "cpu_seconds", "queries", "predicates", "exact_predicates",
     )
     found = {name: getattr(report, name, None) for name in names}
     found["below_30"] = sum(report.angle_histogram[:30])

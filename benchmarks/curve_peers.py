@@ -32,13 +32,11 @@ LARGE = "CrankArm"
 
 
 def parser():
-    data = Path(os.environ.get("MESHQUALITY_DATA",
-                               inside_freecad.ROOT.parent / "shared" / "data"))
     result = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     result.add_argument("--order", type=int, default=2, choices=(2, 3, 4))
     result.add_argument("--only", default="*", help="names, with wildcards")
-    result.add_argument("--data", default=str(data.resolve()))
+    result.add_argument("--data", default=str(inside_freecad.data_folder()))
     result.add_argument("--python", default="/usr/bin/python3", help="that has the module gmsh")
     result.add_argument("--alike", action="store_true",
                         help="give Gmsh about as many tetrahedra as ours")

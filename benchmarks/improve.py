@@ -13,7 +13,6 @@ surface from the other one, new from given and back, as parts of the size.
 import argparse
 import fnmatch
 import gzip
-import os
 import shutil
 import tempfile
 import time
@@ -30,11 +29,10 @@ HEAD = f"{'':<20} {'triangles':>9} {'angle':>6} {'below':>6}    {'after':>7} {'a
 
 
 def parser():
-    data = Path(os.environ.get("MESHQUALITY_DATA",
-                               inside_freecad.ROOT.parent / "shared" / "data"))
     result = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument("--data", default=str(data), help="folder with cad/ and mesh/")
+    result.add_argument("--data", default=str(inside_freecad.data_folder()),
+                        help="folder with cad/ and mesh/")
     result.add_argument("--only", default="*", metavar="PATTERN", help="names of files")
     return result
 

@@ -18,6 +18,13 @@ ROOT = Path(__file__).resolve().parent.parent
 VARIABLE = "MESHQUALITY_BENCHMARK"
 
 
+def data_folder():
+    """Where parts and meshes from files are: $MESHQUALITY_DATA, or ../shared/data beside the
+    repository."""
+    default = ROOT.parent / "shared" / "data"
+    return Path(os.environ.get("MESHQUALITY_DATA", default)).resolve()
+
+
 def start(script, parser, work):
     """Parses the command line and goes on in FreeCAD; inside it, does the work and ends."""
     inside = VARIABLE in os.environ

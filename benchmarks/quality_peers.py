@@ -44,7 +44,6 @@ GROWTH = 4.0  # chord heights go down by this factor
 
 
 def parser():
-    data = Path(os.environ.get("MESHQUALITY_DATA", inside_freecad.ROOT.parent / "shared" / "data"))
     result = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     result.add_argument("-n", "--runs", type=int, default=3, help="of every mesher, in turn")
@@ -52,7 +51,7 @@ def parser():
     result.add_argument("--level", action="append", type=float, help="1e-3 and 1e-4 unless given")
     result.add_argument("--angle", type=float, default=25.0, help="ours, degrees")
     result.add_argument("--judge", help="program that judges a mesh: MESH SHAPE --json")
-    result.add_argument("--data", default=str(data.resolve()))
+    result.add_argument("--data", default=str(inside_freecad.data_folder()))
     result.add_argument("--python", default="/usr/bin/python3", help="that has the module gmsh")
     result.add_argument("--netgen", help="the program quality_netgen",
                         default=str(inside_freecad.ROOT / "build" / "benchmarks" / "quality_netgen"))

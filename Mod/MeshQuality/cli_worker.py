@@ -18,9 +18,10 @@ REPORT_FIELDS = (
     "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
     "nonmanifold_edges", "misoriented_edges", "pinched_vertices", "degenerate_triangles",
     "duplicate_triangles", "self_intersections", "components", "euler", "min_angle", "max_angle",
-    "mean_min_angle", "max_aspect", "angle_histogram", "area", "volume", "min_angle_asked", "min_angle_unexempted",
-    "max_chord_height", "chord_height_asked", "exempt", "exempt_causes", "fallback", "notes",
-    "complete", "seconds", "cpu_seconds", "queries", "predicates", "exact_predicates",
+    "mean_min_angle", "max_aspect", "angle_histogram", "area", "volume", "min_angle_asked",
+    "min_angle_unexempted", "max_chord_height", "chord_height_asked", "exempt", "exempt_causes",
+    "fallback", "notes", "complete", "seconds", "cpu_seconds", "queries", "predicates",
+    "exact_predicates",
 )
 
 BOOLEAN_REPORT_FIELDS = (
@@ -30,8 +31,8 @@ BOOLEAN_REPORT_FIELDS = (
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
-    "volume", "cad_volume", "volume_error", "straightened", "moved_vertices", "repairs", "notes", "seconds",
-    "cpu_seconds",
+    "volume", "cad_volume", "volume_error", "straightened", "moved_vertices", "repairs", "notes",
+    "seconds", "cpu_seconds",
 )
 
 
