@@ -5,10 +5,28 @@ import Part
 
 
 def euler(shape):
-    """V - E + F of the faces, where one whose boundary falls into n parts counts 2 - n."""
+    """V - E + F of the faces, where one whose boundary falls into n parts counts 2 - n.
+
+    A vertex in which n parts of the surface touch counts n: meshes have one there for each of them.
+    """
     faces = Part.makeCompound(shape.Faces)
     edges = [edge for edge in faces.Edges if not edge.Degenerated]
-    return len(faces.Vertexes) - len(edges) + sum(2 - boundary_parts(f) for f in faces.Faces)
+    return umbrellas(faces) - len(edges) + sum(2 - boundary_parts(f) for f in faces.Faces)
+
+
+def umbrellas(faces):
+    """The number of vertices, each counted once for every group of faces that edges join there."""
+    groups = {}
+    for face in faces.Faces:
+        around = {}
+        for edge in face.Edges:
+            for vertex in edge.Vertexes:
+                around.setdefault(vertex.hashCode(), set()).add(edge.hashCode())
+        for vertex, own in around.items():
+            others = groups.get(vertex, [])
+            joined = [group for group in others if group & own]
+            groups[vertex] = [g for g in others if not g & own] + [own.union(*joined)]
+    return sum(len(parts) for parts in groups.values())
 
 
 def boundary_parts(face):
