@@ -256,14 +256,14 @@ void SurfaceMesh::drop_last_triangle() {
     stamp_.pop_back();
 }
 
-bool SurfaceMesh::closed_with_spokes_up_to(int most, int h) const {
+bool SurfaceMesh::leads_to(int h, int vertex) const {
     int g = h;
-    for (int n = 0; n < most; ++n) {
-        g = twin(prev(g));
-        if (g < 0 || g == h) {
-            return g == h;
+    do {
+        if (vertex_of(next(g)) == vertex) {
+            return true;
         }
-    }
+        g = twin(prev(g));
+    } while (g != h);
     return false;
 }
 

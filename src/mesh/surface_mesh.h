@@ -118,8 +118,8 @@ class SurfaceMesh {
     /// Half-edges that leave the site of `h`, around it within the face, counter-clockwise from `h` or, where a
     /// segment cuts the turn, from the first after it.
     std::vector<int> star(int h) const;
-    /// Whether no more than `most` half-edges leave the site of `h` within the face, all around it.
-    bool closed_with_spokes_up_to(int most, int h) const;
+    /// Whether an edge leads from the site of `h` to the vertex; `h` must leave a site that no segment touches.
+    bool leads_to(int h, int vertex) const;
 
     /// The first inconsistency of links, segments and corners, or an empty string. For tests; O(n).
     std::string inconsistency() const;

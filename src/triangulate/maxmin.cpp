@@ -75,13 +75,11 @@ bool Maxmin::legal(int h, double least) const {
             return false;
         }
     }
-    // A vertex with three edges inside a face: the swap would join two vertices that are joined already.
-    for (const int corner : {h, SurfaceMesh::next(h)}) {
-        if (mesh_.closed_with_spokes_up_to(3, corner)) {
-            return false;
-        }
-    }
-    return true;
+    // In the plane two vertices that see each other across an edge are not joined elsewhere, but triangles can be
+    // folded.
+    const int from_c = SurfaceMesh::prev(h);
+    const int from_d = SurfaceMesh::prev(g);
+    return on_border(vc) ? on_border(vd) || !mesh_.leads_to(from_d, vc) : !mesh_.leads_to(from_c, vd);
 }
 
 void Maxmin::swap(int h, std::vector<int>& touched) {

@@ -111,5 +111,33 @@ TEST(Maxmin, ListsTheTrianglesThatASweepChanges) {
     }
 }
 
+/// Five vertices in one plane as a closed surface, two of whose triangles lie over the other four: the edge 0-1 would
+/// be swapped for its angles, if 2 and 3 were not joined on the other side already.
+TEST(Maxmin, JoinsNoVerticesTwiceWhereTrianglesAreFolded) {
+    SurfaceMesh mesh;
+    for (const auto& [x, y] : {std::pair(0.0, -1.0), {0.0, 1.0}, {-0.5, 0.0}, {0.5, 0.0}, {0.0, 5.0}}) {
+        const int vertex = mesh.add_vertex(Vec3(x, y, 0.0), {2, 0});
+        mesh.add_site({vertex, Vec2(x, y), Vec3(0.0, 0.0, 1.0)});
+    }
+    const std::vector<std::array<int, 3>> corners{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {1, 3, 4}, {2, 4, 3}, {0, 2, 3}};
+    std::map<std::pair<int, int>, int> half_edges;
+    for (const auto& c : corners) {
+        const int t = mesh.add_triangle(c, 0);
+        for (int i = 0; i < 3; ++i) {
+            half_edges[{c[i], c[(i + 1) % 3]}] = 3 * t + i;
+        }
+    }
+    for (const auto& [ends, h] : half_edges) {
+        mesh.link(h, half_edges.at({ends.second, ends.first}));
+    }
+    ASSERT_EQ(mesh.inconsistency(), "");
+    ASSERT_FALSE(locally_maxmin(mesh.point_of(0), mesh.point_of(1), mesh.point_of(2), mesh.point_of(5)));
+    Maxmin maxmin(mesh);
+    std::vector<int> touched;
+    maxmin.sweep(touched);
+    EXPECT_EQ(mesh.inconsistency(), "");
+    expect_no_doubled_edges(mesh);
+}
+
 }  // namespace
 }  // namespace mq::triangulate
