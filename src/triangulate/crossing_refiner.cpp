@@ -49,18 +49,15 @@ bool CrossingRefiner::folded(const std::array<int, 2>& pair) const {
 }
 
 std::vector<CrossingRefiner::Crossing> CrossingRefiner::crossings() {
+    const Pairs& pairs = finder_.pairs();
+    const std::map<int, Side> highest = highest_sides(pairs);
     std::vector<Crossing> result;
-    for (const auto& pair : finder_.pairs()) {
-        Crossing crossing{pair, {}, {}, false};
-        double heights = 0.0;
-        for (int i = 0; i < 2; ++i) {
-            crossing.sides[i] = highest_side(pair[i]);
-            crossing.heights[i] = height(crossing.sides[i]);
-            heights += crossing.heights[i];
-        }
-        crossing.by_chords = !folded(pair) && std::min(depth(pair[0], pair[1]), depth(pair[1], pair[0])) <=
-                                                  kDeeper * heights + work_.grid.resolution();
-        result.push_back(crossing);
+    for (const auto& pair : pairs) {
+        const std::array<Side, 2> sides{highest.at(pair[0]), highest.at(pair[1])};
+        const bool by_chords =
+            !folded(pair) && std::min(depth(pair[0], pair[1]), depth(pair[1], pair[0])) <=
+                                 kDeeper * (sides[0].height + sides[1].height) + work_.grid.resolution();
+        result.push_back({pair, sides, by_chords});
     }
     return result;
 }
@@ -78,38 +75,63 @@ void CrossingRefiner::judge(const std::vector<Crossing>& crossings) {
     }
 }
 
-// Of a side over its surface, or over its curve.
-double CrossingRefiner::height(int half_edge) {
+// Over their curves, of those under sides of triangles that cross; of none that cannot be split.
+std::map<int, double> CrossingRefiner::heights_of_segments(const Pairs& pairs) {
     const SurfaceMesh& mesh = work_.mesh;
-    const int s = mesh.segment_of(half_edge);
-    if (s < 0) {
-        return edge_peak(mesh, half_edge).height;
-    }
-    const SurfaceMesh::Segment& piece = mesh.segment(s);
-    const Vec3 middle = 0.5 * (mesh.vertex(piece.vertices[0]).point + mesh.vertex(piece.vertices[1]).point);
-    const geometry::Answer foot = work_.session.ask(Query::edge_nearest(
-        piece.edge, work_.grid.to_part(middle), 0.5 * (piece.t[0] + piece.t[1]), piece.t[0], piece.t[1]));
-    return segments_.refused(s) || !foot.found() ? 0.0 : foot.distance;
-}
-
-int CrossingRefiner::highest_side(int triangle) {
-    int best = 3 * triangle;
-    double most = -1.0;
-    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        const double here = height(h);
-        if (here > most) {
-            most = here;
-            best = h;
+    std::map<int, double> heights;
+    for (const auto& pair : pairs) {
+        for (const int t : pair) {
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (const int s = mesh.segment_of(h); s >= 0 && !segments_.refused(s)) {
+                    heights[s] = 0.0;
+                }
+            }
         }
     }
-    return best;
+    geometry::Engine::Batch batch;
+    for (const auto& entry : heights) {
+        const SurfaceMesh::Segment& piece = mesh.segment(entry.first);
+        const Vec3 middle = 0.5 * (mesh.vertex(piece.vertices[0]).point + mesh.vertex(piece.vertices[1]).point);
+        batch.push_back(Query::edge_nearest(piece.edge, work_.grid.to_part(middle), 0.5 * (piece.t[0] + piece.t[1]),
+                                            piece.t[0], piece.t[1]));
+    }
+    const geometry::Engine::Answers feet = work_.session.ask(std::move(batch));
+    auto foot = feet.begin();
+    for (auto& entry : heights) {
+        entry.second = foot->found() ? foot->distance : 0.0;
+        ++foot;
+    }
+    return heights;
+}
+
+// By triangle, of all that cross.
+std::map<int, CrossingRefiner::Side> CrossingRefiner::highest_sides(const Pairs& pairs) {
+    const std::map<int, double> heights = heights_of_segments(pairs);
+    std::map<int, Side> result;
+    for (const auto& pair : pairs) {
+        for (const int t : pair) {
+            const auto [found, fresh] = result.try_emplace(t, Side{3 * t, -1.0});
+            for (int h = 3 * t; fresh && h < 3 * t + 3; ++h) {
+                const int s = work_.mesh.segment_of(h);
+                const auto known = heights.find(s);
+                const double height = s < 0                    ? edge_peak(work_.mesh, h).height
+                                      : known != heights.end() ? known->second
+                                                               : 0.0;
+                if (height > found->second.height) {
+                    found->second = {h, height};
+                }
+            }
+        }
+    }
+    return result;
 }
 
 void CrossingRefiner::request(const Crossing& crossing, std::vector<Site>& sites) const {
-    const double higher = std::max(crossing.heights[0], crossing.heights[1]);
+    const double higher = std::max(crossing.sides[0].height, crossing.sides[1].height);
     for (int i = 0; i < 2; ++i) {
-        if (crossing.heights[i] >= kAsHigh * higher && crossing.heights[i] > kExact * work_.grid.resolution()) {
-            sites.push_back({crossing.sides[i], work_.mesh.stamp(crossing.pair[i])});
+        const Side& side = crossing.sides[i];
+        if (side.height >= kAsHigh * higher && side.height > kExact * work_.grid.resolution()) {
+            sites.push_back({side.half_edge, work_.mesh.stamp(crossing.pair[i])});
         }
     }
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -26,11 +27,15 @@ class CrossingRefiner {
     bool run();
 
   private:
+    using Pairs = std::vector<std::array<int, 2>>;
+    struct Side {
+        int half_edge = -1;
+        double height = 0.0;  ///< over its surface or its curve, mm
+    };
     struct Crossing {
         std::array<int, 2> pair;
-        std::array<int, 2> sides;       ///< of each triangle the one that is highest over its surface
-        std::array<double, 2> heights;  ///< of these, mm
-        bool by_chords;                 ///< no deeper than the heights explain
+        std::array<Side, 2> sides;  ///< of each triangle the highest
+        bool by_chords;             ///< no deeper than the heights explain
     };
     struct Site {
         int half_edge;
@@ -43,8 +48,8 @@ class CrossingRefiner {
     void judge(const std::vector<Crossing>& crossings);
     void request(const Crossing& crossing, std::vector<Site>& sites) const;
     bool split(const std::vector<Site>& sites);
-    double height(int half_edge);
-    int highest_side(int triangle);
+    std::map<int, double> heights_of_segments(const Pairs& pairs);
+    std::map<int, Side> highest_sides(const Pairs& pairs);
 
     Workspace& work_;
     SegmentSplitter& segments_;
