@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/corner_angle.h"
 
-#include <cmath>
-
 #include "base/angle.h"
+#include "triangulate/side_length.h"
 
 namespace mq::triangulate {
 
@@ -17,16 +16,7 @@ double angle_at(const SurfaceMesh& mesh, int h) {
 }
 
 SmallestAngle smallest_angle(const SurfaceMesh& mesh, int triangle) {
-    int opposite = 3 * triangle;  // the shortest side
-    double shortest = 1e300;
-    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        const double length = (mesh.point_of(SurfaceMesh::next(h)) - mesh.point_of(h)).squaredNorm();
-        if (length < shortest) {
-            shortest = length;
-            opposite = h;
-        }
-    }
-    const int corner = SurfaceMesh::prev(opposite);
+    const int corner = SurfaceMesh::prev(shortest_side(mesh, triangle));
     return {corner, angle_at(mesh, corner)};
 }
 

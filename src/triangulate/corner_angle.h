@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cmath>
+
 #include "mesh/surface_mesh.h"
 
 namespace mq::triangulate {
+
+/// Between segments, radians: what counts as acute, and as narrow.
+constexpr double kAcuteCorner = M_PI / 2.0;
+constexpr double kNarrowCorner = M_PI / 3.0;
 
 /// The narrowest angle that a segment makes with another segment at one of its ends, measured on the faces beside it.
 struct NarrowCorner {

@@ -22,7 +22,6 @@ constexpr std::size_t kPartOfQueue = 8;
 constexpr int kMaxRetries = 6;
 constexpr int kMaxShrinks = 24;
 constexpr double kMaxShrink = 0.5;
-constexpr double kNarrow = M_PI / 3.0;
 // How many times larger the angle between two CAD edges is than that between their chords, for these to be halved; and
 // how often at one vertex.
 constexpr double kNarrowed = 1.08;
@@ -181,8 +180,8 @@ void Refiner::take_turned(const Bad& bad, std::vector<Job>& jobs) {
     const int segment = work_.mesh.segment_of(h);
     if (segment < 0) {
         jobs.push_back({bad, edge_middle_site(work_.mesh, h), kLastAttempt});
-    } else if (narrowest_corner(work_.mesh, segment, 0).angle > kNarrow &&
-               narrowest_corner(work_.mesh, segment, 1).angle > kNarrow) {
+    } else if (narrowest_corner(work_.mesh, segment, 0).angle > kNarrowCorner &&
+               narrowest_corner(work_.mesh, segment, 1).angle > kNarrowCorner) {
         segments_.request(segment);
     }
 }

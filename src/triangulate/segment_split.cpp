@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "base/distance.h"
 #include "base/predicates.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/fold.h"
@@ -19,110 +18,15 @@ using geometry::Answer;
 using geometry::Query;
 using mesh::SurfaceMesh;
 
-constexpr double kAcute = M_PI / 2.0;
-constexpr double kNarrow = M_PI / 3.0;
-// The innermost shell is this much smaller than the distance to the nearest thing that is not part of the corner.
-constexpr double kRoom = 0.25;
 // Vertices that a piece of that length leaves no room for lie this near, in lengths of the piece.
 constexpr double kBesideShell = 1.5;
 constexpr double kSameShell = 1.1;
 constexpr double kNotFolded = 0.1;
 constexpr int kMaxPostponed = 12;
-constexpr int kMaxHalvings = 20;
-// An edge this near to the middle of an innermost piece, in lengths of the piece, calls for a shorter piece.
-constexpr double kBesideEdge = 0.4;
 
 }  // namespace
 
-SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work) {
-    measure_room();
-}
-
-// For every CAD node: the nearest vertex of S_C on a CAD edge or node that is not part of the edges meeting in it, and
-// the shortest piece that leaves it.
-void SegmentSplitter::measure_room() {
-    const SurfaceMesh& mesh = work_.mesh;
-    const int n = mesh.vertex_count();
-    innermost_.assign(n, 0.0);
-    std::map<int, std::set<int>> edges_at;
-    std::map<int, double> room;
-    std::set<int> narrow;
-    for (int s = 0; s < mesh.segment_count(); ++s) {
-        for (int end = 0; end < 2 && !mesh.segment(s).uses.empty(); ++end) {
-            const int v = mesh.segment(s).vertices[end];
-            const double angle = narrowest_corner(mesh, s, end).angle;
-            if (angle < kAcute) {
-                room.emplace(v, 1e300);
-            }
-            if (angle < kNarrow) {
-                narrow.insert(v);
-            }
-            edges_at[v].insert(mesh.segment(s).edge);
-        }
-    }
-    for (auto& [node, radius] : room) {
-        const std::set<int>& own = edges_at[node];
-        for (int v = 0; v < n; ++v) {
-            const auto& entity = mesh.vertex(v).entity;
-            const bool counts = entity[0] == 0 ? v != node : entity[0] == 1 && own.count(entity[1]) == 0;
-            if (counts) {
-                radius = std::min(radius, (mesh.vertex(v).point - mesh.vertex(node).point).norm());
-            }
-        }
-    }
-    for (int s = 0; s < mesh.segment_count(); ++s) {
-        for (const int v : mesh.segment(s).vertices) {
-            if (const auto found = room.find(v); found != room.end()) {
-                found->second = std::min(found->second, chord(s));
-            }
-        }
-    }
-    for (const auto& [node, radius] : room) {
-        innermost_[node] = clear_of_other_edges(node, kRoom * radius);
-    }
-    narrow_nodes_.assign(narrow.begin(), narrow.end());
-}
-
-// Edges that pass by and would encroach on the innermost pieces make these shorter: no cascade comes of that.
-double SegmentSplitter::clear_of_other_edges(int node, double radius) const {
-    const SurfaceMesh& mesh = work_.mesh;
-    std::set<int> own;
-    std::set<int> faces;
-    std::vector<Vec3> directions;
-    const Vec3& p = mesh.vertex(node).point;
-    for (int s = 0; s < mesh.segment_count(); ++s) {
-        const SurfaceMesh::Segment& piece = mesh.segment(s);
-        const int end = piece.vertices[0] == node ? 0 : 1;
-        if (piece.uses.empty() || piece.vertices[end] != node) {
-            continue;
-        }
-        own.insert(piece.edge);
-        directions.push_back((mesh.vertex(piece.vertices[1 - end]).point - p).normalized());
-        for (const SurfaceMesh::SegmentUse& use : piece.uses) {
-            faces.insert(mesh.face_of(SurfaceMesh::triangle_of(use.half_edge)));
-        }
-    }
-    for (int s = 0; s < mesh.segment_count(); ++s) {
-        const SurfaceMesh::Segment& piece = mesh.segment(s);
-        const bool near = std::any_of(piece.uses.begin(), piece.uses.end(), [&](const SurfaceMesh::SegmentUse& use) {
-            return faces.count(mesh.face_of(SurfaceMesh::triangle_of(use.half_edge))) > 0;
-        });
-        if (!near || own.count(piece.edge) > 0) {
-            continue;
-        }
-        const Vec3& a = mesh.vertex(piece.vertices[0]).point;
-        const Vec3& b = mesh.vertex(piece.vertices[1]).point;
-        const auto too_near = [&](const Vec3& way) {
-            return distance_to_segment(p + 0.5 * way, a, b) < kBesideEdge * way.norm();
-        };
-        for (const Vec3& d : directions) {
-            for (int n = 0; n < kMaxHalvings && too_near(radius * d); ++n) {
-                radius *= 0.5;
-            }
-        }
-    }
-    return radius;
-}
+SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work), room_(measure_room(work.mesh)) {}
 
 double SegmentSplitter::chord(int segment) const {
     const auto& v = work_.mesh.segment(segment).vertices;
@@ -144,21 +48,21 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
     const NarrowCorner corners[2] = {narrowest_corner(work_.mesh, segment, 0),
                                      narrowest_corner(work_.mesh, segment, 1)};
     const int end = corners[1].angle < corners[0].angle ? 1 : 0;
-    if (corners[end].angle >= kAcute) {
+    if (corners[end].angle >= kAcuteCorner) {
         return {};
     }
     const double shell = std::exp2(std::round(std::log2(0.5 * chord(segment))));
     // Where the other edge of a narrow corner is split more finely already, its innermost vertex sets the shell: a
     // chord that ends farther out could cross it.
     const double other = chord(corners[end].segment);
-    return {end, corners[end].angle < kNarrow && other < 0.7 * chord(segment) ? std::min(shell, other) : shell};
+    return {end, corners[end].angle < kNarrowCorner && other < 0.7 * chord(segment) ? std::min(shell, other) : shell};
 }
 
 bool SegmentSplitter::frozen(int segment, int* corner_vertex) const {
     for (int end = 0; end < 2; ++end) {
         const int v = work_.mesh.segment(segment).vertices[end];
-        if (v < static_cast<int>(innermost_.size()) && chord(segment) <= innermost_[v] &&
-            narrowest_corner(work_.mesh, segment, end).angle < kNarrow) {
+        if (v < static_cast<int>(room_.innermost.size()) && chord(segment) <= room_.innermost[v] &&
+            narrowest_corner(work_.mesh, segment, end).angle < kNarrowCorner) {
             if (corner_vertex != nullptr) {
                 *corner_vertex = v;
             }
@@ -169,8 +73,8 @@ bool SegmentSplitter::frozen(int segment, int* corner_vertex) const {
 }
 
 int SegmentSplitter::narrow_corner_near(const Vec3& p) const {
-    for (const int v : narrow_nodes_) {
-        if ((work_.mesh.vertex(v).point - p).norm() <= kBesideShell * innermost_[v]) {
+    for (const int v : room_.narrow_nodes) {
+        if ((work_.mesh.vertex(v).point - p).norm() <= kBesideShell * room_.innermost[v]) {
             return v;
         }
     }
@@ -265,7 +169,7 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
 void SegmentSplitter::force_mates(int segment) {
     for (int end = 0; end < 2; ++end) {
         const NarrowCorner corner = narrowest_corner(work_.mesh, segment, end);
-        if (corner.angle < kNarrow && chord(corner.segment) > kSameShell * chord(segment)) {
+        if (corner.angle < kNarrowCorner && chord(corner.segment) > kSameShell * chord(segment)) {
             request(corner.segment, true);
         }
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "triangulate/cavity.h"
+#include "triangulate/corner_room.h"
 #include "triangulate/workspace.h"
 
 namespace mq::triangulate {
@@ -58,13 +59,10 @@ class SegmentSplitter {
     void request_encroached_around(const std::vector<int>& triangles);
     void refuse(int segment);
 
-    void measure_room();
-    double clear_of_other_edges(int node, double radius) const;
     void force_mates(int segment);
 
     Workspace& work_;
-    std::vector<double> innermost_;  // per vertex: radius of the innermost shell at a CAD node
-    std::vector<int> narrow_nodes_;  // vertices
+    CornerRoom room_;  // as it was before anything was refined
     std::vector<int> pending_;
     std::vector<char> waiting_;  // per segment
     std::vector<char> refused_;

@@ -10,18 +10,32 @@ inline double side_length(const mesh::SurfaceMesh& mesh, int h) {
     return (mesh.point_of(mesh::SurfaceMesh::next(h)) - mesh.point_of(h)).norm();
 }
 
+inline double squared_length(const mesh::SurfaceMesh& mesh, int h) {
+    return (mesh.point_of(mesh::SurfaceMesh::next(h)) - mesh.point_of(h)).squaredNorm();
+}
+
 /// Of a triangle's sides, as half-edges; of equal ones the first.
 inline int shortest_side(const mesh::SurfaceMesh& mesh, int triangle) {
     int best = 3 * triangle;
+    double least = squared_length(mesh, best);
     for (int h = best + 1; h < 3 * triangle + 3; ++h) {
-        best = side_length(mesh, h) < side_length(mesh, best) ? h : best;
+        const double length = squared_length(mesh, h);
+        if (length < least) {
+            least = length;
+            best = h;
+        }
     }
     return best;
 }
 inline int longest_side(const mesh::SurfaceMesh& mesh, int triangle) {
     int best = 3 * triangle;
+    double most = squared_length(mesh, best);
     for (int h = best + 1; h < 3 * triangle + 3; ++h) {
-        best = side_length(mesh, h) > side_length(mesh, best) ? h : best;
+        const double length = squared_length(mesh, h);
+        if (length > most) {
+            most = length;
+            best = h;
+        }
     }
     return best;
 }

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/corner_room.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/distance.h"
+#include "mesh/triangle_tree.h"
+#include "triangulate/corner_angle.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using mesh::SurfaceMesh;
+
+// The innermost shell is this much smaller than the distance to the nearest thing that is not part of the corner.
+constexpr double kRoom = 0.25;
+constexpr int kMaxHalvings = 20;
+// An edge this near to the middle of an innermost piece, in lengths of the piece, calls for a shorter piece.
+constexpr double kBesideEdge = 0.4;
+
+std::vector<Vec3> points_of(const SurfaceMesh& mesh) {
+    std::vector<Vec3> points;
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        points.push_back(mesh.vertex(v).point);
+    }
+    return points;
+}
+
+// As triangles without area: all segments in their order, then all vertices on CAD edges and nodes.
+std::vector<mesh::Triangle> borders_of(const SurfaceMesh& mesh) {
+    std::vector<mesh::Triangle> borders;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        const auto& ends = mesh.segment(s).vertices;
+        borders.push_back({ends[0], ends[1], ends[1]});
+    }
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        if (mesh.vertex(v).entity[0] < 2) {
+            borders.push_back({v, v, v});
+        }
+    }
+    return borders;
+}
+
+class RoomSearch {
+  public:
+    explicit RoomSearch(const SurfaceMesh& mesh)
+        : mesh_(mesh), points_(points_of(mesh)), borders_(borders_of(mesh)), tree_(points_, borders_) {}
+
+    // @param pieces the segments that leave the node, ascending.
+    double innermost(int node, const std::vector<int>& pieces) const {
+        double radius = 1e300;
+        std::set<int> own;
+        for (const int s : pieces) {
+            radius = std::min(radius, (end_of(s, 1) - end_of(s, 0)).norm());
+            if (!mesh_.segment(s).uses.empty()) {
+                own.insert(mesh_.segment(s).edge);
+            }
+        }
+        return clear_of_other_edges(node, pieces, own, kRoom * clear_of_vertices(node, own, radius));
+    }
+
+  private:
+    const Vec3& end_of(int segment, int end) const { return mesh_.vertex(mesh_.segment(segment).vertices[end]).point; }
+
+    // The distance to the nearest vertex that is not part of the edges meeting in the node, at most `radius`.
+    double clear_of_vertices(int node, const std::set<int>& own, double radius) const {
+        const Vec3& p = mesh_.vertex(node).point;
+        double nearest = radius;
+        tree_.for_each_in_box(around(p, radius), [&](std::int32_t i) {
+            const int v = i < mesh_.segment_count() ? node : borders_[static_cast<std::size_t>(i)][0];
+            const mesh::VertexEntity& entity = mesh_.vertex(v).entity;
+            if (v != node && (entity[0] == 0 || own.count(entity[1]) == 0)) {
+                nearest = std::min(nearest, (mesh_.vertex(v).point - p).norm());
+            }
+        });
+        return nearest;
+    }
+
+    // Edges that pass by and would encroach on the innermost pieces make these shorter: no cascade comes of that.
+    double clear_of_other_edges(int node, const std::vector<int>& pieces, const std::set<int>& own,
+                                double radius) const {
+        const Vec3& p = mesh_.vertex(node).point;
+        std::set<int> faces;
+        std::vector<Vec3> directions;
+        for (const int s : pieces) {
+            if (mesh_.segment(s).uses.empty()) {
+                continue;
+            }
+            directions.push_back((end_of(s, mesh_.segment(s).vertices[0] == node ? 1 : 0) - p).normalized());
+            for (const SurfaceMesh::SegmentUse& use : mesh_.segment(s).uses) {
+                faces.insert(face_of(use));
+            }
+        }
+        for (const int s : segments_near(p, radius)) {
+            const auto& uses = mesh_.segment(s).uses;
+            const bool beside = std::any_of(uses.begin(), uses.end(), [&](const SurfaceMesh::SegmentUse& use) {
+                return faces.count(face_of(use)) > 0;
+            });
+            if (!beside || own.count(mesh_.segment(s).edge) > 0) {
+                continue;
+            }
+            const auto too_near = [&](const Vec3& way) {
+                return distance_to_segment(p + 0.5 * way, end_of(s, 0), end_of(s, 1)) < kBesideEdge * way.norm();
+            };
+            for (const Vec3& d : directions) {
+                for (int n = 0; n < kMaxHalvings && too_near(radius * d); ++n) {
+                    radius *= 0.5;
+                }
+            }
+        }
+        return radius;
+    }
+
+    // Ascending.
+    std::vector<int> segments_near(const Vec3& p, double radius) const {
+        std::vector<int> segments;
+        tree_.for_each_in_box(around(p, radius), [&](std::int32_t i) {
+            if (i < mesh_.segment_count()) {
+                segments.push_back(i);
+            }
+        });
+        std::sort(segments.begin(), segments.end());
+        return segments;
+    }
+
+    static Box around(const Vec3& p, double radius) { return {p - Vec3::Constant(radius), p + Vec3::Constant(radius)}; }
+
+    int face_of(const SurfaceMesh::SegmentUse& use) const {
+        return mesh_.face_of(SurfaceMesh::triangle_of(use.half_edge));
+    }
+
+    const SurfaceMesh& mesh_;
+    std::vector<Vec3> points_;
+    std::vector<mesh::Triangle> borders_;
+    mesh::TriangleTree tree_;
+};
+
+}  // namespace
+
+CornerRoom measure_room(const SurfaceMesh& mesh) {
+    std::map<int, std::vector<int>> pieces;
+    std::set<int> acute;
+    std::set<int> narrow;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        const SurfaceMesh::Segment& segment = mesh.segment(s);
+        for (int end = 0; end < 2; ++end) {
+            const int v = segment.vertices[end];
+            const double angle = narrowest_corner(mesh, s, end).angle;
+            if (angle < kAcuteCorner) {
+                acute.insert(v);
+            }
+            if (angle < kNarrowCorner) {
+                narrow.insert(v);
+            }
+            if (mesh.vertex(v).entity[0] == 0 && (end == 0 || v != segment.vertices[0])) {
+                pieces[v].push_back(s);
+            }
+        }
+    }
+    CornerRoom room{std::vector<double>(static_cast<std::size_t>(mesh.vertex_count()), 0.0),
+                    {narrow.begin(), narrow.end()}};
+    if (!acute.empty()) {
+        const RoomSearch search(mesh);
+        for (const int node : acute) {
+            room.innermost[static_cast<std::size_t>(node)] = search.innermost(node, pieces[node]);
+        }
+    }
+    return room;
+}
+
+}  // namespace mq::triangulate
