@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "triangulate/corner_angle.h"
+#include "triangulate/side_length.h"
 
 namespace mq::triangulate {
 
@@ -27,13 +28,10 @@ bool contains(const std::vector<int>& all, int one) {
 }
 
 // The squared sine of the smallest angle: it lies between the two longer sides, and is 60 degrees at most.
-double squared_sine(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const double ab = (b - a).squaredNorm();
-    const double bc = (c - b).squaredNorm();
-    const double ca = (a - c).squaredNorm();
-    const double shortest = std::min({ab, bc, ca});
-    const double others = shortest == ab ? bc * ca : shortest == bc ? ab * ca : ab * bc;
-    return others > 0.0 ? (b - a).cross(c - a).squaredNorm() / others : 0.0;
+// `area`: a normal as long as twice the area; `a`, `b`, `c`: squared lengths of the sides.
+double squared_sine(const Vec3& area, double a, double b, double c) {
+    const double product = a * b * c;
+    return product > 0.0 ? area.squaredNorm() * std::min({a, b, c}) / product : 0.0;
 }
 
 double angle_of(double squared_sine) {
@@ -44,11 +42,17 @@ bool ends_at(const SurfaceMesh& mesh, int side, int site) {
     return mesh.site_of(side) == site || mesh.site_of(SurfaceMesh::next(side)) == site;
 }
 
-// Of the smallest angle of the triangle over a side of the rim; -1 when it is turned over.
+// Of the smallest angle of the triangle over a side, whose squared length is `length`; -1 when it is turned over.
+double squared_sine_over(const Vec3& from, const Vec3& to, double length, const Vec3& apex, const Vec3& normal) {
+    const Vec3 a = from - apex;
+    const Vec3 b = to - apex;
+    const Vec3 area = a.cross(b);
+    return area.dot(normal) > 0.0 ? squared_sine(area, a.squaredNorm(), b.squaredNorm(), length) : -1.0;
+}
+
 double squared_sine_over(const SurfaceMesh& mesh, const Disc& disc, int side, const Vec3& apex) {
-    const Vec3& a = mesh.point_of(side);
-    const Vec3& b = mesh.point_of(SurfaceMesh::next(side));
-    return (a - apex).cross(b - apex).dot(disc.normal) > 0.0 ? squared_sine(a, b, apex) : -1.0;
+    return squared_sine_over(mesh.point_of(side), mesh.point_of(SurfaceMesh::next(side)), squared_length(mesh, side),
+                             apex, disc.normal);
 }
 
 Vec3 doubled_area(const SurfaceMesh& mesh, int t) {
@@ -100,7 +104,8 @@ std::optional<Disc> disc_of(const SurfaceMesh& mesh, std::vector<int> triangles)
 double smallest_angle(const SurfaceMesh& mesh, const Disc& disc) {
     double least = 1.0;
     for (const int t : disc.triangles) {
-        least = std::min(least, squared_sine(mesh.point_of(3 * t), mesh.point_of(3 * t + 1), mesh.point_of(3 * t + 2)));
+        least = std::min(least, squared_sine(doubled_area(mesh, t), squared_length(mesh, 3 * t),
+                                             squared_length(mesh, 3 * t + 1), squared_length(mesh, 3 * t + 2)));
     }
     return angle_of(least);
 }
@@ -174,16 +179,7 @@ class Rim {
     double squared_sine(const Vec3& apex, double enough) {
         double least = 1.0;
         for (Side& side : sides_) {
-            const Vec3 a = side.a - apex;
-            const Vec3 b = side.b - apex;
-            const Vec3 area = a.cross(b);
-            if (!(area.dot(normal_) > 0.0)) {
-                std::swap(side, sides_.front());
-                return -1.0;
-            }
-            const double aa = a.squaredNorm();
-            const double bb = b.squaredNorm();
-            least = std::min(least, area.squaredNorm() * std::min({aa, bb, side.length}) / (aa * bb * side.length));
+            least = std::min(least, squared_sine_over(side.a, side.b, side.length, apex, normal_));
             if (least < enough) {
                 std::swap(side, sides_.front());
                 break;
