@@ -81,11 +81,6 @@ void sign_dot_bench(benchmark::State& state) {
     run(state, [](const Vec3& p, const Vec3&, const Vec3& r, const Vec3& s) { return sign_dot(p, r, s); });
 }
 
-void compare_angles_bench(benchmark::State& state) {
-    run(state,
-        [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) { return compare_angles(q, p, r, q, p, s); });
-}
-
 void in_circle_bench(benchmark::State& state) {
     run(state, [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
         return in_circle(p.head<2>(), s.head<2>(), q.head<2>(), r.head<2>());
@@ -99,7 +94,6 @@ void kinds(benchmark::internal::Benchmark* benchmark) {
 BENCHMARK(locally_maxmin_bench)->Apply(kinds);
 BENCHMARK(naive_maxmin_bench)->Apply(kinds);
 BENCHMARK(sign_dot_bench)->Apply(kinds);
-BENCHMARK(compare_angles_bench)->Apply(kinds);
 BENCHMARK(in_circle_bench)->Apply(kinds);
 
 }  // namespace

@@ -65,46 +65,6 @@ double dot_magnitude(const Vec3& a, const Vec3& b) {
 /// Operations of a monomial of a dot product of two differences: two differences, a product, two sums.
 constexpr int kDotOperations = 5;
 
-// ---- angles -------------------------------------------------------------------------------------------------------
-
-/// The cosine of an angle as dot / sqrt(arms): `arms` is the product of the squared lengths of the arms, never zero.
-template <typename Number>
-struct Cosine {
-    Number dot;
-    Number arms;
-};
-
-Cosine<double> cosine(const Vec3& a, const Vec3& o, const Vec3& b) {
-    const Vec3 to_a = a - o;
-    const Vec3 to_b = b - o;
-    const double arms = dot(to_a, to_a) * dot(to_b, to_b);
-    return arms == 0.0 ? Cosine<double>{1.0, 1.0} : Cosine<double>{dot(to_a, to_b), arms};
-}
-
-Cosine<Expansion> exact_cosine(const Vec3& a, const Vec3& o, const Vec3& b) {
-    const ExactVec to_a = exact_difference(a, o);
-    const ExactVec to_b = exact_difference(b, o);
-    const Expansion arms = exact_dot(to_a, to_a) * exact_dot(to_b, to_b);
-    if (arms.sign() == 0) {
-        return {Expansion(1.0), Expansion(1.0)};
-    }
-    return {exact_dot(to_a, to_b).compressed(), arms};
-}
-
-/// Sign of cos^2(first) - cos^2(second).
-int compare_squares(const Cosine<Expansion>& first, const Cosine<Expansion>& second) {
-    if (same_terms(first.arms, second.arms) && same_terms(first.dot, second.dot)) {
-        return 0;
-    }
-    return (first.dot * first.dot * second.arms - second.dot * second.dot * first.arms).sign();
-}
-
-/// Of compare_angles: with D, A the dot and the arms of an angle, T = D2|D2| A1 - D1|D1| A2 has the sign of
-/// cos2 - cos1. D is wrong by ((1 + u)^5 - 1) sqrt(A) at most (Cauchy-Schwarz on the absolute values), hence D|D| by
-/// ((1 + u)^10 - 1) A: ten operations, and one for the product. A takes 5 + 5 + 1, their product and the difference
-/// one each: 24 in all. S is 2 A1 A2 at most.
-constexpr double kAngleBound = 2.0 * rounding_bound(2 * kDotOperations + 1 + (2 * kDotOperations + 1) + 2);
-
 // ---- smallest angles of triangles ---------------------------------------------------------------------------------
 
 /// Of sin^2 of the smallest angle of a triangle. With a, b the edge vectors of the cross product C and A = |a|^2 |b|^2:
@@ -216,23 +176,6 @@ bool encroached(const Vec3& o, const Vec3& d, const Vec3& p) {
     return sign_dot(p, o, d) < 0;
 }
 
-int compare_angles(const Vec3& a, const Vec3& o, const Vec3& b, const Vec3& c, const Vec3& q, const Vec3& d) {
-    const Cosine<double> first = cosine(a, o, b);
-    const Cosine<double> second = cosine(c, q, d);
-    const double value = second.dot * std::abs(second.dot) * first.arms - first.dot * std::abs(first.dot) * second.arms;
-    if (settled(std::abs(value) >= kAngleBound * (first.arms * second.arms))) {
-        return sign_of(value);
-    }
-    const Cosine<Expansion> first_exact = exact_cosine(a, o, b);
-    const Cosine<Expansion> second_exact = exact_cosine(c, q, d);
-    const int first_sign = first_exact.dot.sign();
-    const int second_sign = second_exact.dot.sign();
-    if (first_sign != second_sign) {
-        return first_sign < second_sign ? 1 : -1;
-    }
-    return first_sign == 0 ? 0 : first_sign * compare_squares(second_exact, first_exact);
-}
-
 // The smallest angle of a triangle is at most 60 degrees, where its sine grows with the angle, and sin^2 is 4 area^2
 // over the squares of the two longer edges. That takes one cross product a triangle instead of three angles, and the
 // minimum of two such values is no more wrong than either. A triangle with two coinciding corners has angles of zero.
@@ -260,13 +203,6 @@ bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) 
     const ExactSides squares{exact_squared_distance(p, q), exact_squared_distance(p, r), exact_squared_distance(p, s),
                              exact_squared_distance(q, r), exact_squared_distance(q, s), exact_squared_distance(r, s)};
     return compare_sines(exact_smaller(pqr, qps, squares), exact_smaller(rsq, srp, squares)) >= 0;
-}
-
-int smallest_angle_vertex(const Vec3& a, const Vec3& b, const Vec3& c) {
-    if (compare_angles(c, a, b, a, b, c) <= 0) {
-        return compare_angles(c, a, b, b, c, a) <= 0 ? 0 : 2;
-    }
-    return compare_angles(a, b, c, b, c, a) <= 0 ? 1 : 2;
 }
 
 // Four operations a monomial: two differences, a product, a difference.

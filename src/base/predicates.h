@@ -29,16 +29,9 @@ int obtuse_vertex(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Φ_encroached (section 3.1): p lies strictly inside the diametral sphere of the constraining edge from o to d.
 bool encroached(const Vec3& o, const Vec3& d, const Vec3& p);
 
-/// Sign of (angle a-o-b) - (angle c-q-d), both in [0, pi]: compares sign(cos), then cos^2 by cross-multiplication.
-/// An arm of zero length counts as an angle of zero.
-int compare_angles(const Vec3& a, const Vec3& o, const Vec3& b, const Vec3& c, const Vec3& q, const Vec3& d);
-
 /// Φ_XN (section 3.4): the edge p-q shared by the triangles (p, q, r) and (q, p, s) is locally maxmin, that is, the
 /// smallest angle of the two triangles is at least that of the swapped pair (r, s, q), (s, r, p). Exact.
 bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);
-
-/// Index 0..2 of the vertex with the smallest angle of a triangle (ties: the lowest index). Exact.
-int smallest_angle_vertex(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Sign of the area of (a, b, c) in the plane: positive when counter-clockwise. Exact.
 int orient2d(const Vec2& a, const Vec2& b, const Vec2& c);

@@ -152,17 +152,6 @@ void blend_triangle(const Lattice& lattice, std::vector<Vec3>& control) {
     apply(triangle_blend_of(lattice.degree()), control);
 }
 
-void blend_triangle_nodes(const Lattice& lattice, std::vector<Vec3>& nodes) {
-    std::vector<Vec3> control = nodes_to_bezier(lattice, nodes);
-    blend_triangle(lattice, control);
-    const std::vector<Vec3> all = bezier_to_nodes(lattice, control);
-    for (int i = 0; i < lattice.size(); ++i) {
-        if (lattice.carriers(i) == 3) {
-            nodes[static_cast<std::size_t>(i)] = all[static_cast<std::size_t>(i)];
-        }
-    }
-}
-
 void blend_tetrahedron(const Lattice& lattice, std::vector<Vec3>& control) {
     apply(tetrahedron_blend_of(lattice.degree()), control);
 }

@@ -14,9 +14,6 @@ namespace mq::curve {
 /// face.
 void blend_triangle(const Lattice& lattice, std::vector<Vec3>& control);
 
-/// The same at the nodes of a triangle instead of its control points.
-void blend_triangle_nodes(const Lattice& lattice, std::vector<Vec3>& nodes);
-
 /// Sets the inner control points of a Bezier tetrahedron from all others, so that polynomials of one degree less are
 /// reproduced: the solution of least weights.
 void blend_tetrahedron(const Lattice& lattice, std::vector<Vec3>& control);

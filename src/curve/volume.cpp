@@ -53,14 +53,6 @@ void Volume::remove(int tetrahedron) {
     }
 }
 
-void Volume::revive(int tetrahedron) {
-    Tetrahedron& t = tetrahedra[static_cast<std::size_t>(tetrahedron)];
-    t.alive = true;
-    for (const int v : t.corners) {
-        of_vertex_[static_cast<std::size_t>(v)].push_back(tetrahedron);
-    }
-}
-
 int Volume::add_vertex(const Vec3& point, int volume) {
     const int v = surface.add_vertex({point, {3, volume}});
     of_vertex_.resize(surface.shapes.vertices.size());

@@ -31,7 +31,6 @@ class Volume {
 
     int add(const std::array<int, 4>& corners, int volume);
     void remove(int tetrahedron);
-    void revive(int tetrahedron);
     int add_vertex(const Vec3& point, int volume);
 
     const std::vector<int>& of_vertex(int v) const;

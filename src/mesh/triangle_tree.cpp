@@ -238,24 +238,6 @@ std::size_t TriangleTree::split(std::size_t begin, std::size_t end) {
     return median;
 }
 
-void TriangleTree::refit() {
-    for (Item& item : items_) {
-        item.bounds = bounds_of(item.triangle);
-    }
-    for (std::size_t k = nodes_.size(); k-- > 0;) {
-        Node& node = nodes_[k];
-        if (node.count == 0) {
-            node.bounds = nodes_[node.first].bounds;
-            node.bounds.add(nodes_[node.first + 1].bounds);
-            continue;
-        }
-        node.bounds = items_[node.first].bounds;
-        for (std::int32_t i = node.first + 1; i < node.first + node.count; ++i) {
-            node.bounds.add(items_[i].bounds);
-        }
-    }
-}
-
 void TriangleTree::set_groups(const std::vector<std::int32_t>& group) {
     node_group_.resize(nodes_.size());
     for (std::size_t k = nodes_.size(); k-- > 0;) {
@@ -294,28 +276,6 @@ std::vector<TriangleTree::Task> divided(std::size_t count, const Divide& divide)
 }
 
 }  // namespace
-
-std::vector<TriangleTree::Task> TriangleTree::pair_tasks(const TriangleTree& other, std::size_t count) const {
-    if (size() == 0 || other.size() == 0) {
-        return {};
-    }
-    return divided(count, [&](const Task& task, std::vector<Task>& next) {
-        const Node& a = nodes_[task.a];
-        const Node& b = other.nodes_[task.b];
-        if (!a.bounds.meets(b.bounds)) {
-            return;
-        }
-        if (a.count > 0 && b.count > 0) {
-            next.push_back(task);
-        } else if (divide_first(a, b)) {
-            next.push_back({a.first, task.b});
-            next.push_back({a.first + 1, task.b});
-        } else {
-            next.push_back({task.a, b.first});
-            next.push_back({task.a, b.first + 1});
-        }
-    });
-}
 
 std::vector<TriangleTree::Task> TriangleTree::own_pair_tasks(std::size_t count) const {
     if (size() == 0) {

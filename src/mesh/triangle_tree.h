@@ -43,9 +43,6 @@ class TriangleTree {
     /// Of all triangles, rounded outward; empty when there are none.
     Box box() const;
 
-    /// Takes over the present coordinates of the vertices; the structure of the hierarchy stays.
-    void refit();
-
     /// Groups of triangles of which no two need be reported as own pairs: the group of each triangle, -1 for none.
     /// Pairs of one group may still be reported where its parts mix with others.
     void set_groups(const std::vector<std::int32_t>& group);
@@ -55,21 +52,13 @@ class TriangleTree {
         std::int32_t a = 0;
         std::int32_t b = 0;
     };
-    /// Divides the search for pairs with `other` into about `count` tasks, for several threads; the concatenation of
-    /// the tasks' pairs is what for_each_pair gives.
-    std::vector<Task> pair_tasks(const TriangleTree& other, std::size_t count) const;
-    /// The same for own pairs.
+    /// Divides the search for own pairs into about `count` tasks, for several threads; the concatenation of the tasks'
+    /// pairs is what for_each_own_pair gives.
     std::vector<Task> own_pair_tasks(std::size_t count) const;
 
     /// visit(i, j) for each triangle i of this tree and j of the other whose boxes meet.
     template <typename Visit>
-    void for_each_pair(const TriangleTree& other, Visit&& visit) const {
-        if (size() > 0 && other.size() > 0) {
-            for_each_pair(other, Task{0, 0}, visit);
-        }
-    }
-    template <typename Visit>
-    void for_each_pair(const TriangleTree& other, Task task, Visit&& visit) const;
+    void for_each_pair(const TriangleTree& other, Visit&& visit) const;
 
     /// visit(i, j) once for each two different triangles of this tree whose boxes meet.
     template <typename Visit>
@@ -250,8 +239,11 @@ void TriangleTree::own_step(Task task, std::vector<Task>& stack, Visit& visit) c
 }
 
 template <typename Visit>
-void TriangleTree::for_each_pair(const TriangleTree& other, Task task, Visit&& visit) const {
-    std::vector<Task> stack{task};
+void TriangleTree::for_each_pair(const TriangleTree& other, Visit&& visit) const {
+    std::vector<Task> stack;
+    if (size() > 0 && other.size() > 0) {
+        stack.push_back({0, 0});
+    }
     while (!stack.empty()) {
         const Task top = stack.back();
         stack.pop_back();

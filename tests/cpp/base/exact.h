@@ -50,11 +50,6 @@ inline mpq_class cosine_measure(const Vec3& a, const Vec3& o, const Vec3& b) {
     return product * abs(product) / arms;
 }
 
-inline int compare_angles(const Vec3& a, const Vec3& o, const Vec3& b, const Vec3& c, const Vec3& q, const Vec3& d) {
-    const int order = cmp(cosine_measure(c, q, d), cosine_measure(a, o, b));
-    return (order > 0) - (order < 0);
-}
-
 inline mpq_class largest_measure(const Vec3& a, const Vec3& b, const Vec3& c) {
     return std::max({cosine_measure(c, a, b), cosine_measure(a, b, c), cosine_measure(b, c, a)});
 }
@@ -62,11 +57,6 @@ inline mpq_class largest_measure(const Vec3& a, const Vec3& b, const Vec3& c) {
 inline bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
     return std::max(largest_measure(p, q, r), largest_measure(q, p, s)) <=
            std::max(largest_measure(r, s, q), largest_measure(s, r, p));
-}
-
-inline int smallest_angle_vertex(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const std::array<mpq_class, 3> measure{cosine_measure(c, a, b), cosine_measure(a, b, c), cosine_measure(b, c, a)};
-    return static_cast<int>(std::max_element(measure.begin(), measure.end()) - measure.begin());
 }
 
 inline mpq_class determinant(const mpq_class& a, const mpq_class& b, const mpq_class& c, const mpq_class& d) {

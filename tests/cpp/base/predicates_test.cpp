@@ -49,30 +49,6 @@ TEST_P(PredicatesTest, ObtuseVertexIsExact) {
     }
 }
 
-TEST_P(PredicatesTest, CompareAnglesIsExactAndAntisymmetric) {
-    PointSource points = source(3);
-    for (int i = 0; i < kCostly; ++i) {
-        const std::vector<Vec3> v = points.take(6);
-        const int sign = compare_angles(v[0], v[1], v[2], v[3], v[4], v[5]);
-        ASSERT_EQ(sign, exact::compare_angles(v[0], v[1], v[2], v[3], v[4], v[5])) << "case " << i;
-        ASSERT_EQ(compare_angles(v[3], v[4], v[5], v[0], v[1], v[2]), -sign) << "case " << i;
-        ASSERT_EQ(compare_angles(v[2], v[1], v[0], v[5], v[4], v[3]), sign) << "case " << i;
-        ASSERT_EQ(compare_angles(v[0], v[1], v[2], v[2], v[1], v[0]), 0) << "case " << i;
-    }
-}
-
-TEST_P(PredicatesTest, CompareAnglesOfOneTriangleIsExact) {
-    PointSource points = source(4);
-    for (int i = 0; i < kCostly; ++i) {
-        const std::vector<Vec3> v = points.take(3);
-        ASSERT_EQ(compare_angles(v[0], v[1], v[2], v[1], v[2], v[0]),
-                  exact::compare_angles(v[0], v[1], v[2], v[1], v[2], v[0]))
-            << "case " << i;
-        ASSERT_EQ(smallest_angle_vertex(v[0], v[1], v[2]), exact::smallest_angle_vertex(v[0], v[1], v[2]))
-            << "case " << i;
-    }
-}
-
 TEST_P(PredicatesTest, LocallyMaxminIsExactAndSymmetric) {
     PointSource points = source(5);
     for (int i = 0; i < kCostly; ++i) {
@@ -140,24 +116,11 @@ TEST(Predicates, Orient3dIsPositiveOnTheSideOfTheNormal) {
     EXPECT_EQ(orient3d(a, b, a, Vec3(0.3, 0.3, 1.5)), 0);
 }
 
-TEST(Predicates, AnArmWithoutLengthMakesAnAngleOfZero) {
-    const Vec3 o(1, 2, 3);
-    const Vec3 x(2, 2, 3);
-    const Vec3 y(1, 3, 3);
-    EXPECT_EQ(compare_angles(o, o, x, y, o, x), -1);
-    EXPECT_EQ(compare_angles(o, o, o, x, o, x), 0);
-    EXPECT_EQ(compare_angles(x, o, y, o, o, x), 1);
-    EXPECT_EQ(smallest_angle_vertex(o, o, x), 0);
-}
-
 TEST(Predicates, CollinearTrianglesHaveAnglesOfZeroAndPi) {
     const Vec3 a(0.1, 0.1, 0.1);
     const Vec3 b(0.2, 0.2, 0.2);
     const Vec3 c(0.7, 0.7, 0.7);
     EXPECT_EQ(obtuse_vertex(a, b, c), 1);
-    EXPECT_EQ(smallest_angle_vertex(a, b, c), 0);
-    EXPECT_EQ(smallest_angle_vertex(b, a, c), 1);
-    EXPECT_EQ(compare_angles(a, b, c, b, a, c), 1);
     // A degenerate pair is never kept when the swap yields two real triangles.
     EXPECT_FALSE(locally_maxmin(Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(1, 0, 0), Vec3(1, -1, 0)));
     EXPECT_TRUE(locally_maxmin(Vec3(1, 0, 0), Vec3(1, -1, 0), Vec3(0, 0, 0), Vec3(2, 0, 0)));
@@ -190,7 +153,6 @@ TEST(Predicates, TheFilterDecidesRandomPoints) {
     for (int i = 0; i < kCostly; ++i) {
         const std::vector<Vec3> v = points.take(4);
         locally_maxmin(v[0], v[1], v[2], v[3]);
-        compare_angles(v[0], v[1], v[2], v[1], v[2], v[3]);
     }
     EXPECT_EQ(predicate_count().exact, before.exact);
 }
