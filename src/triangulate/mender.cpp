@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "triangulate/corner_angle.h"
 #include "triangulate/disc_change.h"
@@ -24,6 +25,9 @@ constexpr std::size_t kAttemptsEach = 40;
 constexpr std::size_t kAttempts = 2000;
 constexpr std::size_t kTrianglesPerAttempt = 4;
 constexpr int kMaxGrowth = 3;
+// By how much triangles beside bad ones are made better than the bound, radians, and how often that is tried.
+constexpr double kRoom = 3.0 * M_PI / 180.0;
+constexpr int kMaxRounds = 4;
 constexpr double kMaxLift = 0.5;
 
 void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<Disc>& discs) {
@@ -61,7 +65,7 @@ std::uint64_t Mender::key(const Disc& disc) const {
 }
 
 double Mender::enough_after(double before) const {
-    return before + kGain + kGainOfMissing * std::max(0.0, bound_ - before);
+    return before + kGain + kGainOfMissing * std::max(0.0, wanted_ - before);
 }
 
 // Tips that end within nothing are tried once.
@@ -72,15 +76,52 @@ bool Mender::at_resolution(int triangle) const {
 
 void Mender::push_if_bad(int triangle) {
     const double angle = smallest_angle(work_.mesh, triangle).angle;
-    if (angle < bound_ && !hopeless(triangle)) {
+    if (angle < wanted_ && !hopeless(triangle) && (angle < bound_ || near(triangle))) {
         queue_.push({angle, triangle, work_.mesh.stamp(triangle)});
     }
 }
 
-bool Mender::run() {
-    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
-        push_if_bad(t);
+bool Mender::near(int triangle) const {
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        if (std::binary_search(near_.begin(), near_.end(), work_.mesh.vertex_of(h))) {
+            return true;
+        }
     }
+    return false;
+}
+
+void Mender::push_all() {
+    queue_ = {};
+    failed_.clear();
+    exhausted_.clear();
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        if (!work_.mesh.gone(t)) {
+            push_if_bad(t);
+        }
+    }
+}
+
+bool Mender::run() {
+    wanted_ = bound_;
+    push_all();
+    bool changed = work_off();
+    std::size_t left = bad_triangles().size();
+    for (int round = 0; round < kMaxRounds && left > 0; ++round) {
+        make_room();
+        push_all();
+        changed = work_off() || changed;
+        const std::size_t now = bad_triangles().size();
+        if (now >= left) {
+            break;
+        }
+        left = now;
+    }
+    close_gaps(work_);
+    return changed;
+}
+
+// Takes what is in the queue and what comes into it.
+bool Mender::work_off() {
     bool changed = false;
     const std::size_t most =
         std::min(kAttemptsEach * queue_.size(),
@@ -99,11 +140,38 @@ bool Mender::run() {
             failed_.mark(work_.mesh, bad.triangle);
         }
     }
-    queue_ = {};
-    failed_.clear();
-    exhausted_.clear();
-    close_gaps(work_);
     return changed;
+}
+
+std::vector<int> Mender::bad_triangles() const {
+    std::vector<int> bad;
+    for (const auto& [triangle, exemption] : work_.exempt) {
+        if (work_.exemption_of(triangle) != nullptr && !hopeless(triangle) && !at_resolution(triangle) &&
+            smallest_angle(work_.mesh, triangle).angle < bound_) {
+            bad.push_back(triangle);
+        }
+    }
+    return bad;
+}
+
+// Good triangles beside bad ones hold these fast when they are just good enough.
+void Mender::make_room() {
+    std::set<int> vertices;
+    for (const int t : bad_triangles()) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            for (const int other : triangles_around(work_.mesh, h)) {
+                for (int k = 3 * other; k < 3 * other + 3; ++k) {
+                    vertices.insert(work_.mesh.vertex_of(k));
+                }
+            }
+        }
+    }
+    near_.assign(vertices.begin(), vertices.end());
+    wanted_ = bound_ + kRoom;
+    push_all();
+    work_off();
+    wanted_ = bound_;
+    near_.clear();
 }
 
 std::vector<Disc> Mender::discs_around(int triangle) const {
@@ -143,7 +211,7 @@ std::optional<Disc> Mender::propose(const Disc& disc, std::vector<Proposal>& pro
     const double angle = fan_angle(work_.mesh, disc, apex);
     keep(-1, apex, angle);
     const int g = work_.mesh.twin(worst_side(work_.mesh, disc, apex));
-    if (angle >= bound_ || g < 0) {
+    if (angle >= wanted_ || g < 0) {
         return std::nullopt;
     }
     std::vector<int> triangles = disc.triangles;
@@ -168,7 +236,7 @@ bool Mender::mend(int triangle) {
                 larger.push_back(std::move(*more));
             }
         }
-        if (try_best(proposals, bound_)) {
+        if (try_best(proposals, wanted_)) {
             return true;
         }
         discs = std::move(larger);
@@ -183,8 +251,8 @@ bool Mender::mend(int triangle) {
 // Takes what it tried out of the proposals.
 bool Mender::try_best(std::vector<Proposal>& proposals, double at_least) {
     std::stable_sort(proposals.begin(), proposals.end(), [&](const Proposal& a, const Proposal& b) {
-        const double first = std::min(a.angle, bound_);
-        const double second = std::min(b.angle, bound_);
+        const double first = std::min(a.angle, wanted_);
+        const double second = std::min(b.angle, wanted_);
         return first != second ? first > second : a.disc.triangles.size() < b.disc.triangles.size();
     });
     std::size_t tried = 0;

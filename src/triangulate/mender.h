@@ -47,6 +47,11 @@ class Mender {
     };
 
     void push_if_bad(int triangle);
+    bool near(int triangle) const;
+    void push_all();
+    bool work_off();
+    std::vector<int> bad_triangles() const;
+    void make_room();
     bool hopeless(int triangle) const;
     bool at_resolution(int triangle) const;
     bool mend(int triangle);
@@ -64,7 +69,9 @@ class Mender {
     double distance_of_disc(const Disc& disc) const;
 
     Workspace& work_;
-    double bound_;  // radians
+    double bound_;           // radians
+    double wanted_ = 0.0;    // radians, the bound or, near some vertices, more
+    std::vector<int> near_;  // these vertices, ascending
     const Sizing& sizing_;
     std::priority_queue<Bad> queue_;
     TriangleMarks failed_;  // until something changes beside them
