@@ -226,6 +226,27 @@ std::vector<int> SurfaceMesh::replace(const std::vector<int>& removed, const std
     return indices;
 }
 
+std::vector<int> SurfaceMesh::join_segments(int near, int far, const std::vector<Refill>& refills) {
+    segments_[near].vertices[1] = segments_[far].vertices[1];
+    segments_[near].t[1] = segments_[far].t[1];
+    std::vector<int> all;
+    for (std::size_t k = 0; k < refills.size(); ++k) {
+        const std::vector<int> added = replace(refills[k].removed, refills[k].added);
+        all.insert(all.end(), added.begin(), added.end());
+        for (const int t : added) {
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (corner_[h] == refills[k].base[0] && corner_[next(h)] == refills[k].base[1]) {
+                    twin_[h] = ~near;
+                    number_[h] = numbers_++;
+                    segments_[near].uses[k].half_edge = h;
+                }
+            }
+        }
+    }
+    segments_[far].uses.clear();
+    return all;
+}
+
 std::vector<std::pair<int, int>> SurfaceMesh::compact() {
     std::vector<std::pair<int, int>> moved;
     for (int hole = 0; hole < triangle_count(); ++hole) {

@@ -98,6 +98,16 @@ class SurfaceMesh {
     /// half-edges of the same two triangles. Checks nothing.
     void swap(int h);
 
+    /// What takes the place of the triangles around a vertex on a segment, on one of its faces.
+    struct Refill {
+        std::vector<int> removed;
+        std::vector<std::array<int, 3>> added;  ///< sites
+        std::array<int, 2> base;                ///< sites at the ends of the side that lies on the joined segment
+    };
+    /// The inverse of `split_segment`: `far` starts where `near` ends, and one segment, `near`, takes the place of
+    /// both. `refills[k]` for use k of `near`. Nothing uses `far` afterwards.
+    /// @return the new triangles. Triangles may be gone until `compact`.
+    std::vector<int> join_segments(int near, int far, const std::vector<Refill>& refills);
     /// Joins the two sides of a segment as twins, across faces: it constrains no longer, and has no uses. Needs exactly
     /// two uses, which run opposite ways. Sites stay: the same vertex has one on either side.
     void dissolve(int segment);

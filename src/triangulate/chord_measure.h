@@ -37,6 +37,8 @@ class ChordMeasure {
     /// Their sides must have been measured.
     std::vector<Distance> of_triangles(const std::vector<int>& triangles, double tolerance);
 
+    /// Of an edge, or of a segment by its first half-edge, as last measured, mm; 0 when it was not.
+    double distance_known(int half_edge) const { return static_cast<double>(known(half_edge).distance); }
     /// To measure an edge anew, or a segment by any of its half-edges.
     void forget(int half_edge);
 

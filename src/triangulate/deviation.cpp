@@ -7,27 +7,52 @@ namespace mq::triangulate {
 
 using mesh::SurfaceMesh;
 
-EdgePeak edge_peak(const SurfaceMesh& mesh, int half_edge) {
-    const int next = SurfaceMesh::next(half_edge);
-    const Vec3 along = mesh.point_of(next) - mesh.point_of(half_edge);
+namespace {
+
+// With the surface's slopes at the ends.
+struct Cubic {
+    double length = 0.0;
+    double slope = 0.0;
+    double last_slope = 0.0;
+
+    double at(double x) const { return length * x * (1.0 - x) * (slope * (1.0 - x) - last_slope * x); }
+};
+
+Cubic cubic_between(const SurfaceMesh::Site& from, const SurfaceMesh::Site& to) {
+    const Vec3 along = to.point - from.point;
+    const Vec3 up = (from.normal + to.normal).normalized();
     const double length = along.norm();
-    const Vec3& first = mesh.site(mesh.site_of(half_edge)).normal;
-    const Vec3& last = mesh.site(mesh.site_of(next)).normal;
-    const Vec3 up = (first + last).normalized();
-    const double slope = -first.dot(along) / (length * first.dot(up));
-    const double last_slope = -last.dot(along) / (length * last.dot(up));
-    EdgePeak peak;
+    const double slope = -from.normal.dot(along) / (length * from.normal.dot(up));
+    const double last_slope = -to.normal.dot(along) / (length * to.normal.dot(up));
     if (!std::isfinite(slope) || !std::isfinite(last_slope)) {
-        return peak;  // no normal at an end
+        return {};  // no normal at an end
     }
+    return {length, slope, last_slope};
+}
+
+}  // namespace
+
+EdgePeak edge_peak(const SurfaceMesh& mesh, int half_edge) {
+    const auto& from = mesh.site(mesh.site_of(half_edge));
+    const auto& to = mesh.site(mesh.site_of(SurfaceMesh::next(half_edge)));
+    return edge_peak(from, to);
+}
+
+EdgePeak edge_peak(const SurfaceMesh::Site& from, const SurfaceMesh::Site& to) {
+    const Cubic cubic = cubic_between(from, to);
+    EdgePeak peak;
     for (int i = 2; i <= 8; ++i) {
         const double x = 0.1 * i;
-        const double height = std::abs(length * x * (1.0 - x) * (slope * (1.0 - x) - last_slope * x));
+        const double height = std::abs(cubic.at(x));
         if (height > peak.height) {
             peak = {x, height};
         }
     }
     return peak;
+}
+
+double middle_height(const SurfaceMesh::Site& from, const SurfaceMesh::Site& to) {
+    return cubic_between(from, to).at(0.5);
 }
 
 TrianglePeak triangle_peak(double ab, double bc, double ca) {

@@ -15,6 +15,11 @@ struct EdgePeak {
     double height = 0.0;  ///< mm, at least 0
 };
 EdgePeak edge_peak(const mesh::SurfaceMesh& mesh, int half_edge);
+/// Of an edge that need not be there.
+EdgePeak edge_peak(const mesh::SurfaceMesh::Site& from, const mesh::SurfaceMesh::Site& to);
+
+/// Over the middle of the edge, with the sign of the side; 0 where an end has no normal.
+double middle_height(const mesh::SurfaceMesh::Site& from, const mesh::SurfaceMesh::Site& to);
 
 /// Over a triangle the surface is taken for a quadratic, which the heights over the middles of the sides determine.
 struct TrianglePeak {

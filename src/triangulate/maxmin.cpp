@@ -91,20 +91,34 @@ void Maxmin::swap(int h, std::vector<int>& touched) {
     remember(mesh_.vertex_of(3 * t + 1), mesh_.vertex_of(3 * t + 2));
 }
 
-std::vector<int> Maxmin::replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added) {
-    const auto inner_edges = [&](const std::vector<int>& triangles, void (Maxmin::*book)(int, int)) {
-        for (const int t : triangles) {
-            for (int h = 3 * t; h < 3 * t + 3; ++h) {
-                const int other = mesh_.twin(h) < 0 ? -1 : SurfaceMesh::triangle_of(mesh_.twin(h));
-                if (mesh_.twin(h) > h && std::find(triangles.begin(), triangles.end(), other) != triangles.end()) {
-                    (this->*book)(mesh_.vertex_of(h), mesh_.vertex_of(SurfaceMesh::next(h)));
-                }
+void Maxmin::book_inner_edges(const std::vector<int>& triangles, void (Maxmin::*book)(int, int)) {
+    for (const int t : triangles) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const int other = mesh_.twin(h) < 0 ? -1 : SurfaceMesh::triangle_of(mesh_.twin(h));
+            if (mesh_.twin(h) > h && std::find(triangles.begin(), triangles.end(), other) != triangles.end()) {
+                (this->*book)(mesh_.vertex_of(h), mesh_.vertex_of(SurfaceMesh::next(h)));
             }
         }
-    };
-    inner_edges(removed, &Maxmin::forget);
+    }
+}
+
+std::vector<int> Maxmin::replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added) {
+    book_inner_edges(removed, &Maxmin::forget);
     std::vector<int> indices = mesh_.replace(removed, added);
-    inner_edges(indices, &Maxmin::remember);
+    book_inner_edges(indices, &Maxmin::remember);
+    return indices;
+}
+
+std::vector<int> Maxmin::join_segments(int near, int far, const std::vector<SurfaceMesh::Refill>& refills) {
+    for (const int s : {near, far}) {
+        forget(mesh_.segment(s).vertices[0], mesh_.segment(s).vertices[1]);
+    }
+    for (const SurfaceMesh::Refill& refill : refills) {
+        book_inner_edges(refill.removed, &Maxmin::forget);
+    }
+    std::vector<int> indices = mesh_.join_segments(near, far, refills);
+    book_inner_edges(indices, &Maxmin::remember);
+    remember(mesh_.segment(near).vertices[0], mesh_.segment(near).vertices[1]);
     return indices;
 }
 

@@ -34,6 +34,8 @@ class Maxmin {
 
     /// Other triangles in the place of some (see SurfaceMesh::replace), in the books as well.
     std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);
+    /// One segment in the place of two (see SurfaceMesh::join_segments), in the books as well.
+    std::vector<int> join_segments(int near, int far, const std::vector<mesh::SurfaceMesh::Refill>& refills);
     /// Whether an edge or a segment joins the two vertices already, both of them on CAD edges.
     bool joined(int a, int b) const { return on_border(a) && on_border(b) && pairs_.count(pair_key(a, b)) > 0; }
 
@@ -45,6 +47,7 @@ class Maxmin {
 
   private:
     bool legal(int h, double least) const;
+    void book_inner_edges(const std::vector<int>& triangles, void (Maxmin::*book)(int, int));
     bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
 
     mesh::SurfaceMesh& mesh_;

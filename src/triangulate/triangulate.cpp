@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
 
 #include "base/predicates.h"
 #include "triangulate/assemble.h"
 #include "triangulate/chord.h"
+#include "triangulate/coarsener.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/crossing_refiner.h"
 #include "triangulate/final_report.h"
@@ -84,6 +87,7 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
 // @return what was done about smooth edges, for the report
 std::string refine(Workspace& work, Findings& findings, const Options& options, double chord, StageClock& clock) {
     std::string released;
+    const int first = work.mesh.vertex_count();
     SegmentSplitter segments(work);
     const double from = first_share(options);
     const double middle = from + 0.34 * (0.9 - from);
@@ -103,6 +107,13 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     work.progress.stage("refining to the chord height", middle, 0.8);
     refine_chords();
     clock.end("chord height");
+    if (std::getenv("CO")) {
+        const int before = work.mesh.triangle_count();
+        Coarsener(work, findings.chords, options.min_angle, sizing, first).run();
+        clock.end("coarsening");
+        fprintf(stderr, "coarsened %d to %d %s\n", before, work.mesh.triangle_count(),
+                work.mesh.inconsistency().c_str());
+    }
     work.progress.stage("separating crossings", 0.8, 0.85);
     CrossingRefiner crossings(work, segments, findings.crossings);
     for (int round = 0; round < kMaxCrossingRounds && crossings.run(); ++round) {

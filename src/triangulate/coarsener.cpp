@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/coarsener.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "base/angle.h"
+#include "triangulate/corner_angle.h"
+#include "triangulate/deviation.h"
+#include "triangulate/disc_change.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Query;
+using mesh::SurfaceMesh;
+
+// New angles are a little above the bound, so that what comes later has room.
+constexpr double kMargin = 1.04;
+// Of the tolerance. A vertex is kept where an edge at it is higher than the first: edges become about twice as long
+// without it, and four times as high. Between the places that are measured the mesh may be a little farther.
+constexpr double kFlat = 0.45;
+constexpr double kNear = 0.97;
+constexpr double kExact = 2.0;  // in steps of single precision: flat places are off by so much
+constexpr int kMaxRounds = 12;
+constexpr std::size_t kMaxSpokes = 8;
+constexpr std::array<double, 3> kOnCurve{0.35, 0.5, 0.65};
+
+}  // namespace
+
+Coarsener::Coarsener(Workspace& work, const ChordMeasure& measure, double min_angle_degrees, const Sizing& sizing,
+                     int first_vertex)
+    : work_(work),
+      measure_(measure),
+      least_angle_(kMargin * min_angle_degrees * M_PI / 180.0),
+      sizing_(sizing),
+      first_vertex_(first_vertex) {}
+
+void Coarsener::find_places() {
+    const SurfaceMesh& mesh = work_.mesh;
+    half_edge_of_.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
+    segments_at_.assign(static_cast<std::size_t>(mesh.vertex_count()), {-1, -1});
+    for (int h = mesh.half_edge_count() - 1; h >= 0; --h) {
+        half_edge_of_[static_cast<std::size_t>(mesh.vertex_of(h))] = h;
+    }
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        if (!mesh.segment(s).uses.empty()) {
+            segments_at_[static_cast<std::size_t>(mesh.segment(s).vertices[1])][0] = s;
+            segments_at_[static_cast<std::size_t>(mesh.segment(s).vertices[0])][1] = s;
+        }
+    }
+}
+
+// By what is known of the edges at it, without a question.
+bool Coarsener::worth_trying(int vertex) const {
+    const int h = half_edge_of_[static_cast<std::size_t>(vertex)];
+    if (h < 0 || vertex < first_vertex_) {
+        return false;
+    }
+    const std::vector<int> star = work_.mesh.star(h);
+    return star.size() <= kMaxSpokes &&
+           (!(sizing_.tolerance > 0.0) || std::all_of(star.begin(), star.end(), [&](int spoke) {
+               return measure_.distance_known(spoke) <= kFlat * sizing_.tolerance;
+           }));
+}
+
+bool Coarsener::can_be_joined(int near, int far) const {
+    const int a = work_.mesh.segment(near).vertices[0];
+    const int b = work_.mesh.segment(far).vertices[1];
+    return a != b && !work_.maxmin.joined(a, b);
+}
+
+std::optional<Coarsener::Plan> Coarsener::plan_for(int vertex) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    if (!worth_trying(vertex)) {
+        return std::nullopt;
+    }
+    Plan plan;
+    plan.vertex = vertex;
+    if (!on_edge(vertex)) {
+        return add_fan(half_edge_of_[static_cast<std::size_t>(vertex)], plan) ? std::optional(std::move(plan))
+                                                                              : std::nullopt;
+    }
+    const auto& [near, far] = segments_at_[static_cast<std::size_t>(vertex)];
+    if (near < 0 || far < 0 || sizing_.turn > 0.0 || mesh.segment(near).uses.size() != mesh.segment(far).uses.size()) {
+        return std::nullopt;
+    }
+    plan.near = near;
+    plan.far = far;
+    if (!can_be_joined(near, far)) {
+        return std::nullopt;
+    }
+    for (const SurfaceMesh::SegmentUse& use : mesh.segment(near).uses) {
+        const bool leaves = mesh.vertex_of(use.half_edge) == vertex;
+        if (!add_fan(leaves ? use.half_edge : SurfaceMesh::next(use.half_edge), plan)) {
+            return std::nullopt;
+        }
+    }
+    return plan;
+}
+
+bool Coarsener::add_fan(int half_edge, Plan& plan) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    auto polygon = star_polygon(mesh, half_edge);
+    if (!polygon || polygon->sides.size() < 4) {
+        return false;
+    }
+    std::vector<PolygonFan> fans = fans_of(mesh, *polygon, least_angle_);
+    const auto good = std::find_if(fans.begin(), fans.end(), [&](const PolygonFan& fan) {
+        return heights_expected(*polygon, fan) && lengths_allowed(half_edge, *polygon, fan) &&
+               fan_aligned(mesh, *polygon, fan, kWellAligned) && fan_legal(mesh, work_.maxmin, *polygon, fan.apex_site);
+    });
+    if (good == fans.end()) {
+        return false;
+    }
+    for (const int t : polygon->triangles) {
+        plan.stamps.push_back(mesh.stamp(t));
+    }
+    plan.polygons.push_back(std::move(*polygon));
+    plan.fans.push_back(std::move(*good));
+    return true;
+}
+
+bool Coarsener::lengths_allowed(int half_edge, const StarPolygon& polygon, const PolygonFan& fan) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    double longest = 1e300;
+    for (const int spoke : mesh.star(half_edge)) {
+        longest =
+            std::min({longest, sizing_.bounds.of(mesh, spoke), sizing_.bounds.of(mesh, SurfaceMesh::next(spoke))});
+    }
+    const auto fits = [&](int from, int to) {
+        const SurfaceMesh::Site& a = mesh.site(from);
+        const SurfaceMesh::Site& b = mesh.site(to);
+        return (a.point - b.point).norm() <= longest &&
+               (!(sizing_.turn > 0.0) || angle_between(a.normal, b.normal) <= sizing_.turn);
+    };
+    const std::vector<int> ends = spokes_of(polygon, fan.apex_site);
+    return (polygon.base[0] < 0 || fits(polygon.base[0], polygon.base[1])) &&
+           std::all_of(ends.begin(), ends.end(), [&](int end) { return fits(fan.apex_site, end); });
+}
+
+bool Coarsener::heights_expected(const StarPolygon& polygon, const PolygonFan& fan) const {
+    if (!(sizing_.tolerance > 0.0)) {
+        return true;
+    }
+    const std::vector<int> ends = spokes_of(polygon, fan.apex_site);
+    return std::all_of(ends.begin(), ends.end(), [&](int end) {
+        return edge_peak(work_.mesh.site(fan.apex_site), work_.mesh.site(end)).height <= sizing_.tolerance;
+    });
+}
+
+// Those that do not touch each other; the candidates that remain are for later rounds.
+std::vector<Coarsener::Plan> Coarsener::plans(std::vector<int>& candidates) {
+    std::vector<char> taken(static_cast<std::size_t>(work_.mesh.triangle_count()), 0);
+    std::vector<Plan> result;
+    std::vector<int> later;
+    Pace pace(work_.progress);
+    for (const int v : candidates) {
+        pace.step();
+        auto plan = plan_for(v);
+        if (!plan) {
+            continue;
+        }
+        std::vector<int> triangles;
+        for (const StarPolygon& polygon : plan->polygons) {
+            triangles.insert(triangles.end(), polygon.triangles.begin(), polygon.triangles.end());
+        }
+        std::vector<int> sorted = triangles;
+        std::sort(sorted.begin(), sorted.end());
+        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+            continue;  // both sides of a seam want the same triangle
+        }
+        if (std::any_of(triangles.begin(), triangles.end(),
+                        [&](int t) { return taken[static_cast<std::size_t>(t)]; })) {
+            later.push_back(v);
+            continue;
+        }
+        for (const int t : triangles) {
+            taken[static_cast<std::size_t>(t)] = 1;
+        }
+        result.push_back(std::move(*plan));
+    }
+    candidates = std::move(later);
+    return result;
+}
+
+// The joined segment, inner edges and triangles of the fans; without a tolerance also the edges that there are.
+void Coarsener::add_probes(const Plan& plan, std::size_t index, geometry::Engine::Batch& batch,
+                           std::vector<Probe>& probes) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    const auto add = [&](const Query& query, const Vec3& p, bool old) {
+        batch.push_back(query);
+        probes.push_back({index, p, old});
+    };
+    const auto add_on_face = [&](int face, const Vec3& p, const Vec2& uv, bool old) {
+        add(Query::face_nearest(face, work_.grid.to_part(p), uv.x(), uv.y()), p, old);
+    };
+    const auto add_edge = [&](int face, int from, int to, double at, bool old) {
+        const SurfaceMesh::Site& a = mesh.site(from);
+        const SurfaceMesh::Site& b = mesh.site(to);
+        add_on_face(face, (1.0 - at) * a.point + at * b.point, (1.0 - at) * a.uv + at * b.uv, old);
+    };
+    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
+        const StarPolygon& polygon = plan.polygons[k];
+        const int face = mesh.face_of(polygon.triangles.front());
+        const int apex = plan.fans[k].apex_site;
+        for (const int end : spokes_of(polygon, apex)) {
+            add_edge(face, apex, end, 0.5, false);
+            if (const EdgePeak peak = edge_peak(mesh.site(apex), mesh.site(end)); peak.at != 0.5) {
+                add_edge(face, apex, end, peak.at, false);
+            }
+        }
+        for (const auto& t : plan.fans[k].triangles) {
+            const SurfaceMesh::Site& a = mesh.site(t[0]);
+            const SurfaceMesh::Site& b = mesh.site(t[1]);
+            const SurfaceMesh::Site& c = mesh.site(t[2]);
+            const TrianglePeak peak = triangle_peak(middle_height(a, b), middle_height(b, c), middle_height(c, a));
+            const auto& w = peak.weights;
+            if (peak.height > 0.0) {
+                add_on_face(face, w[0] * a.point + w[1] * b.point + w[2] * c.point,
+                            w[0] * a.uv + w[1] * b.uv + w[2] * c.uv, false);
+            }
+        }
+        for (const int t : sizing_.tolerance > 0.0 ? std::vector<int>() : polygon.triangles) {
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (mesh.vertex_of(h) == plan.vertex) {
+                    add_edge(face, mesh.site_of(h), mesh.site_of(SurfaceMesh::next(h)), 0.5, true);
+                }
+            }
+        }
+    }
+    if (plan.near < 0) {
+        return;
+    }
+    const SurfaceMesh::Segment& near = mesh.segment(plan.near);
+    const SurfaceMesh::Segment& far = mesh.segment(plan.far);
+    for (const double at : kOnCurve) {
+        const Vec3 p = (1.0 - at) * mesh.vertex(near.vertices[0]).point + at * mesh.vertex(far.vertices[1]).point;
+        const double guess = (1.0 - at) * near.t[0] + at * far.t[1];
+        add(Query::edge_nearest(near.edge, work_.grid.to_part(p), guess, near.t[0], far.t[1]), p, false);
+    }
+}
+
+// By plan: whether all that is new in it keeps the tolerance.
+std::vector<char> Coarsener::near_part(const std::vector<Plan>& plans) {
+    geometry::Engine::Batch batch;
+    std::vector<Probe> probes;
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        add_probes(plans[i], i, batch, probes);
+    }
+    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
+    const double tolerance = kNear * sizing_.tolerance;
+    std::vector<double> allowed(plans.size(), std::max(tolerance, kExact * work_.grid.resolution()));
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        if (probes[i].of_old_mesh && answers[i].found()) {
+            allowed[probes[i].plan] = std::max(allowed[probes[i].plan], answers[i].distance);
+        }
+    }
+    std::vector<char> good(plans.size(), 1);
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        if (!probes[i].of_old_mesh && !(answers[i].found() && answers[i].distance <= allowed[probes[i].plan])) {
+            good[probes[i].plan] = 0;
+        }
+    }
+    return good;
+}
+
+// What was done beside it may have made one of its edges.
+bool Coarsener::still_good(const Plan& plan) const {
+    if (plan.near >= 0 && !can_be_joined(plan.near, plan.far)) {
+        return false;
+    }
+    std::size_t i = 0;
+    for (const StarPolygon& polygon : plan.polygons) {
+        for (const int t : polygon.triangles) {
+            if (work_.mesh.gone(t) || work_.mesh.stamp(t) != plan.stamps[i++]) {
+                return false;
+            }
+        }
+    }
+    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
+        if (!fan_legal(work_.mesh, work_.maxmin, plan.polygons[k], plan.fans[k].apex_site)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void Coarsener::settle(const std::vector<int>& triangles) {
+    for (const int t : triangles) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            half_edge_of_[static_cast<std::size_t>(work_.mesh.vertex_of(h))] = h;
+        }
+    }
+}
+
+// @param around takes the vertices that the changed triangles have.
+void Coarsener::carry_out(const Plan& plan, std::vector<int>& around) {
+    std::vector<SurfaceMesh::Refill> refills;
+    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
+        refills.push_back({plan.polygons[k].triangles, plan.fans[k].triangles, plan.polygons[k].base});
+        for (const int t : plan.polygons[k].triangles) {
+            work_.exempt.erase(t);
+        }
+    }
+    half_edge_of_[static_cast<std::size_t>(plan.vertex)] = -1;
+    std::vector<int> added;
+    if (plan.near < 0) {
+        added = work_.maxmin.replace(refills[0].removed, refills[0].added);
+    } else {
+        added = work_.maxmin.join_segments(plan.near, plan.far, refills);
+        segments_at_[static_cast<std::size_t>(work_.mesh.segment(plan.near).vertices[1])][0] = plan.near;
+    }
+    settle(added);
+    for (const int t : added) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            around.push_back(work_.mesh.vertex_of(h));
+        }
+    }
+}
+
+bool Coarsener::run() {
+    if (sizing_.growth > 0.0) {
+        return false;  // longer edges would have to be weighed against all around
+    }
+    find_places();
+    std::vector<int> candidates;
+    for (int v = work_.mesh.vertex_count() - 1; v >= first_vertex_; --v) {
+        candidates.push_back(v);
+    }
+    bool changed = false;
+    for (int round = 0; round < kMaxRounds && !candidates.empty(); ++round) {
+        work_.progress.check();
+        const std::vector<Plan> found = plans(candidates);
+        const std::vector<char> good = near_part(found);
+        const int n0 = static_cast<int>(found.size());
+        int n1 = 0;
+        for (char g : good)
+            n1 += g;
+        fprintf(stderr, "round %d plans %d good %d\n", round, n0, n1);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (good[i] && still_good(found[i])) {
+                carry_out(found[i], candidates);
+                changed = true;
+            }
+        }
+        std::sort(candidates.begin(), candidates.end(), std::greater<>());
+        candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    }
+    close_gaps(work_);
+    return changed;
+}
+
+}  // namespace mq::triangulate
