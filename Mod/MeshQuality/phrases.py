@@ -111,6 +111,7 @@ STAGES = {
     "refining to the chord height": "getting nearer to the shape",
     "separating crossings": "separating faces that cross",
     "mending": "mending what is left",
+    "taking out vertices": "taking out vertices",
     "releasing smooth edges": "releasing smooth edges",
     "checking": "checking the result",
     "improving": "improving",

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "base/angle.h"
 #include "triangulate/corner_angle.h"
@@ -22,11 +21,10 @@ using mesh::SurfaceMesh;
 constexpr double kMargin = 1.04;
 // Of the tolerance. A vertex is kept where an edge at it is higher than the first: edges become about twice as long
 // without it, and four times as high. Between the places that are measured the mesh may be a little farther.
-constexpr double kFlat = 0.45;
+constexpr double kFlat = 0.6;
 constexpr double kNear = 0.97;
 constexpr double kExact = 2.0;  // in steps of single precision: flat places are off by so much
 constexpr int kMaxRounds = 12;
-constexpr std::size_t kMaxSpokes = 8;
 constexpr std::array<double, 3> kOnCurve{0.35, 0.5, 0.65};
 
 }  // namespace
@@ -37,7 +35,8 @@ Coarsener::Coarsener(Workspace& work, const ChordMeasure& measure, double min_an
       measure_(measure),
       least_angle_(kMargin * min_angle_degrees * M_PI / 180.0),
       sizing_(sizing),
-      first_vertex_(first_vertex) {}
+      first_vertex_(first_vertex),
+      most_spokes_(static_cast<int>(M_PI / least_angle_)) {}
 
 void Coarsener::find_places() {
     const SurfaceMesh& mesh = work_.mesh;
@@ -60,11 +59,21 @@ bool Coarsener::worth_trying(int vertex) const {
     if (h < 0 || vertex < first_vertex_) {
         return false;
     }
-    const std::vector<int> star = work_.mesh.star(h);
-    return star.size() <= kMaxSpokes &&
-           (!(sizing_.tolerance > 0.0) || std::all_of(star.begin(), star.end(), [&](int spoke) {
-               return measure_.distance_known(spoke) <= kFlat * sizing_.tolerance;
-           }));
+    const auto flat = [&](int spoke) {
+        return !(sizing_.tolerance > 0.0) || measure_.distance_known(spoke) <= kFlat * sizing_.tolerance;
+    };
+    if (on_edge(vertex)) {
+        const std::vector<int> star = work_.mesh.star(h);
+        return std::all_of(star.begin(), star.end(), flat);
+    }
+    int spokes = 0;
+    for (int g = h; flat(g);) {
+        g = work_.mesh.twin(SurfaceMesh::prev(g));
+        if (++spokes > most_spokes_ || g == h) {
+            return g == h && spokes <= most_spokes_;
+        }
+    }
+    return false;
 }
 
 bool Coarsener::can_be_joined(int near, int far) const {
@@ -336,11 +345,6 @@ bool Coarsener::run() {
         work_.progress.check();
         const std::vector<Plan> found = plans(candidates);
         const std::vector<char> good = near_part(found);
-        const int n0 = static_cast<int>(found.size());
-        int n1 = 0;
-        for (char g : good)
-            n1 += g;
-        fprintf(stderr, "round %d plans %d good %d\n", round, n0, n1);
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (good[i] && still_good(found[i])) {
                 carry_out(found[i], candidates);

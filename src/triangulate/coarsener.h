@@ -61,7 +61,8 @@ class Coarsener {
     double least_angle_;  // radians
     const Sizing& sizing_;
     int first_vertex_;
-    std::vector<int> half_edge_of_;                // that leaves the vertex; -1: none, or the vertex is gone
+    int most_spokes_;                // inside a face: the corners of a fan's polygon on a circle are so many at most
+    std::vector<int> half_edge_of_;  // that leaves the vertex; -1: none, or the vertex is gone
     std::vector<std::array<int, 2>> segments_at_;  // of a vertex on a CAD edge: that end there, and that start there
 };
 

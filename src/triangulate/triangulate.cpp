@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <ctime>
 
 #include "base/predicates.h"
@@ -107,14 +105,12 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     work.progress.stage("refining to the chord height", middle, 0.8);
     refine_chords();
     clock.end("chord height");
-    if (std::getenv("CO")) {
-        const int before = work.mesh.triangle_count();
+    if (options.method == Method::Refine && options.insertion != Insertion::Paper && !work.over_budget()) {
+        work.progress.stage("taking out vertices", 0.8, 0.82);
         Coarsener(work, findings.chords, options.min_angle, sizing, first).run();
-        clock.end("coarsening");
-        fprintf(stderr, "coarsened %d to %d %s\n", before, work.mesh.triangle_count(),
-                work.mesh.inconsistency().c_str());
+        clock.end("taking out vertices");
     }
-    work.progress.stage("separating crossings", 0.8, 0.85);
+    work.progress.stage("separating crossings", 0.82, 0.85);
     CrossingRefiner crossings(work, segments, findings.crossings);
     for (int round = 0; round < kMaxCrossingRounds && crossings.run(); ++round) {
         refiner.run();

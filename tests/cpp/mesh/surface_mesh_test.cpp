@@ -312,6 +312,37 @@ TEST(SurfaceMesh, SplitSegmentSplitsItForEveryUse) {
     }
 }
 
+/// What splitting made of a triangle for every use, back to what it was.
+TEST(SurfaceMesh, JoinedSegmentsAreThoseBeforeTheSplit) {
+    for (const Sample& sample : all_samples()) {
+        SCOPED_TRACE(sample.name);
+        for (int s = 0; s < sample.mesh.segment_count(); ++s) {
+            SurfaceMesh mesh = sample.mesh;
+            const SurfaceMesh::Segment old = mesh.segment(s);
+            const int far = Shaker(mesh, 1).split_segment(s);
+            std::vector<SurfaceMesh::Refill> refills;
+            for (const SurfaceMesh::SegmentUse& use : old.uses) {
+                const int h = use.half_edge;
+                const std::array<int, 3> corners{sample.mesh.site_of(h), sample.mesh.site_of(SurfaceMesh::next(h)),
+                                                 sample.mesh.site_of(SurfaceMesh::prev(h))};
+                const int other = static_cast<int>(refills.size()) + sample.mesh.triangle_count();
+                refills.push_back({{h / 3, other}, {corners}, {corners[0], corners[1]}});
+            }
+            mesh.join_segments(s, far, refills);
+            EXPECT_EQ(mesh.segment(s).vertices, old.vertices);
+            EXPECT_EQ(mesh.segment(s).t, old.t);
+            EXPECT_TRUE(mesh.segment(far).uses.empty());
+            EXPECT_EQ(mesh.inconsistency(), "");
+            mesh.compact();
+            EXPECT_EQ(mesh.triangle_count(), sample.mesh.triangle_count());
+            EXPECT_EQ(mesh.inconsistency(), "");
+            for (int t = 0; t < mesh.triangle_count(); ++t) {
+                EXPECT_FALSE(mesh.gone(t));
+            }
+        }
+    }
+}
+
 TEST(SurfaceMesh, SegmentsHaveOneTwoAndThreeUses) {
     const auto most_uses = [](const SurfaceMesh& mesh) {
         std::size_t most = 0;
