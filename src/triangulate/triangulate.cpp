@@ -82,6 +82,12 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
     return text;
 }
 
+// Samples and the paper's mesh are what was asked for; where smooth edges are released, that begins with their vertices.
+bool coarsens(const Options& options) {
+    return options.method == Method::Refine && options.insertion != Insertion::Paper &&
+           options.keep_edges == KeepEdges::All;
+}
+
 // @return what was done about smooth edges, for the report
 std::string refine(Workspace& work, Findings& findings, const Options& options, double chord, StageClock& clock) {
     std::string released;
@@ -105,7 +111,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     work.progress.stage("refining to the chord height", middle, 0.8);
     refine_chords();
     clock.end("chord height");
-    if (options.method == Method::Refine && options.insertion != Insertion::Paper && !work.over_budget()) {
+    if (coarsens(options) && !work.over_budget()) {
         work.progress.stage("taking out vertices", 0.8, 0.82);
         Coarsener(work, findings.chords, options.min_angle, sizing, first).run();
         clock.end("taking out vertices");
