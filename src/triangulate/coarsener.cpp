@@ -25,6 +25,7 @@ constexpr double kFlat = 0.6;
 constexpr double kNear = 0.97;
 constexpr double kExact = 2.0;  // in steps of single precision: flat places are off by so much
 constexpr int kMaxRounds = 12;
+constexpr double kGain = 1.1;  // of angles below the bound
 constexpr std::array<double, 3> kOnCurve{0.35, 0.5, 0.65};
 
 }  // namespace
@@ -33,7 +34,8 @@ Coarsener::Coarsener(Workspace& work, const ChordMeasure& measure, double min_an
                      int first_vertex)
     : work_(work),
       measure_(measure),
-      least_angle_(kMargin * min_angle_degrees * M_PI / 180.0),
+      bound_(min_angle_degrees * M_PI / 180.0),
+      least_angle_(kMargin * bound_),
       sizing_(sizing),
       first_vertex_(first_vertex),
       most_spokes_(static_cast<int>(M_PI / least_angle_)) {}
@@ -111,13 +113,24 @@ std::optional<Coarsener::Plan> Coarsener::plan_for(int vertex) const {
     return plan;
 }
 
+// Where there are smaller angles than the bound now, more than these will do.
+double Coarsener::least_angle(const StarPolygon& polygon) const {
+    double least = least_angle_;
+    for (const int t : polygon.triangles) {
+        if (work_.exemption_of(t) != nullptr) {
+            least = std::min(least, kGain * smallest_angle(work_.mesh, t).angle);
+        }
+    }
+    return least;
+}
+
 bool Coarsener::add_fan(int half_edge, Plan& plan) const {
     const SurfaceMesh& mesh = work_.mesh;
     auto polygon = star_polygon(mesh, half_edge);
     if (!polygon || polygon->sides.size() < 4) {
         return false;
     }
-    std::vector<PolygonFan> fans = fans_of(mesh, *polygon, least_angle_);
+    std::vector<PolygonFan> fans = fans_of(mesh, *polygon, least_angle(*polygon));
     const auto good = std::find_if(fans.begin(), fans.end(), [&](const PolygonFan& fan) {
         return heights_expected(*polygon, fan) && lengths_allowed(half_edge, *polygon, fan) &&
                fan_aligned(mesh, *polygon, fan, kWellAligned) && fan_legal(mesh, work_.maxmin, *polygon, fan.apex_site);
@@ -309,8 +322,13 @@ void Coarsener::settle(const std::vector<int>& triangles) {
 // @param around takes the vertices that the changed triangles have.
 void Coarsener::carry_out(const Plan& plan, std::vector<int>& around) {
     std::vector<SurfaceMesh::Refill> refills;
+    std::optional<Exemption> reason;
     for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
         refills.push_back({plan.polygons[k].triangles, plan.fans[k].triangles, plan.polygons[k].base});
+        for (const int t : plan.polygons[k].triangles) {
+            const Exemption* exemption = work_.exemption_of(t);
+            reason = exemption != nullptr ? std::optional(*exemption) : reason;
+        }
         for (const int t : plan.polygons[k].triangles) {
             work_.exempt.erase(t);
         }
@@ -324,6 +342,12 @@ void Coarsener::carry_out(const Plan& plan, std::vector<int>& around) {
         segments_at_[static_cast<std::size_t>(work_.mesh.segment(plan.near).vertices[1])][0] = plan.near;
     }
     settle(added);
+    for (const int t : added) {
+        if (reason && smallest_angle(work_.mesh, t).angle < bound_) {
+            reason->stamp = work_.mesh.stamp(t);
+            work_.exempt[t] = *reason;
+        }
+    }
     for (const int t : added) {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             around.push_back(work_.mesh.vertex_of(h));

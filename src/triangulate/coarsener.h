@@ -45,6 +45,7 @@ class Coarsener {
     bool worth_trying(int vertex) const;
     bool can_be_joined(int near, int far) const;
     std::optional<Plan> plan_for(int vertex) const;
+    double least_angle(const StarPolygon& polygon) const;
     bool add_fan(int half_edge, Plan& plan) const;
     bool lengths_allowed(int half_edge, const StarPolygon& polygon, const PolygonFan& fan) const;
     bool heights_expected(const StarPolygon& polygon, const PolygonFan& fan) const;
@@ -58,7 +59,8 @@ class Coarsener {
 
     Workspace& work_;
     const ChordMeasure& measure_;
-    double least_angle_;  // radians
+    double bound_;  // radians
+    double least_angle_;
     const Sizing& sizing_;
     int first_vertex_;
     int most_spokes_;                // inside a face: the corners of a fan's polygon on a circle are so many at most

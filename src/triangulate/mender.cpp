@@ -6,6 +6,7 @@
 #include <set>
 
 #include "triangulate/corner_angle.h"
+#include "triangulate/deviation.h"
 #include "triangulate/disc_change.h"
 
 namespace mq::triangulate {
@@ -29,6 +30,7 @@ constexpr int kMaxGrowth = 3;
 constexpr double kRoom = 3.0 * M_PI / 180.0;
 constexpr int kMaxRounds = 4;
 constexpr double kMaxLift = 0.5;
+constexpr double kNear = 0.97;  // of the tolerance: between the places that are measured the mesh may be farther
 
 void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<Disc>& discs) {
     if (auto disc = disc_of(mesh, std::move(triangles))) {
@@ -273,7 +275,7 @@ bool Mender::good_enough(const Disc& disc, const Corner& apex, int apex_site, do
            within_bounds(work_, sizing_, disc, apex, apex_site);
 }
 
-// Over the middles of the spokes and the centroids of a fan's triangles.
+// Over the middles of the spokes, where they are expected to be farthest, and over the centroids of a fan's triangles.
 double Mender::distance_of_fan(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
     const SurfaceMesh& mesh = work_.mesh;
     geometry::Engine::Batch batch;
@@ -286,6 +288,10 @@ double Mender::distance_of_fan(const Disc& disc, const Corner& apex, const Vec2&
         const Vec2& a = mesh.site(mesh.site_of(side)).uv;
         const Vec2& b = mesh.site(mesh.site_of(next)).uv;
         add(0.5 * (mesh.point_of(side) + apex.point), 0.5 * (a + uv));
+        const double at = edge_peak(mesh.site(mesh.site_of(side)), {-1, uv, apex.normal, apex.point}).at;
+        if (at != 0.5) {
+            add((1.0 - at) * mesh.point_of(side) + at * apex.point, (1.0 - at) * a + at * uv);
+        }
         if (mesh.site_of(side) != apex_site && mesh.site_of(next) != apex_site) {
             add((mesh.point_of(side) + mesh.point_of(next) + apex.point) / 3.0, (a + b + uv) / 3.0);
         }
@@ -316,7 +322,7 @@ bool Mender::near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, 
         return true;
     }
     const double distance = distance_of_fan(disc, apex, uv, apex_site);
-    return distance <= sizing_.tolerance || distance <= distance_of_disc(disc);
+    return distance <= kNear * sizing_.tolerance || distance <= distance_of_disc(disc);
 }
 
 std::optional<SurfacePoint> Mender::apex_near(const Disc& disc, const Vec3& p) const {
