@@ -1318,6 +1318,10 @@
         <source>releasing smooth edges</source>
         <translation>glatte Kanten freigeben</translation>
     </message>
+    <message>
+        <source>taking out vertices</source>
+        <translation>Überflüssige Punkte werden entfernt</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

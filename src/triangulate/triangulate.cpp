@@ -17,6 +17,7 @@
 #include "triangulate/refine.h"
 #include "triangulate/relics.h"
 #include "triangulate/sampling.h"
+#include "triangulate/smooth_edges.h"
 
 namespace mq::triangulate {
 
@@ -83,9 +84,14 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
 }
 
 // Samples and the paper's mesh are what was asked for; where smooth edges are released, that begins with their vertices.
-bool coarsens(const Options& options) {
-    return options.method == Method::Refine && options.insertion != Insertion::Paper &&
-           options.keep_edges == KeepEdges::All;
+bool coarsens(Workspace& work, const Options& options) {
+    if (options.method != Method::Refine || options.insertion == Insertion::Paper || work.over_budget()) {
+        return false;
+    }
+    const std::vector<char> smooth = options.keep_edges == KeepEdges::All
+                                         ? std::vector<char>()
+                                         : smooth_edges(work, options.feature_angle, options.local_sizes);
+    return std::count(smooth.begin(), smooth.end(), 1) == 0;
 }
 
 // @return what was done about smooth edges, for the report
@@ -111,7 +117,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     work.progress.stage("refining to the chord height", middle, 0.8);
     refine_chords();
     clock.end("chord height");
-    if (coarsens(options) && !work.over_budget()) {
+    if (coarsens(work, options)) {
         work.progress.stage("taking out vertices", 0.8, 0.82);
         Coarsener(work, findings.chords, options.min_angle, sizing, first).run();
         clock.end("taking out vertices");
