@@ -115,11 +115,12 @@ TEST(Maxmin, ListsTheTrianglesThatASweepChanges) {
 /// be swapped for its angles, if 2 and 3 were not joined on the other side already.
 TEST(Maxmin, JoinsNoVerticesTwiceWhereTrianglesAreFolded) {
     SurfaceMesh mesh;
-    for (const auto& [x, y] : {std::pair(0.0, -1.0), {0.0, 1.0}, {-0.5, 0.0}, {0.5, 0.0}, {0.0, 5.0}}) {
+    for (const auto& [x, y] : {std::pair(0.0, -1.0), {0.0, 1.0}, {-0.5, 0.0}, {0.5, 0.0}, {0.0, 5.0}, {0.0, -5.0}}) {
         const int vertex = mesh.add_vertex(Vec3(x, y, 0.0), {2, 0});
         mesh.add_site({vertex, Vec2(x, y), Vec3(0.0, 0.0, 1.0)});
     }
-    const std::vector<std::array<int, 3>> corners{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {1, 3, 4}, {2, 4, 3}, {0, 2, 3}};
+    const std::vector<std::array<int, 3>> corners{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {1, 3, 4},
+                                                  {2, 4, 3}, {0, 2, 5}, {2, 3, 5}, {3, 0, 5}};
     std::map<std::pair<int, int>, int> half_edges;
     for (const auto& c : corners) {
         const int t = mesh.add_triangle(c, 0);
