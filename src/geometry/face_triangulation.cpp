@@ -9,6 +9,7 @@
 #include "base/predicates.h"
 #include "geometry/face_border.h"
 #include "geometry/space_flips.h"
+#include "geometry/triangle_fault.h"
 #include "geometry/turned_face.h"
 
 namespace mq::geometry {
@@ -17,22 +18,18 @@ namespace {
 
 using Site = FaceTriangulation::Site;
 using Link = FaceTriangulation::Link;
+using Fault = TriangleFault;
 using Corners = std::array<int, 3>;
 
-// A triangle is coarse when normals at its corners, at its centroid and its own differ by more: 35 degrees leave room
-// below the 60 degrees that the refinement relies on.
-const double kCosMaxTurn = std::cos(35.0 * M_PI / 180.0);
-// At the apex of a cone every triangle turns, however small; it only must not fold.
-const double kCosMaxTurnAtApex = std::cos(70.0 * M_PI / 180.0);
 constexpr double kMinDeviations = 20.0;
 constexpr double kMinHeights = 3.0;  // times the deviation
-// Of a triangle's height: one whose surface bulges more cuts through a slender part and out on its other side.
-constexpr double kMaxSag = 0.5;
 constexpr double kTurnThatCounts = 10.0 * M_PI / 180.0;
 constexpr double kMinPart = 1e-4;
 // A surface with a kink keeps its turn however often the sides across it are halved.
 constexpr int kMaxLevel = 8;
 constexpr int kMaxRounds = 40;
+// What so many rounds leave turned are slivers, Delaunay in (u, v) only, or lies beyond chords of the border.
+constexpr int kPatience = 16;
 constexpr int kMaxSites = 40000;
 
 class FaceMesher {
@@ -59,9 +56,8 @@ class FaceMesher {
     void insert_inner();
     void check_halving();
     bool refine_round();
-    enum class Fault { None, Turned, Sagging };
     int side_to_split(int t, Fault fault) const;
-    Fault fault_of(int t, const Answer& at_centroid) const;
+    Fault fault(int t, const Answer& at_centroid) const;
     void ask_to_split(int t, Fault fault, std::set<std::array<int, 2>>& sides);
     bool crowds(int a, int b, const Vec3& p) const;
     bool insert_midpoints(const std::set<std::array<int, 2>>& sides);
@@ -90,7 +86,8 @@ class FaceMesher {
     std::vector<int> level_;                  // per site: how many halvings led to it, 0 on the border
     std::vector<char> inside_;
     std::set<Corners> fine_;  // triangles that passed the test once
-    double smallest_ = 0.0;   // triangles smaller than this need not follow the surface: it may fold itself
+    bool late_ = false;
+    double smallest_ = 0.0;  // triangles smaller than this need not follow the surface: it may fold itself
     FaceTriangulation result_;
 };
 
@@ -107,9 +104,10 @@ FaceTriangulation FaceMesher::run() {
     insert_inner();
     check_halving();
     for (int round = 0; round < kMaxRounds && result_.marks.empty(); ++round) {
-        if (!inner_.empty() && !border_.plane) {
-            SpaceFlips{*tri_, result_.sites, site_of_, inside_, session_.topology().faces[face_].reversed, kCosMaxTurn}
-                .run();
+        late_ = round >= kPatience;
+        if (!border_.plane && (late_ || !inner_.empty())) {
+            const bool reversed = session_.topology().faces[face_].reversed;
+            SpaceFlips{*tri_, result_.sites, site_of_, inside_, reversed, kCosMaxTurn, !inner_.empty()}.run();
         }
         if (!refine_round()) {
             break;
@@ -329,48 +327,22 @@ void FaceMesher::check_halving() {
     }
 }
 
-// What keeps a triangle from standing for its piece of the surface.
-FaceMesher::Fault FaceMesher::fault_of(int t, const Answer& at_centroid) const {
-    const Site* s[3] = {&corner_site(3 * t), &corner_site(3 * t + 1), &corner_site(3 * t + 2)};
-    Vec3 sides[3];
+Fault FaceMesher::fault(int t, const Answer& at_centroid) const {
+    const std::array<const Site*, 3> s{&corner_site(3 * t), &corner_site(3 * t + 1), &corner_site(3 * t + 2)};
     double longest = 0.0;
     for (int i = 0; i < 3; ++i) {
-        const int h = 3 * t + i;
-        sides[i] = s[(i + 1) % 3]->point - s[i]->point;
-        longest = std::max(longest, sides[i].norm());
+        longest = std::max(longest, (s[(i + 1) % 3]->point - s[i]->point).norm());
         if (same_vertex(*s[i], *s[(i + 1) % 3])) {
             // At a pole it will be dropped. Otherwise it meets one vertex twice around the face.
-            const int label = tri_->label(h);
+            const int label = tri_->label(3 * t + i);
             return label >= 0 && border_.pieces[label].collapsed() ? Fault::None : Fault::Sagging;
         }
     }
     if (border_.plane || longest < smallest_) {
         return Fault::None;
     }
-    Vec3 own = sides[0].cross(sides[1]);
-    if (session_.topology().faces[face_].reversed) {
-        own = -own;
-    }
-    const double height = own.norm() / longest;
-    if (height < kMinHeights * border_.deviation) {
-        return Fault::None;
-    }
-    own.normalize();
-    double worst = own.dot(at_centroid.normal);
-    bool singular = false;
-    for (const Site* corner : s) {
-        if (corner->normal.squaredNorm() > 0.0) {
-            worst = std::min({worst, own.dot(corner->normal), at_centroid.normal.dot(corner->normal)});
-        } else {
-            singular = true;
-        }
-    }
-    const Vec3 centroid = (s[0]->point + s[1]->point + s[2]->point) / 3.0;
-    const double sag = std::abs(own.dot(at_centroid.point - grid_.to_part(centroid)));
-    if (!singular && sag > kMaxSag * height && sag > reach()) {
-        return Fault::Sagging;
-    }
-    return worst < (singular ? kCosMaxTurnAtApex : kCosMaxTurn) ? Fault::Turned : Fault::None;
+    return fault_of({s, at_centroid.point - grid_.origin(), at_centroid.normal,
+                     session_.topology().faces[face_].reversed, kMinHeights * border_.deviation, reach()});
 }
 
 // The side over which the surface turns most, or the longest in the scaled domain where the triangle is only too thin
@@ -433,12 +405,12 @@ bool FaceMesher::refine_round() {
     result_.unresolved = 0;
     for (std::size_t i = 0; i < untested.size(); ++i) {
         const int t = untested[i];
-        const Fault fault = fault_of(t, answers[i]);
-        if (fault == Fault::None) {
+        const Fault found = fault(t, answers[i]);
+        if (found == Fault::None) {
             fine_.insert({tri_->corner(3 * t), tri_->corner(3 * t + 1), tri_->corner(3 * t + 2)});
         } else {
             ++result_.unresolved;
-            ask_to_split(t, fault, sides);
+            ask_to_split(t, found, sides);
         }
     }
     return insert_midpoints(sides);

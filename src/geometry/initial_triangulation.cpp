@@ -8,9 +8,9 @@ namespace mq::geometry {
 namespace {
 
 // Every round halves the pieces that stand in some face's way. A gap of 1e-6 of an edge takes twenty rounds.
-constexpr int kMaxRounds = 24;
+constexpr int kMaxRounds = 32;
 // Rounds in which faces may ask for shorter pieces to follow their surface; later ones only untangle borders.
-constexpr int kShapingRounds = 8;
+constexpr int kShapingRounds = 16;
 
 std::vector<int> faces_of(const Topology& topology, const std::set<int>& edges) {
     std::set<int> faces;

@@ -38,7 +38,7 @@ bool SpaceFlips::better_flipped(int h) const {
     }
     const double now = std::min(uprightness(a, b, c), uprightness(b, a, d));
     const double then = std::min(uprightness(a, d, c), uprightness(d, b, c));
-    return then > now + kRounding || (now == upright && then == upright &&
+    return then > now + kRounding || (for_angles && now == upright && then == upright &&
                                       !locally_maxmin(site(a).point, site(b).point, site(c).point, site(d).point));
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/initial_triangulation.h"
 
+#include <BRepBuilderAPI_GTransform.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
 #include <cmath>
+#include <gp_GTrsf.hxx>
 #include <map>
 
 #include "base/error.h"
@@ -143,6 +146,34 @@ TEST(InitialTriangulation, CoversEveryFaceOfEveryPart) {
             ASSERT_NO_FATAL_FAILURE(expect_links(c, f));
             ASSERT_NO_FATAL_FAILURE(expect_sites_on_surface(c, f));
             ASSERT_NO_FATAL_FAILURE(expect_normals(c, f));
+        }
+    }
+}
+
+/// A disc with both rims rounded off, stretched: the strips of spline surfaces are hundreds of times as long as wide,
+/// and turn by a right angle across.
+TopoDS_Shape stretched_disc(double fillet) {
+    const TopoDS_Shape disc = BRepPrimAPI_MakeCylinder(6.5, 0.9).Shape();
+    BRepFilletAPI_MakeFillet rounded(disc);
+    for (TopExp_Explorer it(disc, TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+        if (!BRep_Tool::Degenerated(edge) && BRep_Tool::IsClosed(edge)) {
+            rounded.Add(fillet, edge);
+        }
+    }
+    gp_GTrsf stretch;
+    stretch.SetValue(1, 1, 1.65);
+    return BRepBuilderAPI_GTransform(rounded.Shape(), stretch).Shape();
+}
+
+TEST(InitialTriangulation, FollowsNarrowStripsThatTurnAcross) {
+    for (const double fillet : {0.003, 0.01, 0.03}) {
+        SCOPED_TRACE(fillet);
+        const Case c(solid("stretched disc", stretched_disc(fillet)));
+        ASSERT_TRUE(c.initial.failures.empty());
+        ASSERT_GE(c.initial.faces.size(), 5u);
+        for (const FaceTriangulation& face : c.initial.faces) {
+            EXPECT_EQ(face.unresolved, 0) << face.triangles.size() << " triangles";
         }
     }
 }
