@@ -311,28 +311,16 @@ bool Coarsener::still_good(const Plan& plan) const {
     return true;
 }
 
-void Coarsener::settle(const std::vector<int>& triangles) {
-    for (const int t : triangles) {
-        for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            half_edge_of_[static_cast<std::size_t>(work_.mesh.vertex_of(h))] = h;
-        }
-    }
-}
-
 // @param around takes the vertices that the changed triangles have.
 void Coarsener::carry_out(const Plan& plan, std::vector<int>& around) {
     std::vector<SurfaceMesh::Refill> refills;
-    std::optional<Exemption> reason;
+    std::vector<int> removed;
     for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
-        refills.push_back({plan.polygons[k].triangles, plan.fans[k].triangles, plan.polygons[k].base});
-        for (const int t : plan.polygons[k].triangles) {
-            const Exemption* exemption = work_.exemption_of(t);
-            reason = exemption != nullptr ? std::optional(*exemption) : reason;
-        }
-        for (const int t : plan.polygons[k].triangles) {
-            work_.exempt.erase(t);
-        }
+        const std::vector<int>& triangles = plan.polygons[k].triangles;
+        refills.push_back({triangles, plan.fans[k].triangles, plan.polygons[k].base});
+        removed.insert(removed.end(), triangles.begin(), triangles.end());
     }
+    const std::optional<Exemption> reason = take_exemptions(work_, removed);
     half_edge_of_[static_cast<std::size_t>(plan.vertex)] = -1;
     std::vector<int> added;
     if (plan.near < 0) {
@@ -341,15 +329,10 @@ void Coarsener::carry_out(const Plan& plan, std::vector<int>& around) {
         added = work_.maxmin.join_segments(plan.near, plan.far, refills);
         segments_at_[static_cast<std::size_t>(work_.mesh.segment(plan.near).vertices[1])][0] = plan.near;
     }
-    settle(added);
-    for (const int t : added) {
-        if (reason && smallest_angle(work_.mesh, t).angle < bound_) {
-            reason->stamp = work_.mesh.stamp(t);
-            work_.exempt[t] = *reason;
-        }
-    }
+    exempt_bad(work_, added, bound_, reason);
     for (const int t : added) {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            half_edge_of_[static_cast<std::size_t>(work_.mesh.vertex_of(h))] = h;
             around.push_back(work_.mesh.vertex_of(h));
         }
     }

@@ -55,7 +55,6 @@ class Coarsener {
                     std::vector<Probe>& probes) const;
     bool still_good(const Plan& plan) const;
     void carry_out(const Plan& plan, std::vector<int>& around);
-    void settle(const std::vector<int>& triangles);
 
     Workspace& work_;
     const ChordMeasure& measure_;

@@ -9,22 +9,6 @@
 
 namespace mq::triangulate {
 
-namespace {
-
-// One of the disc's exemptions stands for all of them.
-std::optional<Exemption> reason_of(const Workspace& work, const Disc& disc) {
-    std::optional<Exemption> reason;
-    for (const int t : disc.triangles) {
-        const Exemption* exemption = work.exemption_of(t);
-        if (exemption != nullptr && (!reason || exemption->cause == Cause::NarrowCluster)) {
-            reason = *exemption;
-        }
-    }
-    return reason;
-}
-
-}  // namespace
-
 bool within_bounds(const Workspace& work, const Sizing& sizing, const Disc& disc, const Corner& apex, int apex_site) {
     return std::all_of(disc.rim.begin(), disc.rim.end(), [&](int side) {
         const Corner corner = corner_of(work.mesh, work.mesh.site_of(side));
@@ -36,18 +20,31 @@ bool within_bounds(const Workspace& work, const Sizing& sizing, const Disc& disc
     });
 }
 
-std::vector<int> put_fan(Workspace& work, const Disc& disc, int apex_site, double bound) {
-    std::optional<Exemption> reason = reason_of(work, disc);
-    for (const int t : disc.triangles) {
+std::optional<Exemption> take_exemptions(Workspace& work, const std::vector<int>& triangles) {
+    std::optional<Exemption> reason;
+    for (const int t : triangles) {
+        const Exemption* exemption = work.exemption_of(t);
+        if (exemption != nullptr && (!reason || exemption->cause == Cause::NarrowCluster)) {
+            reason = *exemption;
+        }
         work.exempt.erase(t);
     }
-    std::vector<int> added = work.maxmin.replace(disc.triangles, fan(work.mesh, disc, apex_site));
-    for (const int t : added) {
+    return reason;
+}
+
+void exempt_bad(Workspace& work, const std::vector<int>& triangles, double bound, std::optional<Exemption> reason) {
+    for (const int t : triangles) {
         if (reason && smallest_angle(work.mesh, t).angle < bound) {
             reason->stamp = work.mesh.stamp(t);
             work.exempt[t] = *reason;
         }
     }
+}
+
+std::vector<int> put_fan(Workspace& work, const Disc& disc, int apex_site, double bound) {
+    const std::optional<Exemption> reason = take_exemptions(work, disc.triangles);
+    std::vector<int> added = work.maxmin.replace(disc.triangles, fan(work.mesh, disc, apex_site));
+    exempt_bad(work, added, bound, reason);
     return added;
 }
 

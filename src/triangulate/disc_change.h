@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,11 @@ namespace mq::triangulate {
 
 /// Whether the spokes of a fan keep the bounds on lengths and turns. `apex_site` as for fan_angle.
 bool within_bounds(const Workspace& work, const Sizing& sizing, const Disc& disc, const Corner& apex, int apex_site);
+
+/// Takes the exemptions of triangles that are about to go. One of them stands for all.
+std::optional<Exemption> take_exemptions(Workspace& work, const std::vector<int>& triangles);
+/// Gives it to those of their successors that have an angle below `bound` (radians).
+void exempt_bad(Workspace& work, const std::vector<int>& triangles, double bound, std::optional<Exemption> reason);
 
 /// Puts the fan from a site in the place of the disc's triangles. What has an angle below `bound` (radians) among them
 /// is exempt for the reason that was there.
