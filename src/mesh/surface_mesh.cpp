@@ -31,7 +31,11 @@ int SurfaceMesh::add_triangle(const std::array<int, 3>& sites, int face) {
         number_.push_back(-1);
     }
     face_.push_back(face);
-    stamp_.push_back(0);
+    if (stamp_.size() < face_.size()) {
+        stamp_.push_back(0);
+    } else {
+        ++stamp_[face_.size() - 1];  // of a triangle that was there before: what was said of that must not hold for this
+    }
     return triangle_count() - 1;
 }
 
@@ -274,7 +278,6 @@ void SurfaceMesh::drop_last_triangle() {
     twin_.resize(twin_.size() - 3);
     number_.resize(number_.size() - 3);
     face_.pop_back();
-    stamp_.pop_back();
 }
 
 bool SurfaceMesh::leads_to(int h, int vertex) const {

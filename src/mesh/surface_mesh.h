@@ -152,7 +152,7 @@ class SurfaceMesh {
     std::vector<int> twin_;    // half-edge, or ~segment
     std::vector<int> number_;  // of the edge
     std::vector<int> face_;
-    std::vector<std::uint32_t> stamp_;
+    std::vector<std::uint32_t> stamp_;  // also of triangles that are gone from the end
     int numbers_ = 0;
 };
 

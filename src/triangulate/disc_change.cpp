@@ -2,6 +2,7 @@
 #include "triangulate/disc_change.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "base/angle.h"
@@ -49,6 +50,9 @@ std::vector<int> put_fan(Workspace& work, const Disc& disc, int apex_site, doubl
 }
 
 std::vector<std::pair<int, int>> close_gaps(Workspace& work) {
+    for (auto it = work.exempt.begin(); it != work.exempt.end();) {
+        it = work.exemption_of(it->first) == nullptr ? work.exempt.erase(it) : std::next(it);
+    }
     std::vector<std::pair<int, int>> moved = work.mesh.compact();
     for (const auto& [from, to] : moved) {
         const auto found = work.exempt.find(from);

@@ -471,6 +471,23 @@ TEST(SurfaceMesh, NumbersOfEdgesStayWithTheirVertices) {
     }
 }
 
+/// A triangle in the place of one that is gone must not be taken for it.
+TEST(SurfaceMesh, StampsGoOnWherePlacesAreTakenAgain) {
+    SurfaceMesh mesh = samples::sheet(3, 2);
+    const int last = mesh.triangle_count();
+    const int site = mesh.add_site({mesh.add_vertex(Vec3(0.4, 0.2, 0), {2, 0})});
+    const std::array<int, 3> corners{mesh.site_of(0), mesh.site_of(1), mesh.site_of(2)};
+    const std::array<int, 3> made = mesh.split_triangle(0, site);
+    ASSERT_EQ(made[2], last + 1);
+    const std::uint32_t before = mesh.stamp(last);
+    mesh.replace({made[0], made[1], made[2]}, {corners});
+    mesh.compact();
+    ASSERT_EQ(mesh.triangle_count(), last);
+    mesh.split_triangle(0, site);
+    EXPECT_GT(mesh.stamp(last), before);
+    EXPECT_EQ(mesh.inconsistency(), "");
+}
+
 TEST(SurfaceMesh, InconsistencyNamesLooseAndWrongHalfEdges) {
     SurfaceMesh mesh;
     std::array<int, 4> sites{};
