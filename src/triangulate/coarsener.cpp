@@ -22,10 +22,11 @@ constexpr double kMargin = 1.04;
 // Of the tolerance. A vertex is kept where an edge at it is higher than the first: edges become about twice as long
 // without it, and four times as high. Between the places that are measured the mesh may be a little farther.
 constexpr double kFlat = 0.6;
-constexpr double kNear = 0.97;
+constexpr double kNear = 0.94;
 constexpr double kExact = 2.0;  // in steps of single precision: flat places are off by so much
 constexpr int kMaxRounds = 12;
-constexpr double kGain = 1.1;  // of angles below the bound
+constexpr double kGain = 1.1;      // of angles below the bound
+constexpr double kNoNeedle = 0.1;  // of the bound
 constexpr std::array<double, 3> kOnCurve{0.35, 0.5, 0.65};
 
 }  // namespace
@@ -113,12 +114,12 @@ std::optional<Coarsener::Plan> Coarsener::plan_for(int vertex) const {
     return plan;
 }
 
-// Where there are smaller angles than the bound now, more than these will do.
+// Where there are smaller angles than the bound now, more than these will do, but no needle takes the place of another.
 double Coarsener::least_angle(const StarPolygon& polygon) const {
     double least = least_angle_;
     for (const int t : polygon.triangles) {
         if (work_.exemption_of(t) != nullptr) {
-            least = std::min(least, kGain * smallest_angle(work_.mesh, t).angle);
+            least = std::min(least, std::max(kGain * smallest_angle(work_.mesh, t).angle, kNoNeedle * bound_));
         }
     }
     return least;
@@ -239,12 +240,9 @@ void Coarsener::add_probes(const Plan& plan, std::size_t index, geometry::Engine
             const SurfaceMesh::Site& a = mesh.site(t[0]);
             const SurfaceMesh::Site& b = mesh.site(t[1]);
             const SurfaceMesh::Site& c = mesh.site(t[2]);
-            const TrianglePeak peak = triangle_peak(middle_height(a, b), middle_height(b, c), middle_height(c, a));
-            const auto& w = peak.weights;
-            if (peak.height > 0.0) {
-                add_on_face(face, w[0] * a.point + w[1] * b.point + w[2] * c.point,
-                            w[0] * a.uv + w[1] * b.uv + w[2] * c.uv, false);
-            }
+            const auto w = expected_peak(a, b, c).weights;
+            add_on_face(face, w[0] * a.point + w[1] * b.point + w[2] * c.point, w[0] * a.uv + w[1] * b.uv + w[2] * c.uv,
+                        false);
         }
         for (const int t : sizing_.tolerance > 0.0 ? std::vector<int>() : polygon.triangles) {
             for (int h = 3 * t; h < 3 * t + 3; ++h) {

@@ -51,10 +51,6 @@ EdgePeak edge_peak(const SurfaceMesh::Site& from, const SurfaceMesh::Site& to) {
     return peak;
 }
 
-double middle_height(const SurfaceMesh::Site& from, const SurfaceMesh::Site& to) {
-    return cubic_between(from, to).at(0.5);
-}
-
 TrianglePeak triangle_peak(double ab, double bc, double ca) {
     const bool same_side = (ab > 0.0 && bc > 0.0 && ca > 0.0) || (ab < 0.0 && bc < 0.0 && ca < 0.0);
     const double a = bc * (ab + ca - bc);
@@ -66,6 +62,13 @@ TrianglePeak triangle_peak(double ab, double bc, double ca) {
     const double sum = a + b + c;
     const std::array<double, 3> w{a / sum, b / sum, c / sum};
     return {w, 4.0 * std::abs(w[0] * w[1] * ab + w[1] * w[2] * bc + w[2] * w[0] * ca)};
+}
+
+TrianglePeak expected_peak(const SurfaceMesh::Site& a, const SurfaceMesh::Site& b, const SurfaceMesh::Site& c) {
+    const TrianglePeak peak =
+        triangle_peak(cubic_between(a, b).at(0.5), cubic_between(b, c).at(0.5), cubic_between(c, a).at(0.5));
+    constexpr double kThird = 1.0 / 3.0;
+    return peak.height > 0.0 ? peak : TrianglePeak{{kThird, kThird, kThird}, 0.0};
 }
 
 }  // namespace mq::triangulate

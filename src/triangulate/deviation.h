@@ -18,9 +18,6 @@ EdgePeak edge_peak(const mesh::SurfaceMesh& mesh, int half_edge);
 /// Of an edge that need not be there.
 EdgePeak edge_peak(const mesh::SurfaceMesh::Site& from, const mesh::SurfaceMesh::Site& to);
 
-/// Over the middle of the edge, with the sign of the side; 0 where an end has no normal.
-double middle_height(const mesh::SurfaceMesh::Site& from, const mesh::SurfaceMesh::Site& to);
-
 /// Over a triangle the surface is taken for a quadratic, which the heights over the middles of the sides determine.
 struct TrianglePeak {
     std::array<double, 3> weights{};  ///< barycentric
@@ -28,5 +25,8 @@ struct TrianglePeak {
 };
 /// `ab`, `bc`, `ca`: heights over the middles of the sides, with sign, mm.
 TrianglePeak triangle_peak(double ab, double bc, double ca);
+/// With the heights that the slopes at the corners let expect; where that tells nothing, the centroid.
+TrianglePeak expected_peak(const mesh::SurfaceMesh::Site& a, const mesh::SurfaceMesh::Site& b,
+                           const mesh::SurfaceMesh::Site& c);
 
 }  // namespace mq::triangulate

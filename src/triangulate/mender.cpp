@@ -30,7 +30,7 @@ constexpr int kMaxGrowth = 3;
 constexpr double kRoom = 3.0 * M_PI / 180.0;
 constexpr int kMaxRounds = 4;
 constexpr double kMaxLift = 0.5;
-constexpr double kNear = 0.97;  // of the tolerance: between the places that are measured the mesh may be farther
+constexpr double kNear = 0.94;  // of the tolerance: between the places that are measured the mesh may be farther
 
 void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<Disc>& discs) {
     if (auto disc = disc_of(mesh, std::move(triangles))) {
@@ -275,25 +275,26 @@ bool Mender::good_enough(const Disc& disc, const Corner& apex, int apex_site, do
            within_bounds(work_, sizing_, disc, apex, apex_site);
 }
 
-// Over the middles of the spokes, where they are expected to be farthest, and over the centroids of a fan's triangles.
+// Over the middles of the spokes, and where these and the fan's triangles are expected to be farthest.
 double Mender::distance_of_fan(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
     const SurfaceMesh& mesh = work_.mesh;
+    const SurfaceMesh::Site top{-1, uv, apex.normal, apex.point};
     geometry::Engine::Batch batch;
     const int face = mesh.face_of(disc.triangles.front());
     const auto add = [&](const Vec3& p, const Vec2& at) {
         batch.push_back(Query::face_nearest(face, work_.grid.to_part(p), at.x(), at.y()));
     };
     for (const int side : disc.rim) {
-        const int next = SurfaceMesh::next(side);
-        const Vec2& a = mesh.site(mesh.site_of(side)).uv;
-        const Vec2& b = mesh.site(mesh.site_of(next)).uv;
-        add(0.5 * (mesh.point_of(side) + apex.point), 0.5 * (a + uv));
-        const double at = edge_peak(mesh.site(mesh.site_of(side)), {-1, uv, apex.normal, apex.point}).at;
+        const SurfaceMesh::Site& a = mesh.site(mesh.site_of(side));
+        const SurfaceMesh::Site& b = mesh.site(mesh.site_of(SurfaceMesh::next(side)));
+        add(0.5 * (a.point + top.point), 0.5 * (a.uv + uv));
+        const double at = edge_peak(a, top).at;
         if (at != 0.5) {
-            add((1.0 - at) * mesh.point_of(side) + at * apex.point, (1.0 - at) * a + at * uv);
+            add((1.0 - at) * a.point + at * top.point, (1.0 - at) * a.uv + at * uv);
         }
-        if (mesh.site_of(side) != apex_site && mesh.site_of(next) != apex_site) {
-            add((mesh.point_of(side) + mesh.point_of(next) + apex.point) / 3.0, (a + b + uv) / 3.0);
+        if (mesh.site_of(side) != apex_site && mesh.site_of(SurfaceMesh::next(side)) != apex_site) {
+            const auto w = expected_peak(a, b, top).weights;
+            add(w[0] * a.point + w[1] * b.point + w[2] * top.point, w[0] * a.uv + w[1] * b.uv + w[2] * uv);
         }
     }
     return largest_distance(work_.session.ask(std::move(batch)));

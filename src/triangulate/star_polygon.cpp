@@ -66,8 +66,11 @@ std::optional<StarPolygon> star_polygon(const SurfaceMesh& mesh, int half_edge) 
         polygon.base = {polygon.sides.back()[1], polygon.sides.front()[0]};
         polygon.sides.push_back(polygon.base);
     }
-    for (const auto& side : polygon.sides) {
-        vertices.push_back(mesh.site(side[0]).vertex);
+    for (std::size_t i = 0; i < polygon.sides.size(); ++i) {
+        vertices.push_back(mesh.site(polygon.sides[i][0]).vertex);
+        if (polygon.sides[i][1] != polygon.sides[(i + 1) % polygon.sides.size()][0]) {
+            return std::nullopt;  // a pole, with a site for each of its images in the parameter domain
+        }
     }
     std::sort(vertices.begin(), vertices.end());
     if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end()) {
@@ -108,8 +111,8 @@ bool fan_aligned(const SurfaceMesh& mesh, const StarPolygon& polygon, const Poly
     for (const auto& t : fan.triangles) {
         worst = std::min(worst, alignment(corner_of(mesh, t[0]), corner_of(mesh, t[1]), corner_of(mesh, t[2])));
     }
-    return worst >= aligned || std::any_of(polygon.triangles.begin(), polygon.triangles.end(),
-                                           [&](int t) { return alignment(mesh, t) <= worst; });
+    return worst >= aligned || (worst >= kAligned && std::any_of(polygon.triangles.begin(), polygon.triangles.end(),
+                                                                 [&](int t) { return alignment(mesh, t) <= worst; }));
 }
 
 // All inner edges of the polygon end at its vertex, so an edge between two of its corners lies outside.

@@ -17,8 +17,8 @@ struct StarPolygon {
     Vec3 normal = Vec3::Zero();             ///< sum of the triangles' normals, each as long as twice its area
 };
 
-/// Of the vertex that `half_edge` leaves. No value where a vertex is on the outline twice, or a triangle fills a narrow
-/// corner of the part.
+/// Of the vertex that `half_edge` leaves. No value where a vertex is on the outline twice or with two sites, or a
+/// triangle fills a narrow corner of the part.
 std::optional<StarPolygon> star_polygon(const mesh::SurfaceMesh& mesh, int half_edge);
 
 /// A triangulation of the polygon: all triangles from one of its corners.
@@ -30,7 +30,8 @@ struct PolygonFan {
 
 /// The fans whose angles reach `least_angle` (radians), the best first.
 std::vector<PolygonFan> fans_of(const mesh::SurfaceMesh& mesh, const StarPolygon& polygon, double least_angle);
-/// Whether the fan is aligned with the surface (see alignment) by `aligned`, or no less than what is there.
+/// Whether the fan is aligned with the surface (see alignment) by `aligned`, or, down to kAligned, no less than what is
+/// there.
 bool fan_aligned(const mesh::SurfaceMesh& mesh, const StarPolygon& polygon, const PolygonFan& fan, double aligned);
 /// Whether the fan makes no edge that is there already.
 bool fan_legal(const mesh::SurfaceMesh& mesh, const Maxmin& maxmin, const StarPolygon& polygon, int apex_site);

@@ -83,7 +83,8 @@ std::string failed_faces(const geometry::InitialTriangulation& initial) {
     return text;
 }
 
-// Samples and the paper's mesh are what was asked for; where smooth edges are released, that begins with their vertices.
+// Samples and the paper's mesh are what was asked for; where smooth edges are released, that begins with their
+// vertices.
 bool coarsens(Workspace& work, const Options& options) {
     if (options.method != Method::Refine || options.insertion == Insertion::Paper || work.over_budget()) {
         return false;

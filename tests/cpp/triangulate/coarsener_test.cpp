@@ -105,6 +105,20 @@ TEST(Coarsener, TakesOutWhatOnlyABoundThatIsGoneNeeded) {
     EXPECT_LT(refined.distance(), 1e-6);
 }
 
+/// Poles have a site for each of their images in the parameter domain: what is taken out beside them must not mix these
+/// up.
+TEST(Coarsener, LeavesEveryPartConsistentHoweverFewVerticesAreLeft) {
+    for (const geometry::Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        const double size = part.model->topology().box.largest_side();
+        Refined refined(part.model, 0.0, 0.07 * size);
+        const Sizing loose{0.5 * size, EdgeBounds(part.model->topology(), 0.0, {}), 0.0, 0.0};
+        Coarsener(refined.pipeline.work, refined.chords, kAngle, loose, refined.first_vertex).run();
+        EXPECT_EQ(refined.pipeline.surface.inconsistency(), "");
+        EXPECT_TRUE(refined.pipeline.maxmin.doubled_edges().empty());
+    }
+}
+
 TEST(Coarsener, KeepsABoundOnLengths) {
     const auto model = block();
     const double longest = 0.2 * model->topology().box.largest_side();
