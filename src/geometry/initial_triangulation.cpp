@@ -25,12 +25,18 @@ std::vector<int> faces_of(const Topology& topology, const std::set<int>& edges) 
 }  // namespace
 
 InitialTriangulation triangulate_initially(Session& session, const SingleGrid& grid, Progress& progress) {
+    return triangulate_the_rest(session, grid, {EdgeChains(session, grid), {}, {}}, progress);
+}
+
+InitialTriangulation triangulate_the_rest(Session& session, const SingleGrid& grid, InitialTriangulation begun,
+                                          Progress& progress) {
     const Topology& topology = session.topology();
-    InitialTriangulation result{EdgeChains(session, grid), {}, {}};
+    InitialTriangulation result = std::move(begun);
     result.faces.resize(topology.faces.size());
     std::vector<int> open;
     for (int f = 0; f < static_cast<int>(topology.faces.size()); ++f) {
-        if (!topology.faces[f].no_area) {  // the others are left out; the part's faults name them
+        // Those without an area are left out; the part's faults name them.
+        if (!topology.faces[f].no_area && result.faces[f].triangles.empty()) {
             open.push_back(f);
         }
     }

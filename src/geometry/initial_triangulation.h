@@ -21,4 +21,9 @@ struct InitialTriangulation {
 
 InitialTriangulation triangulate_initially(Session& session, const SingleGrid& grid, Progress& progress);
 
+/// Triangulates the other faces where some have their triangles over the chains already. These stay as they are unless
+/// a piece of their border must be halved for a face beside them: then they are triangulated anew.
+InitialTriangulation triangulate_the_rest(Session& session, const SingleGrid& grid, InitialTriangulation begun,
+                                          Progress& progress);
+
 }  // namespace mq::geometry

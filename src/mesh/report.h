@@ -52,6 +52,8 @@ struct MeshReport {
     std::vector<std::string> notes;  ///< what the reader must know: faults of the part, budget reached, ...
     bool complete = true;            ///< false when a budget ended the work early
 
+    std::size_t reused_faces = 0;  ///< CAD faces whose triangles are all those of the run before
+
     StageTimes seconds;
     double cpu_seconds = 0.0;
     std::uint64_t queries = 0;

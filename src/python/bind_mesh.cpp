@@ -177,6 +177,7 @@ void bind_report(py::module_& m) {
         .def_property_readonly(
             "seconds", [](const MeshReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")
         .def_readonly("cpu_seconds", &MeshReport::cpu_seconds)
+        .def_readonly("reused_faces", &MeshReport::reused_faces, "CAD faces that kept the triangles of the run before")
         .def_readonly("queries", &MeshReport::queries, "queries to the geometry engine")
         .def_readonly("predicates", &MeshReport::predicates)
         .def_readonly("exact_predicates", &MeshReport::exact_predicates, "predicates that needed exact arithmetic")

@@ -18,6 +18,7 @@
 #include "python/part_shape.h"
 #include "python/stopwatch.h"
 #include "python/watch.h"
+#include "triangulate/memory.h"
 #include "triangulate/triangulate.h"
 
 namespace py = pybind11;
@@ -32,7 +33,8 @@ using triangulate::Result;
 constexpr const char* kCopied =
     "this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text";
 
-std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& options, const py::object& progress) {
+std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& options, const py::object& progress,
+                                          triangulate::Memory* memory) {
     options.validate();
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
@@ -41,7 +43,7 @@ std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& 
         handle.stage("reading the shape", 0.0, 0.0);
         engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
         const double reading = watch_all.wall();
-        auto result = std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle));
+        auto result = std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle, memory));
         result->report.seconds.insert(result->report.seconds.begin(), {"read the shape", reading});
         result->report.cpu_seconds = watch_all.cpu();
         if (!part.live) {
@@ -160,8 +162,14 @@ void bind_triangulate(py::module_& m) {
     def_named(options, "keep_edges", &Options::keep_edges, kKeepEdges);
     def_named(options, "method", &Options::method, kMethods);
     def_named(options, "connectivity", &Options::connectivity, kConnectivities);
-    m.def("triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),
-          "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel.");
+    py::class_<triangulate::Memory>(m, "Memory", "What one call of triangulate leaves for the next one.")
+        .def(py::init<>())
+        .def("__len__", [](const triangulate::Memory& memory) { return memory.faces.size(); });
+    m.def(
+        "triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),
+        py::arg("memory").none(true) = py::none(),
+        "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel. Faces that are "
+        "in the memory start as they were; it then holds those of this call.");
     m.def("measure_against", &measure_against, py::arg("surface"), py::arg("shape"), py::arg("progress") = py::none(),
           "The surface's report with its largest distance to the faces of a Part.Shape.");
     m.def("triangle_deviations", &triangle_deviations, py::arg("surface"), py::arg("shape"),

@@ -92,6 +92,31 @@ void ChordMeasure::keep(int half_edge, double tolerance, const Distance& distanc
     known.avoidable = static_cast<float>(distance.avoidable);
 }
 
+ChordMeasure::Measured ChordMeasure::measured(int half_edge) const {
+    const int s = work_.mesh.segment_of(half_edge);
+    const Known& k = known(s >= 0 ? half_edge_of(s) : half_edge);
+    Measured result{k.tolerance, k.distance, k.avoidable, k.height, {}};
+    const auto found = offsets_.find(ends_key(half_edge));
+    if (s >= 0 && found != offsets_.end()) {
+        result.offset = found->second;
+    }
+    return result;
+}
+
+void ChordMeasure::take(int half_edge, const Measured& measured) {
+    const int s = work_.mesh.segment_of(half_edge);
+    known_.resize(static_cast<std::size_t>(work_.mesh.number_count()));
+    known_[static_cast<std::size_t>(work_.mesh.number_of(s >= 0 ? half_edge_of(s) : half_edge))] = {
+        measured.tolerance, measured.distance, measured.avoidable, measured.height};
+    if (s >= 0 && measured.tolerance >= 0.0F) {
+        offsets_[ends_key(half_edge)] = measured.offset;
+    }
+}
+
+std::uint64_t ChordMeasure::ends_key(int half_edge) const {
+    return pair_key(work_.mesh.vertex_of(half_edge), work_.mesh.vertex_of(SurfaceMesh::next(half_edge)));
+}
+
 void ChordMeasure::forget(int half_edge) {
     const int s = work_.mesh.segment_of(half_edge);
     const auto number = static_cast<std::size_t>(work_.mesh.number_of(s >= 0 ? half_edge_of(s) : half_edge));
@@ -237,8 +262,7 @@ double ChordMeasure::height(int half_edge) const {
     if (work_.mesh.segment_of(half_edge) < 0) {
         return static_cast<double>(known(half_edge).height);
     }
-    const auto found =
-        offsets_.find(pair_key(work_.mesh.vertex_of(half_edge), work_.mesh.vertex_of(SurfaceMesh::next(half_edge))));
+    const auto found = offsets_.find(ends_key(half_edge));
     if (found == offsets_.end()) {
         return 0.0;
     }

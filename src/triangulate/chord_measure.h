@@ -39,6 +39,17 @@ class ChordMeasure {
 
     /// Of an edge, or of a segment by its first half-edge, as last measured, mm; 0 when it was not.
     double distance_known(int half_edge) const { return static_cast<double>(known(half_edge).distance); }
+    /// All that was measured of an edge, to be given to an edge between the same points of another mesh.
+    struct Measured {
+        float tolerance = -1.0F;  ///< that it was measured for; below 0: it was not
+        float distance = 0.0F;
+        float avoidable = 0.0F;
+        float height = 0.0F;                    ///< over the middle, with the sign of the side; not of segments
+        std::array<double, 3> offset{0, 0, 0};  ///< of the middle of a segment from its curve
+    };
+    Measured measured(int half_edge) const;
+    void take(int half_edge, const Measured& measured);
+
     /// To measure an edge anew, or a segment by any of its half-edges.
     void forget(int half_edge);
 
@@ -53,6 +64,7 @@ class ChordMeasure {
     bool recall(int half_edge, Distance& result) const;
     void keep(int half_edge, double tolerance, const Distance& distance);
     int half_edge_of(int segment) const { return work_.mesh.segment(segment).uses.front().half_edge; }
+    std::uint64_t ends_key(int half_edge) const;
     double height(int half_edge) const;
     void measure_sites(const std::vector<int>& half_edges);
     double offset(int half_edge) const { return site_offsets_[work_.mesh.site_of(half_edge)]; }

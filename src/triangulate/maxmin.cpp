@@ -143,12 +143,12 @@ void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched, double 
     }
 }
 
-void Maxmin::sweep(std::vector<int>& touched) {
+void Maxmin::sweep(std::vector<int>& touched, const TriangleMarks& settled) {
     // A swap far away can free a pair of vertices that made another swap illegal, so one sweep may leave some behind.
     for (int round = 0; round < kMaxSweeps; ++round) {
         std::vector<int> stack;
         for (int h = mesh_.half_edge_count() - 1; h >= 0; --h) {
-            if (mesh_.twin(h) > h) {
+            if (mesh_.twin(h) > h && !settled.marked(mesh_, h / 3)) {
                 stack.push_back(h);
             }
         }

@@ -10,6 +10,7 @@
 #include "base/key_set.h"
 #include "mesh/surface_mesh.h"
 #include "triangulate/fold.h"
+#include "triangulate/triangle_marks.h"
 
 namespace mq::triangulate {
 
@@ -22,8 +23,8 @@ class Maxmin {
   public:
     explicit Maxmin(mesh::SurfaceMesh& mesh);
 
-    /// Swaps until no edge of the whole mesh violates the predicate.
-    void sweep(std::vector<int>& touched);
+    /// Swaps until no edge of the whole mesh violates the predicate, but for those beside the `settled` triangles.
+    void sweep(std::vector<int>& touched, const TriangleMarks& settled = {});
     /// Swaps until no edge reachable from `stack` violates it, forward and back: every swap puts the four edges around
     /// it on the stack again. Changed triangles are appended to `touched`. New triangles less aligned with their
     /// surface than `least` make a swap illegal, unless the old ones were worse.

@@ -33,7 +33,12 @@ constexpr double kMinTurned = 1e-3;
 }  // namespace
 
 Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion)
-    : work_(work), segments_(segments), bound_(min_angle_degrees * M_PI / 180.0), insertion_(insertion) {}
+    : work_(work),
+      segments_(segments),
+      bound_(min_angle_degrees * M_PI / 180.0),
+      insertion_(insertion),
+      turned_(work.settled),
+      looked_at_(work.settled) {}
 
 void Refiner::push_if_bad(int triangle) {
     const SmallestAngle smallest = smallest_angle(work_.mesh, triangle);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <optional>
 
 #include "base/predicates.h"
 #include "triangulate/assemble.h"
@@ -14,8 +15,10 @@
 #include "triangulate/final_report.h"
 #include "triangulate/mender.h"
 #include "triangulate/output.h"
+#include "triangulate/recall.h"
 #include "triangulate/refine.h"
 #include "triangulate/relics.h"
+#include "triangulate/remember.h"
 #include "triangulate/sampling.h"
 #include "triangulate/smooth_edges.h"
 
@@ -145,10 +148,12 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
 
 // The faces over shared edges: coarse, or over samples.
 SampledTriangulation first_triangulation(geometry::Session& session, const SingleGrid& grid, const Options& options,
-                                         double chord, Progress& progress, StageClock& clock) {
+                                         double chord, Recall* recall, Progress& progress, StageClock& clock) {
     const bool sampled = options.method != Method::Refine;
     progress.stage("initial triangulation", 0.0, sampled ? 0.05 : kFirstShare);
-    geometry::InitialTriangulation coarse = geometry::triangulate_initially(session, grid, progress);
+    geometry::InitialTriangulation coarse =
+        recall != nullptr ? geometry::triangulate_the_rest(session, grid, recall->begin(), progress)
+                          : geometry::triangulate_initially(session, grid, progress);
     clock.end("initial triangulation");
     if (!sampled) {
         return {std::move(coarse), {}, true};
@@ -175,7 +180,7 @@ void check_failures(const geometry::InitialTriangulation& faces, const Options& 
 }  // namespace
 
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options,
-                   Progress* progress) {
+                   Progress* progress, Memory* memory) {
     options.validate();
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
@@ -191,7 +196,14 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     check_against_part(options, topology, grid);
     const double chord = chord_height(options, topology.box);
 
-    const SampledTriangulation first = first_triangulation(session, grid, options, chord, watched, clock);
+    memory = options.method == Method::Refine ? memory : nullptr;
+    const auto keys = memory != nullptr ? keys_of_faces(session, options) : std::vector<geometry::Fingerprint>();
+    std::optional<Recall> recall;
+    if (memory != nullptr && memory->serves(options, chord, grid.resolution())) {
+        recall.emplace(session, grid, *memory, keys);
+    }
+    const SampledTriangulation first =
+        first_triangulation(session, grid, options, chord, recall ? &*recall : nullptr, watched, clock);
     check_failures(first.faces, options);
     mesh::SurfaceMesh surface = assemble(first.faces, topology);
 
@@ -203,9 +215,12 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     Findings findings(work);
     std::vector<int> touched;
     std::string released;
+    if (recall) {
+        recall->settle(first.faces.chains, work, findings.chords, chord);
+    }
     separate_doubled_edges(work, touched);
     if (options.keeps_bounds()) {
-        maxmin.sweep(touched);
+        maxmin.sweep(touched, work.settled);
         released = refine(work, findings, options, chord, clock);
     }
 
@@ -216,6 +231,12 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     Result result;
     result.report = final_report(work, findings, out, options, chord);
     result.mesh = std::move(out.mesh);
+    result.report.reused_faces = recall ? recall->kept(surface) : 0;
+    if (memory != nullptr && result.report.complete) {
+        *memory = remember(work, findings.chords, first.faces.chains, keys, options.min_angle);
+        memory->options = options;
+        memory->chord = chord;
+    }
     add_note(result.report, released);
     for (const auto& failure : first.faces.failures) {
         result.report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);

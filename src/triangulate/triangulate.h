@@ -68,6 +68,8 @@ struct Options {
     void validate() const;
 };
 
+class Memory;
+
 struct Result {
     mesh::TriangleMesh mesh;
     mesh::MeshReport report;
@@ -77,8 +79,11 @@ struct Result {
 ///
 /// Guarantees: every angle is at least `min_angle` except in the triangles listed in the report (not without `polish`);
 /// every vertex is a single-precision point; ends for every input.
-/// @throws InvalidInput, TopologyError, GeometryError naming the entity; Cancelled.
+///
+/// With a `memory`, faces that are in it start as they were, where the same is asked for; then it holds the faces of
+/// this run. The guarantees are the same; the mesh depends on what was remembered. Sampling methods start from nothing.
+/// @throws InvalidInput, TopologyError, GeometryError naming the entity; Cancelled. The memory stays as it was then.
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options = {},
-                   Progress* progress = nullptr);
+                   Progress* progress = nullptr, Memory* memory = nullptr);
 
 }  // namespace mq::triangulate

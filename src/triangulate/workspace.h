@@ -13,6 +13,7 @@
 #include "geometry/session.h"
 #include "mesh/surface_mesh.h"
 #include "triangulate/maxmin.h"
+#include "triangulate/triangle_marks.h"
 
 namespace mq::triangulate {
 
@@ -62,6 +63,7 @@ struct Workspace {
     std::vector<std::uint8_t> shrinks{};  ///< per vertex: insertions in its ancestry that made edges shorter
     std::map<int, Exemption> exempt{};    ///< by triangle
     std::map<int, Span> spanning{};       ///< by triangle; only after relics were released
+    TriangleMarks settled{};              ///< those that came from an earlier run, with good angles
 
     bool over_budget() const { return static_cast<std::size_t>(mesh.triangle_count()) >= budget; }
     double shortest_allowed() const { return min_edge > floor ? min_edge : floor; }

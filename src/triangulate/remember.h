@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "triangulate/memory.h"
+#include "triangulate/workspace.h"
+
+namespace mq::triangulate {
+
+/// The faces of a finished mesh, by `keys` (see keys_of_faces), for the next run. `chains` say which edges are
+/// collapsed. Faces whose triangles span smooth edges are left out. The mesh's options are for the caller to fill in.
+Memory remember(const Workspace& work, const ChordMeasure& measure, const geometry::EdgeChains& chains,
+                const std::vector<geometry::Fingerprint>& keys, double min_angle_degrees);
+
+}  // namespace mq::triangulate
