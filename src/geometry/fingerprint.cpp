@@ -19,14 +19,14 @@ std::uint64_t mixed(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-void add_to(Fingerprint& fingerprint, const Vec3& v) {
+void add_vector(Fingerprint& fingerprint, const Vec3& v) {
     for (int i = 0; i < 3; ++i) {
-        geometry::add_to(fingerprint, v[i]);
+        add_to(fingerprint, v[i]);
     }
 }
 
 void add_number(Fingerprint& fingerprint, int number) {
-    geometry::add_to(fingerprint, static_cast<std::uint64_t>(static_cast<std::int64_t>(number)));
+    add_to(fingerprint, static_cast<std::uint64_t>(static_cast<std::int64_t>(number)));
 }
 
 // By the order in which they are met first: numbers within the part do not count.
@@ -58,7 +58,7 @@ void add_face(Fingerprint& print, const Topology& topology, const Face& face) {
             for (const int n : edge.nodes) {
                 add_number(print, n < 0 ? -1 : local_number(nodes, n));
                 if (n >= 0) {
-                    add_to(print, topology.nodes[n].point);
+                    add_vector(print, topology.nodes[n].point);
                     add_to(print, topology.nodes[n].tolerance);
                 }
             }
@@ -120,8 +120,8 @@ std::vector<Fingerprint> fingerprints_of_faces(Session& session) {
             add_number(print, static_cast<int>(answer.status));
             add_to(print, answer.u);
             add_to(print, answer.v);
-            add_to(print, answer.point);
-            add_to(print, answer.normal);
+            add_vector(print, answer.point);
+            add_vector(print, answer.normal);
         }
     }
     return prints;

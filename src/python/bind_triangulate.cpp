@@ -34,7 +34,7 @@ constexpr const char* kCopied =
     "this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text";
 
 std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& options, const py::object& progress,
-                                          triangulate::Memory* memory) {
+                                          const triangulate::Memory* before, triangulate::Memory* after) {
     options.validate();
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
@@ -43,7 +43,8 @@ std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& 
         handle.stage("reading the shape", 0.0, 0.0);
         engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
         const double reading = watch_all.wall();
-        auto result = std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle, memory));
+        auto result =
+            std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle, before, after));
         result->report.seconds.insert(result->report.seconds.begin(), {"read the shape", reading});
         result->report.cpu_seconds = watch_all.cpu();
         if (!part.live) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "geometry/face_triangulation.h"
 #include "geometry/fingerprint.h"
 #include "triangulate/chord_measure.h"
 #include "triangulate/triangulate.h"
@@ -27,8 +28,7 @@ struct RememberedFace {
 };
 
 /// What one run leaves for the next one of the same part after an edit: about 300 bytes a triangle.
-class Memory {
-  public:
+struct Memory {
     Options options;
     double chord = 0.0;       ///< mm, as it was asked for; 0: not
     double resolution = 0.0;  ///< of the grid, mm

@@ -34,14 +34,14 @@ std::vector<Fingerprint> keys_of_faces(geometry::Session& session, const Options
         for (const LocalSize& size : options.local_sizes) {
             if (size.dimension == dimension && size.index == index) {
                 geometry::add_to(key, static_cast<std::uint64_t>(dimension));
-                geometry::add_to(key, size.length);
+                geometry::add_to(key, size.max_edge);
             }
         }
     };
     for (int f = 0; f < static_cast<int>(keys.size()); ++f) {
         add_sizes(keys[f], 2, f);
         for (const int u : geometry::uses_in_order(topology.faces[f])) {
-            geometry::add_to(keys[f], static_cast<std::uint64_t>(u >= 0));  // so that sizes count by their use
+            geometry::add_to(keys[f], std::uint64_t{1});  // so that sizes count by their use
             add_sizes(keys[f], 1, topology.uses[u].edge);
             for (const int n : topology.edges[topology.uses[u].edge].nodes) {
                 add_sizes(keys[f], 0, n);

@@ -180,7 +180,7 @@ void check_failures(const geometry::InitialTriangulation& faces, const Options& 
 }  // namespace
 
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options,
-                   Progress* progress, Memory* memory) {
+                   Progress* progress, const Memory* before, Memory* after) {
     options.validate();
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
@@ -196,11 +196,12 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     check_against_part(options, topology, grid);
     const double chord = chord_height(options, topology.box);
 
-    memory = options.method == Method::Refine ? memory : nullptr;
-    const auto keys = memory != nullptr ? keys_of_faces(session, options) : std::vector<geometry::Fingerprint>();
+    const bool refines = options.method == Method::Refine;
+    const auto keys = refines && (before != nullptr || after != nullptr) ? keys_of_faces(session, options)
+                                                                         : std::vector<geometry::Fingerprint>();
     std::optional<Recall> recall;
-    if (memory != nullptr && memory->serves(options, chord, grid.resolution())) {
-        recall.emplace(session, grid, *memory, keys);
+    if (refines && before != nullptr && before->serves(options, chord, grid.resolution())) {
+        recall.emplace(session, grid, *before, keys);
     }
     const SampledTriangulation first =
         first_triangulation(session, grid, options, chord, recall ? &*recall : nullptr, watched, clock);
@@ -232,10 +233,10 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     result.report = final_report(work, findings, out, options, chord);
     result.mesh = std::move(out.mesh);
     result.report.reused_faces = recall ? recall->kept(surface) : 0;
-    if (memory != nullptr && result.report.complete) {
-        *memory = remember(work, findings.chords, first.faces.chains, keys, options.min_angle);
-        memory->options = options;
-        memory->chord = chord;
+    if (refines && after != nullptr && result.report.complete) {
+        *after = remember(work, findings.chords, first.faces.chains, keys, options.min_angle);
+        after->options = options;
+        after->chord = chord;
     }
     add_note(result.report, released);
     for (const auto& failure : first.faces.failures) {

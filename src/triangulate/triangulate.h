@@ -68,7 +68,7 @@ struct Options {
     void validate() const;
 };
 
-class Memory;
+struct Memory;
 
 struct Result {
     mesh::TriangleMesh mesh;
@@ -80,10 +80,11 @@ struct Result {
 /// Guarantees: every angle is at least `min_angle` except in the triangles listed in the report (not without `polish`);
 /// every vertex is a single-precision point; ends for every input.
 ///
-/// With a `memory`, faces that are in it start as they were, where the same is asked for; then it holds the faces of
-/// this run. The guarantees are the same; the mesh depends on what was remembered. Sampling methods start from nothing.
-/// @throws InvalidInput, TopologyError, GeometryError naming the entity; Cancelled. The memory stays as it was then.
+/// Faces that are in the memory `before` of an earlier run start as they were then, where the same is asked for. The
+/// guarantees are the same; the mesh depends on what was remembered. `after` gets what this run leaves. Sampling
+/// methods start from nothing and leave nothing.
+/// @throws InvalidInput, TopologyError, GeometryError naming the entity; Cancelled.
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options = {},
-                   Progress* progress = nullptr, Memory* memory = nullptr);
+                   Progress* progress = nullptr, const Memory* before = nullptr, Memory* after = nullptr);
 
 }  // namespace mq::triangulate
