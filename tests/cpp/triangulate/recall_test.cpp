@@ -14,7 +14,7 @@ constexpr int kAlong = 10;
 constexpr int kAcross = 10;
 constexpr double kPitch = 10.0;
 
-/// A plate with a hundred blind or through holes, 206 faces or less; the first hole has another radius.
+/// A plate with a hundred holes, every other one blind: 156 faces. The first hole has another radius.
 std::shared_ptr<geometry::Model> plate(double first_radius) {
     TopoDS_Compound holes;
     BRep_Builder builder;
@@ -87,16 +87,16 @@ TEST(Recall, AnEditOfOneHoleLeavesTheOthers) {
 TEST(Recall, OtherDemandsStartFromNothing) {
     const auto part = plate(2.0);
     const Meshed first = run(part, asked());
-    Options finer = asked();
-    finer.chord_height = 0.005;
-    const Meshed again = run(part, finer, &first.memory);
+    Options coarser = asked();
+    coarser.chord_height = 0.05;
+    const Meshed again = run(part, coarser, &first.memory);
     EXPECT_EQ(again.result.report.reused_faces, 0U);
-    EXPECT_EQ(again.result.mesh.vertices, mesh_of(part, finer).mesh.vertices);
+    EXPECT_EQ(again.result.mesh.vertices, mesh_of(part, coarser).mesh.vertices);
 }
 
 TEST(Recall, EditsBackAndForthKeepTheGuarantees) {
     Meshed last = run(plate(2.0), asked());
-    for (const double radius : {2.5, 1.5, 3.0, 2.0}) {
+    for (const double radius : {2.5, 3.0, 2.0}) {
         last = run(plate(radius), asked(), &last.memory);
         expect_guarantees(last.result, asked());
     }
