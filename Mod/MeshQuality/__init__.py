@@ -18,6 +18,7 @@ from .errors import Cancelled, Error, GeometryError, InvalidInput, IoError, Topo
 # Loaded on first use: FreeCAD starts no slower, and errors and options work without the core.
 _LAZY = {
     "triangulate": "MeshQuality.api",
+    "Memory": "MeshQuality.api",
     "quality": "MeshQuality.api",
     "improve": "MeshQuality.api",
     "add_improved_mesh": "MeshQuality.api",

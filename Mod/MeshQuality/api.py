@@ -11,7 +11,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
                 progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", polish=True, seed=0, local_sizes=None,
-                edges_per_circle=None, growth=None, keep_edges="all", feature_angle=10.0):
+                edges_per_circle=None, growth=None, keep_edges="all", feature_angle=10.0,
+                memory=None):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -42,6 +43,10 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     polish                 of star and sprinkle: refine afterwards, so that the bounds hold
     seed                   of sprinkle's random points
 
+    memory                 a Memory: faces that are in it, of an earlier call with the same options,
+                           start with the triangles that they had; then it holds those of this call.
+                           report.reused_faces says how many faces kept all of them
+
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
@@ -60,7 +65,26 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     core_options = module.TriangulateOptions()
     core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
-    return SurfaceMesh(module.triangulate(live_shape, core_options, progress))
+    if memory is None:
+        return SurfaceMesh(module.triangulate(live_shape, core_options, progress))
+    if not isinstance(memory, Memory):
+        raise InvalidInput(f"memory is {memory!r}: give a MeshQuality.Memory")
+    left = module.Memory()
+    surface = module.triangulate(live_shape, core_options, progress, memory.held, left)
+    memory.held = left
+    return SurfaceMesh(surface)
+
+
+class Memory:
+    """The faces that a call of triangulate meshed, for a next call after the shape was edited. Not
+    saved with a document; about 300 bytes a triangle.
+    """
+
+    def __init__(self):
+        self.held = None
+
+    def __len__(self):
+        return len(self.held) if self.held is not None else 0
 
 
 def improve(mesh, min_angle=25.0, tolerance=None, feature_angle=35.0, progress=None):

@@ -139,14 +139,13 @@ class FaceWriter {
 }  // namespace
 
 Memory remember(const Workspace& work, const ChordMeasure& measure, const geometry::EdgeChains& chains,
-                const std::vector<geometry::Fingerprint>& keys, double min_angle_degrees) {
+                const std::vector<geometry::Fingerprint>& keys, const Options& options, double chord) {
     const std::vector<Chain> all = final_chains(work.mesh, chains, work.session.topology().edges.size());
     std::vector<std::vector<int>> triangles(keys.size());
     for (int t = 0; t < work.mesh.triangle_count(); ++t) {
         triangles[work.mesh.face_of(t)].push_back(t);
     }
-    Memory memory;
-    memory.resolution = work.grid.resolution();
+    Memory memory{options, chord, work.grid.resolution(), {}};
     for (int f = 0; f < static_cast<int>(keys.size()); ++f) {
         work.progress.check();
         FaceWriter writer(work, all, f);
@@ -155,7 +154,7 @@ Memory remember(const Workspace& work, const ChordMeasure& measure, const geomet
         }
         RememberedFace face = writer.take();
         for (const int t : triangles[f]) {
-            face.good.push_back(smallest_angle(work.mesh, t).angle >= min_angle_degrees * M_PI / 180.0 ? 1 : 0);
+            face.good.push_back(smallest_angle(work.mesh, t).angle >= options.min_angle * M_PI / 180.0 ? 1 : 0);
             for (int h = 3 * t; h < 3 * t + 3; ++h) {
                 face.measured.push_back(measure.measured(h));
             }

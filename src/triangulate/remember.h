@@ -7,8 +7,8 @@
 namespace mq::triangulate {
 
 /// The faces of a finished mesh, by `keys` (see keys_of_faces), for the next run. `chains` say which edges are
-/// collapsed. Faces whose triangles span smooth edges are left out. The mesh's options are for the caller to fill in.
+/// collapsed. Faces whose triangles span smooth edges are left out. `chord` mm.
 Memory remember(const Workspace& work, const ChordMeasure& measure, const geometry::EdgeChains& chains,
-                const std::vector<geometry::Fingerprint>& keys, double min_angle_degrees);
+                const std::vector<geometry::Fingerprint>& keys, const Options& options, double chord);
 
 }  // namespace mq::triangulate

@@ -177,6 +177,24 @@ void check_failures(const geometry::InitialTriangulation& faces, const Options& 
     }
 }
 
+// What the faces were before any refinement.
+void report_first(const SampledTriangulation& first, const Options& options, mesh::MeshReport& report) {
+    for (const auto& failure : first.faces.failures) {
+        report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
+    }
+    report.fallback.assign(first.fallbacks.begin(), first.fallbacks.end());
+    if (!first.complete && report.complete) {
+        report.complete = false;
+        report.notes.push_back("sampling ended at max_triangles = " + std::to_string(options.budget()) +
+                               ": the mesh is consistent, but coarser than asked for; raise max_triangles");
+    }
+}
+
+void report_predicates(mesh::MeshReport& report) {
+    report.predicates = predicate_count().filtered + predicate_count().exact;
+    report.exact_predicates = predicate_count().exact;
+}
+
 }  // namespace
 
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options,
@@ -196,11 +214,10 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     check_against_part(options, topology, grid);
     const double chord = chord_height(options, topology.box);
 
-    const bool refines = options.method == Method::Refine;
-    const auto keys = refines && (before != nullptr || after != nullptr) ? keys_of_faces(session, options)
-                                                                         : std::vector<geometry::Fingerprint>();
+    const bool recalls = options.method == Method::Refine && (before != nullptr || after != nullptr);
+    const auto keys = recalls ? keys_of_faces(session, options) : std::vector<geometry::Fingerprint>();
     std::optional<Recall> recall;
-    if (refines && before != nullptr && before->serves(options, chord, grid.resolution())) {
+    if (recalls && before != nullptr && before->serves(options, chord, grid.resolution())) {
         recall.emplace(session, grid, *before, keys);
     }
     const SampledTriangulation first =
@@ -233,27 +250,16 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     result.report = final_report(work, findings, out, options, chord);
     result.mesh = std::move(out.mesh);
     result.report.reused_faces = recall ? recall->kept(surface) : 0;
-    if (refines && after != nullptr && result.report.complete) {
-        *after = remember(work, findings.chords, first.faces.chains, keys, options.min_angle);
-        after->options = options;
-        after->chord = chord;
+    if (recalls && after != nullptr && result.report.complete) {
+        *after = remember(work, findings.chords, first.faces.chains, keys, options, chord);
     }
     add_note(result.report, released);
-    for (const auto& failure : first.faces.failures) {
-        result.report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
-    }
-    result.report.fallback.assign(first.fallbacks.begin(), first.fallbacks.end());
-    if (!first.complete && result.report.complete) {
-        result.report.complete = false;
-        result.report.notes.push_back("sampling ended at max_triangles = " + std::to_string(work.budget) +
-                                      ": the mesh is consistent, but coarser than asked for; raise max_triangles");
-    }
+    report_first(first, options, result.report);
     clock.end("checking");
     result.report.seconds = std::move(seconds);
     result.report.cpu_seconds = cpu_seconds() - cpu_before;
     result.report.queries = engine.queries() - queries_before;
-    result.report.predicates = predicate_count().filtered + predicate_count().exact;
-    result.report.exact_predicates = predicate_count().exact;
+    report_predicates(result.report);
     return result;
 }
 
