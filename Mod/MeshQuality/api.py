@@ -43,9 +43,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     polish                 of star and sprinkle: refine afterwards, so that the bounds hold
     seed                   of sprinkle's random points
 
-    memory                 a Memory: faces that are in it, of an earlier call with the same options,
-                           start with the triangles that they had; then it holds those of this call.
-                           report.reused_faces says how many faces kept all of them
+    memory                 a Memory: unchanged faces of an earlier call start as they were
 
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -65,19 +63,27 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     core_options = module.TriangulateOptions()
     core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
+    return SurfaceMesh(_triangulated(live_shape, core_options, progress, memory))
+
+
+def _triangulated(shape, core_options, progress, memory):
     if memory is None:
-        return SurfaceMesh(module.triangulate(live_shape, core_options, progress))
+        return core().triangulate(shape, core_options, progress)
     if not isinstance(memory, Memory):
         raise InvalidInput(f"memory is {memory!r}: give a MeshQuality.Memory")
-    left = module.Memory()
-    surface = module.triangulate(live_shape, core_options, progress, memory.held, left)
+    left = core().Memory()
+    surface = core().triangulate(shape, core_options, progress, memory.held, left)
     memory.held = left
-    return SurfaceMesh(surface)
+    return surface
 
 
 class Memory:
-    """The faces that a call of triangulate meshed, for a next call after the shape was edited. Not
-    saved with a document; about 300 bytes a triangle.
+    """The faces that a call of triangulate meshed, for a next call after the shape was edited.
+
+    Faces of the same geometry start with the triangles that they had, where the options are the same;
+    then the memory holds the faces of that call. The guarantees are the same; the triangles depend on
+    what was remembered. report.reused_faces says how many faces kept all of theirs. Of no use to
+    star and sprinkle, nor with keep_edges="feature". About 300 bytes a triangle, not saved.
     """
 
     def __init__(self):

@@ -7,7 +7,7 @@
 namespace mq::triangulate {
 
 /// The faces of a finished mesh, by `keys` (see keys_of_faces), for the next run. `chains` say which edges are
-/// collapsed. Faces whose triangles span smooth edges are left out. `chord` mm.
+/// collapsed. Faces whose triangles are linked to others' are left out. `chord` mm.
 Memory remember(const Workspace& work, const ChordMeasure& measure, const geometry::EdgeChains& chains,
                 const std::vector<geometry::Fingerprint>& keys, const Options& options, double chord);
 

@@ -177,6 +177,11 @@ void check_failures(const geometry::InitialTriangulation& faces, const Options& 
     }
 }
 
+// Samples are drawn anew, and where smooth edges are released triangles are no single face's.
+bool can_be_recalled(const Options& options) {
+    return options.method == Method::Refine && options.keep_edges == KeepEdges::All;
+}
+
 // What the faces were before any refinement.
 void report_first(const SampledTriangulation& first, const Options& options, mesh::MeshReport& report) {
     for (const auto& failure : first.faces.failures) {
@@ -190,10 +195,31 @@ void report_first(const SampledTriangulation& first, const Options& options, mes
     }
 }
 
-void report_predicates(mesh::MeshReport& report) {
-    report.predicates = predicate_count().filtered + predicate_count().exact;
-    report.exact_predicates = predicate_count().exact;
-}
+/// What a run costs, from its construction on.
+class Costs {
+  public:
+    explicit Costs(const geometry::Engine& engine)
+        : engine_(engine), cpu_before_(cpu_seconds()), queries_before_(engine.queries()) {
+        predicate_count() = {};
+    }
+
+    StageClock& clock() { return clock_; }
+
+    void report(mesh::MeshReport& report) {
+        report.seconds = std::move(seconds_);
+        report.cpu_seconds = cpu_seconds() - cpu_before_;
+        report.queries = engine_.queries() - queries_before_;
+        report.predicates = predicate_count().filtered + predicate_count().exact;
+        report.exact_predicates = predicate_count().exact;
+    }
+
+  private:
+    const geometry::Engine& engine_;
+    StageTimes seconds_;
+    StageClock clock_{seconds_};
+    double cpu_before_;
+    std::uint64_t queries_before_;
+};
 
 }  // namespace
 
@@ -202,11 +228,8 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     options.validate();
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
-    StageTimes seconds;
-    StageClock clock(seconds);
-    const double cpu_before = cpu_seconds();
-    const std::uint64_t queries_before = engine.queries();
-    predicate_count() = {};
+    Costs costs(engine);
+    StageClock& clock = costs.clock();
 
     geometry::Session session(engine, model, &watched);
     const geometry::Topology& topology = session.topology();
@@ -214,7 +237,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     check_against_part(options, topology, grid);
     const double chord = chord_height(options, topology.box);
 
-    const bool recalls = options.method == Method::Refine && (before != nullptr || after != nullptr);
+    const bool recalls = can_be_recalled(options) && (before != nullptr || after != nullptr);
     const auto keys = recalls ? keys_of_faces(session, options) : std::vector<geometry::Fingerprint>();
     std::optional<Recall> recall;
     if (recalls && before != nullptr && before->serves(options, chord, grid.resolution())) {
@@ -256,10 +279,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     add_note(result.report, released);
     report_first(first, options, result.report);
     clock.end("checking");
-    result.report.seconds = std::move(seconds);
-    result.report.cpu_seconds = cpu_seconds() - cpu_before;
-    result.report.queries = engine.queries() - queries_before;
-    report_predicates(result.report);
+    costs.report(result.report);
     return result;
 }
 
