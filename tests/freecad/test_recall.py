@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshing a part of many faces again after an edit."""
 
-import helpers
+import unittest
+
 import Part
 from FreeCAD import Vector
 
@@ -21,7 +22,7 @@ def plate(first_radius):
     return Part.makeBox(PITCH * ALONG, PITCH * ACROSS, 10.0).cut(Part.makeCompound(holes))
 
 
-class AfterAnEdit(helpers.TestCase):
+class AfterAnEdit(unittest.TestCase):
     def test_faces_that_did_not_change_keep_their_triangles(self):
         memory = mq.Memory()
         first = mq.triangulate(plate(2.0), chord_height=0.05, memory=memory)
