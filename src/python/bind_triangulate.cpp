@@ -168,9 +168,9 @@ void bind_triangulate(py::module_& m) {
         .def("__len__", [](const triangulate::Memory& memory) { return memory.faces.size(); });
     m.def(
         "triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),
-        py::arg("memory").none(true) = py::none(),
+        py::arg("before") = py::none(), py::arg("after") = py::none(),
         "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel. Faces that are "
-        "in the memory start as they were; it then holds those of this call.");
+        "in the Memory before start as they were; the Memory after gets those of this call.");
     m.def("measure_against", &measure_against, py::arg("surface"), py::arg("shape"), py::arg("progress") = py::none(),
           "The surface's report with its largest distance to the faces of a Part.Shape.");
     m.def("triangle_deviations", &triangle_deviations, py::arg("surface"), py::arg("shape"),
