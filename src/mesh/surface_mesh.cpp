@@ -34,7 +34,8 @@ int SurfaceMesh::add_triangle(const std::array<int, 3>& sites, int face) {
     if (stamp_.size() < face_.size()) {
         stamp_.push_back(0);
     } else {
-        ++stamp_[face_.size() - 1];  // of a triangle that was there before: what was said of that must not hold for this
+        ++stamp_[face_.size() -
+                 1];  // of a triangle that was there before: what was said of that must not hold for this
     }
     return triangle_count() - 1;
 }
