@@ -335,10 +335,6 @@
         <source>With keep_edges = feature: edges are smooth where the surface turns by less than this</source>
         <translation>Wenn nur scharfe Kanten bleiben: glatt sind Kanten, an denen sich die Fläche um weniger als dies dreht</translation>
     </message>
-    <message>
-        <source>Faces of the shape that kept their triangles through the last edit</source>
-        <translation>Flächen der Form, deren Dreiecke bei der letzten Änderung geblieben sind</translation>
-    </message>
 </context>
 <context>
     <name>MeshQuality</name>

@@ -3,7 +3,6 @@
 
 import unittest
 
-import FreeCAD
 import Part
 from FreeCAD import Vector
 
@@ -40,21 +39,6 @@ class AfterAnEdit(unittest.TestCase):
         self.assertLessEqual(report.max_chord_height, 0.05)
         judged = mq.quality(again, edited)
         self.assertLessEqual(judged.max_chord_height, 0.05 + 1e-5)
-
-    def test_an_object_keeps_the_faces_that_an_edit_leaves_alone(self):
-        document = FreeCAD.newDocument()
-        self.addCleanup(FreeCAD.closeDocument, document.Name)
-        source = document.addObject("Part::Feature", "Plate")
-        source.Shape = plate(2.0)
-        mesh = mq.add_quality_mesh(source, chord_height=0.05)
-        document.recompute()
-        for radius in (2.5, 2.2):
-            source.Shape = plate(radius)
-            document.recompute()
-        self.assertGreater(mesh.ReusedFaces, 0.9 * len(source.Shape.Faces))
-        self.assertTrue(mesh.Mesh.isSolid())
-        self.assertGreaterEqual(mesh.MeasuredMinAngle.Value, 25.0)
-        self.assertLessEqual(mesh.MaxChordHeight.Value, 0.05)
 
     def test_only_a_memory_is_one(self):
         with self.assertRaisesRegex(mq.InvalidInput, "memory"):

@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Quality Mesh": a mesh that follows a shape of the document."""
 
-from functools import partial
-
 from .. import options, phrases
-from ..api import Memory, triangulate
+from ..api import triangulate
 from . import certificate, mesh_object
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
     *mesh_object.TOPOLOGY,
     *mesh_object.ANGLES,
-    ("ReusedFaces", "App::PropertyInteger",
-     "Faces of the shape that kept their triangles through the last edit"),
     ("Notes", "App::PropertyStringList", "What else happened on the way"),
 )
 
@@ -25,38 +21,20 @@ PROMISES = (
 )
 
 
-# Triangles up to which a mesh remembers its faces for the next edit: some 90 MB.
-REMEMBERED = 300_000
-
-
 class QualityMesh(mesh_object.SourceMesh):
-    """Proxy of a Mesh::FeaturePython that holds a mesh of its source.
-
-    Faces that an edit of the source leaves alone start with the triangles that they had.
-    """
+    """Proxy of a Mesh::FeaturePython that holds a mesh of its source."""
 
     COMMAND, CALL = "MeshQuality_Triangulate", "add_quality_mesh"
     OPTIONS = options.TRIANGULATE
     PRESETS = options.TRIANGULATE_PRESETS
     MEASURED, PROMISES = MEASURED, PROMISES
-    memory = None  # of the last mesh; not saved
 
     @classmethod
-    def work_on(cls, sources, values, obj=None):
-        """As for all, with what the object remembers."""
-        work = super().work_on(sources, values, obj)
-        if obj is not None and obj.Mesh.CountFacets <= REMEMBERED:
-            if obj.Proxy.memory is None:
-                obj.Proxy.memory = Memory()
-            work.compute = partial(work.compute, memory=obj.Proxy.memory)
-        return work
-
-    @classmethod
-    def compute(cls, shape, values, progress, memory=None):
+    def compute(cls, shape, values, progress):
         """The SurfaceMesh of the shape, the Mesh.Mesh made of it, what FaceRuns gets, whether it was to
         be closed, and the faults of its certificate.
         """
-        mesh = triangulate(shape, **values, progress=progress, memory=memory)
+        mesh = triangulate(shape, **values, progress=progress)
         closed = certificate.shall_be_closed(shape)
         runs = mesh_object.runs_of_faces(mesh.triangle_face)
         return mesh, mesh.to_mesh(), runs, closed, _faults(mesh, closed)
@@ -82,7 +60,6 @@ def show_report(obj, report):
     mesh_object.show_angles(obj, report)
     obj.MaxChordHeight = max(report.max_chord_height, 0.0)
     obj.AskedChordHeight = report.chord_height_asked
-    obj.ReusedFaces = report.reused_faces
 
 
 def add(source, values):
