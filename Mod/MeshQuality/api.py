@@ -43,7 +43,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     polish                 of star and sprinkle: refine afterwards, so that the bounds hold
     seed                   of sprinkle's random points
 
-    memory                 a Memory: unchanged faces of an earlier call start as they were
+    memory                 a Memory of earlier calls: what an edit left alone keeps its triangles
 
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -63,34 +63,43 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     core_options = module.TriangulateOptions()
     core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
-    return SurfaceMesh(_triangulated(live_shape, core_options, progress, memory))
-
-
-def _triangulated(shape, core_options, progress, memory):
-    if memory is None:
-        return core().triangulate(shape, core_options, progress)
-    if not isinstance(memory, Memory):
-        raise InvalidInput(f"memory is {memory!r}: give a MeshQuality.Memory")
-    left = core().Memory()
-    surface = core().triangulate(shape, core_options, progress, memory.held, left)
-    memory.held = left
-    return surface
+    return SurfaceMesh(module.triangulate(live_shape, core_options, progress, _held(memory)))
 
 
 class Memory:
-    """The faces that a call of triangulate meshed, for a next call after the shape was edited.
+    """What the last calls of triangulate leave for the next ones, while a shape is edited.
 
-    Faces of the same geometry start with the triangles that they had, where the options are the same;
-    then the memory holds the faces of that call. The guarantees are the same; the triangles depend on
-    what was remembered. report.reused_faces says how many faces kept all of theirs. Of no use to
-    star and sprinkle, nor with keep_edges="feature". About 300 bytes a triangle, not saved.
+    The same shape with the same options as in one of them gets the same mesh. Else faces of the same
+    geometry start with the triangles that they had, where the options are the same: the guarantees are
+    the same, but the triangles depend on what was remembered. report.reused_faces says how many faces
+    kept all of theirs. No face is remembered by star and sprinkle, nor with keep_edges="feature".
+    Not saved; about 400 bytes a triangle.
+
+    most_runs   of more calls, those go that were used least lately
+    most_bytes  the same of their bytes, in all
     """
 
-    def __init__(self):
-        self.held = None
+    def __init__(self, most_runs=8, most_bytes=2**29):
+        for name, value in (("most_runs", most_runs), ("most_bytes", most_bytes)):
+            if not isinstance(value, int) or value < 0:
+                raise InvalidInput(f"{name} = {value!r} is not allowed: it must be a whole number, "
+                                   "at least 0")
+        self.held = core().Memory(most_runs, most_bytes)
 
     def __len__(self):
-        return len(self.held) if self.held is not None else 0
+        """How many calls it holds."""
+        return self.held.runs
+
+    @property
+    def bytes(self):
+        """What it takes, about."""
+        return self.held.bytes
+
+
+def _held(memory):
+    if memory is not None and not isinstance(memory, Memory):
+        raise InvalidInput(f"memory is {memory!r}: give a MeshQuality.Memory")
+    return None if memory is None else memory.held
 
 
 def improve(mesh, min_angle=25.0, tolerance=None, feature_angle=35.0, progress=None):

@@ -335,6 +335,14 @@
         <source>With keep_edges = feature: edges are smooth where the surface turns by less than this</source>
         <translation>Wenn nur scharfe Kanten bleiben: glatt sind Kanten, an denen sich die Fläche um weniger als dies dreht</translation>
     </message>
+    <message>
+        <source>After an edit, faces that did not change keep their triangles, which is faster; undo gives the mesh that was there. Off: each mesh is made from nothing, and depends on the shape and the options alone</source>
+        <translation>Nach einer Änderung behalten Flächen, die gleich geblieben sind, ihre Dreiecke, was schneller ist; Rückgängig bringt das Netz, das da war. Aus: jedes Netz entsteht von Grund auf und hängt allein von der Form und den Optionen ab</translation>
+    </message>
+    <message>
+        <source>Faces of the shape that kept their triangles through the last edit</source>
+        <translation>Flächen der Form, deren Dreiecke bei der letzten Änderung geblieben sind</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>

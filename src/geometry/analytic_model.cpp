@@ -44,6 +44,8 @@ class AnalyticModel final : public Model {
     void finish(const Vec3& low, const Vec3& high);
 
     Answer answer(const Query& query) noexcept override;
+    void add_definition(Entity entity, Fingerprint& key) override;
+    void add_definition_of_use(int use, Fingerprint& key) override;
 
   private:
     Answer on_edge(const Query& query) const;
@@ -64,6 +66,39 @@ class AnalyticModel final : public Model {
     std::vector<Surface> surfaces_;
     std::vector<double> disks_;
 };
+
+template <class Vector>
+void add_curve_to(Fingerprint& key, const Curve<Vector>& curve) {
+    add_to(key, curve.round ? 1 : 0);
+    for (const Vector* v : {&curve.origin, &curve.x, &curve.y}) {
+        for (const double number : *v) {
+            add_to(key, number);
+        }
+    }
+    add_to(key, curve.radius);
+}
+
+void AnalyticModel::add_definition(Entity entity, Fingerprint& key) {
+    const auto i = static_cast<std::size_t>(entity.index);
+    if (entity.dimension == 0) {
+        add_to(key, topology_.nodes[i].point);
+    } else if (entity.dimension == 1) {
+        add_curve_to(key, curves_[i]);
+    } else {
+        const Surface& s = surfaces_[i];
+        add_to(key, static_cast<int>(s.kind));
+        for (const Vec3* v : {&s.origin, &s.x, &s.y, &s.z}) {
+            add_to(key, *v);
+        }
+        for (const double number : {s.radius, s.minor, s.angle, disks_[i]}) {
+            add_to(key, number);
+        }
+    }
+}
+
+void AnalyticModel::add_definition_of_use(int use, Fingerprint& key) {
+    add_curve_to(key, use_curves_[static_cast<std::size_t>(use)]);
+}
 
 int AnalyticModel::add_node(const Vec3& point) {
     constexpr double kTolerance = 1e-7;

@@ -18,6 +18,7 @@ class Session {
         : engine_(engine), model_(std::move(model)), progress_(progress) {}
 
     const Topology& topology() const { return model_->topology(); }
+    const Motion& place() const { return model_->place(); }
     /// Answers in the batch's order. Large batches go to the engine in pieces, so that a cancelled operation ends soon
     /// and the engine stays open to others.
     /// @throws Cancelled.
@@ -38,6 +39,13 @@ class Session {
         return all;
     }
     Answer ask(const Query& query) { return engine_.ask(model_, query); }
+    /// Calls `work(model)` on the engine's thread.
+    /// @throws Cancelled.
+    template <typename Work>
+    void run(const Work& work) {
+        check();
+        engine_.run([&] { work(*model_); });
+    }
 
   private:
     void check() const {

@@ -34,7 +34,7 @@ constexpr const char* kCopied =
     "this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text";
 
 std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& options, const py::object& progress,
-                                          const triangulate::Memory* before, triangulate::Memory* after) {
+                                          triangulate::Memory* memory) {
     options.validate();
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
@@ -43,8 +43,7 @@ std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& 
         handle.stage("reading the shape", 0.0, 0.0);
         engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
         const double reading = watch_all.wall();
-        auto result =
-            std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle, before, after));
+        auto result = std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle, memory));
         result->report.seconds.insert(result->report.seconds.begin(), {"read the shape", reading});
         result->report.cpu_seconds = watch_all.cpu();
         if (!part.live) {
@@ -163,14 +162,16 @@ void bind_triangulate(py::module_& m) {
     def_named(options, "keep_edges", &Options::keep_edges, kKeepEdges);
     def_named(options, "method", &Options::method, kMethods);
     def_named(options, "connectivity", &Options::connectivity, kConnectivities);
-    py::class_<triangulate::Memory>(m, "Memory", "What one call of triangulate leaves for the next one.")
-        .def(py::init<>())
-        .def("__len__", [](const triangulate::Memory& memory) { return memory.faces.size(); });
-    m.def(
-        "triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),
-        py::arg("before") = py::none(), py::arg("after") = py::none(),
-        "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel. Faces that are "
-        "in the Memory before start as they were; the Memory after gets those of this call.");
+    using triangulate::Memory;
+    py::class_<Memory, std::shared_ptr<Memory>>(m, "Memory", "What calls of triangulate leave for later ones.")
+        .def(py::init<std::size_t, std::size_t>(), py::arg("most_runs") = Memory::kMostRuns,
+             py::arg("most_bytes") = Memory::kMostBytes)
+        .def_property_readonly("runs", &Memory::runs)
+        .def_property_readonly("bytes", &Memory::bytes);
+    m.def("triangulate", &triangulate_shape, py::arg("shape"), py::arg("options"), py::arg("progress") = py::none(),
+          py::arg("memory") = py::none(),
+          "Meshes a Part.Shape; returns a Surface. progress(fraction, stage) may return False to cancel. The Memory is "
+          "used, and gets what this call leaves.");
     m.def("measure_against", &measure_against, py::arg("surface"), py::arg("shape"), py::arg("progress") = py::none(),
           "The surface's report with its largest distance to the faces of a Part.Shape.");
     m.def("triangle_deviations", &triangle_deviations, py::arg("surface"), py::arg("shape"),

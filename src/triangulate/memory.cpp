@@ -2,14 +2,12 @@
 #include "triangulate/memory.h"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 namespace mq::triangulate {
 
 namespace {
-
-// A mesh that is so many times finer or coarser than asked for is a start as good as any.
-constexpr double kMuchTheSame = 1.25;
 
 // What a mesh is asked to be, without the chord height, which counts in mm, and the local sizes, which count by face.
 auto demands(const Options& o) {
@@ -17,11 +15,108 @@ auto demands(const Options& o) {
                            o.feature_angle, o.method);
 }
 
+template <typename T>
+std::size_t bytes_of(const std::vector<T>& v) {
+    return v.size() * sizeof(T);
+}
+
+template <typename T>
+std::size_t bytes_of(const std::vector<std::vector<T>>& v) {
+    std::size_t sum = v.size() * sizeof(std::vector<T>);
+    for (const std::vector<T>& inner : v) {
+        sum += bytes_of(inner);
+    }
+    return sum;
+}
+
+std::size_t bytes_of(const mesh::TriangleMesh& m) {
+    return bytes_of(m.vertices) + bytes_of(m.triangles) + bytes_of(m.triangle_face) + bytes_of(m.vertex_entity);
+}
+
+// From the run used last on: those whose bytes are at most so many. Faces that several runs have count once.
+template <typename Runs>
+std::size_t bytes_from_back(const Runs& runs, std::size_t most, std::size_t& count) {
+    std::set<const RememberedFace*> met;
+    std::size_t sum = 0;
+    count = 0;
+    for (auto run = runs.rbegin(); run != runs.rend(); ++run) {
+        std::size_t more = bytes_of((*run)->result.mesh);
+        for (const auto& [key, face] : (*run)->faces) {
+            more += met.insert(face.get()).second ? face->bytes() : 0;
+        }
+        if (sum + more > most) {
+            break;
+        }
+        sum += more;
+        ++count;
+    }
+    return sum;
+}
+
 }  // namespace
 
-bool Memory::serves(const Options& now, double chord_now, double resolution_now) const {
-    return demands(options) == demands(now) && resolution_now <= resolution &&
-           std::max(chord, chord_now) <= kMuchTheSame * std::min(chord, chord_now);
+std::size_t RememberedFace::bytes() const {
+    return sizeof(RememberedFace) + bytes_of(parameters) + bytes_of(fewest) + bytes_of(knots) + bytes_of(mesh.sites) +
+           bytes_of(mesh.triangles) + bytes_of(mesh.links) + bytes_of(mesh.borders) + bytes_of(measured);
+}
+
+bool Run::serves(const Options& now) const {
+    return demands(options) == demands(now);
+}
+
+std::shared_ptr<const Run> Memory::run_on(const geometry::Fingerprint& input) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = std::find_if(runs_.begin(), runs_.end(), [&](const auto& run) { return run->input == input; });
+    if (found == runs_.end()) {
+        return nullptr;
+    }
+    std::rotate(found, found + 1, runs_.end());
+    return runs_.back();
+}
+
+std::shared_ptr<const Run> Memory::nearest(const std::vector<geometry::Fingerprint>& faces,
+                                           const Options& options) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::shared_ptr<const Run> best;
+    std::size_t most = 0;
+    for (const auto& run : runs_) {
+        std::size_t triangles = 0;
+        for (const geometry::Fingerprint& face : faces) {
+            const auto found = run->faces.find(face);
+            triangles += found != run->faces.end() ? found->second->mesh.triangles.size() : 0;
+        }
+        if (run->serves(options) && triangles > 0 && triangles >= most) {
+            best = run;
+            most = triangles;
+        }
+    }
+    return best;
+}
+
+void Memory::add(std::shared_ptr<const Run> run) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto same = [&](const auto& other) { return other->input == run->input; };
+    runs_.erase(std::remove_if(runs_.begin(), runs_.end(), same), runs_.end());
+    runs_.push_back(std::move(run));
+    forget_what_is_too_much();
+}
+
+void Memory::forget_what_is_too_much() {
+    std::size_t count = 0;
+    bytes_from_back(runs_, most_bytes_, count);
+    count = std::min(count, most_runs_);
+    runs_.erase(runs_.begin(), runs_.end() - static_cast<std::ptrdiff_t>(count));
+}
+
+std::size_t Memory::runs() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return runs_.size();
+}
+
+std::size_t Memory::bytes() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::size_t count = 0;
+    return bytes_from_back(runs_, static_cast<std::size_t>(-1), count);
 }
 
 }  // namespace mq::triangulate

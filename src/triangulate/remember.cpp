@@ -2,10 +2,7 @@
 #include "triangulate/remember.h"
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
-
-#include "triangulate/corner_angle.h"
 
 namespace mq::triangulate {
 
@@ -53,13 +50,14 @@ std::vector<Chain> final_chains(const SurfaceMesh& mesh, const geometry::EdgeCha
 /// Puts one face into other words.
 class FaceWriter {
   public:
-    FaceWriter(const Workspace& work, const std::vector<Chain>& chains, int face)
-        : mesh_(work.mesh), topology_(work.session.topology()), chains_(chains) {
+    FaceWriter(const Workspace& work, const std::vector<Chain>& chains, int face, const Recall* recall)
+        : work_(work), mesh_(work.mesh), topology_(work.session.topology()), chains_(chains) {
         const std::vector<int> uses = geometry::uses_in_order(topology_.faces[face]);
         for (int k = 0; k < static_cast<int>(uses.size()); ++k) {
             const Chain& chain = chains[topology_.uses[uses[k]].edge];
             place_of_use_[uses[k]] = k;
             result_.parameters.push_back(chain.t);
+            result_.fewest.push_back(fewest(topology_.uses[uses[k]].edge, recall));
             for (int i = 0; i < static_cast<int>(chain.vertices.size()); ++i) {
                 knot_at_.emplace(chain.vertices[i], RememberedFace::Knot{k, i});
             }
@@ -67,7 +65,7 @@ class FaceWriter {
     }
 
     /// @return false where the triangles are not the face's own.
-    bool write(const std::vector<int>& triangles, const SingleGrid& grid) {
+    bool write(const std::vector<int>& triangles) {
         for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
             place_of_triangle_[triangles[i]] = i;
         }
@@ -76,7 +74,7 @@ class FaceWriter {
             std::array<int, 3> corners{};
             std::array<FaceTriangulation::Link, 3> links{};
             for (int k = 0; k < 3 && own; ++k) {
-                own = add_site(mesh_.site_of(3 * t + k), grid, corners[k]) && add_link(3 * t + k, links[k]);
+                own = add_site(mesh_.site_of(3 * t + k), corners[k]) && add_link(3 * t + k, links[k]);
             }
             result_.mesh.triangles.push_back(corners);
             result_.mesh.links.push_back(links);
@@ -87,7 +85,13 @@ class FaceWriter {
     RememberedFace take() { return std::move(result_); }
 
   private:
-    bool add_site(int site, const SingleGrid& grid, int& place) {
+    std::size_t fewest(int edge, const Recall* recall) const {
+        const std::size_t before = recall != nullptr ? recall->fewest(edge) : 0;
+        const std::size_t now = chains_[edge].t.size();
+        return before > 0 ? std::min(before, now) : now;
+    }
+
+    bool add_site(int site, int& place) {
         const auto [entry, fresh] = place_of_site_.emplace(site, static_cast<int>(result_.mesh.sites.size()));
         place = entry->second;
         if (!fresh) {
@@ -103,7 +107,7 @@ class FaceWriter {
             knot = static_cast<int>(result_.knots.size());
             result_.knots.push_back(found->second);
         }
-        result_.mesh.sites.push_back({knot, s.uv, s.normal, grid.to_part(s.point)});
+        result_.mesh.sites.push_back({knot, s.uv, s.normal, work_.grid.to_part(s.point)});
         return true;
     }
 
@@ -126,6 +130,7 @@ class FaceWriter {
         return true;
     }
 
+    const Workspace& work_;
     const SurfaceMesh& mesh_;
     const Topology& topology_;
     const std::vector<Chain>& chains_;
@@ -138,30 +143,38 @@ class FaceWriter {
 
 }  // namespace
 
-Memory remember(const Workspace& work, const ChordMeasure& measure, const geometry::EdgeChains& chains,
-                const std::vector<geometry::Fingerprint>& keys, const Options& options, double chord) {
+std::map<geometry::Fingerprint, std::shared_ptr<const RememberedFace>> remember(
+    const Workspace& work, const ChordMeasure& measure, const geometry::EdgeChains& chains,
+    const std::vector<geometry::Fingerprint>& keys, double chord, const Recall* recall) {
     const std::vector<Chain> all = final_chains(work.mesh, chains, work.session.topology().edges.size());
     std::vector<std::vector<int>> triangles(keys.size());
     for (int t = 0; t < work.mesh.triangle_count(); ++t) {
         triangles[work.mesh.face_of(t)].push_back(t);
     }
-    Memory memory{options, chord, work.grid.resolution(), {}};
+    const auto kept =
+        recall != nullptr ? recall->kept(work.mesh) : std::vector<std::shared_ptr<const RememberedFace>>(keys.size());
+    std::map<geometry::Fingerprint, std::shared_ptr<const RememberedFace>> faces;
     for (int f = 0; f < static_cast<int>(keys.size()); ++f) {
         work.progress.check();
-        FaceWriter writer(work, all, f);
-        if (triangles[f].empty() || !writer.write(triangles[f], work.grid)) {
+        if (kept[f] != nullptr && recall->exact(f)) {
+            faces.emplace(keys[f], kept[f]);
             continue;
         }
-        RememberedFace face = writer.take();
+        FaceWriter writer(work, all, f, recall);
+        if (triangles[f].empty() || !writer.write(triangles[f])) {
+            continue;
+        }
+        auto face = std::make_shared<RememberedFace>(writer.take());
         for (const int t : triangles[f]) {
-            face.good.push_back(smallest_angle(work.mesh, t).angle >= options.min_angle * M_PI / 180.0 ? 1 : 0);
             for (int h = 3 * t; h < 3 * t + 3; ++h) {
-                face.measured.push_back(measure.measured(h));
+                face->measured.push_back(measure.measured(h));
             }
         }
-        memory.faces.emplace(keys[f], std::move(face));
+        const RememberedFace* beginning = recall != nullptr ? recall->beginning(f) : nullptr;
+        face->chord = beginning != nullptr ? beginning->chord : chord;
+        faces.emplace(keys[f], std::move(face));
     }
-    return memory;
+    return faces;
 }
 
 }  // namespace mq::triangulate

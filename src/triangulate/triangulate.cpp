@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <memory>
 #include <optional>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "base/predicates.h"
 #include "triangulate/assemble.h"
@@ -195,6 +199,11 @@ void report_first(const SampledTriangulation& first, const Options& options, mes
     }
 }
 
+std::size_t count(const std::vector<std::shared_ptr<const RememberedFace>>& faces) {
+    const auto none = std::count(faces.begin(), faces.end(), nullptr);
+    return faces.size() - static_cast<std::size_t>(none);
+}
+
 /// What a run costs, from its construction on.
 class Costs {
   public:
@@ -221,66 +230,105 @@ class Costs {
     std::uint64_t queries_before_;
 };
 
-}  // namespace
+/// One call of triangulate.
+struct Task {
+    geometry::Session& session;
+    const SingleGrid& grid;
+    const Options& options;
+    double chord;  // mm, as it is asked for; 0: not
+    Progress& progress;
+    Costs& costs;
+};
 
-Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options,
-                   Progress* progress, const Memory* before, Memory* after) {
-    options.validate();
-    Progress unwatched;
-    Progress& watched = progress != nullptr ? *progress : unwatched;
-    Costs costs(engine);
-    StageClock& clock = costs.clock();
+// The result of an earlier run on the same input.
+Result handed_out(Result result, Costs& costs) {
+    const std::vector<std::int32_t>& faces = result.mesh.triangle_face;
+    result.report.reused_faces = std::set<std::int32_t>(faces.begin(), faces.end()).size();
+    costs.clock().end("handing out what is known");
+    costs.report(result.report);
+    return result;
+}
 
-    geometry::Session session(engine, model, &watched);
-    const geometry::Topology& topology = session.topology();
-    const SingleGrid grid(topology.box);
-    check_against_part(options, topology, grid);
-    const double chord = chord_height(options, topology.box);
+Workspace workspace_of(const Task& task, mesh::SurfaceMesh& surface, Maxmin& maxmin) {
+    Workspace work{task.session, task.grid, surface, maxmin, task.progress};
+    work.floor = task.grid.shortest_side();
+    work.min_edge = task.options.min_edge;
+    work.budget = task.options.budget();
+    return work;
+}
 
-    const bool recalls = can_be_recalled(options) && (before != nullptr || after != nullptr);
-    const auto keys = recalls ? keys_of_faces(session, options) : std::vector<geometry::Fingerprint>();
+// @param run the run to begin with; null: none
+// @param left what this run leaves; null: nothing is to be left
+Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& keys,
+                 const std::shared_ptr<const Run>& run, Run* left) {
+    const Options& options = task.options;
+    StageClock& clock = task.costs.clock();
     std::optional<Recall> recall;
-    if (recalls && before != nullptr && before->serves(options, chord, grid.resolution())) {
-        recall.emplace(session, grid, *before, keys);
+    if (run != nullptr) {
+        recall.emplace(task.session, task.grid, run, keys, task.chord);
     }
-    const SampledTriangulation first =
-        first_triangulation(session, grid, options, chord, recall ? &*recall : nullptr, watched, clock);
+    const SampledTriangulation first = first_triangulation(task.session, task.grid, options, task.chord,
+                                                           recall ? &*recall : nullptr, task.progress, clock);
     check_failures(first.faces, options);
-    mesh::SurfaceMesh surface = assemble(first.faces, topology);
-
+    mesh::SurfaceMesh surface = assemble(first.faces, task.session.topology());
     Maxmin maxmin(surface);
-    Workspace work{session, grid, surface, maxmin, watched};
-    work.floor = grid.shortest_side();
-    work.min_edge = options.min_edge;
-    work.budget = options.budget();
+    Workspace work = workspace_of(task, surface, maxmin);
     Findings findings(work);
     std::vector<int> touched;
     std::string released;
     if (recall) {
-        recall->settle(first.faces.chains, work, findings.chords, chord);
+        recall->settle(first.faces.chains, work, findings.chords, options.min_angle);
     }
     separate_doubled_edges(work, touched);
     if (options.keeps_bounds()) {
         maxmin.sweep(touched, work.settled);
-        released = refine(work, findings, options, chord, clock);
+        released = refine(work, findings, options, task.chord, clock);
     }
 
-    watched.stage("checking", 0.9, 1.0);
-    watched.check();
-    Output out = write_out(surface, topology, grid.origin(), watched);
-    watched.check();
+    task.progress.stage("checking", 0.9, 1.0);
+    task.progress.check();
+    Output out = write_out(surface, task.session.topology(), task.grid.origin(), task.progress);
+    task.progress.check();
     Result result;
-    result.report = final_report(work, findings, out, options, chord);
+    result.report = final_report(work, findings, out, options, task.chord);
     result.mesh = std::move(out.mesh);
-    result.report.reused_faces = recall ? recall->kept(surface) : 0;
-    if (recalls && after != nullptr && result.report.complete) {
-        *after = remember(work, findings.chords, first.faces.chains, keys, options, chord);
-    }
+    result.report.reused_faces = recall ? count(recall->kept(surface)) : 0;
     add_note(result.report, released);
     report_first(first, options, result.report);
+    if (left != nullptr && can_be_recalled(options) && result.report.complete) {
+        left->faces =
+            remember(work, findings.chords, first.faces.chains, keys, task.chord, recall ? &*recall : nullptr);
+    }
     clock.end("checking");
-    costs.report(result.report);
+    task.costs.report(result.report);
     return result;
+}
+
+}  // namespace
+
+Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options,
+                   Progress* progress, Memory* memory) {
+    options.validate();
+    Progress unwatched;
+    Progress& watched = progress != nullptr ? *progress : unwatched;
+    Costs costs(engine);
+    geometry::Session session(engine, model, &watched);
+    const SingleGrid grid(session.topology().box);
+    check_against_part(options, session.topology(), grid);
+    const double chord = chord_height(options, session.topology().box);
+    const Task task{session, grid, options, chord, watched, costs};
+    if (memory == nullptr) {
+        return mesh_part(task, {}, nullptr, nullptr);
+    }
+    const Keys keys = keys_of(session, options);
+    if (const auto same = memory->run_on(keys.input)) {
+        return handed_out(same->result, costs);
+    }
+    const auto before = can_be_recalled(options) ? memory->nearest(keys.faces, options) : nullptr;
+    auto run = std::make_shared<Run>(Run{keys.input, {}, options, chord, grid.resolution(), session.place(), {}});
+    run->result = mesh_part(task, keys.faces, before, run.get());
+    memory->add(run);
+    return run->result;
 }
 
 }  // namespace mq::triangulate

@@ -68,7 +68,7 @@ struct Options {
     void validate() const;
 };
 
-struct Memory;
+class Memory;
 
 struct Result {
     mesh::TriangleMesh mesh;
@@ -80,11 +80,12 @@ struct Result {
 /// Guarantees: every angle is at least `min_angle` except in the triangles listed in the report (not without `polish`);
 /// every vertex is a single-precision point; ends for every input.
 ///
-/// Faces that are in the memory `before` of an earlier run start as they were then, where the same is asked for. The
-/// guarantees are the same; the mesh depends on what was remembered. `after` gets what this run leaves. Sampling
-/// methods start from nothing and leave nothing.
+/// The `memory` gets what this run leaves, unless it is null. The very same input as in a run that it holds gets that
+/// run's result. Else faces that were meshed before start as they were, where the same is asked for: the guarantees are
+/// the same, but the mesh depends on what was remembered. No face is remembered with samples, nor where smooth edges
+/// are released.
 /// @throws InvalidInput, TopologyError, GeometryError naming the entity; Cancelled.
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options = {},
-                   Progress* progress = nullptr, const Memory* before = nullptr, Memory* after = nullptr);
+                   Progress* progress = nullptr, Memory* memory = nullptr);
 
 }  // namespace mq::triangulate

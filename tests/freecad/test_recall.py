@@ -1,36 +1,39 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshing a part of many faces again after an edit."""
 
+import tempfile
 import unittest
 
+import FreeCAD
 import Part
 from FreeCAD import Vector
 
 import MeshQuality as mq
+from MeshQuality.features import memories
 
-ALONG, ACROSS, PITCH = 10, 10, 10.0
+PITCH = 10.0
 
 
-def plate(first_radius):
-    """A plate with a hundred holes; a dimension of the first one is free."""
+def plate(first_radius, along=10):
+    """A plate with a hundred holes, or others along its sides; the radius of the first one is free."""
     holes = []
-    for i in range(ALONG):
-        for j in range(ACROSS):
+    for i in range(along):
+        for j in range(along):
             radius = first_radius if i == j == 0 else 2.0 + 0.1 * ((i + 3 * j) % 7)
             place = Vector(PITCH * (i + 0.5), PITCH * (j + 0.5), -1.0)
             holes.append(Part.makeCylinder(radius, 12.0 if (i + j) % 2 else 6.0, place))
-    return Part.makeBox(PITCH * ALONG, PITCH * ACROSS, 10.0).cut(Part.makeCompound(holes))
+    return Part.makeBox(PITCH * along, PITCH * along, 10.0).cut(Part.makeCompound(holes))
 
 
 class AfterAnEdit(unittest.TestCase):
     def test_faces_that_did_not_change_keep_their_triangles(self):
         memory = mq.Memory()
-        first = mq.triangulate(plate(2.0), chord_height=0.05, memory=memory)
+        first = mq.triangulate(plate(2.0, 7), chord_height=0.05, memory=memory)
         self.assertEqual(first.report.reused_faces, 0)
-        edited = plate(2.5)
-        self.assertEqual(len(memory), len(edited.Faces))
+        edited = plate(2.5, 7)
+        self.assertEqual(len(memory), 1)
         again = mq.triangulate(edited, chord_height=0.05, memory=memory)
-        self.assertGreater(again.report.reused_faces, 0.9 * len(edited.Faces))
+        self.assertGreater(again.report.reused_faces, 0.8 * len(edited.Faces))
         report = again.report
         self.assertTrue(report.closed and report.oriented and report.manifold)
         self.assertEqual(report.self_intersections, 0)
@@ -43,3 +46,118 @@ class AfterAnEdit(unittest.TestCase):
     def test_only_a_memory_is_one(self):
         with self.assertRaisesRegex(mq.InvalidInput, "memory"):
             mq.triangulate(plate(2.0), memory={})
+        for wrong in (-1, 2.5, "8"):
+            with self.assertRaisesRegex(mq.InvalidInput, "most_runs"):
+                mq.Memory(most_runs=wrong)
+
+    def test_a_memory_keeps_within_its_bounds(self):
+        box = Part.makeBox(1, 1, 1)
+        memory = mq.Memory(most_runs=2)
+        for size in (0.5, 0.4, 0.3):
+            mq.triangulate(box, max_edge=size, memory=memory)
+        self.assertEqual(len(memory), 2)
+        self.assertGreater(memory.bytes, 0)
+        nothing = mq.Memory(most_bytes=10)
+        mq.triangulate(box, memory=nothing)
+        self.assertEqual((len(nothing), nothing.bytes), (0, 0))
+
+
+def triangles_of(obj):
+    return str(obj.Mesh.Topology), list(obj.FaceRuns)
+
+
+class OfAnObject(unittest.TestCase):
+    def setUp(self):
+        self.document = FreeCAD.newDocument()
+        self.addCleanup(lambda: FreeCAD.closeDocument(self.document.Name))
+        self.source = self.document.addObject("Part::Feature", "Plate")
+        self.source.Shape = plate(2.0, 5)
+        self.mesh = mq.add_quality_mesh(self.source, chord_height=0.05)
+        self.first = triangles_of(self.mesh)
+
+    def edit(self, radius):
+        self.source.Shape = plate(radius, 5)
+        self.document.recompute()
+        return triangles_of(self.mesh)
+
+    def from_nothing(self):
+        mesh = mq.triangulate(self.source, chord_height=0.05).to_mesh()
+        return str(mesh.Topology)
+
+    def test_faces_that_an_edit_leaves_alone_keep_their_triangles(self):
+        self.assertEqual(self.mesh.ReusedFaces, 0)
+        for radius in (2.5, 2.2):
+            self.edit(radius)
+            self.assertGreater(self.mesh.ReusedFaces, 0.8 * len(self.source.Shape.Faces))
+            self.assertEqual(self.mesh.Certificate, "kept")
+            self.assertTrue(self.mesh.Mesh.isSolid())
+            self.assertGreaterEqual(self.mesh.MeasuredMinAngle.Value, 25.0)
+            self.assertLessEqual(self.mesh.MaxChordHeight.Value, 0.05)
+
+    def test_what_was_there_comes_back(self):
+        second = self.edit(2.5)
+        third = self.edit(2.2)
+        for radius, before in ((2.5, second), (2.0, self.first), (2.2, third), (2.0, self.first)):
+            self.assertEqual(self.edit(radius), before)
+            self.assertEqual(self.mesh.ReusedFaces, len(self.source.Shape.Faces))
+        self.assertNotEqual(third[0], self.from_nothing())
+
+    def test_undo_and_redo(self):
+        self.document.UndoMode = 1
+        self.edit(2.5)
+        self.document.openTransaction("Edit")
+        second = self.edit(2.2)
+        self.document.commitTransaction()
+        self.document.openTransaction("Edit")
+        third = self.edit(2.1)
+        self.document.commitTransaction()
+        self.document.undo()
+        self.document.recompute()
+        self.assertEqual(triangles_of(self.mesh), second)
+        self.document.redo()
+        self.document.recompute()
+        self.assertEqual(triangles_of(self.mesh), third)
+
+    def test_without_reuse_the_shape_alone_decides(self):
+        self.edit(2.5)
+        self.edit(2.2)
+        self.assertNotEqual(triangles_of(self.mesh)[0], self.from_nothing())
+        self.mesh.Reuse = False
+        self.document.recompute()
+        self.assertEqual(triangles_of(self.mesh)[0], self.from_nothing())
+        self.assertEqual((self.mesh.ReusedFaces, self.mesh.Proxy.memory), (0, None))
+        self.edit(2.1)
+        self.assertEqual(triangles_of(self.mesh)[0], self.from_nothing())
+        self.assertEqual(self.edit(2.0), self.first)
+
+    def test_neither_a_copy_nor_a_file_remembers(self):
+        self.edit(2.5)
+        before = triangles_of(self.mesh)
+        copy = self.document.copyObject(self.mesh)
+        self.document.recompute()
+        self.assertEqual(triangles_of(copy)[0], before[0])
+        self.assertIsNone(copy.Proxy.memory)
+        with tempfile.TemporaryDirectory() as folder:
+            path = f"{folder}/plate.FCStd"
+            name = self.mesh.Name
+            self.document.saveAs(path)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(path)
+        self.mesh, self.source = self.document.getObject(name), self.document.getObject("Plate")
+        self.assertIsNone(self.mesh.Proxy.memory)
+        self.assertTrue(self.mesh.Reuse)
+        self.document.recompute()
+        self.assertEqual(triangles_of(self.mesh), before)  # nothing is computed
+        self.edit(2.2)
+        self.assertEqual(triangles_of(self.mesh)[0], self.from_nothing())
+        self.assertEqual(self.mesh.Certificate, "kept")
+        self.edit(2.3)
+        self.assertGreater(self.mesh.ReusedFaces, 0.8 * len(self.source.Shape.Faces))
+
+    def test_all_objects_together_keep_within_a_bound(self):
+        most = memories._MOST
+        self.addCleanup(setattr, memories, "_MOST", most)
+        memories._MOST = int(1.5 * self.mesh.Proxy.memory.bytes)
+        other = mq.add_quality_mesh(self.source, chord_height=0.05)
+        self.assertIsNone(self.mesh.Proxy.memory)
+        self.assertIsNotNone(other.Proxy.memory)

@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Quality Mesh": a mesh that follows a shape of the document."""
 
+from functools import partial
+
 from .. import options, phrases
-from ..api import triangulate
-from . import certificate, mesh_object
+from ..api import Memory, triangulate
+from . import certificate, memories, mesh_object
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
     *mesh_object.TOPOLOGY,
     *mesh_object.ANGLES,
+    ("ReusedFaces", "App::PropertyInteger",
+     "Faces of the shape that kept their triangles through the last edit"),
     ("Notes", "App::PropertyStringList", "What else happened on the way"),
 )
 
@@ -22,26 +26,53 @@ PROMISES = (
 
 
 class QualityMesh(mesh_object.SourceMesh):
-    """Proxy of a Mesh::FeaturePython that holds a mesh of its source."""
+    """Proxy of a Mesh::FeaturePython that holds a mesh of its source.
+
+    A shape that the object has met lately gets the mesh that it had, so that undo and redo give the
+    triangles that were there; faces that an edit leaves alone start with theirs.
+    """
 
     COMMAND, CALL = "MeshQuality_Triangulate", "add_quality_mesh"
     OPTIONS = options.TRIANGULATE
     PRESETS = options.TRIANGULATE_PRESETS
     MEASURED, PROMISES = MEASURED, PROMISES
+    memory = None  # of its last meshes; not saved, nor copied with the object
+
+    def add_properties(self, obj):
+        """As for all, and Reuse."""
+        super().add_properties(obj)
+        if mesh_object.add_property(
+                obj, "App::PropertyBool", "Reuse", "Update",
+                "After an edit, faces that did not change keep their triangles, which is faster; undo gives "
+                "the mesh that was there. Off: each mesh is made from nothing, and depends on the shape "
+                "and the options alone"):
+            obj.Reuse = True
 
     @classmethod
-    def compute(cls, shape, values, progress):
+    def work_on(cls, sources, values, obj=None):
+        """As for all, with what the object remembers."""
+        work = super().work_on(sources, values, obj)
+        if obj is not None and not obj.Reuse:
+            work.tell_apart("from nothing")
+            return work
+        memory = obj.Proxy.memory if obj is not None else None
+        work.compute = partial(work.compute, memory=Memory() if memory is None else memory)
+        return work
+
+    @classmethod
+    def compute(cls, shape, values, progress, memory=None):
         """The SurfaceMesh of the shape, the Mesh.Mesh made of it, what FaceRuns gets, whether it was to
-        be closed, and the faults of its certificate.
+        be closed, the faults of its certificate, and the memory.
         """
-        mesh = triangulate(shape, **values, progress=progress)
+        mesh = triangulate(shape, **values, progress=progress, memory=memory)
         closed = certificate.shall_be_closed(shape)
         runs = mesh_object.runs_of_faces(mesh.triangle_face)
-        return mesh, mesh.to_mesh(), runs, closed, _faults(mesh, closed)
+        return mesh, mesh.to_mesh(), runs, closed, _faults(mesh, closed), memory
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, shown, obj.FaceRuns, closed, faults = result
+        mesh, shown, obj.FaceRuns, closed, faults, self.memory = result
+        memories.use(self)
         mesh_object.show_mesh(obj, shown)
         show_report(obj, mesh.report)
         mesh_object.show_certificate(obj, mesh.report, closed, faults)
@@ -60,6 +91,7 @@ def show_report(obj, report):
     mesh_object.show_angles(obj, report)
     obj.MaxChordHeight = max(report.max_chord_height, 0.0)
     obj.AskedChordHeight = report.chord_height_asked
+    obj.ReusedFaces = report.reused_faces
 
 
 def add(source, values):

@@ -6,6 +6,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <vector>
 
 #include "base/progress.h"
@@ -25,6 +26,7 @@ struct UseCurve {
 struct LiveShape {
     std::vector<TopoDS_Face> faces;
     std::vector<TopoDS_Edge> edges;
+    std::vector<TopoDS_Vertex> nodes;
     std::vector<UseCurve> uses;
     std::vector<TopoDS_Shape> volumes;
 };

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "geometry/occt/conversion.h"
+#include "geometry/occt/definitions.h"
 #include "geometry/occt/edge_evaluator.h"
 #include "geometry/occt/face_evaluator.h"
 #include "geometry/occt/live_shape.h"
@@ -36,6 +37,8 @@ class ShapeModel final : public Model {
   public:
     ShapeModel(const TopoDS_Shape& shape, const Progress* progress);
     Answer answer(const Query& query) noexcept override;
+    void add_definition(Entity entity, Fingerprint& key) override;
+    void add_definition_of_use(int use, Fingerprint& key) override;
 
   private:
     Answer dispatch(const Query& query);
@@ -47,12 +50,14 @@ class ShapeModel final : public Model {
     FaceEvaluator& face(int index);
 
     LiveShape live_;
+    Definitions definitions_;
     std::vector<std::unique_ptr<EdgeEvaluator>> edges_;
     std::vector<std::unique_ptr<FaceEvaluator>> faces_;
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
 };
 
-ShapeModel::ShapeModel(const TopoDS_Shape& shape, const Progress* progress) {
+ShapeModel::ShapeModel(const TopoDS_Shape& shape, const Progress* progress) : definitions_(shape) {
+    place_ = definitions_.place();
     topology_ = build_topology(shape, live_);
     topology_.box = bounding_box(shape, live_, topology_, progress);
     const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);
@@ -60,6 +65,21 @@ ShapeModel::ShapeModel(const TopoDS_Shape& shape, const Progress* progress) {
     edges_.resize(live_.edges.size());
     faces_.resize(live_.faces.size());
     classifiers_.resize(live_.volumes.size());
+}
+
+void ShapeModel::add_definition(Entity entity, Fingerprint& key) {
+    const auto i = static_cast<std::size_t>(entity.index);
+    if (entity.dimension == 0) {
+        definitions_.add_node(live_.nodes[i], key);
+    } else if (entity.dimension == 1) {
+        definitions_.add_edge(live_.edges[i], key);
+    } else {
+        definitions_.add_face(live_.faces[i], key);
+    }
+}
+
+void ShapeModel::add_definition_of_use(int use, Fingerprint& key) {
+    definitions_.add_use(live_.uses[static_cast<std::size_t>(use)], key);
 }
 
 EdgeEvaluator& ShapeModel::edge(int index) {

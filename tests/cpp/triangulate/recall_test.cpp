@@ -36,16 +36,9 @@ Options asked() {
     return options;
 }
 
-struct Meshed {
-    Result result;
-    Memory memory;
-};
-
-Meshed run(const std::shared_ptr<geometry::Model>& model, const Options& options, const Memory* before = nullptr) {
+Result run(const std::shared_ptr<geometry::Model>& model, const Options& options, Memory& memory) {
     geometry::Engine engine(geometry::Engine::Mode::Direct);
-    Meshed made;
-    made.result = triangulate(engine, model, options, nullptr, before, &made.memory);
-    return made;
+    return triangulate(engine, model, options, nullptr, &memory);
 }
 
 void expect_guarantees(const Result& result, const Options& options) {
@@ -59,47 +52,88 @@ void expect_guarantees(const Result& result, const Options& options) {
     EXPECT_LE(result.report.max_chord_height, options.chord_height);
 }
 
-TEST(Recall, ThePartAsItWasKeepsItsMesh) {
-    const Meshed first = run(plate(2.0), asked());
-    const Meshed again = run(plate(2.0), asked(), &first.memory);
-    const std::size_t faces = plate(2.0)->topology().faces.size();
-    EXPECT_EQ(first.memory.faces.size(), faces);
-    EXPECT_EQ(first.result.report.reused_faces, 0U);
-    EXPECT_EQ(again.result.report.reused_faces, faces);
-    EXPECT_EQ(again.result.mesh.triangles.size(), first.result.mesh.triangles.size());
-    EXPECT_EQ(again.result.report.max_chord_height, first.result.report.max_chord_height);
-    EXPECT_LT(again.result.report.queries, first.result.report.queries / 2);
-    expect_guarantees(again.result, asked());
+void expect_same(const Result& a, const Result& b) {
+    EXPECT_EQ(a.mesh.vertices, b.mesh.vertices);
+    EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+    EXPECT_EQ(a.mesh.triangle_face, b.mesh.triangle_face);
+    EXPECT_EQ(a.report.max_chord_height, b.report.max_chord_height);
+    EXPECT_EQ(a.report.min_angle, b.report.min_angle);
+    EXPECT_EQ(a.report.notes, b.report.notes);
+}
+
+TEST(Recall, StatesMetAgainGetTheirMeshAgain) {
+    Memory memory;
+    const Result first = run(plate(2.0), asked(), memory);
+    EXPECT_EQ(first.report.reused_faces, 0U);
+    const Result edited = run(plate(2.5), asked(), memory);
+    const Result further = run(plate(2.2), asked(), memory);
+    EXPECT_EQ(memory.runs(), 3U);
+    for (int round = 0; round < 2; ++round) {  // undo and redo
+        expect_same(run(plate(2.5), asked(), memory), edited);
+        expect_same(run(plate(2.0), asked(), memory), first);
+        expect_same(run(plate(2.2), asked(), memory), further);
+    }
+    EXPECT_EQ(memory.runs(), 3U);
+    EXPECT_EQ(run(plate(2.0), asked(), memory).report.reused_faces, plate(2.0)->topology().faces.size());
+}
+
+TEST(Recall, OtherOptionsAreAnotherState) {
+    Memory memory;
+    const Result first = run(plate(2.0), asked(), memory);
+    Options coarser = asked();
+    coarser.chord_height = 0.05;
+    const Result again = run(plate(2.0), coarser, memory);
+    EXPECT_EQ(again.report.reused_faces, 0U);
+    EXPECT_EQ(again.mesh.vertices, mesh_of(plate(2.0), coarser).mesh.vertices);
+    expect_same(run(plate(2.0), asked(), memory), first);
 }
 
 TEST(Recall, AnEditOfOneHoleLeavesTheOthers) {
-    const Meshed first = run(plate(2.0), asked());
+    Memory memory;
+    run(plate(2.0), asked(), memory);
     const auto edited = plate(2.5);
-    const Meshed again = run(edited, asked(), &first.memory);
-    expect_guarantees(again.result, asked());
+    const Result again = run(edited, asked(), memory);
+    expect_guarantees(again, asked());
     // The wall of the hole, and the two faces that it goes through.
-    EXPECT_GE(again.result.report.reused_faces + 8, edited->topology().faces.size());
-    const Meshed once_more = run(edited, asked(), &first.memory);
-    EXPECT_EQ(again.result.mesh.vertices, once_more.result.mesh.vertices);
-    EXPECT_EQ(again.result.mesh.triangles, once_more.result.mesh.triangles);
-}
-
-TEST(Recall, OtherDemandsStartFromNothing) {
-    const auto part = plate(2.0);
-    const Meshed first = run(part, asked());
-    Options coarser = asked();
-    coarser.chord_height = 0.05;
-    const Meshed again = run(part, coarser, &first.memory);
-    EXPECT_EQ(again.result.report.reused_faces, 0U);
-    EXPECT_EQ(again.result.mesh.vertices, mesh_of(part, coarser).mesh.vertices);
+    EXPECT_GE(again.report.reused_faces + 8, edited->topology().faces.size());
+    Memory other;
+    run(plate(2.0), asked(), other);
+    expect_same(run(edited, asked(), other), again);
 }
 
 TEST(Recall, EditsBackAndForthKeepTheGuarantees) {
-    Meshed last = run(plate(2.0), asked());
-    for (const double radius : {2.5, 3.0, 2.0}) {
-        last = run(plate(radius), asked(), &last.memory);
-        expect_guarantees(last.result, asked());
+    Memory memory;
+    for (const double radius : {2.0, 2.5, 3.0, 2.1}) {
+        expect_guarantees(run(plate(radius), asked(), memory), asked());
     }
+}
+
+TEST(Memory, ForgetsWhatWasUsedLeastLately) {
+    const auto part = [](double radius) { return geometry::make_cylinder(radius, 1.0); };
+    Memory memory(2);
+    const Result one = run(part(1.0), {}, memory);
+    run(part(2.0), {}, memory);
+    expect_same(run(part(1.0), {}, memory), one);
+    run(part(3.0), {}, memory);  // two goes
+    EXPECT_EQ(memory.runs(), 2U);
+    EXPECT_GT(run(part(1.0), {}, memory).report.reused_faces, 0U);
+    EXPECT_EQ(run(part(2.0), {}, memory).report.reused_faces, 0U);
+}
+
+TEST(Memory, KeepsToItsBytes) {
+    const auto part = [](double radius) { return geometry::make_cylinder(radius, 1.0); };
+    Memory all;
+    run(part(1.0), {}, all);
+    const std::size_t bytes = all.bytes();
+    EXPECT_GT(bytes, 0U);
+    Memory memory(8, bytes + bytes / 2);
+    run(part(1.0), {}, memory);
+    run(part(2.0), {}, memory);
+    EXPECT_EQ(memory.runs(), 1U);
+    EXPECT_LE(memory.bytes(), bytes + bytes / 2);
+    Memory none(8, bytes / 2);
+    run(part(1.0), {}, none);
+    EXPECT_EQ(none.runs(), 0U);
 }
 
 }  // namespace
