@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <deque>
+#include <random>
 
+#include "base/error.h"
 #include "base/predicates.h"
 
 namespace mq::geometry {
@@ -64,11 +66,13 @@ int PlanarTriangulation::find_edge(int a, int b) const {
 }
 
 PlanarTriangulation::Place PlanarTriangulation::locate(const Vec2& p) const {
-    // Visibility walk. On a Delaunay triangulation it cannot cycle; constraints make it merely unlikely, and the
-    // rotating start edge breaks the cycles that are left.
+    // Visibility walk. On a Delaunay triangulation it cannot cycle, beside constraints and flipped edges it can. Other
+    // first edges from step to step break most cycles, and drawn by lot any (Devillers, Pion, Teillaud 2002).
+    constexpr int kInTurn = 1000;
+    std::minstd_rand lot;
     int t = last_;
     unsigned turn = 0;
-    for (;;) {
+    for (int step = 0;; ++step) {
         int out = -1;
         int edge = -1;
         int touching = 0;
@@ -84,9 +88,12 @@ PlanarTriangulation::Place PlanarTriangulation::locate(const Vec2& p) const {
                 ++touching;
             }
         }
-        ++turn;
         if (out >= 0) {
+            if (twin_[out] < 0) {
+                throw InvalidInput("a point lies outside of the frame of its triangulation");
+            }
             t = twin_[out] / 3;
+            turn = step < kInTurn ? turn + 1 : static_cast<unsigned>(lot());
             continue;
         }
         if (touching == 2) {

@@ -226,7 +226,7 @@ void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>
     }
     bool split_segment = false;
     for (const int s : look_around(work_.mesh, h / 3, p->point).encroached) {
-        if (!segments_.refused(s) && !segments_.frozen(s)) {
+        if (segments_.may_split(s)) {
             segments_.request(s);
             split_segment = true;
         }

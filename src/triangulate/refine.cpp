@@ -137,6 +137,7 @@ bool Refiner::refine_round() {
             work_on(jobs[i], points[i]);
         }
     }
+    segments_.floors().look(jobs.size());
     return true;
 }
 
@@ -264,7 +265,7 @@ void Refiner::handle_blocked(const Bad& bad, int segment) {
 bool Refiner::split_instead(const Bad& bad, const std::vector<int>& segments) {
     bool any = false;
     for (const int s : segments) {
-        if (!segments_.refused(s) && !segments_.frozen(s)) {
+        if (segments_.may_split(s)) {
             segments_.request(s);
             any = true;
         }
@@ -309,7 +310,7 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
         give_up(job, Cause::Crowded, around.encroached);
         return;
     }
-    if (around.nearest < work_.shortest_allowed()) {
+    if (around.nearest < segments_.floors().of(work_.mesh.face_of(place.triangle))) {
         give_up(job, work_.too_short());
         return;
     }

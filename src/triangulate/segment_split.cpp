@@ -26,7 +26,7 @@ constexpr int kMaxPostponed = 12;
 
 }  // namespace
 
-SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work), room_(measure_room(work.mesh)) {}
+SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work), floors_(work), room_(measure_room(work.mesh)) {}
 
 double SegmentSplitter::chord(int segment) const {
     const auto& v = work_.mesh.segment(segment).vertices;
@@ -88,9 +88,13 @@ bool SegmentSplitter::in_lens(int segment, const Vec3& p) const {
     return a.dot(b) < -0.5 * a.norm() * b.norm();
 }
 
+bool SegmentSplitter::may_split(int segment) const {
+    return !refused(segment) && !frozen(segment) && !floors_.too_short_to_split(segment, chord(segment));
+}
+
 void SegmentSplitter::request(int segment, bool force) {
     waiting_.resize(std::max<std::size_t>(waiting_.size(), work_.mesh.segment_count()), 0);
-    if (!waiting_[segment] && !refused(segment) && (force || !frozen(segment))) {
+    if (!waiting_[segment] && (force ? !refused(segment) : may_split(segment))) {
         waiting_[segment] = 1;
         pending_.push_back(segment);
     }

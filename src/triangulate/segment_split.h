@@ -6,6 +6,7 @@
 
 #include "triangulate/cavity.h"
 #include "triangulate/corner_room.h"
+#include "triangulate/face_floors.h"
 #include "triangulate/workspace.h"
 
 namespace mq::triangulate {
@@ -38,6 +39,9 @@ class SegmentSplitter {
     /// appended to `touched`.
     void run(std::vector<int>& touched);
     bool refused(int segment) const { return segment < static_cast<int>(refused_.size()) && refused_[segment] != 0; }
+    /// For the sake of angles.
+    bool may_split(int segment) const;
+    FaceFloors& floors() { return floors_; }
     bool idle() const { return pending_.empty(); }
 
   private:
@@ -62,6 +66,7 @@ class SegmentSplitter {
     void force_mates(int segment);
 
     Workspace& work_;
+    FaceFloors floors_;
     CornerRoom room_;  // as it was before anything was refined
     std::vector<int> pending_;
     std::vector<char> waiting_;  // per segment

@@ -32,7 +32,8 @@ struct LiveShape {
 };
 
 /// Fills `live` and returns the entities of `shape`, with what is wrong with the way they hang together in `faults`.
-Topology build_topology(const TopoDS_Shape& shape, LiveShape& live);
+/// @throws Cancelled
+Topology build_topology(const TopoDS_Shape& shape, LiveShape& live, const Progress* progress);
 
 /// Periods of a surface in u and v, 0 where it is open. A surface that is closed within `tolerance` without being
 /// periodic counts with its whole range.

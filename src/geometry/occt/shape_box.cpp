@@ -20,10 +20,12 @@ Box to_box(const Bnd_Box& bounds) {
 }
 
 /// Of some points of the part.
-Box inner_box(const LiveShape& live, const Topology& topology) {
+Box inner_box(const LiveShape& live, const Topology& topology, const Progress* progress) {
     constexpr int kPoints = 16;
     Box box;
+    Pace pace(progress);
     for (std::size_t i = 0; i < live.edges.size(); ++i) {
+        pace.step();
         const Edge& edge = topology.edges[i];
         if (edge.degenerate) {
             continue;
@@ -52,7 +54,7 @@ Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topolog
     Bnd_Box quick;
     BRepBndLib::Add(shape, quick, Standard_False);
     Box box = to_box(quick);
-    const Box inner = inner_box(live, topology);
+    const Box inner = inner_box(live, topology, progress);
     if (live.faces.size() < kManyFaces && !quick.IsVoid() && much_larger(box, inner)) {
         Bnd_Box close;
         for (const TopoDS_Face& face : live.faces) {

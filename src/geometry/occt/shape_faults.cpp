@@ -11,11 +11,13 @@
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <set>
 #include <utility>
 
+#include "geometry/occt/linear_checks.h"
 #include "geometry/occt/live_shape.h"
 
 namespace mq::geometry {
@@ -75,9 +77,22 @@ const char* describe(BRepCheck_Status status) {
     return "unknown fault";
 }
 
+// Edges of a face, and faces of a shell, that are left to OpenCASCADE: no longer than a watcher waits for an answer.
+constexpr int kMostAtOnce = 512;
+
+bool more_than(int count, const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+    TopExp_Explorer parts(shape, kind);
+    while (parts.More() && count >= 0) {
+        parts.Next();
+        --count;
+    }
+    return count < 0;
+}
+
 /// Collects the statuses of every sub-shape once. What is wrong with an edge on a face names both.
 ///
-/// The faces are checked one by one: the check of a whole shape cannot be cancelled, and takes twice as long.
+/// The faces are checked one by one: the check of a whole shape cannot be cancelled, and takes twice as long. So does
+/// that of a face with many edges.
 class FaultList {
   public:
     explicit FaultList(const TopoDS_Shape& shape) {
@@ -94,7 +109,7 @@ class FaultList {
         for (const Kind& kind : kinds_) {
             for (int i = 1; i <= kind.map.Extent(); ++i) {
                 look_for_cancel(progress);
-                check(kind, kind.map(i));
+                check(kind, kind.map(i), progress);
             }
         }
         return std::move(faults_);
@@ -117,12 +132,12 @@ class FaultList {
     }
 
     /// Wires, edges and vertices are looked at with their faces, shells with their solids.
-    void check(const Kind& kind, const TopoDS_Shape& shape) {
+    void check(const Kind& kind, const TopoDS_Shape& shape, const Progress* progress) {
         try {
             if (kind.kind == TopAbs_FACE) {
-                check_face(shape);
+                check_face(TopoDS::Face(shape), progress);
             } else if (kind.kind == TopAbs_SOLID) {
-                check_solid(TopoDS::Solid(shape));
+                check_solid(TopoDS::Solid(shape), progress);
             }
         } catch (const Standard_Failure& failure) {
             const char* text = failure.GetMessageString();
@@ -131,7 +146,11 @@ class FaultList {
         }
     }
 
-    void check_face(const TopoDS_Shape& face) {
+    void check_face(const TopoDS_Face& face, const Progress* progress) {
+        if (more_than(kMostAtOnce, face, TopAbs_EDGE)) {
+            add(check_large_face(face, progress));
+            return;
+        }
         const BRepCheck_Analyzer analyzer(face);
         for (const TopAbs_ShapeEnum part : {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_WIRE, TopAbs_FACE}) {
             TopTools_IndexedMapOfShape parts;
@@ -142,15 +161,26 @@ class FaultList {
         }
     }
 
-    void check_solid(const TopoDS_Solid& solid) {
+    void check_solid(const TopoDS_Solid& solid, const Progress* progress) {
         const Handle(BRepCheck_Solid) result = new BRepCheck_Solid(solid);
         result->Blind();
         add(solid, result);
         for (TopExp_Explorer shells(solid, TopAbs_SHELL); shells.More(); shells.Next()) {
+            if (more_than(kMostAtOnce, shells.Current(), TopAbs_FACE)) {
+                add(check_large_shell(TopoDS::Shell(shells.Current()), progress));
+                continue;
+            }
             const Handle(BRepCheck_Shell) shell = new BRepCheck_Shell(TopoDS::Shell(shells.Current()));
             shell->Blind();
             shell->InContext(solid);
             add(shells.Current(), shell);
+        }
+    }
+
+    void add(const std::vector<Finding>& findings) {
+        for (const Finding& finding : findings) {
+            const std::string context = finding.context.IsNull() ? "" : name(finding.context);
+            add(finding.status, name(finding.whose) + (context.empty() ? "" : " in " + context));
         }
     }
 
@@ -169,9 +199,13 @@ class FaultList {
 
     void add(const BRepCheck_ListOfStatus& statuses, const std::string& whose) {
         for (const BRepCheck_Status status : statuses) {
-            if (status != BRepCheck_NoError) {
-                add_line(whose + ": " + describe(status));
-            }
+            add(status, whose);
+        }
+    }
+
+    void add(BRepCheck_Status status, const std::string& whose) {
+        if (status != BRepCheck_NoError) {
+            add_line(whose + ": " + describe(status));
         }
     }
 

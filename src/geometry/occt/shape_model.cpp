@@ -58,7 +58,7 @@ class ShapeModel final : public Model {
 
 ShapeModel::ShapeModel(const TopoDS_Shape& shape, const Progress* progress) : definitions_(shape) {
     place_ = definitions_.place();
-    topology_ = build_topology(shape, live_);
+    topology_ = build_topology(shape, live_, progress);
     topology_.box = bounding_box(shape, live_, topology_, progress);
     const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);
     topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());

@@ -80,7 +80,8 @@ bool bounds_a_face(const TopoDS_Shape& edge) {
 
 class TopologyBuilder {
   public:
-    TopologyBuilder(const TopoDS_Shape& shape, LiveShape& live) : shape_(shape), live_(live) {
+    TopologyBuilder(const TopoDS_Shape& shape, LiveShape& live, const Progress* progress)
+        : shape_(shape), live_(live), progress_(progress) {
         TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
         TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
         TopExp::MapShapes(shape, TopAbs_FACE, faces_);
@@ -114,6 +115,7 @@ class TopologyBuilder {
 
     const TopoDS_Shape& shape_;
     LiveShape& live_;
+    const Progress* progress_;
     TopTools_IndexedMapOfShape vertices_;
     TopTools_IndexedMapOfShape edges_;
     TopTools_IndexedMapOfShape faces_;
@@ -129,7 +131,9 @@ void TopologyBuilder::add_nodes() {
 }
 
 void TopologyBuilder::add_edges() {
+    Pace pace(progress_);
     for (int i = 1; i <= edges_.Extent(); ++i) {
+        pace.step();
         const TopoDS_Edge shape = TopoDS::Edge(edges_(i).Oriented(TopAbs_FORWARD));
         Edge edge;
         TopoDS_Vertex ends[2];
@@ -167,6 +171,7 @@ void TopologyBuilder::set_range(int index, Edge& edge) const {
 void TopologyBuilder::add_faces() {
     topology_.faces.resize(static_cast<std::size_t>(faces_.Extent()));
     for (int i = 0; i < faces_.Extent(); ++i) {
+        look_for_cancel(progress_);
         add_face(i);
     }
 }
@@ -348,8 +353,8 @@ std::array<double, 2> periods_of(const GeomAdaptor_Surface& surface, double tole
     return periods;
 }
 
-Topology build_topology(const TopoDS_Shape& shape, LiveShape& live) {
-    return TopologyBuilder(shape, live).build();
+Topology build_topology(const TopoDS_Shape& shape, LiveShape& live, const Progress* progress) {
+    return TopologyBuilder(shape, live, progress).build();
 }
 
 }  // namespace mq::geometry

@@ -9,6 +9,7 @@
 #include <random>
 #include <set>
 
+#include "base/error.h"
 #include "base/point_source.h"
 #include "base/predicates.h"
 
@@ -158,6 +159,27 @@ TEST(PlanarTriangulation, FlipsOnlyConvexPairsWithoutAConstraint) {
     ASSERT_FALSE(planar.insert_constraint(v[0], v[2], 5));
     EXPECT_FALSE(planar.flip_edge(planar.find_edge(v[0], v[2])));
     expect_valid(planar);
+}
+
+/// Among flipped edges the way to a point can lead round in circles.
+TEST(PlanarTriangulation, FindsPointsAmongFlippedEdges) {
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        std::mt19937 random(seed);
+        const auto coordinate = [&] { return static_cast<double>(random()) / 4294967296.0; };
+        Planar planar(Vec2(0.0, 0.0), Vec2(1.0, 1.0));
+        for (int i = 0; i < 60; ++i) {
+            const Vec2 p(coordinate(), coordinate());
+            ASSERT_EQ(planar.insert(p), Planar::kFrame + i);
+            for (int k = 0; k < 200; ++k) {
+                planar.flip_edge(static_cast<int>(random() % (3 * static_cast<unsigned>(planar.triangle_count()))));
+            }
+        }
+    }
+}
+
+TEST(PlanarTriangulation, RefusesPointsOutsideOfItsFrame) {
+    Planar planar(Vec2(0.0, 0.0), Vec2(1.0, 1.0));
+    EXPECT_THROW(planar.insert(Vec2(1e3, 0.0)), InvalidInput);
 }
 
 TEST(PlanarTriangulation, FindsDuplicates) {
