@@ -22,6 +22,12 @@ double turn_along(const SurfaceMesh& mesh, int h) {
     return angle_between(mesh.site(mesh.site_of(h)).normal, mesh.site(mesh.site_of(SurfaceMesh::next(h))).normal);
 }
 
+// Of the two triangles, whichever side the half-edge is.
+std::array<std::uint32_t, 2> stamps_beside(const SurfaceMesh& mesh, int h) {
+    const int first = std::min(h, mesh.twin(h));
+    return {mesh.stamp(first / 3), mesh.stamp(mesh.twin(first) / 3)};
+}
+
 }  // namespace
 
 double ChordRefiner::excess_of_edge(double chord, int half_edge) const {
@@ -91,7 +97,7 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
             continue;
         }
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            if (work_.mesh.twin(h) > h && !passed_.marked(work_.mesh, h)) {
+            if (work_.mesh.twin(h) > h && !passed_.marked(work_.mesh, h) && !refused(h)) {
                 edges.push_back(h);
             }
         }
@@ -125,7 +131,6 @@ void ChordRefiner::measure_triangles(std::vector<Site>& found) {
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         pace.step();
         if (!measured_.marked(work_.mesh, t)) {
-            measured_.mark(work_.mesh, t);
             triangles.push_back(t);
         }
     }
@@ -133,11 +138,36 @@ void ChordRefiner::measure_triangles(std::vector<Site>& found) {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int t = triangles[i];
         const double e = excess(distances[i].avoidable);
-        if (e > 1.0) {
-            const int h = longest_side(work_.mesh, t);
-            found.push_back({h, work_.mesh.stamp(t), e, edge_middle_site(work_.mesh, h)});
+        const std::optional<int> h = e > 1.0 ? side_to_split(t) : std::nullopt;
+        if (h) {
+            found.push_back({*h, work_.mesh.stamp(t), e, edge_middle_site(work_.mesh, *h)});
+        } else {
+            measured_.mark(work_.mesh, t);
         }
     }
+}
+
+// The longest of those that can be.
+std::optional<int> ChordRefiner::side_to_split(int triangle) const {
+    std::optional<int> best;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const int s = work_.mesh.segment_of(h);
+        const bool possible = s >= 0 ? !segments_.refused(s) : !refused(h);
+        if (possible && (!best || side_length(work_.mesh, h) > side_length(work_.mesh, *best))) {
+            best = h;
+        }
+    }
+    return best;
+}
+
+// As long as the triangles beside it stay as they are.
+bool ChordRefiner::refused(int half_edge) const {
+    const auto found = refused_.find(work_.mesh.number_of(half_edge));
+    return found != refused_.end() && found->second == stamps_beside(work_.mesh, half_edge);
+}
+
+void ChordRefiner::refuse(int half_edge) {
+    refused_[work_.mesh.number_of(half_edge)] = stamps_beside(work_.mesh, half_edge);
 }
 
 void ChordRefiner::measure_growth(std::vector<Site>& found) {
@@ -156,7 +186,7 @@ void ChordRefiner::measure_growth(std::vector<Site>& found) {
         }
     }
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
-        if (mesh.twin(h) > h && !refused_.marked(mesh, h)) {
+        if (mesh.twin(h) > h && !refused(h)) {
             check(h);
         }
     }
@@ -221,7 +251,11 @@ void ChordRefiner::split(const std::vector<Site>& sites) {
 
 void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>& p) {
     const int h = site.half_edge;
-    if (!p || work_.mesh.stamp(h / 3) != site.stamp || work_.mesh.twin(h) < 0) {
+    if (work_.mesh.stamp(h / 3) != site.stamp || work_.mesh.twin(h) < 0) {
+        return;
+    }
+    if (!p) {
+        refuse(h);
         return;
     }
     bool split_segment = false;
@@ -232,8 +266,7 @@ void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>
         }
     }
     if (!split_segment && insert_vertex(work_, h / 3, *p, touched_, kAlignedAtLast)) {
-        passed_.mark(work_.mesh, h);  // it cannot be split here
-        refused_.mark(work_.mesh, h);
+        refuse(h);
     }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "triangulate/chord_measure.h"
@@ -35,6 +38,9 @@ class ChordRefiner {
     void measure_edges(std::vector<Site>& found);
     void measure_triangles(std::vector<Site>& found);
     bool all_edges_passed(int triangle) const;
+    std::optional<int> side_to_split(int triangle) const;
+    bool refused(int half_edge) const;
+    void refuse(int half_edge);
     void measure_growth(std::vector<Site>& found);
     double excess(double chord) const { return sizing_.tolerance > 0.0 ? chord / sizing_.tolerance : 0.0; }
     double excess_of_edge(double chord, int half_edge) const;
@@ -46,10 +52,11 @@ class ChordRefiner {
     SegmentSplitter& segments_;
     ChordMeasure& measure_;
     const Sizing& sizing_;
-    EdgeMarks passed_;            // within all bounds, or not to be split
-    EdgeMarks refused_;           // those not to be split
+    EdgeMarks passed_;            // within all bounds
     TriangleMarks edges_passed_;  // those all of whose edges passed
-    TriangleMarks measured_;
+    TriangleMarks measured_;      // within the tolerance, or not to be split
+    using Stamps = std::array<std::uint32_t, 2>;
+    std::map<int, Stamps> refused_;  // edges that could not be split, by number, and the triangles beside them then
     std::vector<int> touched_;
     bool changed_ = false;
 };

@@ -87,6 +87,21 @@ void expect_chord(const Solid& solid, const Options& options, double bound) {
     expect_place(solid, result);
 }
 
+/// Triangles that are left as they are when a segment beside them is split first, or that cannot be split at the first
+/// side, get another chance.
+TEST(ChordRefiner, EveryTriangleOfARingKeepsTheChordHeight) {
+    const double rings[3][4] = {// radii, chord height, angle
+                                {5.77, 1.42519, 0.0416747, 24.7},
+                                {1.57, 0.76302, 0.00620206, 20.7},
+                                {5.84, 3.40472, 0.0234467, 24.3}};
+    for (const auto& [large, small, chord, angle] : rings) {
+        Options options;
+        options.chord_height = chord;
+        options.min_angle = angle;
+        EXPECT_LE(mesh_of(geometry::make_torus(large, small), options).report.max_chord_height, chord) << large;
+    }
+}
+
 TEST(Chord, AbsoluteBoundHoldsOnDenseSamples) {
     for (const Solid& solid : solids()) {
         for (const double bound : {0.2, 0.05, 0.01}) {
