@@ -304,6 +304,16 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     return result;
 }
 
+// Whether a mesh misses anything that the one it began with did not.
+bool misses_more(const mesh::MeshReport& now, const mesh::MeshReport& before) {
+    const auto too_far = [](const mesh::MeshReport& r) {
+        return r.chord_height_asked > 0.0 && r.max_chord_height > r.chord_height_asked;
+    };
+    return now.exempt.size() > before.exempt.size() || now.self_intersections > before.self_intersections ||
+           (too_far(now) && !too_far(before)) || (!now.closed && before.closed) || (!now.oriented && before.oriented) ||
+           (!now.manifold && before.manifold) || !now.complete;
+}
+
 }  // namespace
 
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options,
@@ -327,6 +337,10 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     const auto before = can_be_recalled(options) ? memory->nearest(keys.faces, options) : nullptr;
     auto run = std::make_shared<Run>(Run{keys.input, {}, options, chord, grid.resolution(), session.place(), {}});
     run->result = mesh_part(task, keys.faces, before, run.get());
+    if (before != nullptr && misses_more(run->result.report, before->result.report)) {
+        run->faces.clear();
+        run->result = mesh_part(task, keys.faces, nullptr, run.get());
+    }
     memory->add(run);
     return run->result;
 }

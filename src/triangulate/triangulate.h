@@ -82,7 +82,8 @@ struct Result {
 ///
 /// The `memory` gets what this run leaves, unless it is null. The very same input as in a run that it holds gets that
 /// run's result. Else faces that were meshed before start as they were, where the same is asked for: the guarantees are
-/// the same, but the mesh depends on what was remembered. No face is remembered with samples, nor where smooth edges
+/// the same, but the mesh depends on what was remembered. Where that misses more than the mesh before the edit did, all
+/// is done from nothing. No face is remembered with samples, nor where smooth edges
 /// are released.
 /// @throws InvalidInput, TopologyError, GeometryError naming the entity; Cancelled.
 Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options = {},
