@@ -22,7 +22,6 @@ constexpr double kOffSurface = 4.0;
 constexpr double kMuchTheSame = 1.25;
 // Edges that have so many more vertices than they had once have become fine.
 constexpr double kGrowth = 1.25;
-constexpr double kSpare = 2.0;
 constexpr std::size_t kMany = static_cast<std::size_t>(-1);
 
 std::vector<std::vector<int>> triangles_by_face(const SurfaceMesh& mesh, std::size_t faces) {
@@ -121,7 +120,7 @@ bool Recall::made_fine_by_changes(int face) const {
         const std::vector<int>& around = topology.edges[e].uses;
         const bool changes =
             std::any_of(around.begin(), around.end(), [&](int u) { return faces_[topology.uses[u].face] == nullptr; });
-        if (changes && static_cast<double>(faces_[face]->parameters[k].size()) > kGrowth * fewest_[e] + kSpare) {
+        if (changes && static_cast<double>(faces_[face]->parameters[k].size()) > kGrowth * fewest_[e]) {
             return true;
         }
     }
