@@ -16,10 +16,10 @@ namespace {
 using mesh::SurfaceMesh;
 
 // The innermost shell is this much smaller than the distance to the nearest thing that is not part of the corner.
-constexpr double kRoom = 0.25;
+constexpr double kRoom = 0.9;
 constexpr int kMaxHalvings = 20;
 // An edge this near to the middle of an innermost piece, in lengths of the piece, calls for a shorter piece.
-constexpr double kBesideEdge = 0.4;
+constexpr double kBesideEdge = 0.3;
 
 std::vector<Vec3> points_of(const SurfaceMesh& mesh) {
     std::vector<Vec3> points;

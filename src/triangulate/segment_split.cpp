@@ -157,6 +157,7 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
     }
     const geometry::Engine::Answers answers = work_.session.ask(std::move(on_faces));
     const Answer* next = answers.data();
+    std::vector<int> forced;
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const std::size_t uses = work_.mesh.segment(segments[i]).uses.size();
         const bool was_frozen = frozen(segments[i]);
@@ -164,9 +165,12 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
         if (outcome == Outcome::Refused) {
             refuse(segments[i]);
         } else if (outcome == Outcome::Split && was_frozen) {
-            force_mates(segments[i]);
+            forced.push_back(segments[i]);
         }
         next += uses;
+    }
+    for (const int s : forced) {  // only now: its mates may have been among these segments
+        force_mates(s);
     }
 }
 
