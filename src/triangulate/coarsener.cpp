@@ -115,10 +115,12 @@ std::optional<Coarsener::Plan> Coarsener::plan_for(int vertex) const {
 }
 
 // Where there are smaller angles than the bound now, more than these will do, but no needle takes the place of another.
+// Angles of the part itself do not count: a triangle that fills its corner evenly would give way to one that does not.
 double Coarsener::least_angle(const StarPolygon& polygon) const {
     double least = least_angle_;
     for (const int t : polygon.triangles) {
-        if (work_.exemption_of(t) != nullptr) {
+        const Exemption* exemption = work_.exemption_of(t);
+        if (exemption != nullptr && exemption->cause != Cause::NarrowCorner) {
             least = std::min(least, std::max(kGain * smallest_angle(work_.mesh, t).angle, kNoNeedle * bound_));
         }
     }

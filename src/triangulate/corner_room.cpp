@@ -17,6 +17,7 @@ using mesh::SurfaceMesh;
 
 // The innermost shell is this much smaller than the distance to the nearest thing that is not part of the corner.
 constexpr double kRoom = 0.9;
+constexpr double kOfWholeEdge = 0.6;
 constexpr int kMaxHalvings = 20;
 // An edge this near to the middle of an innermost piece, in lengths of the piece, calls for a shorter piece.
 constexpr double kBesideEdge = 0.3;
@@ -54,12 +55,14 @@ class RoomSearch {
         double radius = 1e300;
         std::set<int> own;
         for (const int s : pieces) {
-            radius = std::min(radius, (end_of(s, 1) - end_of(s, 0)).norm());
+            const auto& ends = mesh_.segment(s).vertices;
+            const bool whole = mesh_.vertex(ends[0]).entity[0] == 0 && mesh_.vertex(ends[1]).entity[0] == 0;
+            radius = std::min(radius, (whole ? kOfWholeEdge : 1.01) * (end_of(s, 1) - end_of(s, 0)).norm());
             if (!mesh_.segment(s).uses.empty()) {
                 own.insert(mesh_.segment(s).edge);
             }
         }
-        return clear_of_other_edges(node, pieces, own, kRoom * clear_of_vertices(node, own, radius));
+        return clear_of_other_edges(node, pieces, own, std::min(radius, kRoom * clear_of_vertices(node, own, 1.2 * radius)));
     }
 
   private:

@@ -21,6 +21,7 @@ using mesh::SurfaceMesh;
 // Vertices that a piece of that length leaves no room for lie this near, in lengths of the piece.
 constexpr double kBesideShell = 1.5;
 constexpr double kSameShell = 1.1;
+constexpr double kOnShell = 1.01;  // where a curve meets a shell is not found exactly
 constexpr double kNotFolded = 0.1;
 constexpr int kMaxPostponed = 12;
 
@@ -51,7 +52,8 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
     if (corners[end].angle >= kAcuteCorner) {
         return {};
     }
-    const double shell = std::exp2(std::round(std::log2(0.5 * chord(segment))));
+    const double innermost = room_.innermost[work_.mesh.segment(segment).vertices[end]];
+    const double shell = innermost * std::exp2(std::round(std::log2(0.5 * chord(segment) / innermost)));
     // Where the other edge of a narrow corner is split more finely already, its innermost vertex sets the shell: a
     // chord that ends farther out could cross it.
     const double other = chord(corners[end].segment);
@@ -61,7 +63,7 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
 bool SegmentSplitter::frozen(int segment, int* corner_vertex) const {
     for (int end = 0; end < 2; ++end) {
         const int v = work_.mesh.segment(segment).vertices[end];
-        if (v < static_cast<int>(room_.innermost.size()) && chord(segment) <= room_.innermost[v] &&
+        if (v < static_cast<int>(room_.innermost.size()) && chord(segment) <= kOnShell * room_.innermost[v] &&
             narrowest_corner(work_.mesh, segment, end).angle < kNarrowCorner) {
             if (corner_vertex != nullptr) {
                 *corner_vertex = v;
@@ -165,7 +167,7 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
         if (outcome == Outcome::Refused) {
             refuse(segments[i]);
         } else if (outcome == Outcome::Split && was_frozen) {
-            forced.push_back(segments[i]);
+            forced.insert(forced.end(), {segments[i], work_.mesh.segment_count() - 1});  // its two halves
         }
         next += uses;
     }
