@@ -159,19 +159,18 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
     }
     const geometry::Engine::Answers answers = work_.session.ask(std::move(on_faces));
     const Answer* next = answers.data();
-    std::vector<int> forced;
+    std::vector<int> halves;
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const std::size_t uses = work_.mesh.segment(segments[i]).uses.size();
-        const bool was_frozen = frozen(segments[i]);
         const Outcome outcome = split(segments[i], places[i], next, touched);
         if (outcome == Outcome::Refused) {
             refuse(segments[i]);
-        } else if (outcome == Outcome::Split && was_frozen) {
-            forced.insert(forced.end(), {segments[i], work_.mesh.segment_count() - 1});  // its two halves
+        } else if (outcome == Outcome::Split) {
+            halves.insert(halves.end(), {segments[i], work_.mesh.segment_count() - 1});
         }
         next += uses;
     }
-    for (const int s : forced) {  // only now: its mates may have been among these segments
+    for (const int s : halves) {  // only now: their mates may have been among these segments
         force_mates(s);
     }
 }
@@ -179,7 +178,7 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
 void SegmentSplitter::force_mates(int segment) {
     for (int end = 0; end < 2; ++end) {
         const NarrowCorner corner = narrowest_corner(work_.mesh, segment, end);
-        if (corner.angle < kNarrowCorner && chord(corner.segment) > kSameShell * chord(segment)) {
+        if (corner.angle < kNarrowCorner && frozen(segment) && chord(corner.segment) > kSameShell * chord(segment)) {
             request(corner.segment, true);
         }
     }
