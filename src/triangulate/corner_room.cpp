@@ -15,12 +15,18 @@ namespace {
 
 using mesh::SurfaceMesh;
 
-// The innermost shell is this much smaller than the distance to the nearest thing that is not part of the corner.
-constexpr double kRoom = 0.9;
+// The innermost shell is as large as there is room, since edges that touch each other part with their distance from the
+// node: the wider they are apart where the innermost piece ends, the longer may be the pieces beyond it, and the easier
+// is the way from its length to theirs. In lengths of the first pieces of the edges; one that is a whole CAD edge has a
+// corner at its other end, too.
+constexpr double kOfPiece = 1.01;
 constexpr double kOfWholeEdge = 0.6;
-constexpr int kMaxHalvings = 20;
+// In distances from the node to the nearest vertex that is not part of the corner, and to an edge that passes by.
+constexpr double kRoom = 0.9;
+constexpr double kBesideNode = 3.0;
 // An edge this near to the middle of an innermost piece, in lengths of the piece, calls for a shorter piece.
 constexpr double kBesideEdge = 0.3;
+constexpr int kMaxHalvings = 20;
 
 std::vector<Vec3> points_of(const SurfaceMesh& mesh) {
     std::vector<Vec3> points;
@@ -57,12 +63,13 @@ class RoomSearch {
         for (const int s : pieces) {
             const auto& ends = mesh_.segment(s).vertices;
             const bool whole = mesh_.vertex(ends[0]).entity[0] == 0 && mesh_.vertex(ends[1]).entity[0] == 0;
-            radius = std::min(radius, (whole ? kOfWholeEdge : 1.01) * (end_of(s, 1) - end_of(s, 0)).norm());
+            radius = std::min(radius, (whole ? kOfWholeEdge : kOfPiece) * (end_of(s, 1) - end_of(s, 0)).norm());
             if (!mesh_.segment(s).uses.empty()) {
                 own.insert(mesh_.segment(s).edge);
             }
         }
-        return clear_of_other_edges(node, pieces, own, std::min(radius, kRoom * clear_of_vertices(node, own, 1.2 * radius)));
+        radius = std::min(radius, kRoom * clear_of_vertices(node, own, radius / kRoom));
+        return clear_of_other_edges(node, pieces, own, radius);
     }
 
   private:
@@ -105,11 +112,10 @@ class RoomSearch {
             if (!beside || own.count(mesh_.segment(s).edge) > 0) {
                 continue;
             }
-            const auto too_near = [&](const Vec3& way) {
-                return distance_to_segment(p + 0.5 * way, end_of(s, 0), end_of(s, 1)) < kBesideEdge * way.norm();
-            };
+            const auto room_at = [&](const Vec3& q) { return distance_to_segment(q, end_of(s, 0), end_of(s, 1)); };
+            radius = std::min(radius, kBesideNode * room_at(p));
             for (const Vec3& d : directions) {
-                for (int n = 0; n < kMaxHalvings && too_near(radius * d); ++n) {
+                for (int n = 0; n < kMaxHalvings && room_at(p + 0.5 * radius * d) < kBesideEdge * radius; ++n) {
                     radius *= 0.5;
                 }
             }

@@ -12,7 +12,7 @@
 namespace mq::triangulate {
 
 /// Splits constraining edges on their CAD curves: in the middle by arc length, and near a CAD node with an acute
-/// corner on concentric shells, at a power-of-two distance from the node (Ruppert 1995, modified segment splitting).
+/// corner on concentric shells, at power-of-two multiples of the innermost (Ruppert 1995, modified segment splitting).
 /// On shells the pieces at one narrow corner get equal lengths, and equal pieces at less than 60 degrees do not
 /// encroach on each other.
 class SegmentSplitter {

@@ -70,7 +70,7 @@ inline TopoDS_Shape wedge(double degrees, double length, double height) {
     return extruded(BRepBuilderAPI_MakeFace(polygon.Wire(), Standard_True).Face(), height);
 }
 
-/// Between two circles that touch in the origin: an angle of zero.
+/// Between two circles that touch in the origin, and a line that touches both: three angles of zero.
 inline TopoDS_Face cusp() {
     return planar_face({arc(circle_about(0.0, -4.0, 4.0), 0.0, 0.5 * M_PI), line(4.0, -4.0, 4.0, 4.0),
                         arc(circle_about(0.0, 4.0, 4.0), 1.5 * M_PI, 2.0 * M_PI)});

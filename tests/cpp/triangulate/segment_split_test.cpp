@@ -17,6 +17,17 @@ double length_of(const SurfaceMesh& mesh, int segment) {
     return (mesh.vertex(v[1]).point - mesh.vertex(v[0]).point).norm();
 }
 
+/// The piece of the segment's CAD edge that ends in the node.
+int piece_at(const SurfaceMesh& mesh, int segment, int node) {
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        const auto& ends = mesh.segment(s).vertices;
+        if (mesh.segment(s).edge == mesh.segment(segment).edge && (ends[0] == node || ends[1] == node)) {
+            return s;
+        }
+    }
+    return -1;
+}
+
 /// Every segment is split once more in every round.
 void split_all(Pipeline& pipeline, SegmentSplitter& segments, int rounds) {
     for (int round = 0; round < rounds; ++round) {
@@ -83,6 +94,7 @@ TEST(SegmentSplitter, SplitsOnShellsNearAcuteCorners) {
     for (const double angle : {5.0, 15.0, 40.0, 80.0}) {
         SCOPED_TRACE(angle);
         Pipeline pipeline(geometry::make_shape_model(geometry::wedge(angle, 10.0, 6.0)));
+        const std::vector<double> innermost = measure_room(pipeline.surface).innermost;
         SegmentSplitter segments(pipeline.work);
         split_all(pipeline, segments, 3);
         const SurfaceMesh& mesh = pipeline.surface;
@@ -95,7 +107,8 @@ TEST(SegmentSplitter, SplitsOnShellsNearAcuteCorners) {
                     mesh.vertex(segment.vertices[end]).entity[0] == 0 && node.head<2>().norm() < 1e-6;
                 const bool across = std::abs(mesh.vertex(segment.vertices[1 - end]).point.z() - node.z()) < 1e-6;
                 if (in_corner && across) {
-                    const double exponent = std::log2(length_of(mesh, s));
+                    const auto v = static_cast<std::size_t>(segment.vertices[end]);
+                    const double exponent = std::log2(length_of(mesh, s) / innermost[v]);
                     EXPECT_NEAR(exponent, std::round(exponent), 1e-5);
                     ++shells;
                 }
@@ -119,6 +132,32 @@ TEST(SegmentSplitter, PiecesOfACornerGetEqualLengths) {
         }
     }
     EXPECT_EQ(lengths.size(), 1u);
+}
+
+/// Whichever of them is split, and at whichever of its ends the corner is; nothing is split twice for the other.
+TEST(SegmentSplitter, TheOtherPieceOfACornerFollows) {
+    const auto model = geometry::make_shape_model(geometry::wedge(20.0, 9.0, 4.0));
+    const int count = Pipeline(model).surface.segment_count();
+    for (int forced = 0; forced < count; ++forced) {
+        Pipeline pipeline(model);
+        const SurfaceMesh& mesh = pipeline.surface;
+        for (int end = 0; end < 2; ++end) {
+            const NarrowCorner corner = narrowest_corner(mesh, forced, end);
+            if (corner.angle > 0.4) {
+                continue;
+            }
+            SCOPED_TRACE(forced);
+            const int node = mesh.segment(forced).vertices[end];
+            SegmentSplitter segments(pipeline.work);
+            std::vector<int> touched;
+            for (int round = 0; round < 3; ++round) {
+                segments.request(piece_at(mesh, forced, node), true);
+                segments.run(touched);
+            }
+            const double length = length_of(mesh, piece_at(mesh, forced, node));
+            EXPECT_NEAR(length_of(mesh, piece_at(mesh, corner.segment, node)), length, 1e-4 * length);
+        }
+    }
 }
 
 TEST(SegmentSplitter, RefusesWhatWouldBeShorterThanTheFloor) {
