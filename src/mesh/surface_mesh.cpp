@@ -252,6 +252,25 @@ std::vector<int> SurfaceMesh::join_segments(int near, int far, const std::vector
     return all;
 }
 
+void SurfaceMesh::put_between(int near, int far, int vertex, double t, const std::vector<std::vector<int>>& spokes,
+                              const std::vector<int>& sites) {
+    segments_[near].vertices[1] = vertex;
+    segments_[near].t[1] = t;
+    segments_[far].vertices[0] = vertex;
+    segments_[far].t[0] = t;
+    for (std::size_t k = 0; k < spokes.size(); ++k) {
+        for (const int h : spokes[k]) {
+            corner_[h] = sites[k];
+            ++stamp_[triangle_of(h)];
+            number_[h] = numbers_++;
+            if (twin(h) >= 0) {
+                number_[twin_[h]] = number_[h];
+            }
+        }
+        number_[prev(spokes[k].back())] = numbers_++;
+    }
+}
+
 std::vector<std::pair<int, int>> SurfaceMesh::compact() {
     std::vector<std::pair<int, int>> moved;
     for (int hole = 0; hole < triangle_count(); ++hole) {

@@ -108,6 +108,11 @@ class SurfaceMesh {
     /// both. `refills[k]` for use k of `near`. Nothing uses `far` afterwards.
     /// @return the new triangles. Triangles may be gone until `compact`.
     std::vector<int> join_segments(int near, int far, const std::vector<Refill>& refills);
+    /// Puts another vertex in the place of the one where `near` ends and `far` starts, at parameter `t`. `spokes[k]`
+    /// are the half-edges that leave it on the face of use k of `near`, and `sites[k]` is the new vertex as that use
+    /// sees it.
+    void put_between(int near, int far, int vertex, double t, const std::vector<std::vector<int>>& spokes,
+                     const std::vector<int>& sites);
     /// Joins the two sides of a segment as twins, across faces: it constrains no longer, and has no uses. Needs exactly
     /// two uses, which run opposite ways. Sites stay: the same vertex has one on either side.
     void dissolve(int segment);

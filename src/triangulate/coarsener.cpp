@@ -9,6 +9,7 @@
 #include "triangulate/corner_angle.h"
 #include "triangulate/deviation.h"
 #include "triangulate/disc_change.h"
+#include "triangulate/segments_at.h"
 
 namespace mq::triangulate {
 
@@ -44,15 +45,9 @@ Coarsener::Coarsener(Workspace& work, const ChordMeasure& measure, double min_an
 void Coarsener::find_places() {
     const SurfaceMesh& mesh = work_.mesh;
     half_edge_of_.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
-    segments_at_.assign(static_cast<std::size_t>(mesh.vertex_count()), {-1, -1});
+    segments_at_ = segments_at_vertices(mesh);
     for (int h = mesh.half_edge_count() - 1; h >= 0; --h) {
         half_edge_of_[static_cast<std::size_t>(mesh.vertex_of(h))] = h;
-    }
-    for (int s = 0; s < mesh.segment_count(); ++s) {
-        if (!mesh.segment(s).uses.empty()) {
-            segments_at_[static_cast<std::size_t>(mesh.segment(s).vertices[1])][0] = s;
-            segments_at_[static_cast<std::size_t>(mesh.segment(s).vertices[0])][1] = s;
-        }
     }
 }
 

@@ -122,6 +122,25 @@ std::vector<int> Maxmin::join_segments(int near, int far, const std::vector<Surf
     return indices;
 }
 
+void Maxmin::put_between(int near, int far, int vertex, double t, const std::vector<std::vector<int>>& spokes,
+                         const std::vector<int>& sites) {
+    const auto book = [&](void (Maxmin::*booked)(int, int)) {
+        for (const int s : {near, far}) {
+            (this->*booked)(mesh_.segment(s).vertices[0], mesh_.segment(s).vertices[1]);
+        }
+        for (const std::vector<int>& around : spokes) {
+            for (const int h : around) {
+                if (mesh_.twin(h) >= 0) {
+                    (this->*booked)(mesh_.vertex_of(h), mesh_.vertex_of(SurfaceMesh::next(h)));
+                }
+            }
+        }
+    };
+    book(&Maxmin::forget);
+    mesh_.put_between(near, far, vertex, t, spokes, sites);
+    book(&Maxmin::remember);
+}
+
 void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched, double least) {
     while (!stack.empty()) {
         const int h = stack.back();

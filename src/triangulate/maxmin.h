@@ -37,6 +37,9 @@ class Maxmin {
     std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);
     /// One segment in the place of two (see SurfaceMesh::join_segments), in the books as well.
     std::vector<int> join_segments(int near, int far, const std::vector<mesh::SurfaceMesh::Refill>& refills);
+    /// Another vertex between two segments (see SurfaceMesh::put_between), in the books as well.
+    void put_between(int near, int far, int vertex, double t, const std::vector<std::vector<int>>& spokes,
+                     const std::vector<int>& sites);
     /// Whether an edge or a segment joins the two vertices already, both of them on CAD edges.
     bool joined(int a, int b) const { return on_border(a) && on_border(b) && pairs_.count(pair_key(a, b)) > 0; }
 

@@ -49,7 +49,7 @@ double largest_distance(const geometry::Engine::Answers& answers) {
 }  // namespace
 
 Mender::Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing)
-    : work_(work), bound_(min_angle_degrees * M_PI / 180.0), sizing_(sizing) {}
+    : work_(work), bound_(min_angle_degrees * M_PI / 180.0), sizing_(sizing), slider_(work, sizing) {}
 
 // The part itself has the angle.
 bool Mender::hopeless(int triangle) const {
@@ -243,7 +243,7 @@ bool Mender::mend(int triangle) {
         }
         discs = std::move(larger);
     }
-    if (try_best(proposals, 0.0)) {
+    if (slide(triangle, wanted_) || try_best(proposals, 0.0) || slide(triangle, 0.0)) {
         return true;
     }
     exhausted_.insert(keys.begin(), keys.end());
@@ -364,9 +364,20 @@ bool Mender::carry_out(Proposal& proposal) {
     return true;
 }
 
-// What failed beside it gets another chance.
 void Mender::replace(const Disc& disc, int apex_site) {
-    for (const int t : put_fan(work_, disc, apex_site, bound_)) {
+    look_again_around(put_fan(work_, disc, apex_site, bound_));
+}
+
+bool Mender::slide(int triangle, double at_least) {
+    const auto enough = [&](double before) { return std::max(at_least, enough_after(before)); };
+    const std::vector<int> changed = slider_.improve(triangle, bound_, enough);
+    look_again_around(changed);
+    return !changed.empty();
+}
+
+// What failed beside it gets another chance.
+void Mender::look_again_around(const std::vector<int>& changed) {
+    for (const int t : changed) {
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             for (const int other : triangles_around(work_.mesh, h)) {
                 if (!at_resolution(other)) {

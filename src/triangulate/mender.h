@@ -10,6 +10,7 @@
 #include "triangulate/disc.h"
 #include "triangulate/insertion.h"
 #include "triangulate/sizing.h"
+#include "triangulate/slider.h"
 #include "triangulate/triangle_marks.h"
 
 namespace mq::triangulate {
@@ -17,7 +18,7 @@ namespace mq::triangulate {
 /// Mends triangles below the bound that refinement has given up, by local improvement: the triangles of a disc around
 /// one of them (the stars of its corners and edges, itself with its neighbours) give way to a fan from a new vertex, or
 /// from one of the rim, when the smallest angle among them becomes larger. So vertices move, edges collapse and
-/// vertices are put in, whichever helps most.
+/// vertices are put in, whichever helps most; where that does not do, vertices on CAD edges move along these (Slider).
 ///
 /// Refinement fails where a long edge at a narrow corner of the part has short ones beside it: encroachment forbids the
 /// vertices that a graded fan needs. Angles here are all that counts, besides the bounds on lengths and chord heights.
@@ -61,6 +62,8 @@ class Mender {
     std::optional<SurfacePoint> apex_near(const Disc& disc, const Vec3& p) const;
     bool carry_out(Proposal& proposal);
     void replace(const Disc& disc, int apex_site);
+    bool slide(int triangle, double at_least);
+    void look_again_around(const std::vector<int>& changed);
     std::uint64_t key(const Disc& disc) const;
     double enough_after(double before) const;
     bool good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const;
@@ -74,6 +77,7 @@ class Mender {
     std::vector<int> near_;  // these vertices, ascending
     const Sizing& sizing_;
     std::priority_queue<Bad> queue_;
+    Slider slider_;
     TriangleMarks failed_;  // until something changes beside them
     KeySet exhausted_;      // discs that nothing better was found for, by key
 };

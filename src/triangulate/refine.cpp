@@ -231,7 +231,9 @@ bool Refiner::narrowed_by_chords(int a, int b, int vertex) {
         tangents[i] = (s.t[1 - end] > s.t[end] ? 1.0 : -1.0) * there.normal;
         chords[i] = work_.mesh.vertex(s.vertices[1 - end]).point - work_.mesh.vertex(vertex).point;
     }
-    if (angle_between(tangents[0], tangents[1]) < kNarrowed * angle_between(chords[0], chords[1])) {
+    const double angle = angle_between(tangents[0], tangents[1]);
+    const double enclosed = angle_between(chords[0], chords[1]);
+    if (angle < kNarrowed * enclosed && (angle < bound_ || enclosed >= bound_)) {
         return false;
     }
     ++sharpened_[vertex];

@@ -343,6 +343,43 @@ TEST(SurfaceMesh, JoinedSegmentsAreThoseBeforeTheSplit) {
     }
 }
 
+/// Only what is around the vertex counts as changed, and the old vertex is on nothing any more.
+TEST(SurfaceMesh, AnotherVertexTakesThePlaceBetweenTwoSegments) {
+    for (const Sample& sample : all_samples()) {
+        SCOPED_TRACE(sample.name);
+        for (int s = 0; s < sample.mesh.segment_count(); ++s) {
+            SurfaceMesh mesh = sample.mesh;
+            const int far = Shaker(mesh, 1).split_segment(s);
+            const int old = mesh.segment(s).vertices[1];
+            const int vertex = mesh.add_vertex(mesh.vertex(old).point, mesh.vertex(old).entity);
+            std::vector<std::vector<int>> spokes;
+            std::vector<int> sites;
+            std::set<int> around;
+            for (const SurfaceMesh::SegmentUse& use : mesh.segment(s).uses) {
+                const int h = mesh.vertex_of(use.half_edge) == old ? use.half_edge : SurfaceMesh::next(use.half_edge);
+                spokes.push_back(mesh.star(h));
+                SurfaceMesh::Site site = mesh.site(mesh.site_of(h));
+                site.vertex = vertex;
+                sites.push_back(mesh.add_site(site));
+                for (const int spoke : spokes.back()) {
+                    around.insert(spoke / 3);
+                }
+            }
+            const SurfaceMesh before = mesh;
+            mesh.put_between(s, far, vertex, 0.25, spokes, sites);
+            EXPECT_EQ(mesh.inconsistency(), "");
+            EXPECT_EQ(mesh.segment(s).t[1], 0.25);
+            EXPECT_EQ(mesh.segment(far).t[0], 0.25);
+            for (int h = 0; h < mesh.half_edge_count(); ++h) {
+                EXPECT_NE(mesh.vertex_of(h), old);
+                EXPECT_EQ(mesh.stamp(h / 3) != before.stamp(h / 3), around.count(h / 3) > 0);
+                const bool at_vertex = mesh.vertex_of(h) == vertex || mesh.vertex_of(SurfaceMesh::next(h)) == vertex;
+                EXPECT_EQ(mesh.number_of(h) != before.number_of(h), at_vertex);
+            }
+        }
+    }
+}
+
 TEST(SurfaceMesh, SegmentsHaveOneTwoAndThreeUses) {
     const auto most_uses = [](const SurfaceMesh& mesh) {
         std::size_t most = 0;

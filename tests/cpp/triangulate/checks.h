@@ -77,6 +77,31 @@ inline bool single_precision(const Vec3& p) {
     return p.allFinite() && is_single(p);
 }
 
+/// Vertices on CAD edges lie on the curve and on every face that shares it.
+inline void expect_on_curves(Pipeline& pipeline) {
+    const mesh::SurfaceMesh& surface = pipeline.surface;
+    const double slack = pipeline.grid.resolution() + 1e-6;
+    for (int s = 0; s < surface.segment_count(); ++s) {
+        const mesh::SurfaceMesh::Segment& segment = surface.segment(s);
+        for (int end = 0; end < 2; ++end) {
+            const Vec3& local = surface.vertex(segment.vertices[end]).point;
+            EXPECT_TRUE(single_precision(local));
+            const Vec3 point = pipeline.grid.to_part(local);
+            const auto curve = pipeline.session.ask(geometry::Query::edge_point(segment.edge, segment.t[end]));
+            EXPECT_LE((point - curve.point).norm(), slack);
+            for (const mesh::SurfaceMesh::SegmentUse& use : segment.uses) {
+                const int h = surface.vertex_of(use.half_edge) == segment.vertices[end]
+                                  ? use.half_edge
+                                  : mesh::SurfaceMesh::next(use.half_edge);
+                const Vec2& uv = surface.site(surface.site_of(h)).uv;
+                const int face = surface.face_of(h / 3);
+                const auto on_face = pipeline.session.ask(geometry::Query::face_point(face, uv.x(), uv.y()));
+                EXPECT_LE((point - on_face.point).norm(), slack);
+            }
+        }
+    }
+}
+
 /// Single-precision vertices, all in use; a manifold, oriented outwards, of the part's topology.
 inline void expect_sound(const Result& result, long euler, bool closed) {
     const mesh::MeshReport measured = mesh::measure(result.mesh);

@@ -41,29 +41,6 @@ void split_all(Pipeline& pipeline, SegmentSplitter& segments, int rounds) {
     }
 }
 
-void expect_on_curves(Pipeline& pipeline) {
-    const SurfaceMesh& mesh = pipeline.surface;
-    const double slack = pipeline.grid.resolution() + 1e-6;
-    for (int s = 0; s < mesh.segment_count(); ++s) {
-        const SurfaceMesh::Segment& segment = mesh.segment(s);
-        for (int end = 0; end < 2; ++end) {
-            const Vec3& local = mesh.vertex(segment.vertices[end]).point;
-            EXPECT_TRUE(single_precision(local));
-            const Vec3 point = pipeline.grid.to_part(local);
-            const auto curve = pipeline.session.ask(geometry::Query::edge_point(segment.edge, segment.t[end]));
-            EXPECT_LE((point - curve.point).norm(), slack);
-            for (const SurfaceMesh::SegmentUse& use : segment.uses) {
-                const int h = mesh.vertex_of(use.half_edge) == segment.vertices[end] ? use.half_edge
-                                                                                     : SurfaceMesh::next(use.half_edge);
-                const Vec2& uv = mesh.site(mesh.site_of(h)).uv;
-                const int face = mesh.face_of(h / 3);
-                const auto surface = pipeline.session.ask(geometry::Query::face_point(face, uv.x(), uv.y()));
-                EXPECT_LE((point - surface.point).norm(), slack);
-            }
-        }
-    }
-}
-
 TEST(SegmentSplitter, PutsVerticesOnTheCurveAndOnEveryFace) {
     for (const Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);

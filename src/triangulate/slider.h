@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "triangulate/sizing.h"
+#include "triangulate/workspace.h"
+
+namespace mq::triangulate {
+
+/// Moves vertices along their CAD edges, for the angles around them on all faces that share the edge. Vertices between
+/// pieces of very different lengths have little room: there the place that halving gave a vertex can be the worst.
+class Slider {
+  public:
+    /// To be made anew after segments were split or joined.
+    Slider(Workspace& work, const Sizing& sizing);
+
+    /// Moves one of the triangle's vertices, if the smallest angle around it becomes at least `enough(before)`
+    /// (radians) and lengths and distances from the part stay within their bounds.
+    /// @return the triangles that have changed; none when there is no such place.
+    std::vector<int> improve(int triangle, double bound, const std::function<double(double)>& enough);
+
+  private:
+    /// A vertex on a CAD edge and all around it.
+    struct Bead {
+        int near = -1;                         ///< the segment that ends in it
+        int far = -1;                          ///< the segment that starts there
+        std::vector<std::vector<int>> spokes;  ///< by use: half-edges that leave it on that face
+        double angle = 0.0;                    ///< the smallest, radians
+    };
+    struct Place {
+        double t = 0.0;
+        Vec3 point = Vec3::Zero();
+        double angle = 0.0;
+    };
+
+    std::optional<Bead> bead_at(int vertex) const;
+    static std::vector<int> triangles_around(const Bead& bead);
+    double angle_with(const Bead& bead, const Vec3& point) const;
+    std::vector<Place> places_for(const Bead& bead, const std::vector<double>& parameters, double at_least) const;
+    std::vector<Place> places_for(const Bead& bead, double at_least) const;
+    bool lengths_allowed(const Bead& bead, const Vec3& point) const;
+    bool curve_near(const Bead& bead, const Place& place) const;
+    bool surfaces_near(const Bead& bead, const std::vector<mesh::SurfaceMesh::Site>& sites) const;
+    bool put(const Bead& bead, const Place& place, double bound);
+
+    Workspace& work_;
+    const Sizing& sizing_;
+    std::vector<std::array<int, 2>> segments_at_;  // see segments_at_vertices
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/slider.h"
+
+#include "triangulate/checks.h"
+#include "triangulate/chord_height.h"
+#include "triangulate/corner_angle.h"
+
+/// Moving vertices along CAD edges.
+namespace mq::triangulate {
+namespace {
+
+double smallest_around(const mesh::SurfaceMesh& mesh, const std::vector<int>& triangles) {
+    double least = M_PI;
+    for (const int t : triangles) {
+        least = std::min(least, smallest_angle(mesh, t).angle);
+    }
+    return least;
+}
+
+/// Every move makes the smallest angle around the vertex larger, by what was asked, and leaves it on its edge.
+TEST(Slider, MovesVerticesAlongTheirEdges) {
+    constexpr double kGain = 0.02;
+    int moves = 0;
+    for (const geometry::Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        pipeline.refine(25.0);
+        const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
+        Slider slider(pipeline.work, sizing);
+        for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
+            double before = 0.0;
+            const auto enough = [&](double angle) {
+                before = angle;
+                return angle + kGain;
+            };
+            const std::vector<int> changed = slider.improve(t, 0.5, enough);
+            if (!changed.empty()) {
+                EXPECT_GE(smallest_around(pipeline.surface, changed), before + kGain - 1e-9);
+                ++moves;
+            }
+        }
+        EXPECT_EQ(pipeline.surface.inconsistency(), "");
+        EXPECT_TRUE(pipeline.maxmin.doubled_edges().empty());
+        expect_on_curves(pipeline);
+    }
+    EXPECT_GT(moves, 10);
+}
+
+/// A tolerance that the mesh just keeps holds the vertices where they are on curved edges, or lets them move as far as
+/// no distance grows beyond it.
+TEST(Slider, KeepsTheDistanceFromThePart) {
+    for (const geometry::Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        pipeline.refine(25.0);
+        ChordMeasure measure(pipeline.work);
+        const double tolerance = measure_chord_height(pipeline.work, measure, 0.0).distance;
+        const Sizing sizing{tolerance, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
+        Slider slider(pipeline.work, sizing);
+        for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
+            slider.improve(t, 0.5, [](double angle) { return angle + 0.01; });
+        }
+        ChordMeasure again(pipeline.work);
+        EXPECT_LE(measure_chord_height(pipeline.work, again, 0.0).distance, tolerance + 1e-9);
+    }
+}
+
+/// What an angle below the bound was exempt for goes to the triangles that have one afterwards.
+TEST(Slider, ExemptionsStay) {
+    Pipeline pipeline(geometry::make_shape_model(geometry::wedge(5.0, 10.0, 3.0)));
+    pipeline.refine(25.0);
+    const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
+    Slider slider(pipeline.work, sizing);
+    for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
+        slider.improve(t, 25.0 * M_PI / 180.0, [](double angle) { return angle + 0.01; });
+    }
+    for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
+        EXPECT_EQ(pipeline.work.exemption_of(t) != nullptr,
+                  smallest_angle(pipeline.surface, t).angle < 25.0 * M_PI / 180.0);
+    }
+}
+
+}  // namespace
+}  // namespace mq::triangulate
