@@ -89,7 +89,8 @@ def faults(again, nothing, before, options):
     if a.self_intersections > max(n.self_intersections, before.report.self_intersections):
         found.append(f"{a.self_intersections} crossings")
     asked = a.chord_height_asked
-    if asked > 0 and a.max_chord_height > max(asked, n.max_chord_height):
+    worst = max(asked, n.max_chord_height, before.report.max_chord_height)
+    if asked > 0 and a.max_chord_height > worst:
         found.append(f"distance {a.max_chord_height:.6g} of {asked:.6g}")
     if a.triangles > 1.5 * n.triangles + 50:
         found.append(f"{a.triangles} triangles instead of {n.triangles}")

@@ -306,12 +306,10 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
 
 // Whether a mesh misses anything that the one it began with did not.
 bool misses_more(const mesh::MeshReport& now, const mesh::MeshReport& before) {
-    const auto too_far = [](const mesh::MeshReport& r) {
-        return r.chord_height_asked > 0.0 && r.max_chord_height > r.chord_height_asked;
-    };
+    const bool too_far = now.chord_height_asked > 0.0 && now.max_chord_height > now.chord_height_asked;
     return now.exempt.size() > before.exempt.size() || now.self_intersections > before.self_intersections ||
-           (too_far(now) && !too_far(before)) || (!now.closed && before.closed) || (!now.oriented && before.oriented) ||
-           (!now.manifold && before.manifold) || !now.complete;
+           (too_far && now.max_chord_height > before.max_chord_height) || (!now.closed && before.closed) ||
+           (!now.oriented && before.oriented) || (!now.manifold && before.manifold) || !now.complete;
 }
 
 }  // namespace
