@@ -73,7 +73,7 @@ class Memory:
     geometry start with the triangles that they had, where the options are the same: the guarantees are
     the same, but the triangles depend on what was remembered. report.reused_faces says how many faces
     kept all of theirs. No face is remembered by star and sprinkle, nor with keep_edges="feature".
-    Not saved; about 400 bytes a triangle.
+    Not saved; about 250 bytes a triangle.
 
     most_runs   of more calls, those go that were used least lately
     most_bytes  the same of their bytes, in all

@@ -33,7 +33,7 @@ struct RememberedFace {
     std::size_t bytes() const;
 };
 
-/// What one run leaves: its result, and the faces that a later one may begin with, about 300 bytes a triangle.
+/// What one run leaves: its result, and the faces that a later one may begin with, about 250 bytes a triangle.
 struct Run {
     geometry::Fingerprint input{};  ///< Keys::input
     Result result;

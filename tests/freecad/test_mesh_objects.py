@@ -15,7 +15,7 @@ class Guide(helpers.DocumentTest):
         path = os.path.join(helpers.ROOT, "docs", "mesh-objects.md")
         with open(path, encoding="utf-8") as stream:
             blocks = re.findall(r"```python\n(.*?)```", stream.read(), re.DOTALL)
-        self.assertEqual(len(blocks), 4)
+        self.assertEqual(len(blocks), 6)
         FreeCAD.setActiveDocument(self.document.Name)
         names, printed = {"App": FreeCAD, "folder": self.folder}, io.StringIO()
         with contextlib.redirect_stdout(printed):
@@ -25,6 +25,7 @@ class Guide(helpers.DocumentTest):
         self.assertEqual(lines[0], "kept")
         self.assertTrue(lines[1].startswith("out of date"))
         self.assertEqual(lines[2], "up to date")
+        self.assertEqual(lines[3], "6")
         self.assertEqual(names["mesh"].MaxEdge.Value, 2.0)
-        self.assertAlmostEqual(names["mesh"].Mesh.BoundBox.ZLength, 20)
+        self.assertAlmostEqual(names["mesh"].Mesh.BoundBox.ZLength, 10)
         self.assertGreater(os.path.getsize(os.path.join(self.folder, "box.msh")), 100)
