@@ -30,9 +30,15 @@ constexpr int kMaxGrowth = 3;
 constexpr double kRoom = 3.0 * M_PI / 180.0;
 constexpr int kMaxRounds = 4;
 constexpr double kMaxLift = 0.5;
+// A fan of more triangles has no angle worth the search; where a surface shrinks to a point, thousands meet in a
+// vertex.
+constexpr std::size_t kMostTriangles = 64;
 constexpr double kNear = 0.94;  // of the tolerance: between the places that are measured the mesh may be farther
 
 void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<Disc>& discs) {
+    if (triangles.size() > kMostTriangles) {
+        return;
+    }
     if (auto disc = disc_of(mesh, std::move(triangles))) {
         discs.push_back(std::move(*disc));
     }
