@@ -51,8 +51,19 @@ const char* surface_name(GeomAbs_SurfaceType type) {
     return "other";
 }
 
+/// mm; no more than the edges of very small parts may be long.
+double least_width(const std::vector<Node>& nodes) {
+    constexpr double kPart = 1e-6;
+    Box box;
+    for (const Node& node : nodes) {
+        box.add(node.point);
+    }
+    const double size = box.empty() ? 0.0 : box.largest_side();
+    return size > 0.0 ? std::min(Precision::Confusion(), kPart * size) : Precision::Confusion();
+}
+
 /// The surface is a line or a point within the tolerance, as at the sharp end of some wings.
-bool has_no_area(const GeomAdaptor_Surface& surface, const Face& face) {
+bool has_no_area(const GeomAdaptor_Surface& surface, const Face& face, double least) {
     constexpr int kCells = 4;
     const double du = face.high[0] - face.low[0];
     const double dv = face.high[1] - face.low[1];
@@ -71,7 +82,7 @@ bool has_no_area(const GeomAdaptor_Surface& surface, const Face& face) {
             length = std::max(length, std::max(su.Magnitude() * du, sv.Magnitude() * dv));
         }
     }
-    return area <= Precision::Confusion() * length;
+    return area <= least * length;
 }
 
 bool bounds_a_face(const TopoDS_Shape& edge) {
@@ -89,6 +100,7 @@ class TopologyBuilder {
 
     Topology build() {
         add_nodes();
+        least_width_ = least_width(topology_.nodes);
         add_edges();
         add_faces();
         add_volumes();
@@ -120,6 +132,7 @@ class TopologyBuilder {
     TopTools_IndexedMapOfShape edges_;
     TopTools_IndexedMapOfShape faces_;
     Topology topology_;
+    double least_width_ = 0.0;
 };
 
 void TopologyBuilder::add_nodes() {
@@ -202,7 +215,7 @@ void TopologyBuilder::add_face(int index) {
     if (data.loops.empty()) {
         fault(Entity{2, index}, "has no wire");
     }
-    data.no_area = has_no_area(adaptor, data);
+    data.no_area = has_no_area(adaptor, data, least_width_);
     if (data.no_area) {
         fault(Entity{2, index}, "has no area");
     }

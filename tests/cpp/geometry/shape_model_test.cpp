@@ -341,6 +341,15 @@ TEST(ShapeModel, NamesFacesWithoutArea) {
     EXPECT_NE(std::find(faults.begin(), faults.end(), "Face7: has no area"), faults.end());
 }
 
+/// Of a part of a thousandth of a millimetre faces are narrow that are not without area.
+TEST(ShapeModel, KeepsNarrowFacesOfSmallParts) {
+    for (const double length : {1.0, 1e-4}) {
+        const TopoDS_Face narrow = patch_of({0.0, 0.0, 0.0}, {length, 0.0, 0.0}, {0.0, 4e-8, 0.0}, {length, 4e-8, 0.0});
+        const bool left_out = make_shape_model(narrow)->topology().faces[0].no_area;
+        EXPECT_EQ(left_out, length == 1.0) << length;
+    }
+}
+
 /// Su vanishes on the whole border, which is no pole: the normal is the limit from inside, point by point.
 TEST(ShapeModel, HasNormalsWhereADerivativeVanishes) {
     const auto model = make_shape_model(patch_of({0.0, 0.0, 0.0}, {0.0, 4.0, 0.0}, {2.0, 0.0, 1.0}, {2.0, 4.0, 3.0}));
