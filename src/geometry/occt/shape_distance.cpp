@@ -2,20 +2,26 @@
 #include "geometry/occt/shape_distance.h"
 
 #include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
-#include <BRepExtrema_ExtPF.hxx>
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <Extrema_ExtPC.hxx>
+#include <Extrema_ExtPS.hxx>
+#include <Extrema_POnSurf.hxx>
+#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp_Pnt2d.hxx>
 #include <gp_Trsf.hxx>
 #include <limits>
 #include <memory>
@@ -47,8 +53,14 @@ TopoDS_Shape magnified(const TopoDS_Shape& shape, double factor) {
 /// One trimmed face: its inside, its edges and its vertices, each prepared once for many points.
 class FaceDistance {
   public:
-    explicit FaceDistance(const TopoDS_Face& face) : face_(face) {
-        inside_.Initialize(face, Extrema_ExtFlag_MIN);
+    explicit FaceDistance(const TopoDS_Face& face)
+        : surface_(face, false), trimmed_(face, resolution(surface_, BRep_Tool::Tolerance(face))) {
+        double u[2];
+        double v[2];
+        BRepTools::UVBounds(face, u[0], u[1], v[0], v[1]);
+        inside_.SetFlag(Extrema_ExtFlag_MIN);
+        inside_.Initialize(surface_, u[0], u[1], v[0], v[1], surface_.UResolution(Precision::Confusion()),
+                           surface_.VResolution(Precision::Confusion()));
         TopTools_IndexedMapOfShape edges;
         TopExp::MapShapes(face, TopAbs_EDGE, edges);
         for (int i = 1; i <= edges.Extent(); ++i) {
@@ -72,9 +84,11 @@ class FaceDistance {
     double measure(const Vec3& point) {
         const gp_Pnt p(point.x(), point.y(), point.z());
         double square = std::numeric_limits<double>::infinity();
-        inside_.Perform(BRepBuilderAPI_MakeVertex(p), face_);
+        inside_.Perform(p);
         for (int i = 1; inside_.IsDone() && i <= inside_.NbExt(); ++i) {
-            square = std::min(square, inside_.SquareDistance(i));
+            if (inside_.SquareDistance(i) < square && on_face(inside_.Point(i))) {
+                square = inside_.SquareDistance(i);
+            }
         }
         for (const auto& curve : curves_) {
             const Extrema_ExtPC nearest(p, *curve, curve->FirstParameter(), curve->LastParameter());
@@ -89,8 +103,23 @@ class FaceDistance {
     }
 
   private:
-    TopoDS_Face face_;
-    BRepExtrema_ExtPF inside_;
+    static double resolution(const BRepAdaptor_Surface& surface, double tolerance) {
+        const double least = std::min(tolerance, Precision::Confusion());
+        return std::max(Precision::PConfusion(), std::min(surface.UResolution(least), surface.VResolution(least)));
+    }
+
+    // Not by BRepExtrema_ExtPF: its classifier takes points inside of large plane faces with holes for outside.
+    bool on_face(const Extrema_POnSurf& foot) const {
+        double u = 0.0;
+        double v = 0.0;
+        foot.Parameter(u, v);
+        const TopAbs_State state = trimmed_.Perform(gp_Pnt2d(u, v));
+        return state == TopAbs_IN || state == TopAbs_ON;
+    }
+
+    BRepAdaptor_Surface surface_;
+    BRepTopAdaptor_FClass2d trimmed_;
+    Extrema_ExtPS inside_;
     std::vector<std::unique_ptr<BRepAdaptor_Curve>> curves_;
     std::vector<gp_Pnt> corners_;
     Vec3 low_;

@@ -3,12 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+#include <utility>
 
 #include "base/error.h"
 #include "geometry/occt/brep_text.h"
@@ -37,6 +47,24 @@ TEST(ShapeDistance, SphereWithItsPolesAndCentre) {
     EXPECT_NEAR(largest(sphere, {Vec3(0, 0, -4.5)}), 0.5, 1e-9);
     EXPECT_NEAR(largest(sphere, {Vec3(3, 0, 0)}), 2.0, 1e-9);
     EXPECT_NEAR(largest(sphere, {Vec3(0, 0, 0)}), 5.0, 1e-9);
+}
+
+TEST(ShapeDistance, APlateOfHundredsOfMetresWithAHole) {
+    BRepBuilderAPI_MakePolygon hole;
+    for (const auto& [x, y] :
+         {std::pair(14995.33, -51647.77), std::pair(26166.34, -91764.40), std::pair(177350.73, 67088.86),
+          std::pair(121861.70, 60639.43), std::pair(-11941.90, 45087.58)}) {
+        hole.Add(gp_Pnt(x, y, 0.0));
+    }
+    hole.Close();
+    const TopoDS_Edge circle = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(), 254569.502968)).Edge();
+    TopoDS_Face plate = TopoDS::Face(BRepBuilderAPI_MakeFace(gp_Pln()).Face().EmptyCopied());
+    BRep_Builder builder;
+    builder.UpdateFace(plate, 3.64);
+    builder.Add(plate, hole.Wire().Reversed());
+    builder.Add(plate, BRepBuilderAPI_MakeWire(circle).Wire());
+    EXPECT_NEAR(largest(plate, {Vec3(208987.0, 77074.0, 0.0)}), 0.0, 1e-6);
+    EXPECT_GT(largest(plate, {Vec3(100000.0, 20000.0, 0.0)}), 1000.0) << "in the hole";
 }
 
 // As splines, whose nearest points are searched for.
