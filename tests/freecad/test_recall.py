@@ -9,7 +9,10 @@ import Part
 from FreeCAD import Vector
 
 import MeshQuality as mq
+from MeshQuality import options
 from MeshQuality.features import memories
+from MeshQuality.features.quality_mesh import QualityMesh
+from MeshQuality.features.work import handed_over
 
 PITCH = 10.0
 
@@ -93,6 +96,16 @@ class OfAnObject(unittest.TestCase):
             self.assertTrue(self.mesh.Mesh.isSolid())
             self.assertGreaterEqual(self.mesh.MeasuredMinAngle.Value, 25.0)
             self.assertLessEqual(self.mesh.MaxChordHeight.Value, 0.05)
+
+    def test_what_was_computed_before_it_was_added_counts(self):
+        values = options.check(options.TRIANGULATE, {"chord_height": 0.05})
+        work = QualityMesh.work_on([self.source], values)
+        with handed_over(work, work.result(None)):
+            self.mesh = mq.add_quality_mesh(self.source, chord_height=0.05)
+        self.assertEqual(triangles_of(self.mesh), self.first)
+        self.edit(2.5)
+        self.assertGreater(self.mesh.ReusedFaces, 0.8 * len(self.source.Shape.Faces))
+        self.assertEqual(self.edit(2.0), self.first)
 
     def test_what_was_there_comes_back(self):
         second = self.edit(2.5)

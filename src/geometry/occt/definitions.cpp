@@ -8,6 +8,7 @@
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -36,8 +37,10 @@ Fingerprint like_nothing_else() {
     return result;
 }
 
+// But for rounding: OpenCASCADE works the factor out from the matrix.
 bool is_rigid(const gp_Trsf& trsf) {
-    return trsf.ScaleFactor() == 1.0 && !trsf.IsNegative();
+    constexpr double kRounding = 1e-12;
+    return std::abs(trsf.ScaleFactor() - 1.0) < kRounding;
 }
 
 }  // namespace

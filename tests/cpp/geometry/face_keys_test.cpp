@@ -97,6 +97,17 @@ TEST(FaceKeys, DoNotDependOnNumbersOrThePlaceOfThePart) {
     EXPECT_EQ(structure(moved(block(3.0))), structure(moved(block(3.0))));
 }
 
+TEST(FaceKeys, DoNotDependOnRoundingInThePlaceOfThePart) {
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1(gp_Pnt(1.0, 2.0, 3.0), gp_Dir(1.0, 1.0, 0.3)), 0.7);
+    gp_Trsf off;  // as modellers set matrices: the scale is worked out
+    constexpr double kOff = 1.0 + 3e-16;
+    off.SetValues(kOff * turn.Value(1, 1), turn.Value(1, 2), turn.Value(1, 3), 5.0, turn.Value(2, 1), turn.Value(2, 2),
+                  turn.Value(2, 3), 6.0, turn.Value(3, 1), turn.Value(3, 2), kOff * turn.Value(3, 3), 7.0);
+    ASSERT_NE(off.ScaleFactor(), 1.0);
+    EXPECT_EQ(keys(block(3.0)), keys(block(3.0).Moved(TopLoc_Location(off))));
+}
+
 TEST(FaceKeys, DependOnThePlaceOfAPieceInThePart) {
     TopoDS_Compound one;
     BRep_Builder builder;
