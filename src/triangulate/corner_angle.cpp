@@ -31,11 +31,11 @@ int narrow_corner_of(const SurfaceMesh& mesh, int triangle) {
     return -1;
 }
 
-NarrowCorner narrowest_corner(const SurfaceMesh& mesh, int segment, int end) {
-    NarrowCorner best;
+std::vector<NarrowCorner> corners_at(const SurfaceMesh& mesh, int segment, int end) {
+    std::vector<NarrowCorner> corners;
     const SurfaceMesh::Segment& s = mesh.segment(segment);
     if (mesh.vertex(s.vertices[end]).entity[0] != 0) {
-        return best;
+        return corners;
     }
     for (const SurfaceMesh::SegmentUse& use : s.uses) {
         // The half-edge that leaves the end within this face: along the segment, or the next one of the triangle.
@@ -49,9 +49,17 @@ NarrowCorner narrowest_corner(const SurfaceMesh& mesh, int segment, int end) {
         const int first = mesh.segment_of(star.front());
         const int last = mesh.segment_of(SurfaceMesh::prev(star.back()));
         const int other = first == segment ? last : first;
-        if (sum < best.angle && other >= 0 && other != segment) {
-            best = {sum, other};
+        if (other >= 0 && other != segment) {
+            corners.push_back({sum, other});
         }
+    }
+    return corners;
+}
+
+NarrowCorner narrowest_corner(const SurfaceMesh& mesh, int segment, int end) {
+    NarrowCorner best;
+    for (const NarrowCorner& corner : corners_at(mesh, segment, end)) {
+        best = corner.angle < best.angle ? corner : best;
     }
     return best;
 }

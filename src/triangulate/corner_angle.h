@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "mesh/surface_mesh.h"
 
@@ -11,13 +12,14 @@ namespace mq::triangulate {
 constexpr double kAcuteCorner = M_PI / 2.0;
 constexpr double kNarrowCorner = M_PI / 3.0;
 
-/// The narrowest angle that a segment makes with another segment at one of its ends, measured on the faces beside it.
+/// The angle that a segment makes with another segment at one of its ends, measured on a face beside it.
 struct NarrowCorner {
     double angle = 1e300;  ///< radians; large when the end is no CAD node
     int segment = -1;      ///< the other one
 };
 
-/// At end 0 or 1 of the segment.
+/// At end 0 or 1 of the segment, one for each face beside it; none where the end is no CAD node.
+std::vector<NarrowCorner> corners_at(const mesh::SurfaceMesh& mesh, int segment, int end);
 NarrowCorner narrowest_corner(const mesh::SurfaceMesh& mesh, int segment, int end);
 
 /// The angle at the origin of `h` in its triangle, radians.

@@ -176,10 +176,14 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
 }
 
 void SegmentSplitter::force_mates(int segment) {
+    if (!frozen(segment)) {
+        return;
+    }
     for (int end = 0; end < 2; ++end) {
-        const NarrowCorner corner = narrowest_corner(work_.mesh, segment, end);
-        if (corner.angle < kNarrowCorner && frozen(segment) && chord(corner.segment) > kSameShell * chord(segment)) {
-            request(corner.segment, true);
+        for (const NarrowCorner& corner : corners_at(work_.mesh, segment, end)) {
+            if (corner.angle < kNarrowCorner && chord(corner.segment) > kSameShell * chord(segment)) {
+                request(corner.segment, true);
+            }
         }
     }
 }
