@@ -249,7 +249,7 @@ bool Mender::mend(int triangle) {
         }
         discs = std::move(larger);
     }
-    if (slide(triangle, wanted_) || try_best(proposals, 0.0) || slide(triangle, 0.0)) {
+    if (slide(triangle) || try_best(proposals, 0.0)) {
         return true;
     }
     exhausted_.insert(keys.begin(), keys.end());
@@ -374,9 +374,8 @@ void Mender::replace(const Disc& disc, int apex_site) {
     look_again_around(put_fan(work_, disc, apex_site, bound_));
 }
 
-bool Mender::slide(int triangle, double at_least) {
-    const auto enough = [&](double before) { return std::max(at_least, enough_after(before)); };
-    const std::vector<int> changed = slider_.improve(triangle, bound_, enough);
+bool Mender::slide(int triangle) {
+    const auto changed = slider_.improve(triangle, bound_, [&](double before) { return enough_after(before); });
     look_again_around(changed);
     return !changed.empty();
 }

@@ -62,7 +62,7 @@ class Mender {
     std::optional<SurfacePoint> apex_near(const Disc& disc, const Vec3& p) const;
     bool carry_out(Proposal& proposal);
     void replace(const Disc& disc, int apex_site);
-    bool slide(int triangle, double at_least);
+    bool slide(int triangle);
     void look_again_around(const std::vector<int>& changed);
     std::uint64_t key(const Disc& disc) const;
     double enough_after(double before) const;

@@ -70,6 +70,15 @@ std::vector<int> Slider::triangles_around(const Bead& bead) {
     return triangles;
 }
 
+// Of the triangles as they are now.
+std::uint64_t Slider::key(const Bead& bead) const {
+    std::uint64_t sum = 0;
+    for (const int t : triangles_around(bead)) {
+        sum = KeyHash()(sum ^ ordered_key(static_cast<std::uint32_t>(t), work_.mesh.stamp(t))) + sum;
+    }
+    return sum;
+}
+
 double Slider::angle_with(const Bead& bead, const Vec3& point) const {
     const SurfaceMesh& mesh = work_.mesh;
     double least = M_PI;
@@ -246,7 +255,7 @@ std::vector<int> Slider::improve(int triangle, double bound, const std::function
     }
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         const auto bead = bead_at(work_.mesh.vertex_of(h));
-        if (!bead) {
+        if (!bead || !tried_.insert(key(*bead)).second) {
             continue;
         }
         std::vector<Place> places = places_for(*bead, enough(bead->angle));

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include "base/key_set.h"
 #include "triangulate/sizing.h"
 #include "triangulate/workspace.h"
 
@@ -39,6 +41,7 @@ class Slider {
 
     std::optional<Bead> bead_at(int vertex) const;
     static std::vector<int> triangles_around(const Bead& bead);
+    std::uint64_t key(const Bead& bead) const;
     double angle_with(const Bead& bead, const Vec3& point) const;
     std::vector<Place> places_for(const Bead& bead, const std::vector<double>& parameters, double at_least) const;
     std::vector<Place> places_for(const Bead& bead, double at_least) const;
@@ -49,6 +52,7 @@ class Slider {
 
     Workspace& work_;
     const Sizing& sizing_;
+    KeySet tried_;                                 // what is around a vertex, by key
     std::vector<std::array<int, 2>> segments_at_;  // see segments_at_vertices
 };
 
