@@ -21,13 +21,20 @@ using mesh::SurfaceMesh;
 // Vertices that a piece of that length leaves no room for lie this near, in lengths of the piece.
 constexpr double kBesideShell = 1.5;
 constexpr double kSameShell = 1.1;
+// Innermost pieces in least lengths: whatever is longer can be cut on a shell and leaves two pieces that are allowed,
+// so all edges of a corner can follow.
+constexpr double kAboveFloor = 2.6;
 constexpr double kOnShell = 1.01;  // where a curve meets a shell is not found exactly
 constexpr double kNotFolded = 0.1;
 constexpr int kMaxPostponed = 12;
 
 }  // namespace
 
-SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work), floors_(work), room_(measure_room(work.mesh)) {}
+SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work), floors_(work), room_(measure_room(work.mesh)) {
+    for (double& radius : room_.innermost) {
+        radius = radius > 0.0 ? std::max(radius, kAboveFloor * work.shortest_allowed()) : 0.0;
+    }
+}
 
 double SegmentSplitter::chord(int segment) const {
     const auto& v = work_.mesh.segment(segment).vertices;
