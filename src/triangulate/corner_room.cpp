@@ -27,6 +27,8 @@ constexpr double kBesideNode = 3.0;
 // An edge this near to the middle of an innermost piece, in lengths of the piece, calls for a shorter piece.
 constexpr double kBesideEdge = 0.3;
 constexpr int kMaxHalvings = 20;
+// The first chords of two curved edges can enclose half a right angle more than the edges do.
+constexpr double kPerhapsAcute = 1.5 * kAcuteCorner;
 
 std::vector<Vec3> points_of(const SurfaceMesh& mesh) {
     std::vector<Vec3> points;
@@ -158,7 +160,7 @@ CornerRoom measure_room(const SurfaceMesh& mesh) {
         for (int end = 0; end < 2; ++end) {
             const int v = segment.vertices[end];
             const double angle = narrowest_corner(mesh, s, end).angle;
-            if (angle < kAcuteCorner) {
+            if (angle < kPerhapsAcute) {
                 acute.insert(v);
             }
             if (angle < kNarrowCorner) {

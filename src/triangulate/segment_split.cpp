@@ -59,7 +59,8 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
     if (corners[end].angle >= kAcuteCorner) {
         return {};
     }
-    const double innermost = room_.innermost[work_.mesh.segment(segment).vertices[end]];
+    const double room = room_.innermost[work_.mesh.segment(segment).vertices[end]];
+    const double innermost = room > 0.0 ? room : 1.0;  // chords can turn out narrower than the first of them were
     const double shell = innermost * std::exp2(std::round(std::log2(0.5 * chord(segment) / innermost)));
     // Where the other edge of a narrow corner is split more finely already, its innermost vertex sets the shell: a
     // chord that ends farther out could cross it.
