@@ -189,7 +189,9 @@ void SegmentSplitter::force_mates(int segment) {
     }
     for (int end = 0; end < 2; ++end) {
         for (const NarrowCorner& corner : corners_at(work_.mesh, segment, end)) {
-            if (corner.angle < kNarrowCorner && chord(corner.segment) > kSameShell * chord(segment)) {
+            // Not where that would make it the shorter one: they would take turns, down to nothing.
+            if (corner.angle < kNarrowCorner && chord(corner.segment) > kSameShell * chord(segment) &&
+                kSameShell * shell_of(corner.segment).radius >= chord(segment)) {
                 request(corner.segment, true);
             }
         }
