@@ -43,30 +43,46 @@ bool much_larger(const Box& box, const Box& inner) {
     return inner.empty() || ((box.high - box.low) - (inner.high - inner.low)).maxCoeff() > kMuch * inner.largest_side();
 }
 
+bool may_reach_beyond(const Box& box, const TopoDS_Face& face) {
+    Bnd_Box quick;
+    BRepBndLib::Add(face, quick, Standard_False);
+    if (quick.IsVoid()) {
+        return false;
+    }
+    const Box around = to_box(quick);
+    return box.empty() || (around.low.array() < box.low.array()).any() ||
+           (around.high.array() > box.high.array()).any();
+}
+
 }  // namespace
 
 /// The quick box is that of the poles and can be several times too large; the close one takes up to a second for a
-/// part of many free-form faces, and is only looked for where the quick one is loose.
+/// part of many free-form faces, and is only looked for where the quick one is loose, of faces that may reach farther
+/// than the edges do.
 Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology, const Progress* progress) {
-    constexpr std::size_t kManyFaces = 300;
     // The close box is right to a part of its size, not to the last digit.
     constexpr double kMargin = 1e-6;
     Bnd_Box quick;
     BRepBndLib::Add(shape, quick, Standard_False);
     Box box = to_box(quick);
     const Box inner = inner_box(live, topology, progress);
-    if (live.faces.size() < kManyFaces && !quick.IsVoid() && much_larger(box, inner)) {
+    if (!quick.IsVoid() && much_larger(box, inner)) {
         Bnd_Box close;
         for (const TopoDS_Face& face : live.faces) {
             look_for_cancel(progress);
-            BRepBndLib::AddOptimal(face, close, Standard_False, Standard_False);
+            if (may_reach_beyond(inner, face)) {
+                BRepBndLib::AddOptimal(face, close, Standard_False, Standard_False);
+            }
         }
+        box = inner;
         if (!close.IsVoid()) {
-            box = to_box(close);
-            const Vec3 margin = Vec3::Constant(kMargin * box.largest_side());
-            box.low -= margin;
-            box.high += margin;
+            const Box outer = to_box(close);
+            box.add(outer.low);
+            box.add(outer.high);
         }
+        const Vec3 margin = Vec3::Constant(kMargin * box.largest_side());
+        box.low -= margin;
+        box.high += margin;
     }
     if (!inner.empty()) {
         box.add(inner.low);
