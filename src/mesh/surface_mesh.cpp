@@ -33,9 +33,8 @@ int SurfaceMesh::add_triangle(const std::array<int, 3>& sites, int face) {
     face_.push_back(face);
     if (stamp_.size() < face_.size()) {
         stamp_.push_back(0);
-    } else {
-        ++stamp_[face_.size() -
-                 1];  // of a triangle that was there before: what was said of that must not hold for this
+    } else {  // there was a triangle before, and what was said of that must not hold for this one
+        ++stamp_[face_.size() - 1];
     }
     return triangle_count() - 1;
 }
@@ -322,6 +321,14 @@ std::vector<int> SurfaceMesh::star(int h) const {
     std::vector<int> result{first};
     for (int g = twin(prev(first)); g >= 0 && g != first; g = twin(prev(g))) {
         result.push_back(g);
+    }
+    return result;
+}
+
+std::vector<std::vector<int>> SurfaceMesh::triangles_by_face(std::size_t faces) const {
+    std::vector<std::vector<int>> result(faces);
+    for (int t = 0; t < triangle_count(); ++t) {
+        result[face_of(t)].push_back(t);
     }
     return result;
 }

@@ -130,9 +130,16 @@ class SurfaceMesh {
     /// @return the pairs old index, new index of the triangles that moved.
     std::vector<std::pair<int, int>> compact();
 
+    /// The half-edge that leaves the end `vertex` of a segment on the face of one of its uses: along the segment, or
+    /// the next one of the triangle.
+    int leaving(const SegmentUse& use, int vertex) const {
+        return vertex_of(use.half_edge) == vertex ? use.half_edge : next(use.half_edge);
+    }
     /// Half-edges that leave the site of `h`, around it within the face, counter-clockwise from `h` or, where a
     /// segment cuts the turn, from the first after it.
     std::vector<int> star(int h) const;
+    /// Of each of so many CAD faces, ascending. Nothing may be gone.
+    std::vector<std::vector<int>> triangles_by_face(std::size_t faces) const;
     /// Whether an edge leads from the site of `h` to the vertex; `h` must leave a site that no segment touches.
     bool leads_to(int h, int vertex) const;
 

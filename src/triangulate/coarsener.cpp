@@ -9,26 +9,24 @@
 #include "triangulate/corner_angle.h"
 #include "triangulate/deviation.h"
 #include "triangulate/disc_change.h"
+#include "triangulate/distance_probes.h"
 #include "triangulate/segments_at.h"
 
 namespace mq::triangulate {
 
 namespace {
 
-using geometry::Query;
 using mesh::SurfaceMesh;
 
 // New angles are a little above the bound, so that what comes later has room.
 constexpr double kMargin = 1.04;
 // Of the tolerance. A vertex is kept where an edge at it is higher than the first: edges become about twice as long
-// without it, and four times as high. Between the places that are measured the mesh may be a little farther.
+// without it, and four times as high.
 constexpr double kFlat = 0.6;
-constexpr double kNear = 0.94;
 constexpr double kExact = 2.0;  // in steps of single precision: flat places are off by so much
 constexpr int kMaxRounds = 12;
 constexpr double kGain = 1.1;      // of angles below the bound
 constexpr double kNoNeedle = 0.1;  // of the bound
-constexpr std::array<double, 3> kOnCurve{0.35, 0.5, 0.65};
 
 }  // namespace
 
@@ -101,8 +99,7 @@ std::optional<Coarsener::Plan> Coarsener::plan_for(int vertex) const {
         return std::nullopt;
     }
     for (const SurfaceMesh::SegmentUse& use : mesh.segment(near).uses) {
-        const bool leaves = mesh.vertex_of(use.half_edge) == vertex;
-        if (!add_fan(leaves ? use.half_edge : SurfaceMesh::next(use.half_edge), plan)) {
+        if (!add_fan(mesh.leaving(use, vertex), plan)) {
             return std::nullopt;
         }
     }
@@ -207,79 +204,62 @@ std::vector<Coarsener::Plan> Coarsener::plans(std::vector<int>& candidates) {
     return result;
 }
 
-// The joined segment, inner edges and triangles of the fans; without a tolerance also the edges that there are.
-void Coarsener::add_probes(const Plan& plan, std::size_t index, geometry::Engine::Batch& batch,
-                           std::vector<Probe>& probes) const {
+// The joined segment, inner edges and triangles of the fans.
+void Coarsener::add_new(const Plan& plan, geometry::Engine::Batch& batch) const {
     const SurfaceMesh& mesh = work_.mesh;
-    const auto add = [&](const Query& query, const Vec3& p, bool old) {
-        batch.push_back(query);
-        probes.push_back({index, p, old});
-    };
-    const auto add_on_face = [&](int face, const Vec3& p, const Vec2& uv, bool old) {
-        add(Query::face_nearest(face, work_.grid.to_part(p), uv.x(), uv.y()), p, old);
-    };
-    const auto add_edge = [&](int face, int from, int to, double at, bool old) {
-        const SurfaceMesh::Site& a = mesh.site(from);
-        const SurfaceMesh::Site& b = mesh.site(to);
-        add_on_face(face, (1.0 - at) * a.point + at * b.point, (1.0 - at) * a.uv + at * b.uv, old);
-    };
     for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
-        const StarPolygon& polygon = plan.polygons[k];
-        const int face = mesh.face_of(polygon.triangles.front());
+        const int face = mesh.face_of(plan.polygons[k].triangles.front());
         const int apex = plan.fans[k].apex_site;
-        for (const int end : spokes_of(polygon, apex)) {
-            add_edge(face, apex, end, 0.5, false);
-            if (const EdgePeak peak = edge_peak(mesh.site(apex), mesh.site(end)); peak.at != 0.5) {
-                add_edge(face, apex, end, peak.at, false);
-            }
+        for (const int end : spokes_of(plan.polygons[k], apex)) {
+            add_edge_probes(work_, face, mesh.site(apex), mesh.site(end), batch);
         }
         for (const auto& t : plan.fans[k].triangles) {
-            const SurfaceMesh::Site& a = mesh.site(t[0]);
-            const SurfaceMesh::Site& b = mesh.site(t[1]);
-            const SurfaceMesh::Site& c = mesh.site(t[2]);
-            const auto w = expected_peak(a, b, c).weights;
-            add_on_face(face, w[0] * a.point + w[1] * b.point + w[2] * c.point, w[0] * a.uv + w[1] * b.uv + w[2] * c.uv,
-                        false);
+            add_triangle_probe(work_, face, mesh.site(t[0]), mesh.site(t[1]), mesh.site(t[2]), batch);
         }
+    }
+    if (plan.near >= 0) {
+        const SurfaceMesh::Segment& near = mesh.segment(plan.near);
+        const SurfaceMesh::Segment& far = mesh.segment(plan.far);
+        add_segment_probes(work_, near.edge, {mesh.vertex(near.vertices[0]).point, near.t[0]},
+                           {mesh.vertex(far.vertices[1]).point, far.t[1]}, batch);
+    }
+}
+
+// Without a tolerance: the edges that there are.
+void Coarsener::add_old(const Plan& plan, geometry::Engine::Batch& batch) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    for (const StarPolygon& polygon : plan.polygons) {
         for (const int t : sizing_.tolerance > 0.0 ? std::vector<int>() : polygon.triangles) {
             for (int h = 3 * t; h < 3 * t + 3; ++h) {
                 if (mesh.vertex_of(h) == plan.vertex) {
-                    add_edge(face, mesh.site_of(h), mesh.site_of(SurfaceMesh::next(h)), 0.5, true);
+                    add_edge_probe(work_, mesh.face_of(t), mesh.site(mesh.site_of(h)),
+                                   mesh.site(mesh.site_of(SurfaceMesh::next(h))), 0.5, batch);
                 }
             }
         }
-    }
-    if (plan.near < 0) {
-        return;
-    }
-    const SurfaceMesh::Segment& near = mesh.segment(plan.near);
-    const SurfaceMesh::Segment& far = mesh.segment(plan.far);
-    for (const double at : kOnCurve) {
-        const Vec3 p = (1.0 - at) * mesh.vertex(near.vertices[0]).point + at * mesh.vertex(far.vertices[1]).point;
-        const double guess = (1.0 - at) * near.t[0] + at * far.t[1];
-        add(Query::edge_nearest(near.edge, work_.grid.to_part(p), guess, near.t[0], far.t[1]), p, false);
     }
 }
 
 // By plan: whether all that is new in it keeps the tolerance.
 std::vector<char> Coarsener::near_part(const std::vector<Plan>& plans) {
     geometry::Engine::Batch batch;
-    std::vector<Probe> probes;
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-        add_probes(plans[i], i, batch, probes);
+    std::vector<std::array<std::size_t, 3>> parts;  // of the batch, by plan: of its old pieces, from there of new ones
+    for (const Plan& plan : plans) {
+        const std::size_t old_from = batch.size();
+        add_old(plan, batch);
+        const std::size_t new_from = batch.size();
+        add_new(plan, batch);
+        parts.push_back({old_from, new_from, batch.size()});
     }
     const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
-    const double tolerance = kNear * sizing_.tolerance;
-    std::vector<double> allowed(plans.size(), std::max(tolerance, kExact * work_.grid.resolution()));
-    for (std::size_t i = 0; i < probes.size(); ++i) {
-        if (probes[i].of_old_mesh && answers[i].found()) {
-            allowed[probes[i].plan] = std::max(allowed[probes[i].plan], answers[i].distance);
-        }
-    }
     std::vector<char> good(plans.size(), 1);
-    for (std::size_t i = 0; i < probes.size(); ++i) {
-        if (!probes[i].of_old_mesh && !(answers[i].found() && answers[i].distance <= allowed[probes[i].plan])) {
-            good[probes[i].plan] = 0;
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        double allowed = std::max(kNear * sizing_.tolerance, kExact * work_.grid.resolution());
+        for (std::size_t k = parts[i][0]; k < parts[i][1]; ++k) {
+            allowed = answers[k].found() ? std::max(allowed, answers[k].distance) : allowed;
+        }
+        for (std::size_t k = parts[i][1]; k < parts[i][2]; ++k) {
+            good[i] = good[i] != 0 && answers[k].found() && answers[k].distance <= allowed ? 1 : 0;
         }
     }
     return good;

@@ -34,11 +34,6 @@ class Coarsener {
         int near = -1;                      // segments that end and start at the vertex
         int far = -1;
     };
-    struct Probe {
-        std::size_t plan;
-        Vec3 point;
-        bool of_old_mesh;
-    };
 
     void find_places();
     bool on_edge(int vertex) const { return work_.mesh.vertex(vertex).entity[0] == 1; }
@@ -51,8 +46,8 @@ class Coarsener {
     bool heights_expected(const StarPolygon& polygon, const PolygonFan& fan) const;
     std::vector<Plan> plans(std::vector<int>& candidates);
     std::vector<char> near_part(const std::vector<Plan>& plans);
-    void add_probes(const Plan& plan, std::size_t index, geometry::Engine::Batch& batch,
-                    std::vector<Probe>& probes) const;
+    void add_new(const Plan& plan, geometry::Engine::Batch& batch) const;
+    void add_old(const Plan& plan, geometry::Engine::Batch& batch) const;
     bool still_good(const Plan& plan) const;
     void carry_out(const Plan& plan, std::vector<int>& around);
 

@@ -38,10 +38,7 @@ std::vector<NarrowCorner> corners_at(const SurfaceMesh& mesh, int segment, int e
         return corners;
     }
     for (const SurfaceMesh::SegmentUse& use : s.uses) {
-        // The half-edge that leaves the end within this face: along the segment, or the next one of the triangle.
-        const bool leaves = mesh.vertex_of(use.half_edge) == s.vertices[end];
-        const int h = leaves ? use.half_edge : SurfaceMesh::next(use.half_edge);
-        const std::vector<int> star = mesh.star(h);
+        const std::vector<int> star = mesh.star(mesh.leaving(use, s.vertices[end]));
         double sum = 0.0;
         for (const int spoke : star) {
             sum += angle_at(mesh, spoke);

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "triangulate/corner_angle.h"
-#include "triangulate/deviation.h"
 #include "triangulate/disc_change.h"
+#include "triangulate/distance_probes.h"
 
 namespace mq::triangulate {
 
@@ -33,7 +33,6 @@ constexpr double kMaxLift = 0.5;
 // A fan of more triangles has no angle worth the search; where a surface shrinks to a point, thousands meet in a
 // vertex.
 constexpr std::size_t kMostTriangles = 64;
-constexpr double kNear = 0.94;  // of the tolerance: between the places that are measured the mesh may be farther
 
 void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<Disc>& discs) {
     if (triangles.size() > kMostTriangles) {
@@ -42,14 +41,6 @@ void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<D
     if (auto disc = disc_of(mesh, std::move(triangles))) {
         discs.push_back(std::move(*disc));
     }
-}
-
-double largest_distance(const geometry::Engine::Answers& answers) {
-    double largest = 0.0;
-    for (const geometry::Answer& answer : answers) {
-        largest = answer.found() ? std::max(largest, answer.distance) : largest;
-    }
-    return largest;
 }
 
 }  // namespace
@@ -61,15 +52,6 @@ Mender::Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing)
 bool Mender::hopeless(int triangle) const {
     const Exemption* exemption = work_.exemption_of(triangle);
     return exemption != nullptr && (exemption->cause == Cause::NarrowCorner || exemption->cause == Cause::Apex);
-}
-
-// Of the triangles as they are now.
-std::uint64_t Mender::key(const Disc& disc) const {
-    std::uint64_t sum = disc.triangles.size();
-    for (const int t : disc.triangles) {
-        sum = KeyHash()(sum ^ ordered_key(static_cast<std::uint32_t>(t), work_.mesh.stamp(t))) + sum;
-    }
-    return sum;
 }
 
 double Mender::enough_after(double before) const {
@@ -233,7 +215,7 @@ bool Mender::mend(int triangle) {
     std::vector<Disc> discs = discs_around(triangle);
     std::vector<std::uint64_t> keys;
     const auto known = [&](const Disc& disc) {
-        keys.push_back(key(disc));
+        keys.push_back(state_key(work_.mesh, disc.triangles));
         return exhausted_.count(keys.back()) > 0;
     };
     discs.erase(std::remove_if(discs.begin(), discs.end(), known), discs.end());
@@ -287,23 +269,15 @@ double Mender::distance_of_fan(const Disc& disc, const Corner& apex, const Vec2&
     const SurfaceMesh::Site top{-1, uv, apex.normal, apex.point};
     geometry::Engine::Batch batch;
     const int face = mesh.face_of(disc.triangles.front());
-    const auto add = [&](const Vec3& p, const Vec2& at) {
-        batch.push_back(Query::face_nearest(face, work_.grid.to_part(p), at.x(), at.y()));
-    };
     for (const int side : disc.rim) {
         const SurfaceMesh::Site& a = mesh.site(mesh.site_of(side));
         const SurfaceMesh::Site& b = mesh.site(mesh.site_of(SurfaceMesh::next(side)));
-        add(0.5 * (a.point + top.point), 0.5 * (a.uv + uv));
-        const double at = edge_peak(a, top).at;
-        if (at != 0.5) {
-            add((1.0 - at) * a.point + at * top.point, (1.0 - at) * a.uv + at * uv);
-        }
+        add_edge_probes(work_, face, a, top, batch);
         if (mesh.site_of(side) != apex_site && mesh.site_of(SurfaceMesh::next(side)) != apex_site) {
-            const auto w = expected_peak(a, b, top).weights;
-            add(w[0] * a.point + w[1] * b.point + w[2] * top.point, w[0] * a.uv + w[1] * b.uv + w[2] * uv);
+            add_triangle_probe(work_, face, a, b, top, batch);
         }
     }
-    return largest_distance(work_.session.ask(std::move(batch)));
+    return largest_distance(work_.session.ask(std::move(batch)), 0.0);
 }
 
 // Over the middles of the inner edges that are there.
@@ -320,7 +294,7 @@ double Mender::distance_of_disc(const Disc& disc) const {
             }
         }
     }
-    return largest_distance(work_.session.ask(std::move(batch)));
+    return largest_distance(work_.session.ask(std::move(batch)), 0.0);
 }
 
 // CAD edges can lie off their faces by more than the tolerance; there it must not become worse.

@@ -64,7 +64,6 @@ class Mender {
     void replace(const Disc& disc, int apex_site);
     bool slide(int triangle);
     void look_again_around(const std::vector<int>& changed);
-    std::uint64_t key(const Disc& disc) const;
     double enough_after(double before) const;
     bool good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const;
     bool near_surface(const Disc& disc, const Corner& apex, const Vec2& uv, int apex_site) const;

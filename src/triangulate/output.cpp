@@ -168,10 +168,7 @@ Output write_out(const SurfaceMesh& mesh, const geometry::Topology& topology, co
                  const Progress& progress) {
     Output out;
     out.mesh.origin = origin;
-    std::vector<std::vector<int>> triangles_of_face(topology.faces.size());
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-        triangles_of_face[mesh.face_of(t)].push_back(t);
-    }
+    const std::vector<std::vector<int>> triangles_of_face = mesh.triangles_by_face(topology.faces.size());
     std::vector<char> flipped(topology.faces.size(), 0);
     std::vector<char> present(topology.faces.size(), 0);
     DisjointSets<int> corners(mesh.half_edge_count());

@@ -24,14 +24,6 @@ constexpr double kMuchTheSame = 1.25;
 constexpr double kGrowth = 1.25;
 constexpr std::size_t kMany = static_cast<std::size_t>(-1);
 
-std::vector<std::vector<int>> triangles_by_face(const SurfaceMesh& mesh, std::size_t faces) {
-    std::vector<std::vector<int>> result(faces);
-    for (int t = 0; t < mesh.triangle_count(); ++t) {
-        result[mesh.face_of(t)].push_back(t);
-    }
-    return result;
-}
-
 double shortest_side(const FaceTriangulation& mesh) {
     double shortest = 1e300;
     for (const auto& t : mesh.triangles) {
@@ -214,7 +206,7 @@ FaceTriangulation Recall::restored(const EdgeChains& chains, int face) {
 }
 
 void Recall::settle(const EdgeChains& chains, Workspace& work, ChordMeasure& measure, double min_angle) {
-    const auto triangles = triangles_by_face(work.mesh, faces_.size());
+    const auto triangles = work.mesh.triangles_by_face(faces_.size());
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
         if (faces_[f] != nullptr && same_borders(chains, f)) {  // none was halved for a face beside it
             settle_face(f, triangles[f], min_angle * M_PI / 180.0, work, measure);
@@ -240,7 +232,7 @@ void Recall::settle_face(int face, const std::vector<int>& triangles, double bou
 }
 
 std::vector<std::shared_ptr<const RememberedFace>> Recall::kept(const SurfaceMesh& mesh) const {
-    const auto triangles = triangles_by_face(mesh, faces_.size());
+    const auto triangles = mesh.triangles_by_face(faces_.size());
     std::vector<std::shared_ptr<const RememberedFace>> result(faces_.size());
     for (std::size_t f = 0; f < faces_.size(); ++f) {
         if (!settled_[f].empty() && settled_[f] == corners(mesh, triangles[f])) {

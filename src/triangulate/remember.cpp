@@ -147,10 +147,7 @@ std::map<geometry::Fingerprint, std::shared_ptr<const RememberedFace>> remember(
     const Workspace& work, const ChordMeasure& measure, const geometry::EdgeChains& chains,
     const std::vector<geometry::Fingerprint>& keys, double chord, const Recall* recall) {
     const std::vector<Chain> all = final_chains(work.mesh, chains, work.session.topology().edges.size());
-    std::vector<std::vector<int>> triangles(keys.size());
-    for (int t = 0; t < work.mesh.triangle_count(); ++t) {
-        triangles[work.mesh.face_of(t)].push_back(t);
-    }
+    const std::vector<std::vector<int>> triangles = work.mesh.triangles_by_face(keys.size());
     const auto kept =
         recall != nullptr ? recall->kept(work.mesh) : std::vector<std::shared_ptr<const RememberedFace>>(keys.size());
     std::map<geometry::Fingerprint, std::shared_ptr<const RememberedFace>> faces;

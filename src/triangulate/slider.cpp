@@ -6,8 +6,8 @@
 
 #include "base/angle.h"
 #include "triangulate/corner_angle.h"
-#include "triangulate/deviation.h"
 #include "triangulate/disc_change.h"
+#include "triangulate/distance_probes.h"
 #include "triangulate/segments_at.h"
 
 namespace mq::triangulate {
@@ -21,8 +21,7 @@ using mesh::SurfaceMesh;
 constexpr std::array<double, 8> kSteps{-0.6, -0.45, -0.3, -0.15, 0.15, 0.3, 0.45, 0.6};
 constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
 constexpr std::size_t kMaxTried = 3;
-constexpr double kNear = 0.94;  // of the tolerance: between the places that are measured the mesh may be farther
-constexpr std::array<double, 3> kOnCurve{0.35, 0.5, 0.65};
+constexpr double kFar = 1e300;
 
 double smallest_of(const Vec3& a, const Vec3& b, const Vec3& c) {
     return std::min({angle_between(b - a, c - a), angle_between(c - b, a - b), angle_between(a - c, b - c)});
@@ -47,8 +46,7 @@ std::optional<Slider::Bead> Slider::bead_at(int vertex) const {
     }
     bead.angle = M_PI;
     for (const SurfaceMesh::SegmentUse& use : mesh.segment(bead.near).uses) {
-        const bool leaves = mesh.vertex_of(use.half_edge) == vertex;
-        bead.spokes.push_back(mesh.star(leaves ? use.half_edge : SurfaceMesh::next(use.half_edge)));
+        bead.spokes.push_back(mesh.star(mesh.leaving(use, vertex)));
         for (const int h : bead.spokes.back()) {
             const int t = SurfaceMesh::triangle_of(h);
             if (narrow_corner_of(mesh, t) >= 0) {
@@ -68,15 +66,6 @@ std::vector<int> Slider::triangles_around(const Bead& bead) {
         }
     }
     return triangles;
-}
-
-// Of the triangles as they are now.
-std::uint64_t Slider::key(const Bead& bead) const {
-    std::uint64_t sum = 0;
-    for (const int t : triangles_around(bead)) {
-        sum = KeyHash()(sum ^ ordered_key(static_cast<std::uint32_t>(t), work_.mesh.stamp(t))) + sum;
-    }
-    return sum;
 }
 
 double Slider::angle_with(const Bead& bead, const Vec3& point) const {
@@ -146,77 +135,73 @@ bool Slider::lengths_allowed(const Bead& bead, const Vec3& point) const {
     });
 }
 
-// The two segments; or no farther than these are now.
-bool Slider::curve_near(const Bead& bead, const Place& place) const {
+// Of the two segments with the vertex there, mm.
+double Slider::distance_from_curve(const Bead& bead, const PointOfEdge& middle) const {
     const SurfaceMesh::Segment& near = work_.mesh.segment(bead.near);
     const SurfaceMesh::Segment& far = work_.mesh.segment(bead.far);
-    const auto farthest = [&](double t, const Vec3& middle) {
-        geometry::Engine::Batch batch;
-        const auto add = [&](const Vec3& a, double ta, const Vec3& b, double tb) {
-            for (const double at : kOnCurve) {
-                batch.push_back(Query::edge_nearest(near.edge, work_.grid.to_part((1.0 - at) * a + at * b),
-                                                    (1.0 - at) * ta + at * tb, std::min(ta, tb), std::max(ta, tb)));
-            }
-        };
-        add(work_.mesh.vertex(near.vertices[0]).point, near.t[0], middle, t);
-        add(middle, t, work_.mesh.vertex(far.vertices[1]).point, far.t[1]);
-        double distance = 0.0;
-        for (const geometry::Answer& answer : work_.session.ask(std::move(batch))) {
-            distance = answer.found() ? std::max(distance, answer.distance) : 1e300;
-        }
-        return distance;
-    };
-    const double distance = farthest(place.t, place.point);
-    return distance <= kNear * sizing_.tolerance ||
-           distance <= farthest(near.t[1], work_.mesh.vertex(near.vertices[1]).point);
+    geometry::Engine::Batch batch;
+    add_segment_probes(work_, near.edge, {work_.mesh.vertex(near.vertices[0]).point, near.t[0]}, middle, batch);
+    add_segment_probes(work_, near.edge, middle, {work_.mesh.vertex(far.vertices[1]).point, far.t[1]}, batch);
+    return largest_distance(work_.session.ask(std::move(batch)), kFar);
 }
 
-// Spokes and triangles, aligned with their surfaces and near to them; or no worse than they are now.
-bool Slider::surfaces_near(const Bead& bead, const std::vector<SurfaceMesh::Site>& sites) const {
+// Of spokes and triangles with the vertex there, which has a site for each use, mm.
+double Slider::distance_from_surfaces(const Bead& bead, const std::vector<SurfaceMesh::Site>& sites,
+                                      double where_none) const {
     const SurfaceMesh& mesh = work_.mesh;
-    double least = kAligned;
-    double aligned = 1.0;
     geometry::Engine::Batch batch;
-    std::vector<char> now;
-    const auto add = [&](int h, const SurfaceMesh::Site& top, bool old) {
-        const SurfaceMesh::Site& b = mesh.site(mesh.site_of(SurfaceMesh::next(h)));
-        const SurfaceMesh::Site& c = mesh.site(mesh.site_of(SurfaceMesh::prev(h)));
-        const auto ask = [&](const Vec3& p, const Vec2& uv) {
-            batch.push_back(Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()));
-            now.push_back(old ? 1 : 0);
-        };
-        if (mesh.twin(h) >= 0) {
-            const double at = edge_peak(top, b).at;
-            ask((1.0 - at) * top.point + at * b.point, (1.0 - at) * top.uv + at * b.uv);
-            ask(0.5 * (top.point + b.point), 0.5 * (top.uv + b.uv));
-        }
-        const auto w = expected_peak(top, b, c).weights;
-        ask(w[0] * top.point + w[1] * b.point + w[2] * c.point, w[0] * top.uv + w[1] * b.uv + w[2] * c.uv);
-    };
     for (std::size_t k = 0; k < bead.spokes.size(); ++k) {
         for (const int h : bead.spokes[k]) {
-            least = std::min(least, alignment(mesh, SurfaceMesh::triangle_of(h)));
-            aligned = std::min(aligned, alignment({sites[k].point, sites[k].normal},
-                                                  corner_of(mesh, mesh.site_of(SurfaceMesh::next(h))),
-                                                  corner_of(mesh, mesh.site_of(SurfaceMesh::prev(h)))));
-            add(h, sites[k], false);
-            add(h, mesh.site(mesh.site_of(h)), true);
+            const int face = mesh.face_of(SurfaceMesh::triangle_of(h));
+            const SurfaceMesh::Site& b = mesh.site(mesh.site_of(SurfaceMesh::next(h)));
+            const SurfaceMesh::Site& c = mesh.site(mesh.site_of(SurfaceMesh::prev(h)));
+            if (mesh.twin(h) >= 0) {
+                add_edge_probes(work_, face, sites[k], b, batch);
+            }
+            add_triangle_probe(work_, face, sites[k], b, c, batch);
         }
     }
-    if (aligned < least || !(sizing_.tolerance > 0.0)) {
-        return aligned >= least;
+    return largest_distance(work_.session.ask(std::move(batch)), where_none);
+}
+
+// No farther than the tolerance, or than it is now.
+bool Slider::near_part(const Bead& bead, const Place& place, const std::vector<SurfaceMesh::Site>& sites) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    const double allowed = kNear * sizing_.tolerance;
+    const SurfaceMesh::Segment& near = mesh.segment(bead.near);
+    const double from_curve = distance_from_curve(bead, {place.point, place.t});
+    if (from_curve > allowed &&
+        from_curve > distance_from_curve(bead, {mesh.vertex(near.vertices[1]).point, near.t[1]})) {
+        return false;
     }
-    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
-    std::array<double, 2> farthest{0.0, kNear * sizing_.tolerance};
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        double& distance = farthest[static_cast<std::size_t>(now[i])];
-        distance = std::max(distance, answers[i].found() ? answers[i].distance : now[i] != 0 ? 0.0 : 1e300);
+    const double from_surfaces = distance_from_surfaces(bead, sites, kFar);
+    if (from_surfaces <= allowed) {
+        return true;
     }
-    return farthest[0] <= farthest[1];
+    std::vector<SurfaceMesh::Site> now;
+    for (const std::vector<int>& around : bead.spokes) {
+        now.push_back(mesh.site(mesh.site_of(around.front())));
+    }
+    return from_surfaces <= distance_from_surfaces(bead, now, 0.0);
+}
+
+bool Slider::aligned(const Bead& bead, const std::vector<SurfaceMesh::Site>& sites) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    double before = kAligned;
+    double after = 1.0;
+    for (std::size_t k = 0; k < bead.spokes.size(); ++k) {
+        const Corner top{sites[k].point, sites[k].normal};
+        for (const int h : bead.spokes[k]) {
+            before = std::min(before, alignment(mesh, SurfaceMesh::triangle_of(h)));
+            after = std::min(after, alignment(top, corner_of(mesh, mesh.site_of(SurfaceMesh::next(h))),
+                                              corner_of(mesh, mesh.site_of(SurfaceMesh::prev(h)))));
+        }
+    }
+    return after >= before;
 }
 
 bool Slider::put(const Bead& bead, const Place& place, double bound) {
-    if (!lengths_allowed(bead, place.point) || (sizing_.tolerance > 0.0 && !curve_near(bead, place))) {
+    if (!lengths_allowed(bead, place.point)) {
         return false;
     }
     SurfaceMesh& mesh = work_.mesh;
@@ -231,7 +216,7 @@ bool Slider::put(const Bead& bead, const Place& place, double bound) {
         }
         sites.push_back({-1, Vec2(answer.u, answer.v), answer.normal, place.point});
     }
-    if (!surfaces_near(bead, sites)) {
+    if (!aligned(bead, sites) || (sizing_.tolerance > 0.0 && !near_part(bead, place, sites))) {
         return false;
     }
     const int vertex = mesh.add_vertex(place.point, {1, mesh.segment(bead.near).edge});
@@ -255,7 +240,7 @@ std::vector<int> Slider::improve(int triangle, double bound, const std::function
     }
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         const auto bead = bead_at(work_.mesh.vertex_of(h));
-        if (!bead || !tried_.insert(key(*bead)).second) {
+        if (!bead || !tried_.insert(state_key(work_.mesh, triangles_around(*bead))).second) {
             continue;
         }
         std::vector<Place> places = places_for(*bead, enough(bead->angle));

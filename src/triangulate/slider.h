@@ -2,12 +2,12 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "base/key_set.h"
+#include "triangulate/distance_probes.h"
 #include "triangulate/sizing.h"
 #include "triangulate/workspace.h"
 
@@ -41,13 +41,15 @@ class Slider {
 
     std::optional<Bead> bead_at(int vertex) const;
     static std::vector<int> triangles_around(const Bead& bead);
-    std::uint64_t key(const Bead& bead) const;
     double angle_with(const Bead& bead, const Vec3& point) const;
     std::vector<Place> places_for(const Bead& bead, const std::vector<double>& parameters, double at_least) const;
     std::vector<Place> places_for(const Bead& bead, double at_least) const;
     bool lengths_allowed(const Bead& bead, const Vec3& point) const;
-    bool curve_near(const Bead& bead, const Place& place) const;
-    bool surfaces_near(const Bead& bead, const std::vector<mesh::SurfaceMesh::Site>& sites) const;
+    double distance_from_curve(const Bead& bead, const PointOfEdge& middle) const;
+    double distance_from_surfaces(const Bead& bead, const std::vector<mesh::SurfaceMesh::Site>& sites,
+                                  double where_none) const;
+    bool near_part(const Bead& bead, const Place& place, const std::vector<mesh::SurfaceMesh::Site>& sites) const;
+    bool aligned(const Bead& bead, const std::vector<mesh::SurfaceMesh::Site>& sites) const;
     bool put(const Bead& bead, const Place& place, double bound);
 
     Workspace& work_;

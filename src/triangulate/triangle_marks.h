@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/key_set.h"
 #include "mesh/surface_mesh.h"
 
 namespace mq::triangulate {
@@ -34,5 +35,14 @@ class TriangleMarks {
   private:
     std::vector<std::uint32_t> marks_;  // by triangle: 1 + its stamp when it was marked; 0: never
 };
+
+/// Of these triangles as they are now: another one when any of them changes.
+inline std::uint64_t state_key(const mesh::SurfaceMesh& mesh, const std::vector<int>& triangles) {
+    std::uint64_t sum = triangles.size();
+    for (const int t : triangles) {
+        sum = KeyHash()(sum ^ ordered_key(static_cast<std::uint32_t>(t), mesh.stamp(t))) + sum;
+    }
+    return sum;
+}
 
 }  // namespace mq::triangulate
