@@ -21,14 +21,14 @@ using mesh::SurfaceMesh;
 // corner at its other end, too.
 constexpr double kOfPiece = 1.01;
 constexpr double kOfWholeEdge = 0.6;
-// In distances from the node to the nearest vertex that is not part of the corner, and to an edge that passes by.
+// In distances from the node to the nearest vertex that is not part of the corner, and to an edge that passes by, both
+// on a face beside the node: what only lies there in space, as nodes of pieces that are not joined do, is not in the
+// way.
 constexpr double kRoom = 0.9;
 constexpr double kBesideNode = 3.0;
 // An edge this near to the middle of an innermost piece, in lengths of the piece, calls for a shorter piece.
 constexpr double kBesideEdge = 0.3;
 constexpr int kMaxHalvings = 20;
-// The first chords of two curved edges can enclose half a right angle more than the edges do.
-constexpr double kPerhapsAcute = 1.5 * kAcuteCorner;
 
 std::vector<Vec3> points_of(const SurfaceMesh& mesh) {
     std::vector<Vec3> points;
@@ -38,17 +38,12 @@ std::vector<Vec3> points_of(const SurfaceMesh& mesh) {
     return points;
 }
 
-// As triangles without area: all segments in their order, then all vertices on CAD edges and nodes.
+// As triangles without area: all segments in their order.
 std::vector<mesh::Triangle> borders_of(const SurfaceMesh& mesh) {
     std::vector<mesh::Triangle> borders;
     for (int s = 0; s < mesh.segment_count(); ++s) {
         const auto& ends = mesh.segment(s).vertices;
         borders.push_back({ends[0], ends[1], ends[1]});
-    }
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (mesh.vertex(v).entity[0] < 2) {
-            borders.push_back({v, v, v});
-        }
     }
     return borders;
 }
@@ -60,63 +55,59 @@ class RoomSearch {
 
     // @param pieces the segments that leave the node, ascending.
     double innermost(int node, const std::vector<int>& pieces) const {
+        const Vec3& p = mesh_.vertex(node).point;
         double radius = 1e300;
-        std::set<int> own;
+        Around around;
         for (const int s : pieces) {
             const auto& ends = mesh_.segment(s).vertices;
             const bool whole = mesh_.vertex(ends[0]).entity[0] == 0 && mesh_.vertex(ends[1]).entity[0] == 0;
             radius = std::min(radius, (whole ? kOfWholeEdge : kOfPiece) * (end_of(s, 1) - end_of(s, 0)).norm());
-            if (!mesh_.segment(s).uses.empty()) {
-                own.insert(mesh_.segment(s).edge);
+            if (mesh_.segment(s).uses.empty()) {
+                continue;
+            }
+            around.edges.insert(mesh_.segment(s).edge);
+            around.directions.push_back((end_of(s, ends[0] == node ? 1 : 0) - p).normalized());
+            for (const SurfaceMesh::SegmentUse& use : mesh_.segment(s).uses) {
+                around.faces.insert(face_of(use));
             }
         }
-        radius = std::min(radius, kRoom * clear_of_vertices(node, own, radius / kRoom));
-        return clear_of_other_edges(node, pieces, own, radius);
+        radius = std::min(radius, kRoom * clear_of_vertices(node, around, radius / kRoom));
+        return clear_of_other_edges(p, around, radius);
     }
 
   private:
+    // A node's.
+    struct Around {
+        std::set<int> edges;
+        std::set<int> faces;
+        std::vector<Vec3> directions;  // in which its pieces leave
+    };
+
     const Vec3& end_of(int segment, int end) const { return mesh_.vertex(mesh_.segment(segment).vertices[end]).point; }
 
     // The distance to the nearest vertex that is not part of the edges meeting in the node, at most `radius`.
-    double clear_of_vertices(int node, const std::set<int>& own, double radius) const {
+    double clear_of_vertices(int node, const Around& around, double radius) const {
         const Vec3& p = mesh_.vertex(node).point;
         double nearest = radius;
-        tree_.for_each_in_box(around(p, radius), [&](std::int32_t i) {
-            const int v = i < mesh_.segment_count() ? node : borders_[static_cast<std::size_t>(i)][0];
-            const mesh::VertexEntity& entity = mesh_.vertex(v).entity;
-            if (v != node && (entity[0] == 0 || own.count(entity[1]) == 0)) {
-                nearest = std::min(nearest, (mesh_.vertex(v).point - p).norm());
+        for (const int s : segments_beside(p, around, radius)) {
+            for (const int v : mesh_.segment(s).vertices) {
+                if (v != node && (mesh_.vertex(v).entity[0] == 0 || around.edges.count(mesh_.segment(s).edge) == 0)) {
+                    nearest = std::min(nearest, (mesh_.vertex(v).point - p).norm());
+                }
             }
-        });
+        }
         return nearest;
     }
 
     // Edges that pass by and would encroach on the innermost pieces make these shorter: no cascade comes of that.
-    double clear_of_other_edges(int node, const std::vector<int>& pieces, const std::set<int>& own,
-                                double radius) const {
-        const Vec3& p = mesh_.vertex(node).point;
-        std::set<int> faces;
-        std::vector<Vec3> directions;
-        for (const int s : pieces) {
-            if (mesh_.segment(s).uses.empty()) {
-                continue;
-            }
-            directions.push_back((end_of(s, mesh_.segment(s).vertices[0] == node ? 1 : 0) - p).normalized());
-            for (const SurfaceMesh::SegmentUse& use : mesh_.segment(s).uses) {
-                faces.insert(face_of(use));
-            }
-        }
-        for (const int s : segments_near(p, radius)) {
-            const auto& uses = mesh_.segment(s).uses;
-            const bool beside = std::any_of(uses.begin(), uses.end(), [&](const SurfaceMesh::SegmentUse& use) {
-                return faces.count(face_of(use)) > 0;
-            });
-            if (!beside || own.count(mesh_.segment(s).edge) > 0) {
+    double clear_of_other_edges(const Vec3& p, const Around& around, double radius) const {
+        for (const int s : segments_beside(p, around, radius)) {
+            if (around.edges.count(mesh_.segment(s).edge) > 0) {
                 continue;
             }
             const auto room_at = [&](const Vec3& q) { return distance_to_segment(q, end_of(s, 0), end_of(s, 1)); };
             radius = std::min(radius, kBesideNode * room_at(p));
-            for (const Vec3& d : directions) {
+            for (const Vec3& d : around.directions) {
                 for (int n = 0; n < kMaxHalvings && room_at(p + 0.5 * radius * d) < kBesideEdge * radius; ++n) {
                     radius *= 0.5;
                 }
@@ -125,19 +116,20 @@ class RoomSearch {
         return radius;
     }
 
-    // Ascending.
-    std::vector<int> segments_near(const Vec3& p, double radius) const {
+    // Near the node and on a face beside it, ascending.
+    std::vector<int> segments_beside(const Vec3& p, const Around& around, double radius) const {
         std::vector<int> segments;
-        tree_.for_each_in_box(around(p, radius), [&](std::int32_t i) {
-            if (i < mesh_.segment_count()) {
-                segments.push_back(i);
+        const Box box{p - Vec3::Constant(radius), p + Vec3::Constant(radius)};
+        tree_.for_each_in_box(box, [&](std::int32_t s) {
+            const auto& uses = mesh_.segment(s).uses;
+            if (std::any_of(uses.begin(), uses.end(),
+                            [&](const SurfaceMesh::SegmentUse& use) { return around.faces.count(face_of(use)) > 0; })) {
+                segments.push_back(s);
             }
         });
         std::sort(segments.begin(), segments.end());
         return segments;
     }
-
-    static Box around(const Vec3& p, double radius) { return {p - Vec3::Constant(radius), p + Vec3::Constant(radius)}; }
 
     int face_of(const SurfaceMesh::SegmentUse& use) const {
         return mesh_.face_of(SurfaceMesh::triangle_of(use.half_edge));
@@ -151,19 +143,15 @@ class RoomSearch {
 
 }  // namespace
 
+// Of every node: chords can turn out narrower than the first of them were.
 CornerRoom measure_room(const SurfaceMesh& mesh) {
     std::map<int, std::vector<int>> pieces;
-    std::set<int> acute;
     std::set<int> narrow;
     for (int s = 0; s < mesh.segment_count(); ++s) {
         const SurfaceMesh::Segment& segment = mesh.segment(s);
         for (int end = 0; end < 2; ++end) {
             const int v = segment.vertices[end];
-            const double angle = narrowest_corner(mesh, s, end).angle;
-            if (angle < kPerhapsAcute) {
-                acute.insert(v);
-            }
-            if (angle < kNarrowCorner) {
+            if (narrowest_corner(mesh, s, end).angle < kNarrowCorner) {
                 narrow.insert(v);
             }
             if (mesh.vertex(v).entity[0] == 0 && (end == 0 || v != segment.vertices[0])) {
@@ -173,10 +161,10 @@ CornerRoom measure_room(const SurfaceMesh& mesh) {
     }
     CornerRoom room{std::vector<double>(static_cast<std::size_t>(mesh.vertex_count()), 0.0),
                     {narrow.begin(), narrow.end()}};
-    if (!acute.empty()) {
+    if (!pieces.empty()) {
         const RoomSearch search(mesh);
-        for (const int node : acute) {
-            room.innermost[static_cast<std::size_t>(node)] = search.innermost(node, pieces[node]);
+        for (const auto& [node, segments] : pieces) {
+            room.innermost[static_cast<std::size_t>(node)] = search.innermost(node, segments);
         }
     }
     return room;

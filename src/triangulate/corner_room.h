@@ -9,8 +9,7 @@ namespace mq::triangulate {
 
 /// How much room there is around the CAD nodes of S_C.
 struct CornerRoom {
-    std::vector<double> innermost;  ///< by vertex: at a corner that is acute, or may become so, the radius of the
-                                    ///< innermost shell, mm; else 0
+    std::vector<double> innermost;  ///< by vertex: of a CAD node the radius of the innermost shell, mm; else 0
     std::vector<int> narrow_nodes;  ///< vertices of the nodes that have a narrow corner, ascending
 };
 

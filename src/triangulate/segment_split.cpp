@@ -32,7 +32,7 @@ constexpr int kMaxPostponed = 12;
 
 SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work), floors_(work), room_(measure_room(work.mesh)) {
     for (double& radius : room_.innermost) {
-        radius = radius > 0.0 ? std::max(radius, kAboveFloor * work.shortest_allowed()) : 0.0;
+        radius = std::max(radius, kAboveFloor * work.shortest_allowed());
     }
 }
 
@@ -59,8 +59,7 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
     if (corners[end].angle >= kAcuteCorner) {
         return {};
     }
-    const double room = room_.innermost[work_.mesh.segment(segment).vertices[end]];
-    const double innermost = room > 0.0 ? room : 1.0;  // chords can turn out narrower than the first of them were
+    const double innermost = room_.innermost[work_.mesh.segment(segment).vertices[end]];
     const double shell = innermost * std::exp2(std::round(std::log2(0.5 * chord(segment) / innermost)));
     // Where the other edge of a narrow corner is split more finely already, its innermost vertex sets the shell: a
     // chord that ends farther out could cross it.

@@ -145,6 +145,17 @@ class Exemptions(unittest.TestCase):
         self.assertIn(f"{count} exempted of one kind", str(report))
 
 
+    def test_pieces_that_only_touch_do_not_narrow_each_others_corners(self):
+        lens = Part.Face(Part.Wire([Part.Arc(*(FreeCAD.Vector(*p) for p in points)).toShape()
+                                    for points in (((0, 0, 0), (10, 3, 0), (20, 0, 0)),
+                                                   ((20, 0, 0), (10, 2.4, 0), (0, 0, 0)))]))
+        part = lens.extrude(FreeCAD.Vector(0, 0, 2))
+        beside = Part.makeBox(1, 1, 1, FreeCAD.Vector(-1, -1, -1))  # has a node where the part has one
+        alone = mq.triangulate(part, chord_height=0.02)
+        both = mq.triangulate(Part.makeCompound([part, beside]), chord_height=0.02)
+        self.assertEqual(int((both.triangle_face < len(part.Faces)).sum()), len(alone.triangles))
+
+
 class MissingFaces(unittest.TestCase):
     """A shape one of whose faces cannot be meshed: a bow tie, whose border crosses itself."""
 

@@ -74,12 +74,12 @@ Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topolog
                 BRepBndLib::AddOptimal(face, close, Standard_False, Standard_False);
             }
         }
-        box = inner;
-        if (!close.IsVoid()) {
-            const Box outer = to_box(close);
-            box.add(outer.low);
-            box.add(outer.high);
+        Box near = to_box(close);
+        if (!inner.empty()) {
+            near.add(inner.low);
+            near.add(inner.high);
         }
+        box = near.empty() ? box : near;
         const Vec3 margin = Vec3::Constant(kMargin * box.largest_side());
         box.low -= margin;
         box.high += margin;
