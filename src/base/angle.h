@@ -7,6 +7,8 @@
 
 namespace mq {
 
+constexpr double kDegree = M_PI / 180.0;  ///< radians
+
 /// The angle between two directions, 0 to pi; accurate for small angles and nearly opposite directions too. 0 where one
 /// of them is zero.
 inline double angle_between(const Vec3& a, const Vec3& b) {

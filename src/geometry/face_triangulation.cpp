@@ -23,7 +23,7 @@ using Corners = std::array<int, 3>;
 
 constexpr double kMinDeviations = 20.0;
 constexpr double kMinHeights = 3.0;  // times the deviation
-constexpr double kTurnThatCounts = 10.0 * M_PI / 180.0;
+constexpr double kTurnThatCounts = 10.0 * kDegree;
 constexpr double kMinPart = 1e-4;
 // A surface with a kink keeps its turn however often the sides across it are halved.
 constexpr int kMaxLevel = 8;

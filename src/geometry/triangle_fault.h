@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/angle.h"
 #include "geometry/face_triangulation.h"
 
 namespace mq::geometry {
@@ -17,9 +18,9 @@ enum class TriangleFault {
 
 // A triangle is coarse when normals at its corners, at its centroid and its own differ by more: 35 degrees leave room
 // below the 60 degrees that the refinement relies on.
-const double kCosMaxTurn = std::cos(35.0 * M_PI / 180.0);
+const double kCosMaxTurn = std::cos(35.0 * kDegree);
 // At the apex of a cone every triangle turns, however small; it only must not fold.
-const double kCosMaxTurnAtApex = std::cos(70.0 * M_PI / 180.0);
+const double kCosMaxTurnAtApex = std::cos(70.0 * kDegree);
 
 /// A triangle on a face, with the point of the surface over its centroid.
 struct TriangleOnFace {

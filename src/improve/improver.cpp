@@ -13,7 +13,6 @@ namespace mq::improve {
 
 namespace {
 
-constexpr double kRadians = 0.017453292519943295;
 constexpr double kSameSide = 0.5;    // cosine of the most that a normal may turn from the surface's: 60 degrees
 constexpr double kTolerance = 1e-3;  // of the largest dimension, where none is given
 constexpr int kMostRounds = 200;
@@ -43,9 +42,9 @@ Improver::Improver(const mesh::TriangleMesh& given, const Options& options, Prog
     : options_(options),
       tolerance_(options.tolerance > 0.0 ? options.tolerance : kTolerance * size_of(given)),
       progress_(progress),
-      mesh_(given, options.feature_angle * kRadians),
+      mesh_(given, options.feature_angle * kDegree),
       surface_(given, mesh_),
-      bend_(options.feature_angle * kRadians),
+      bend_(options.feature_angle * kDegree),
       shortest_(kShortestUnits * std::numeric_limits<float>::epsilon() * size_of(given)),
       most_triangles_(kGrowth * mesh_.triangle_count() + kMoreTriangles),
       witnesses_(given.triangles.size()) {}
@@ -256,7 +255,7 @@ bool Improver::split(int a, int b) {
 }
 
 Vec3 Improver::on_a_shell(int a, int b) const {
-    constexpr double kNarrow = 60.0 * kRadians;
+    constexpr double kNarrow = 60.0 * kDegree;
     const auto is_apex = [&](int v, int other) {
         const Vec3 along = mesh_.point(other) - mesh_.point(v);
         const std::vector<int>& ends = mesh_.sharp_neighbours(v);

@@ -5,15 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
 #include "base/predicates.h"
 
 namespace mq::mesh {
-
-namespace {
-
-constexpr double kDegrees = 57.295779513082320876798;
-
-}  // namespace
 
 // The cross product is taken between the two shortest sides, where it loses least in a sliver.
 TriangleShape shape_of(const std::array<Vec3, 3>& p) {
@@ -37,7 +32,7 @@ TriangleShape shape_of(const std::array<Vec3, 3>& p) {
     shape.distortion = squares / (2.0 * std::sqrt(3.0) * twice_area);
     std::array<double, 3> angle;
     for (int i = 0; i < 3; ++i) {
-        angle[i] = kDegrees * std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3]));
+        angle[i] = std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3])) / kDegree;
     }
     const auto [low, high] = std::minmax_element(angle.begin(), angle.end());
     shape.min_angle = *low;

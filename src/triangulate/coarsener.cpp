@@ -34,7 +34,7 @@ Coarsener::Coarsener(Workspace& work, const ChordMeasure& measure, double min_an
                      int first_vertex)
     : work_(work),
       measure_(measure),
-      bound_(min_angle_degrees * M_PI / 180.0),
+      bound_(min_angle_degrees * kDegree),
       least_angle_(kMargin * bound_),
       sizing_(sizing),
       first_vertex_(first_vertex),

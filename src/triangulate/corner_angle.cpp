@@ -21,7 +21,7 @@ SmallestAngle smallest_angle(const SurfaceMesh& mesh, int triangle) {
 }
 
 int narrow_corner_of(const SurfaceMesh& mesh, int triangle) {
-    constexpr double kLargestBound = 34.0 * M_PI / 180.0;
+    constexpr double kLargestBound = 34.0 * kDegree;
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         if (mesh.segment_of(h) >= 0 && mesh.segment_of(SurfaceMesh::prev(h)) >= 0 &&
             angle_at(mesh, h) < kLargestBound) {

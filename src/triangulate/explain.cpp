@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/angle.h"
 #include "triangulate/corner_angle.h"
 
 namespace mq::triangulate {
@@ -22,7 +23,7 @@ std::string edge_name(const Workspace& work, int segment) {
 
 std::string degrees(double radians) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.2f degrees", radians * 180.0 / M_PI);
+    std::snprintf(text, sizeof text, "%.2f degrees", radians / kDegree);
     return text;
 }
 

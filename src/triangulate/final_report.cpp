@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
 #include "triangulate/chord_height.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/crossing_finder.h"
@@ -19,7 +20,7 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
     for (std::size_t i = 0; i < out.source.size(); ++i) {
         pace.step();
         const int t = out.source[i];
-        const double angle = smallest_angle(work.mesh, t).angle * 180.0 / M_PI;
+        const double angle = smallest_angle(work.mesh, t).angle / kDegree;
         const Exemption* exemption = work.exemption_of(t);
         if (angle < bound && exemption != nullptr) {
             report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, t, *exemption));

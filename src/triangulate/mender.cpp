@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/angle.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/disc_change.h"
 #include "triangulate/distance_probes.h"
@@ -27,7 +28,7 @@ constexpr std::size_t kAttempts = 2000;
 constexpr std::size_t kTrianglesPerAttempt = 4;
 constexpr int kMaxGrowth = 3;
 // By how much triangles beside bad ones are made better than the bound, radians, and how often that is tried.
-constexpr double kRoom = 3.0 * M_PI / 180.0;
+constexpr double kRoom = 3.0 * kDegree;
 constexpr int kMaxRounds = 4;
 constexpr double kMaxLift = 0.5;
 // A fan of more triangles has no angle worth the search; where a surface shrinks to a point, thousands meet in a
@@ -46,7 +47,7 @@ void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<D
 }  // namespace
 
 Mender::Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing)
-    : work_(work), bound_(min_angle_degrees * M_PI / 180.0), sizing_(sizing), slider_(work, sizing) {}
+    : work_(work), bound_(min_angle_degrees * kDegree), sizing_(sizing), slider_(work, sizing) {}
 
 // The part itself has the angle.
 bool Mender::hopeless(int triangle) const {

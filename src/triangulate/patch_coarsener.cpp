@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
 #include "mesh/triangle_tree.h"
 #include "triangulate/disc_change.h"
 #include "triangulate/side_length.h"
@@ -65,7 +66,7 @@ double farthest(const std::vector<Foot>& feet) {
 }  // namespace
 
 PatchCoarsener::PatchCoarsener(Workspace& work, double min_angle_degrees, const Sizing& sizing, Patches& patches)
-    : work_(work), bound_(min_angle_degrees * M_PI / 180.0), sizing_(sizing), patches_(patches) {
+    : work_(work), bound_(min_angle_degrees * kDegree), sizing_(sizing), patches_(patches) {
     find_half_edges();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/angle.h"
 #include "mesh/triangle_tree.h"
 
 namespace mq::triangulate {
@@ -74,7 +75,7 @@ void Patches::unify_sites() {
 
 // Edges that are smooth all along may still meet in the tip of something like a cone.
 void Patches::lock_tips(double feature_angle) {
-    const double least = std::cos(feature_angle * M_PI / 180.0);
+    const double least = std::cos(feature_angle * kDegree);
     for (const auto& [vertex, sites] : sites_) {
         if (mesh_.vertex(vertex).entity[0] != 0) {
             continue;

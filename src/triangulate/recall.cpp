@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angle.h"
 #include "triangulate/corner_angle.h"
 
 namespace mq::triangulate {
@@ -209,7 +210,7 @@ void Recall::settle(const EdgeChains& chains, Workspace& work, ChordMeasure& mea
     const auto triangles = work.mesh.triangles_by_face(faces_.size());
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
         if (faces_[f] != nullptr && same_borders(chains, f)) {  // none was halved for a face beside it
-            settle_face(f, triangles[f], min_angle * M_PI / 180.0, work, measure);
+            settle_face(f, triangles[f], min_angle * kDegree, work, measure);
             settled_[f] = corners(work.mesh, triangles[f]);
         }
     }

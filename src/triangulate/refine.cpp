@@ -35,7 +35,7 @@ constexpr double kMinTurned = 1e-3;
 Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion)
     : work_(work),
       segments_(segments),
-      bound_(min_angle_degrees * M_PI / 180.0),
+      bound_(min_angle_degrees * kDegree),
       insertion_(insertion),
       turned_(work.settled),
       looked_at_(work.settled) {}

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/angle.h"
+
 namespace mq::triangulate {
 
 namespace {
@@ -81,7 +83,7 @@ std::vector<char> smooth_edges(Workspace& work, double feature_angle, const std:
     for (std::size_t e = 0; e < smooth.size(); ++e) {
         smooth[e] = may_be_smooth(topology, static_cast<int>(e), sides, sizes) ? 1 : 0;
     }
-    const double least = std::cos(feature_angle * M_PI / 180.0);
+    const double least = std::cos(feature_angle * kDegree);
     const std::vector<std::vector<double>> wanted = parameters(work.mesh, topology, smooth);
     for (std::size_t e = 0; e < smooth.size(); ++e) {
         geometry::Engine::Batch batch;
