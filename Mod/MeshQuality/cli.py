@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line, seen from outside FreeCAD: arguments, help, and the start of FreeCAD.
+"""The command line, seen from outside FreeCAD: checks of arguments and the start of FreeCAD.
 
 Imports nothing of FreeCAD. The job travels in a file, because FreeCAD's own option parser takes
 what is on its command line, and the result comes back in one, because FreeCAD prints to stdout.
 """
 
-import argparse
 import json
 import os
 import shutil
@@ -15,127 +14,121 @@ import sys
 import tempfile
 
 from . import options
+from .cli_parser import (
+    CAD_SUFFIXES,
+    FEM_SUFFIXES,
+    FLAT_SUFFIXES,
+    INPUTS,
+    OUTPUTS,
+    TABLES,
+    parse,
+)
 from .errors import Error
 
 DONE, FAILED, USAGE = 0, 1, 2
-CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
-MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
-CURVED_SUFFIXES = (".msh", ".vtu")
-OUTPUT_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".msh", ".vtu")
+STANDARD = "-"
 
 
-def _add_options(parser, table):
-    for option in table:
-        if option.kind is bool:
-            # --no-... exists for what is on unless it is switched off.
-            action = argparse.BooleanOptionalAction if option.default else "store_true"
-            parser.add_argument(option.flag, action=action, default=option.default,
-                                help=option.help)
-            continue
-        default = "" if option.default is None else f" (default: {option.default})"
-        text = f"{option.help}; {option.range_text}{default}"
-        kind = str if option.is_sizes else option.kind
-        parser.add_argument(option.flag, type=kind, metavar=_metavar(option),
-                            default=option.default, help=text.replace("%", "%%"))
+def job_of(arguments):
+    """What FreeCAD is to do; raises Error for what can be seen without starting it.
 
-
-def _metavar(option):
-    if option.unit:
-        return option.unit.upper()
-    if option.is_sizes:
-        return "SIZES"
-    return "NAME" if option.choices else {int: "N", float: "FRACTION"}[option.kind]
-
-
-def parser():
-    """The argument parser of bin/meshquality."""
-    top = argparse.ArgumentParser(
-        prog="meshquality", description="Quality meshes of CAD parts, by FreeCAD's shapes.",
-        epilog="Exit status: 0 done, 1 failed, 2 bad usage or input; stderr's last line says why.")
-    commands = top.add_subparsers(dest="command", required=True, metavar="COMMAND")
-    common = argparse.ArgumentParser(add_help=False)
-    common.add_argument("--json", action="store_true",
-                        help="print the report as one JSON object on stdout")
-    common.add_argument("--object", metavar="NAME",
-                        help="of an FCStd file mesh the object of this name or label only")
-
-    for name, title, text, outputs, table in (
-            ("triangulate", "mesh a CAD part",
-             "Triangulates a CAD part with a guaranteed smallest angle.",
-             OUTPUT_SUFFIXES, options.TRIANGULATE),
-            ("curve", "make a mesh of curved elements of a CAD part",
-             "Meshes a CAD part with curved triangles or tetrahedra, each proven valid.",
-             CURVED_SUFFIXES, options.CURVE)):
-        one = commands.add_parser(name, parents=[common], help=title, description=text)
-        one.add_argument("input", help="CAD file: " + " ".join(CAD_SUFFIXES))
-        one.add_argument("-o", "--output", help="mesh file: " + " ".join(outputs))
-        _add_options(one, table)
-
-    one = commands.add_parser(
-        "boolean", parents=[common], help="join, intersect or subtract closed meshes and shapes",
-        description="A Boolean of two or more meshes or CAD parts; the operation is applied from "
-                    "the first on. The result is closed and free of self-intersections.")
-    one.add_argument("inputs", nargs="+", metavar="input",
-                     help="mesh or CAD file: " + " ".join(MESH_SUFFIXES + CAD_SUFFIXES))
-    one.add_argument("-o", "--output", help="mesh file: " + " ".join(OUTPUT_SUFFIXES))
-    _add_options(one, options.BOOLEAN)
-
-    one = commands.add_parser(
-        "improve", parents=[common], help="give a mesh better triangles",
-        description="Improves the triangles of a mesh on its own surface; sharp edges stay.")
-    one.add_argument("input", help="mesh file: " + " ".join(MESH_SUFFIXES))
-    one.add_argument("-o", "--output", help="mesh file: " + " ".join(OUTPUT_SUFFIXES))
-    _add_options(one, options.IMPROVE)
-
-    one = commands.add_parser(
-        "quality", parents=[common], help="report on a mesh",
-        description="Measures a mesh: topology, angles, and its distance to a shape if given.")
-    one.add_argument("input", help="mesh file: " + " ".join(MESH_SUFFIXES))
-    one.add_argument("--shape", metavar="CAD", help="CAD file to measure the distance to")
-    return top
-
-
-def _job(arguments):
-    """What FreeCAD is to do; raises Error for what can be seen without starting it."""
+    A dict of the arguments: files by absolute path, of standard input and output by "-" yet;
+    "options" has those of the operation, checked.
+    """
     job = vars(arguments).copy()
-    known = {"quality": MESH_SUFFIXES, "improve": MESH_SUFFIXES,
-             "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
-    suffixes = known.get(job["command"], CAD_SUFFIXES)
+    command = job["command"]
     for name in ("input", "shape", "output"):
         if job.get(name):
-            job[name] = os.path.abspath(job[name])
-    if "inputs" in job:
-        job["inputs"] = [os.path.abspath(path) for path in job["inputs"]]
-    for path in job.get("inputs", [job.get("input")]):
-        _require_file(path, suffixes)
-    _require_file(job.get("shape"), CAD_SUFFIXES)
-    if len(job.get("inputs", ())) == 1:
+            job[name] = _absolute(job[name])
+    job["inputs"] = [_absolute(path) for path in job.get("inputs") or [job["input"]]]
+    for path in job["inputs"]:
+        require_input(path, INPUTS[command], job["input_format"])
+    require_input(job.get("shape"), CAD_SUFFIXES, job["input_format"])
+    if (job["inputs"] + [job.get("shape")]).count(STANDARD) > 1:
+        raise Error("standard input, -, can be read once only: name a file for the others")
+    if len(job["inputs"]) == 1 and command == "boolean":
         raise Error("a Boolean needs two inputs or more")
-    curved = job["command"] == "curve"
-    _require_suffix(job.get("output"), CURVED_SUFFIXES if curved else OUTPUT_SUFFIXES)
-    if job.get("output") and not os.path.isdir(os.path.dirname(job["output"])):
-        raise Error(f"there is no folder '{os.path.dirname(job['output'])}' to write to")
-    table = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
-             "boolean": options.BOOLEAN, "improve": options.IMPROVE}.get(job["command"])
-    if table:
-        names = [option.name for option in table]
-        job["options"] = options.check(table, {n: job.pop(n) for n in names})
+    job["options"] = take_options(job, TABLES[command])
+    job["suffix"] = suffix_of_output(job)
+    if job.get("output") == STANDARD and job["json"]:
+        raise Error("--json and the mesh cannot both go to standard output: name a file with -o")
     return job
 
 
-def _require_file(path, suffixes):
-    if path and not os.path.isfile(path):
-        raise Error(f"there is no file '{path}'")
-    _require_suffix(path, suffixes)
+def _absolute(path):
+    return path if path == STANDARD else os.path.abspath(path)
+
+
+def take_options(job, table):
+    """The options of a table, checked, as a dict; they are taken out of the job."""
+    return options.check(table, {option.name: job.pop(option.name) for option in table})
+
+
+def require_input(path, suffixes, input_format=None):
+    """Raises Error where a file is not there or has no extension that says what it is."""
+    if path == STANDARD:
+        if input_format is None:
+            raise Error("--input-format must say what standard input is: one of "
+                        + " ".join(suffix[1:] for suffix in suffixes))
+        require_format("--input-format", input_format, suffixes)
+    elif path:
+        if not os.path.isfile(path):
+            raise Error(f"there is no file '{path}'")
+        _require_suffix(path, suffixes)
+
+
+def require_format(flag, name, suffixes):
+    """The extension of a format; raises Error for one that is not known here."""
+    if "." + name.lower() not in suffixes:
+        raise Error(f"{flag} {name} is not known here: it must be one of "
+                    + " ".join(suffix[1:] for suffix in suffixes))
+    return "." + name.lower()
 
 
 def _require_suffix(path, suffixes):
-    if path and os.path.splitext(path)[1].lower() not in suffixes:
+    suffix = os.path.splitext(path)[1].lower()
+    if suffix not in suffixes:
         raise Error(f"'{path}' has no known extension: it must be one of {' '.join(suffixes)}")
+    return suffix
 
 
-def _freecad():
-    """FreeCAD's console program; MESHQUALITY_FREECADCMD overrides."""
+def suffix_of_output(job):
+    """The extension that says how the mesh is written, None without output; raises Error."""
+    path, name, known = job.get("output"), job.get("format"), OUTPUTS[job["command"]]
+    if not path:
+        if name:
+            raise Error(f"--format {name} needs a file to write to: give one with -o")
+        if job.get("deviation"):
+            raise Error("--deviation is for flat triangles in a file: give one with -o")
+        return None
+    if name:
+        suffix = require_format("--format", name, known)
+    elif path == STANDARD:
+        raise Error("--format must say how the mesh goes to standard output: one of "
+                    + " ".join(suffix[1:] for suffix in known))
+    else:
+        suffix = _require_suffix(path, known)
+    if path != STANDARD and not os.path.isdir(os.path.dirname(path)):
+        raise Error(f"there is no folder '{os.path.dirname(path)}' to write to")
+    if job["command"] == "curve":
+        require_curved_output(job, suffix)
+    return suffix
+
+
+def require_curved_output(job, suffix):
+    """Raises Error where a curved mesh cannot be written so."""
+    order = job["options"]["order"]
+    if suffix in FEM_SUFFIXES and order > 2:
+        raise Error(f"{suffix} files hold elements of order 1 and 2, not {order}: use .msh or .vtu")
+    if job.get("deviation") is not None:
+        job["deviation"] = options.check(options.CURVED_DISPLAY,
+                                         {"deviation": job["deviation"]})["deviation"]
+        if suffix not in FLAT_SUFFIXES:
+            raise Error(f"--deviation is for flat triangles, not for {suffix} files")
+
+
+def freecad():
+    """FreeCAD's console program; MESHQUALITY_FREECADCMD overrides. Raises OSError."""
     chosen = os.environ.get("MESHQUALITY_FREECADCMD")
     for name in [chosen] if chosen else ["freecadcmd", "FreeCADCmd", "freecad.cmd"]:
         path = shutil.which(name)
@@ -145,57 +138,116 @@ def _freecad():
                   "it in MESHQUALITY_FREECADCMD")
 
 
-def _run_in_freecad(job):
-    """The result {"status", "text", "report"} of the job, from a FreeCAD of its own."""
+def freecad_command(script):
+    """The command that runs a script of this package in FreeCAD."""
     package = os.path.dirname(os.path.abspath(__file__))
-    with tempfile.TemporaryDirectory(prefix="meshquality-") as folder:
-        job_path = os.path.join(folder, "job.json")
-        result_path = os.path.join(folder, "result.json")
-        with open(job_path, "w", encoding="utf-8") as stream:
-            json.dump({**job, "result": result_path}, stream)
-        code = _wait_for(subprocess.Popen(
-            [_freecad(), "-P", os.path.dirname(package), os.path.join(package, "cli_worker.py")],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-            env={**os.environ, "MESHQUALITY_JOB": job_path}))
-        try:
-            with open(result_path, encoding="utf-8") as stream:
-                return json.load(stream)
-        except (OSError, ValueError):
-            how = f"was ended by signal {-code}" if code < 0 else f"ended with status {code}"
-            return {"status": FAILED, "text": f"FreeCAD {how} and left no result"}
+    return [freecad(), "-P", os.path.dirname(package), os.path.join(package, script)]
+
+
+def _use_standard_input(job, folder):
+    """Puts a file in the place of standard input. Returns its path, or None."""
+    if STANDARD not in job["inputs"] + [job.get("shape")]:
+        return None
+    path = os.path.join(folder, "input." + job["input_format"].lower())
+    with open(path, "wb") as stream:
+        shutil.copyfileobj(sys.stdin.buffer, stream)
+    job["inputs"] = [path if name == STANDARD else name for name in job["inputs"]]
+    for name in ("input", "shape"):
+        if job.get(name) == STANDARD:
+            job[name] = path
+    return path
+
+
+def _run_in_freecad(job, folder):
+    """The result {"status", "text", "report"} of the job, from a FreeCAD of its own."""
+    job_path = os.path.join(folder, "job.json")
+    result_path = os.path.join(folder, "result.json")
+    with open(job_path, "w", encoding="utf-8") as stream:
+        json.dump({**job, "result": result_path}, stream)
+    code = _wait_for(subprocess.Popen(
+        freecad_command("cli_worker.py"), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+        env={**os.environ, "MESHQUALITY_JOB": job_path}))
+    try:
+        with open(result_path, encoding="utf-8") as stream:
+            return json.load(stream)
+    except (OSError, ValueError):
+        how = f"was ended by signal {-code}" if code < 0 else f"ended with status {code}"
+        return {"status": FAILED, "text": f"FreeCAD {how} and left no result"}
 
 
 def _wait_for(process):
     """The exit code of the process, which does not outlive this one when that is told to end."""
-    def end(*_):
-        raise KeyboardInterrupt
+    with ended_by_sigterm():
+        try:
+            return process.wait()
+        finally:
+            if process.poll() is None:
+                process.kill()
+                process.wait()
 
-    before = signal.signal(signal.SIGTERM, end)
-    try:
-        return process.wait()
-    finally:
-        if process.poll() is None:
-            process.kill()
-            process.wait()
-        signal.signal(signal.SIGTERM, before)
+
+class ended_by_sigterm:  # noqa: N801 - used like a function
+    """Has SIGTERM raise KeyboardInterrupt, as Ctrl-C does."""
+
+    def __enter__(self):
+        def end(*_):
+            raise KeyboardInterrupt
+
+        self._before = signal.signal(signal.SIGTERM, end)
+
+    def __exit__(self, *_):
+        signal.signal(signal.SIGTERM, self._before)
+
+
+def _run(job):
+    """The result of the job, its mesh written."""
+    with tempfile.TemporaryDirectory(prefix="meshquality-") as folder:
+        names = {_use_standard_input(job, folder): "standard input"}
+        to_stdout = job.get("output") == STANDARD
+        if to_stdout:
+            job["output"] = os.path.join(folder, "output" + job["suffix"])
+            names[job["output"]] = "standard output"
+        result = _run_in_freecad(job, folder)
+        for path, name in names.items():
+            if path:
+                result["text"] = result["text"].replace(f"'{path}'", name).replace(path, name)
+        if to_stdout and result["status"] == DONE:
+            with open(job["output"], "rb") as stream:
+                shutil.copyfileobj(stream, sys.stdout.buffer)
+            sys.stdout.flush()
+        return result
 
 
 def main(arguments=None):
     """Runs the command line; returns the exit status."""
-    parsed = parser().parse_args(arguments)
+    parsed = parse(arguments)
     try:
-        result = _run_in_freecad(_job(parsed))
+        if parsed.command == "batch":
+            from .batch import command
+
+            result = command.run(parsed)
+        else:
+            result = _run(job_of(parsed))
     except Error as error:
         result = {"status": USAGE, "text": str(error)}
+    except BrokenPipeError:
+        # Nobody reads standard output any more; Python must not try once more when it ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        result = {"status": FAILED, "text": "standard output was closed before all was written"}
     except OSError as error:
         result = {"status": FAILED, "text": str(error)}
     except KeyboardInterrupt:
         result = {"status": FAILED, "text": "interrupted"}
-    report = result.get("report", {})
+    _print(result, parsed)
+    return result["status"]
+
+
+def _print(result, parsed):
     if parsed.json:
         failure = {} if result["status"] == DONE else {"error": result["text"]}
-        print(json.dumps({**report, **failure}))
-    elif result["status"] == DONE:
-        print(result["report_text"], end="")
+        print(json.dumps({**result.get("report", {}), **failure}))
+    elif "report_text" in result:
+        # Standard output may hold the mesh.
+        held = getattr(parsed, "output", None) == STANDARD and parsed.command != "batch"
+        print(result["report_text"], end="", file=sys.stderr if held else sys.stdout)
     print(f"meshquality: {result['text']}", file=sys.stderr)
-    return result["status"]

@@ -12,7 +12,8 @@ import FreeCAD
 
 import MeshQuality as mq
 from MeshQuality import convert
-from MeshQuality.cli import DONE, FAILED, MESH_SUFFIXES, USAGE
+from MeshQuality.cli import DONE, FAILED, USAGE
+from MeshQuality.cli_parser import CURVED_SUFFIXES, FEM_SUFFIXES, MESH_SUFFIXES
 
 REPORT_FIELDS = (
     "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
@@ -125,28 +126,64 @@ def progress_line():
     def show(fraction, stage):
         if os.getppid() != parent:
             return False
-        if visible and (time.monotonic() - last[0] > 0.2 or fraction == 1.0):
-            last[0] = time.monotonic()
-            end = "\n" if fraction == 1.0 else ""
-            print(f"\r{stage:<30} {100 * fraction:5.1f} %", end=end, file=sys.stderr, flush=True)
+        now = time.monotonic()
+        if visible and now - last[0] > 0.2:
+            last[0] = now
+            done = int(30 * fraction)
+            print(f"\r[{'#' * done:<30}] {100 * fraction:3.0f} %  {stage:<28.28}", end="",
+                  file=sys.stderr, flush=True)
         return True
 
     return show
 
 
-def written(mesh, path):
-    """Writes the mesh, if asked for; returns where it lies, for the sentence to end with."""
+def end_progress_line():
+    """Takes the progress line away."""
+    if sys.stderr.isatty():
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+
+def written(job, write):
+    """Has `write` write the mesh to a path, if asked for; says where, for the sentence to end with.
+
+    A file that is there is replaced once the mesh is written in whole.
+    """
+    path = job.get("output")
     if not path:
         return ""
-    mesh.write(path)
+    path = os.path.realpath(path)
+    if os.path.exists(path) and not os.path.isfile(path):
+        write(path)  # a pipe or a device
+        return f" in {path}"
+    ready = os.path.join(os.path.dirname(path), f".{os.path.basename(path)}.{os.getpid()}.part")
+    ready += job["suffix"]
+    try:
+        write(ready)
+        os.replace(ready, path)
+    except mq.IoError as error:
+        raise mq.IoError(str(error).replace(ready, path)) from error
+    finally:
+        if os.path.exists(ready):
+            os.remove(ready)
     return f" in {path}"
+
+
+def write_curved(mesh, path, deviation):
+    """Writes a CurvedMesh: its elements, or flat triangles, by extension."""
+    suffix = os.path.splitext(path)[1].lower()
+    if suffix in CURVED_SUFFIXES:
+        mesh.write(path)
+    elif suffix in FEM_SUFFIXES:
+        mesh.to_fem_mesh().write(path)
+    else:
+        mesh.tessellate(deviation).surface().write(path)
 
 
 def triangulate(job):
     """Returns the report and the sentence to end with."""
     shape = read_shape(job["input"], job.get("object"))
     mesh = mq.triangulate(shape, **job["options"], progress=progress_line())
-    report, where = mesh.report, written(mesh, job.get("output"))
+    report, where = mesh.report, written(job, mesh.write)
     exempt = f", {len(report.exempt)} of them exempted" if report.exempt else ""
     limit = "" if report.complete else "; incomplete: max_triangles ended the work early"
     return report, f"{report.triangles} triangles{where}{exempt}{limit}"
@@ -156,7 +193,8 @@ def curve(job):
     """Returns the report and the sentence to end with."""
     shape = read_shape(job["input"], job.get("object"))
     mesh = mq.curve(shape, **job["options"], progress=progress_line())
-    report, where = mesh.report, written(mesh, job.get("output"))
+    report = mesh.report
+    where = written(job, lambda path: write_curved(mesh, path, job.get("deviation")))
     return report, f"{report.elements} elements of order {mesh.order}{where}, " \
                    f"{report.invalid} of them invalid"
 
@@ -166,7 +204,7 @@ def boolean(job):
     sources = [read_mesh(path) if path.lower().endswith(MESH_SUFFIXES)
                else read_shape(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.boolean(sources, **job["options"], progress=progress_line())
-    report, where = mesh.report, written(mesh, job.get("output"))
+    report, where = mesh.report, written(job, mesh.write)
     faults = f"; {report.faults_left} faults are left, see the notes" if report.faults_left else ""
     return report, f"{report.triangles} triangles{where}, {report.retained} of them the " \
                    f"operands' own{faults}"
@@ -175,7 +213,7 @@ def boolean(job):
 def improve(job):
     """Returns the report and the sentence to end with."""
     mesh = mq.improve(read_mesh(job["input"]), **job["options"], progress=progress_line())
-    report, where = mesh.report, written(mesh, job.get("output"))
+    report, where = mesh.report, written(job, mesh.write)
     below = f", {len(report.exempt)} of them below the angle" if report.exempt else ""
     return report, f"{report.triangles} triangles{where}{below}"
 
@@ -201,6 +239,8 @@ def run(job):
     except Exception as error:  # noqa: BLE001 - whatever it is, the caller must hear of it
         traceback.print_exc()
         return {"status": FAILED, "text": f"{type(error).__name__}: {error}"}
+    finally:
+        end_progress_line()
     return {"status": DONE, "text": text, "report": report_fields(report),
             "report_text": str(report)}
 

@@ -3,14 +3,26 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <exception>
 #include <thread>
 #include <vector>
 
 namespace mq {
 
-/// Runs work(k) for k = 0 .. count - 1 on all cores, in no particular order. Results must be written to places of their
-/// own, so that they do not depend on the number of threads.
+/// How many threads work at a time: as many as there are cores, or as the environment variable MESHQUALITY_THREADS says
+/// when it is first asked for, where it is a number greater than 0.
+inline int thread_count() {
+    static const int count = [] {
+        const char* said = std::getenv("MESHQUALITY_THREADS");
+        const int asked = said == nullptr ? 0 : std::atoi(said);
+        return asked > 0 ? asked : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    }();
+    return count;
+}
+
+/// Runs work(k) for k = 0 .. count - 1 on thread_count() threads, in no particular order. Results must be written to
+/// places of their own, so that they do not depend on the number of threads.
 /// @throws what the call with the lowest k threw, once all threads have ended; calls not yet begun are left out then
 template <typename Work>
 void for_all(int count, Work&& work) {
@@ -26,7 +38,7 @@ void for_all(int count, Work&& work) {
             }
         }
     };
-    const int threads = std::min<int>(count, static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+    const int threads = std::min(count, thread_count());
     std::vector<std::thread> others;
     for (int i = 1; i < threads; ++i) {
         others.emplace_back(worker);

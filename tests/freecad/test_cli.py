@@ -130,7 +130,7 @@ class Triangulate(helpers.DocumentTest):
         Part.makeLine((0, 0, 0), (1, 0, 0)).exportBrep(wire)
         for arguments, word in (
                 ((), "COMMAND"),
-                (("triangulate",), "input"),
+                (("triangulate",), "INPUT"),
                 (("triangulate", self.step, "--min-angle", "foo"), "--min-angle"),
                 (("triangulate", self.step, "--min-angle", "50"), "34 degrees"),
                 (("triangulate", self.step, "--min-angle", "nan"), "nan"),

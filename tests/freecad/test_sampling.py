@@ -7,7 +7,7 @@ import Part
 from FreeCAD import Vector
 
 import MeshQuality as mq
-from MeshQuality import cli
+from MeshQuality import cli_parser
 
 METHODS = ("star", "sprinkle")
 
@@ -56,7 +56,7 @@ class Sampling(unittest.TestCase):
         self.assertEqual(mesh.to_mesh().countSegments(), len(shape.Faces))
 
     def test_polish_is_on_unless_switched_off_on_the_command_line(self):
-        parser = cli.parser()
+        parser = cli_parser.parser()
         for flags, expected in (([], True), (["--polish"], True), (["--no-polish"], False)):
             arguments = parser.parse_args(["triangulate", "part.step", *flags])
             self.assertIs(arguments.polish, expected)

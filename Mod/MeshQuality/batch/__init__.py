@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`meshquality batch`: the same operation on every part below a folder.
+
+    plan        what is to be done: parts, options, limits, where results go
+    ledger      parts.jsonl: what was done already
+    freecads    FreeCADs that do one part after the other, with limits; `serve` is what runs in them
+    part        one part: what is run on a worker
+    cluster     the parts on workers, by Dask
+    table, report, charts     parts.csv and report.html
+    command     all of it, for the command line
+
+Only `serve` imports FreeCAD. Results do not depend on which worker did a part, nor on what it did
+before; a part has failed only if it failed in a FreeCAD that had done nothing else.
+"""
+
+# A line of parts.jsonl stays short: of a list with more items than LONG_LIST it has some only.
+LONG_LIST, SHOWN_OF_LIST = 60, 20

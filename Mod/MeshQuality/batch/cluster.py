@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parts of a batch on workers, by Dask: a cluster on this machine, or one that is there.
+
+Dask's workers only wait: the work is done by the FreeCADs that they start, see freecads. So on one
+machine one worker of as many threads as there are jobs, in this process, is enough.
+"""
+
+import os
+import uuid
+from contextlib import contextmanager
+
+from ..errors import Error
+from .ledger import LOST
+
+# Parts that the scheduler knows at a time, for each thread of the workers: enough that none waits
+# for this process, few enough that a million parts cost it no more than a thousand.
+AHEAD = 4
+LEAST_AHEAD = 32
+WAIT_FOR_WORKERS = 60.0
+CHECK_EVERY = 200  # parts: how often the number of workers is asked for
+
+
+def cores():
+    """How many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+@contextmanager
+def client_of(scheduler=None, jobs=None):
+    """A Dask client: of the cluster at `scheduler`, or of one in this process with `jobs` threads.
+
+    Raises Error where there is no such cluster, or no worker in it.
+    """
+    import dask
+    from distributed import Client, LocalCluster
+
+    # Results of parts are small, and what FreeCAD takes is limited elsewhere.
+    with dask.config.set({"distributed.admin.log-format": "%(message)s",
+                          "distributed.worker.memory.target": False,
+                          "distributed.worker.memory.spill": False}):
+        if scheduler is None:
+            with LocalCluster(n_workers=1, threads_per_worker=jobs or cores(), processes=False,
+                              dashboard_address=None, memory_limit=0) as cluster, \
+                    Client(cluster) as client:
+                yield client
+            return
+        try:
+            client = Client(scheduler, timeout=20)
+        except (OSError, ValueError, TimeoutError) as error:
+            raise Error(f"there is no Dask scheduler at {scheduler}: {error}") from error
+        with client:
+            try:
+                client.wait_for_workers(1, timeout=WAIT_FOR_WORKERS)
+            except TimeoutError as error:
+                raise Error(f"the Dask cluster at {scheduler} has no workers: start some with "
+                            f"dask-worker {scheduler}") from error
+            yield client
+
+
+def shipped(function):
+    """A function of (package folder, arguments) that runs `function` of MeshQuality.batch on a worker.
+
+    A nested function travels by its content, so that workers need not have the package on their
+    path; they need its folder, under the same path or as MESHQUALITY_MOD says.
+    """
+    module, name = function
+
+    def work(folder, *arguments):
+        import importlib
+        import os
+        import sys
+
+        folder = os.environ.get("MESHQUALITY_MOD", folder)
+        if folder not in sys.path:
+            sys.path.insert(0, folder)
+        return getattr(importlib.import_module(f"MeshQuality.batch.{module}"), name)(*arguments)
+
+    return work
+
+
+def run(client, plan, parts, finished):
+    """Does the parts, in their order; calls finished(entry) for each once, in the order they end.
+
+    Raises ConnectionError when the scheduler goes away: what was not finished is not done.
+    """
+    from distributed import as_completed
+
+    folder = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    batch, work = uuid.uuid4().hex, shipped(("part", "run"))
+    waiting, tasks = iter(parts), {}
+    flow = as_completed(with_results=True, raise_errors=False)
+
+    def submit(count):
+        for part in [part for _, part in zip(range(count), waiting)]:
+            future = client.submit(work, folder, plan.task(part), batch, pure=False,
+                                   key=f"{batch[:8]}-{part.name}")
+            tasks[future.key] = part
+            flow.add(future)
+
+    ended = 0
+    try:
+        submit(_ahead(client))
+        for future, result in flow:
+            part = tasks.pop(future.key)
+            if future.status == "cancelled":
+                raise ConnectionError("the Dask scheduler has gone")
+            finished(result if future.status == "finished" else _lost(plan, part, result))
+            future.release()
+            ended += 1
+            wanted = 1 if ended % CHECK_EVERY else _ahead(client) - len(tasks)
+            submit(max(0, wanted))
+    finally:
+        _end_work(client, batch, folder)
+
+
+def _ahead(client):
+    threads = sum(client.nthreads().values())
+    return max(LEAST_AHEAD, AHEAD * threads)
+
+
+def _end_work(client, batch, folder):
+    """Ends the FreeCADs of the batch on all workers."""
+    if client.status == "running":
+        client.run(shipped(("freecads", "close_pool")), folder, batch)
+
+
+def _lost(plan, part, raised):
+    """The entry of a part that no worker could finish, with what Dask raised."""
+    error = raised[1] if isinstance(raised, tuple) else raised
+    return {**{name: plan.task(part)[name] for name in ("part", "key", "size", "mtime_ns")},
+            "output": None, "digest": None, "state": LOST, "attempts": 0,
+            "error": f"{type(error).__name__}: {error}"}

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`meshquality batch`: finds what is to be done, has it done, and writes table and report."""
+
+import importlib.util
+import os
+import sys
+import time
+from collections import Counter
+
+from ..cli import DONE, FAILED, ended_by_sigterm
+from . import cluster, report, table
+from .ledger import Ledger
+from .plan import find_parts, plan_of
+
+SYSTEM_PYTHON = "/usr/bin/python3"
+
+
+def require_dask():
+    """Raises OSError where Dask is missing; starts anew in the system's Python if that has it."""
+    if importlib.util.find_spec("distributed"):
+        return
+    tried = "MESHQUALITY_PYTHON" in os.environ
+    if os.path.exists(SYSTEM_PYTHON) and not tried and sys.executable != SYSTEM_PYTHON:
+        os.environ["MESHQUALITY_PYTHON"] = SYSTEM_PYTHON
+        os.execv(SYSTEM_PYTHON, [SYSTEM_PYTHON, *sys.argv])
+    raise OSError("batch needs Dask: install the package python3-distributed (Debian), or "
+                  "distributed (conda, pip)")
+
+
+class ProgressLine:
+    """A line at a terminal: how many parts of how many are done, and how long the rest takes."""
+
+    def __init__(self, total):
+        self._total, self._start, self._last = total, time.monotonic(), 0.0
+        self._done = self._failed = 0
+        self._visible = sys.stderr.isatty()
+
+    def add(self, entry):
+        """Counts a part that was done."""
+        self._done += 1
+        self._failed += entry["state"] != "done"
+        now = time.monotonic()
+        if self._visible and (now - self._last > 0.2 or self._done == self._total):
+            self._last = now
+            self._show(now - self._start)
+
+    def _show(self, seconds):
+        rate = self._done / max(seconds, 1e-6)
+        left = (self._total - self._done) / rate
+        bar = "#" * int(30 * self._done / self._total)
+        failed = f", {self._failed} failed" if self._failed else ""
+        print(f"\r[{bar:<30}] {self._done} of {self._total} parts{failed}, {rate:.1f} a second, "
+              f"{_duration(left)} left\x1b[K", end="", file=sys.stderr, flush=True)
+
+    def end(self):
+        """Takes the line away."""
+        if self._visible:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+
+def _duration(seconds):
+    minutes, seconds = divmod(int(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours} h {minutes} min" if hours else f"{minutes} min {seconds} s" if minutes \
+        else f"{seconds} s"
+
+
+def run(arguments):
+    """The result {"status", "text", "report"} of a batch, as cli.main prints it."""
+    require_dask()
+    start = time.monotonic()
+    plan = plan_of(arguments)
+    parts = find_parts(plan, arguments.only)
+    ledger = Ledger(plan)
+    try:
+        todo = ledger.keep(parts, arguments.retry, arguments.check_content)
+        if todo:
+            _do(arguments, plan, todo, ledger)
+        states = Counter(entry["state"] for entry in ledger.entries())
+        table.write(plan, ledger)
+        report.write(plan, ledger)
+    finally:
+        ledger.close()
+    failed = len(parts) - states["done"]
+    summary = {"parts": len(parts), "worked_on": len(todo), "states": dict(sorted(states.items())),
+               "seconds": round(time.monotonic() - start, 3), "output": str(plan.out)}
+    text = f"{failed} of {len(parts)} parts failed" if failed else f"{len(parts)} parts done"
+    text += f"; this run did {len(todo)} in {_duration(summary['seconds'])}; see " \
+            f"{plan.out / report.NAME}"
+    return {"status": FAILED if failed else DONE, "text": text, "report": summary,
+            "report_text": "".join(f"{state:<8} {count:>8}\n" for state, count in sorted(states.items()))}
+
+
+def _do(arguments, plan, todo, ledger):
+    line = ProgressLine(len(todo))
+
+    def finished(entry):
+        ledger.add(entry)
+        line.add(entry)
+
+    with ended_by_sigterm(), cluster.client_of(arguments.scheduler, arguments.jobs) as client:
+        try:
+            cluster.run(client, plan, todo, finished)
+        finally:
+            line.end()

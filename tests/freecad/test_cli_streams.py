@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""bin/meshquality: standard input and output, formats, progress, and that the API is all there."""
+
+import inspect
+import json
+import os
+import pty
+import re
+import subprocess
+import threading
+import unittest
+
+import helpers
+import Mesh
+import Part
+from test_cli import COMMAND, run
+
+import MeshQuality as mq
+from MeshQuality import cli_parser
+
+
+def pipe(data, *arguments):
+    """(exit status, stdout, lines of stderr) with bytes on standard input."""
+    done = subprocess.run([COMMAND, *map(str, arguments)], input=data, capture_output=True,
+                          timeout=300)
+    return done.returncode, done.stdout, done.stderr.decode().splitlines()
+
+
+def at_terminal(*arguments):
+    """(exit status, stdout, what stderr shows where it is a terminal)."""
+    controller, terminal = pty.openpty()
+    shown = bytearray()
+
+    def collect():
+        while True:
+            try:
+                data = os.read(controller, 65536)
+            except OSError:  # how Linux says that the terminal was closed
+                return
+            if not data:
+                return
+            shown.extend(data)
+
+    reader = threading.Thread(target=collect)
+    reader.start()
+    done = subprocess.run([COMMAND, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=terminal, timeout=300)
+    os.close(terminal)
+    reader.join()
+    os.close(controller)
+    return done.returncode, done.stdout, shown.decode()
+
+
+class Streams(helpers.DocumentTest):
+    def setUp(self):
+        super().setUp()
+        self.shape = Part.makeCylinder(5, 10)
+        self.brep = os.path.join(self.folder, "part.brep")
+        self.shape.exportBrep(self.brep)
+        with open(self.brep, "rb") as stream:
+            self.data = stream.read()
+
+    def test_from_standard_input_to_standard_output(self):
+        status, out, err = pipe(self.data, "triangulate", "-", "--input-format", "brep",
+                                "-o", "-", "--format", "ply")
+        self.assertEqual(status, 0, err)
+        self.assertIn("in standard output", err[-1])
+        self.assertTrue(any(line.startswith("closed") for line in err))
+        expected = mq.triangulate(Part.read(self.brep))
+        path = os.path.join(self.folder, "expected.ply")
+        expected.write(path)
+        with open(path, "rb") as stream:
+            self.assertEqual(out, stream.read())
+        # ... and on into the next command.
+        status, report, err = pipe(out, "quality", "-", "--input-format", "ply", "--json",
+                                   "--shape", self.brep)
+        self.assertEqual(status, 0, err)
+        self.assertEqual(json.loads(report)["triangles"], len(expected.triangles))
+
+    def test_errors_name_standard_input(self):
+        status, out, err = pipe(b"junk", "triangulate", "-", "--input-format", "step")
+        self.assertEqual((status, out), (2, b""))
+        self.assertIn("cannot read standard input", err[-1])
+
+    def test_format_whatever_the_name(self):
+        output = os.path.join(self.folder, "mesh.dat")
+        status, _, err = run("triangulate", self.brep, "-o", output, "--format", "STL")
+        self.assertEqual(status, 0, err)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["mesh.dat", "part.brep"])
+        os.rename(output, os.path.join(self.folder, "mesh.stl"))
+        mesh = Mesh.Mesh(os.path.join(self.folder, "mesh.stl"))
+        self.assertEqual(mesh.CountFacets, len(mq.triangulate(Part.read(self.brep)).triangles))
+
+    def test_curved_elements_as_flat_triangles_and_for_fem(self):
+        output = os.path.join(self.folder, "part.stl")
+        counts = []
+        for deviation in (0.2, 0.02):
+            status, _, err = run("curve", self.brep, "-o", output, "--deviation", deviation)
+            self.assertEqual(status, 0, err)
+            counts.append(Mesh.Mesh(output).CountFacets)
+        self.assertGreater(counts[1], counts[0])
+        self.assertTrue(Mesh.Mesh(output).isSolid())
+        output = os.path.join(self.folder, "part.inp")
+        status, out, err = run("curve", self.brep, "-o", output, "--volume", "--json")
+        self.assertEqual(status, 0, err)
+        with open(output, encoding="ascii") as stream:
+            text = stream.read()
+        self.assertIn("*Element, TYPE=C3D10", text)
+        elements = text.partition("*Element")[2].partition("\n")[2].partition("*")[0]
+        self.assertEqual(len(re.findall(r"^\d+,", elements, re.MULTILINE)),
+                         json.loads(out)["elements"])
+
+    def test_bad_use_of_streams_ends_with_2(self):
+        for arguments, word in (
+                (("triangulate", "-"), "--input-format"),
+                (("triangulate", "-", "--input-format", "xyz"), "step"),
+                (("triangulate", self.brep, "-o", "-"), "--format"),
+                (("triangulate", self.brep, "-o", "-", "--format", "xyz"), "ply"),
+                (("triangulate", self.brep, "--format", "ply"), "-o"),
+                (("triangulate", self.brep, "--min-an", "20"), "--min-an"),
+                (("boolean", "-", "-", "--input-format", "stl"), "once"),
+                (("curve", self.brep, "-o", "x.msh", "--deviation", "1"), "flat"),
+                (("curve", self.brep, "--deviation", "1"), "-o"),
+                (("curve", self.brep, "-o", "x.stl", "--deviation", "-1"), "deviation"),
+                (("curve", self.brep, "-o", "x.inp", "--order", "3"), "order 1 and 2")):
+            with self.subTest(arguments):
+                status, out, err = run(*arguments)
+                self.assertEqual((status, out), (2, ""))
+                self.assertIn(word, err[-1])
+        status, out, err = run("triangulate", self.brep, "-o", "-", "--format", "ply", "--json")
+        self.assertEqual(status, 2)
+        self.assertIn("--json", json.loads(out)["error"])
+
+    def test_a_file_that_is_there_is_replaced_in_whole_or_not_at_all(self):
+        output = os.path.join(self.folder, "kept.ply")
+        with open(output, "w", encoding="ascii") as stream:
+            stream.write("old")
+        status, _, _ = run("triangulate", self.brep, "-o", output, "--chord-height", "1e-12")
+        self.assertEqual(status, 2)
+        with open(output, encoding="ascii") as stream:
+            self.assertEqual(stream.read(), "old")
+        link = os.path.join(self.folder, "link.ply")
+        os.symlink(output, link)
+        status, _, err = run("triangulate", self.brep, "-o", link)
+        self.assertEqual(status, 0, err)
+        self.assertTrue(os.path.islink(link))
+        self.assertGreater(Mesh.Mesh(output).CountFacets, 0)
+
+    def test_progress_at_a_terminal_only(self):
+        slow = ("triangulate", self.brep, "--chord-height", "5e-5")
+        status, out, shown = at_terminal(*slow)
+        self.assertEqual(status, 0, shown)
+        self.assertIn("refining", shown)
+        self.assertNotIn(b"refining to", out)
+        *_, line, last = shown.replace("\r\n", "\n").rstrip("\n").split("\n") + [""]
+        self.assertEqual(last, "")
+        # The line is taken away before the last words.
+        self.assertIn("\r\x1b[K", line)
+        self.assertTrue(line.rpartition("\x1b[K")[2].startswith("meshquality: "), line)
+        seconds = float(re.search(rb"time +([\d.]+) s", out)[1])
+        self.assertLessEqual(shown.count("\r["), seconds / 0.2 + 2)
+        _, _, err = run(*slow)
+        self.assertNotIn("refining", "".join(err))
+
+    def test_closed_standard_output_is_said(self):
+        reader = subprocess.Popen(["true"], stdin=subprocess.PIPE)
+        reader.wait()
+        done = subprocess.run([COMMAND, "triangulate", self.brep, "-o", "-", "--format", "ply"],
+                              stdin=subprocess.DEVNULL, stdout=reader.stdin,
+                              stderr=subprocess.PIPE, text=True, timeout=60)
+        reader.stdin.close()
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("standard output was closed", done.stderr.splitlines()[-1])
+
+
+class Api(unittest.TestCase):
+    # What a command line has in another way: the shapes, callbacks, objects of a running FreeCAD.
+    ELSEWHERE = {
+        "triangulate": {"shape", "progress", "memory"},
+        "curve": {"shape_or_mesh", "shape", "progress"},
+        "boolean": {"a", "b", "progress"},
+        "improve": {"mesh", "progress"},
+        "quality": {"mesh", "progress"},
+    }
+
+    def test_every_option_of_the_api_is_there_under_its_name(self):
+        commands = next(action.choices for action in cli_parser.parser()._actions
+                        if action.dest == "command")
+        self.assertEqual(set(commands), {*self.ELSEWHERE, "batch"})
+        for name, elsewhere in self.ELSEWHERE.items():
+            flags = commands[name]._option_string_actions
+            parameters = inspect.signature(getattr(mq, name)).parameters
+            for parameter in set(parameters) - elsewhere:
+                with self.subTest(f"{name} {parameter}"):
+                    action = flags["--" + parameter.replace("_", "-")]
+                    default = parameters[parameter].default
+                    if name != "boolean" or parameter != "operation":  # API: it must be given
+                        self.assertEqual(action.default, default)
+
+    def test_batch_takes_the_options_of_its_command(self):
+        for name in cli_parser.BATCHED:
+            arguments = cli_parser.parse(["batch", "in", "-o", "out", "--command", name])
+            for option in cli_parser.TABLES[name]:
+                self.assertEqual(getattr(arguments, option.name), option.default)
+
+    def test_version(self):
+        status, out, _ = run("--version")
+        self.assertEqual((status, out), (0, "meshquality 0.1.0\n"))
