@@ -10,7 +10,7 @@ import uuid
 from contextlib import contextmanager
 
 from ..errors import Error
-from .ledger import LOST
+from .part import LOST
 
 # Parts that the scheduler knows at a time, for each thread of the workers: enough that none waits
 # for this process, few enough that a million parts cost it no more than a thousand.

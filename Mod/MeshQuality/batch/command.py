@@ -7,12 +7,14 @@ import sys
 import time
 from collections import Counter
 
-from ..cli import DONE, FAILED, ended_by_sigterm
+from ..cli import DONE, FAILED, ended_by_sigterm, freecad
 from . import cluster, report, table
 from .ledger import Ledger
+from .part import LOST
 from .plan import find_parts, plan_of
 
 SYSTEM_PYTHON = "/usr/bin/python3"
+MOST_LOST = 50  # parts in a row, before the batch gives up: then it is not the parts
 
 
 def require_dask():
@@ -92,11 +94,17 @@ def run(arguments):
 
 
 def _do(arguments, plan, todo, ledger):
-    line = ProgressLine(len(todo))
+    line, lost = ProgressLine(len(todo)), [0]
+    if arguments.scheduler is None:
+        freecad()  # says so at once where there is none
 
     def finished(entry):
         ledger.add(entry)
         line.add(entry)
+        lost[0] = lost[0] + 1 if entry["state"] == LOST else 0
+        if lost[0] == MOST_LOST:
+            raise OSError(f"{MOST_LOST} parts in a row could not be worked on, {entry['part']} "
+                          f"because: {entry['error']}")
 
     with ended_by_sigterm(), cluster.client_of(arguments.scheduler, arguments.jobs) as client:
         try:

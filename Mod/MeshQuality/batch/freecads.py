@@ -29,6 +29,10 @@ class Died(Exception):  # noqa: N818 - an event, not a fault of the caller
         self.state = state
 
 
+class NotStarted(Exception):  # noqa: N818
+    """There is no FreeCAD to do a job: not the job's doing."""
+
+
 class FreeCad:
     """One FreeCAD. `jobs` is how many it has done."""
 
@@ -89,10 +93,13 @@ class FreeCad:
 
     def _died(self, code):
         self._words.seek(0, os.SEEK_END)
-        self._words.seek(max(0, self._words.tell() - 4000))
+        self._words.seek(max(0, self._words.tell() - 20000))
         words = self._words.read().decode(errors="replace").strip()
         how = f"by signal {signal.Signals(-code).name}" if code < 0 else f"with status {code}"
-        last = f": {words.splitlines()[-1].strip()[:200]}" if words else ""
+        # FreeCAD catches some signals itself and says so above a list of calls.
+        lines = words.splitlines()
+        said = [line for line in lines if "signal" in line or "terminate" in line] or lines[-1:]
+        last = f": {said[0].strip()[:200]}" if said else ""
         if "bad_alloc" in words or "MemoryError" in words:
             return Died("memory", f"took more than {self._bytes / 2**30:g} GiB of memory")
         return Died("crash", f"FreeCAD ended {how}{last}")
@@ -121,15 +128,18 @@ class Pool:
         self._idle, self._busy, self._closed = [], set(), False
 
     def take(self, bytes_allowed, fresh=False):
-        """An idle FreeCAD, or a new one. Raises Died where it does not start."""
+        """An idle FreeCAD, or a new one. Raises NotStarted."""
         with self._lock:
             if self._closed:
-                raise Died("crash", "the batch was ended")
+                raise NotStarted("the batch was ended")
             if self._idle and not fresh:
                 freecad = self._idle.pop()
                 self._busy.add(freecad)
                 return freecad
-        freecad = FreeCad(bytes_allowed)
+        try:
+            freecad = FreeCad(bytes_allowed)
+        except (Died, OSError) as error:
+            raise NotStarted(f"FreeCAD does not start: {error}") from error
         with self._lock:
             self._busy.add(freecad)
         return freecad

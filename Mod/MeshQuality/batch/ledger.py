@@ -7,11 +7,9 @@ import re
 from concurrent.futures import ThreadPoolExecutor
 
 from ..errors import Error
-from .part import digest_of
+from .part import LOST, digest_of
 
 NAME = "parts.jsonl"
-# Not the part's doing: a later run does it again without being asked.
-LOST = "lost"
 # Files yet to be renamed, here and in cli_worker.written. No part is called so: see find_parts.
 _UNFINISHED = re.compile(r"\..*\.part(\.\w+)?$")
 

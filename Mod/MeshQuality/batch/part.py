@@ -8,6 +8,9 @@ import socket
 from ..cli import DONE, USAGE
 from . import freecads
 
+# The state of a part that nobody could begin or end; a later run does it without being asked.
+LOST = "lost"
+
 
 def digest_of(path):
     """SHA-256 of a file, as text."""
@@ -58,6 +61,8 @@ def _attempt(task, pool, fresh):
             pool.give_back(freecad, good)
             if not good:
                 _remove_unfinished(task, freecad.pid)
+    except freecads.NotStarted as error:
+        return {"state": LOST, "error": str(error), "attempts": 0}, False
     except freecads.Died as end:
         return {"state": end.state, "error": str(end), "attempts": 1}, used
     return {"attempts": 1, **_outcome(result, task)}, used
