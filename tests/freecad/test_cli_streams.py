@@ -147,7 +147,7 @@ class Streams(helpers.DocumentTest):
         self.assertGreater(Mesh.Mesh(output).CountFacets, 0)
 
     def test_progress_at_a_terminal_only(self):
-        slow = ("triangulate", self.brep, "--chord-height", "5e-5")
+        slow = ("triangulate", self.brep, "--chord-height", "5e-4")
         status, out, shown = at_terminal(*slow)
         self.assertEqual(status, 0, shown)
         self.assertIn("refining", shown)

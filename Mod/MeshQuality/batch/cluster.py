@@ -47,7 +47,7 @@ def client_of(scheduler=None, jobs=None):
                 yield client
             return
         try:
-            client = Client(scheduler, timeout=20)
+            client = Client(scheduler, timeout=10)
         except (OSError, ValueError, TimeoutError) as error:
             raise Error(f"there is no Dask scheduler at {scheduler}: {error}") from error
         with client:
