@@ -20,7 +20,8 @@ ROWS = [
 RANK = {module: rank for rank, row in enumerate(ROWS) for module in row}
 RANK["occt"] = RANK["geometry"]
 
-FOLDERS = ["src", "tests", "tools", "benchmarks", "Mod", "bin", "docs", ".ci"]
+FOLDERS = ["src", "tests", "tools", "benchmarks", "Mod", "bin", "docs", "packaging",
+           ".ci"]
 ROOT_FILES = ["Init.py", "InitGui.py", "CMakeLists.txt"]
 CPP = {".h", ".cpp"}
 MAX_FILE, MAX_FUNCTION = 600, 60
