@@ -13,7 +13,8 @@ names the sub-element at fault.
 
 import importlib
 
-from .errors import Cancelled, Error, GeometryError, InvalidInput, IoError, TopologyError
+from .errors import (Cancelled, Error, GeometryError, InvalidInput, IoError, MissingBinary,
+                     TopologyError)
 
 # Loaded on first use: FreeCAD starts no slower, and errors and options work without the core.
 _LAZY = {
@@ -37,8 +38,8 @@ _LAZY = {
     "CurveReport": "MeshQuality._core",
 }
 
-__all__ = ["Cancelled", "Error", "GeometryError", "InvalidInput", "IoError", "TopologyError",
-           *_LAZY]
+__all__ = ["Cancelled", "Error", "GeometryError", "InvalidInput", "IoError", "MissingBinary",
+           "TopologyError", *_LAZY]
 
 
 def __getattr__(name):

@@ -1,21 +1,73 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What differs between versions and builds of FreeCAD, in one place."""
 
+import contextlib
+import functools
 import importlib
+import os
+import platform
+import sys
+
+from .errors import MissingBinary
+
+HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
 def core():
     """The extension module MeshQuality._core.
 
-    Raises ImportError with the remedy where it is missing or belongs to another FreeCAD.
+    Raises MissingBinary with the remedy where it is missing or belongs to another FreeCAD.
     """
     try:
         return importlib.import_module("MeshQuality._core")
-    except ModuleNotFoundError as error:
-        if error.name != "MeshQuality._core":
-            raise
-        raise ImportError("MeshQuality's extension module is not built for this Python: run "
-                          "tools/build in MeshQuality's folder") from error
+    except ImportError as error:
+        absent = getattr(error, "name", None) == "MeshQuality._core" \
+            and isinstance(error, ModuleNotFoundError)
+        why = "it is not there" if absent else str(error)
+        raise MissingBinary(f"MeshQuality's binary for {versions()} cannot be used: {why}. "
+                            f"To get it, {remedy()}") from error
+
+
+@functools.lru_cache(maxsize=None)
+def why_no_core():
+    """What core() says where it fails; empty where it does not. Asked once: it is looked for again
+    when FreeCAD starts.
+    """
+    try:
+        core()
+    except MissingBinary as error:
+        return str(error)
+    return ""
+
+
+def versions():
+    """What a binary must be made for: words for people."""
+    import FreeCAD
+    import Part
+
+    return (f"FreeCAD {'.'.join(FreeCAD.Version()[:2])}, OpenCASCADE {Part.OCC_VERSION}, "
+            f"Python {sys.version_info[0]}.{sys.version_info[1]}, {platform.machine()}")
+
+
+def remedy():
+    """How to get the binary, as the end of a sentence; docs/install.md has all ways."""
+    build = os.path.join(HOME, "tools", "build")
+    if os.path.exists(build):
+        return f"run 'bash {build}' and start FreeCAD again"
+    return ("install a package of MeshQuality made for these versions, or MeshQuality's sources and "
+            "run 'bash tools/build' there")
+
+
+def program(name):
+    """The path of a program beside the extension module.
+
+    Addons unpacked by Python's zipfile lose the permission to run programs: it is given back.
+    """
+    path = os.path.join(os.path.dirname(core().__file__), name)
+    if os.path.exists(path) and not os.access(path, os.X_OK):
+        with contextlib.suppress(OSError):
+            os.chmod(path, os.stat(path).st_mode | 0o111)
+    return path
 
 
 def flags(buttons):

@@ -6,7 +6,7 @@ import os
 import numpy as np
 
 from . import convert, options
-from .compat import core
+from .compat import core, program
 from .errors import InvalidInput
 from .surface_mesh import SurfaceMesh
 
@@ -221,7 +221,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False,
         "max_edge": max_edge,
     })
     module = core()
-    module.set_fill_program(os.path.join(os.path.dirname(module.__file__), "meshquality_fill"))
+    module.set_fill_program(program("meshquality_fill"))
     curving = module.CurveOptions()
     for name in ("order", "volume", "straighten"):
         setattr(curving, name, values.pop(name))

@@ -26,6 +26,11 @@ class IoError(Error):
     """A file cannot be read or written."""
 
 
-for _error in (Error, InvalidInput, TopologyError, GeometryError, Cancelled, IoError):
+class MissingBinary(Error, ImportError):
+    """The part written in C++ is missing, or belongs to another FreeCAD."""
+
+
+for _error in (Error, InvalidInput, TopologyError, GeometryError, Cancelled, IoError,
+               MissingBinary):
     _error.__module__ = "MeshQuality"
 del _error

@@ -1330,6 +1330,30 @@
         <source>taking out vertices</source>
         <translation>Überflüssige Punkte werden entfernt</translation>
     </message>
+    <message>
+        <source>MeshQuality computes in a binary, which must be made for {0}. None that can be used is here.</source>
+        <translation>MeshQuality rechnet in einem Binärteil, der für {0} gemacht sein muss. Hier ist keiner, der sich benutzen lässt.</translation>
+    </message>
+    <message>
+        <source>On Debian: install the package freecad-meshquality that was made for your release.</source>
+        <translation>Unter Debian: das Paket freecad-meshquality installieren, das für die eigene Ausgabe gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>Elsewhere: unpack the archive of MeshQuality that was made for these versions in place of the folder {0}.</source>
+        <translation>Anderswo: das Archiv von MeshQuality, das für diese Versionen gemacht wurde, an Stelle des Ordners {0} auspacken.</translation>
+    </message>
+    <message>
+        <source>From these sources: run bash {0}</source>
+        <translation>Aus diesen Quellen: bash {0} ausführen</translation>
+    </message>
+    <message>
+        <source>From MeshQuality&apos;s sources: run bash tools/build in their folder.</source>
+        <translation>Aus den Quellen von MeshQuality: in deren Ordner bash tools/build ausführen.</translation>
+    </message>
+    <message>
+        <source>Then start FreeCAD again. Meshes that documents hold are shown meanwhile as they were saved.</source>
+        <translation>Danach FreeCAD neu starten. Netze in Dokumenten werden bis dahin so gezeigt, wie sie gespeichert wurden.</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -1424,6 +1448,17 @@
     <message>
         <source>Write the curved elements of the selected mesh into a file for Gmsh, ParaView or a solver</source>
         <translation>Schreibt die gekrümmten Elemente des gewählten Netzes in eine Datei für Gmsh, ParaView oder einen Löser</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_GetBinary</name>
+    <message>
+        <source>How to get the binary that MeshQuality needs for its work</source>
+        <translation>Wie man den Binärteil bekommt, den MeshQuality für seine Arbeit braucht</translation>
+    </message>
+    <message>
+        <source>What is missing...</source>
+        <translation>Was fehlt...</translation>
     </message>
 </context>
 <context>

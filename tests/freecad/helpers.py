@@ -2,6 +2,7 @@
 """What several test modules share: how they are run, parts, checks of properties, documents."""
 
 import os
+import shutil
 import tempfile
 import unittest
 
@@ -50,6 +51,16 @@ def points_and_facets(mesh):
     """The arrays of a Mesh.Mesh, read the slow way that shares no code with the product."""
     points, facets = mesh.Topology
     return np.array([tuple(p) for p in points]), np.array(facets, dtype=np.int32)
+
+
+def copy_without_binary(folder):
+    """Copies the addon into a new folder, as a user has it who copied the sources only."""
+    os.mkdir(folder)
+    for name in ("Init.py", "InitGui.py", "package.xml"):
+        shutil.copy(os.path.join(ROOT, name), folder)
+    for name in ("Mod", "Resources", "bin"):
+        shutil.copytree(os.path.join(ROOT, name), os.path.join(folder, name),
+                        ignore=shutil.ignore_patterns("*.so", "meshquality_fill", "__pycache__"))
 
 
 def run_tests(folder, chosen, stream):

@@ -40,10 +40,10 @@ SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 """
 
 
-def make_home(folder):
+def make_home(folder, addon=ROOT):
     """A user's folder of FreeCAD with the addon and the settings."""
     (folder / "Mod").mkdir()
-    (folder / "Mod" / "MeshQuality").symlink_to(ROOT)
+    (folder / "Mod" / "MeshQuality").symlink_to(addon)
     (folder / "user.cfg").write_text(SETTINGS, encoding="utf-8")
 
 

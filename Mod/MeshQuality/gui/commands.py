@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The commands of the workbench. Each opens its task panel for what is selected."""
 
+import FreeCAD
 import FreeCADGui
 
 from .. import convert
 from ..api import triangulate
+from ..compat import why_no_core
 from ..features import boolean, curved_mesh, improved_mesh, mesh_object, quality_mesh
 from . import quality_panel
+from .binary_panel import BinaryPanel
 from .export_panel import ExportPanel
 from .mesh_panel import MeshPanel
 from .operation import Operation
@@ -25,7 +28,8 @@ class _Command:
                 "Accel": self.KEYS}
 
     def IsActive(self):
-        return not FreeCADGui.Control.activeDialog() and bool(self.selected())
+        return not why_no_core() and not FreeCADGui.Control.activeDialog() \
+            and bool(self.selected())
 
     def Activated(self):
         FreeCADGui.Control.showDialog(MeshPanel(self.operations(self.selected())))
@@ -163,6 +167,19 @@ class Update(_Command):
                 if isinstance(getattr(obj, "Proxy", None), mesh_object.MeshObject)]
 
 
+class GetBinary(_Command):
+    NAME = "MeshQuality_GetBinary"
+    TEXT = "What is missing"
+    TIP = "How to get the binary that MeshQuality needs for its work"
+    KEYS = ""
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog()
+
+    def Activated(self):
+        FreeCADGui.Control.showDialog(BinaryPanel())
+
+
 def _if_one(fits):
     """What is selected, if it is one object that fits."""
     found = FreeCADGui.Selection.getSelection()
@@ -188,10 +205,16 @@ def panel_of(obj):
 
 
 def register():
-    """Registers all commands with FreeCAD; returns their names in menu order."""
-    for command in _COMMANDS:
+    """Registers all commands with FreeCAD; returns their names in menu order. Where the binary is
+    missing, none can be used but the one that comes first then and tells how to get it.
+    """
+    chosen = _COMMANDS
+    if why_no_core():
+        FreeCAD.Console.PrintWarning(f"{why_no_core()}\n")
+        chosen = (GetBinary, *_COMMANDS)
+    for command in chosen:
         FreeCADGui.addCommand(command.NAME, command())
-    return [command.NAME for command in _COMMANDS]
+    return [command.NAME for command in chosen]
 
 
 def fitting():
