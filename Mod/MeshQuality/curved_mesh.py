@@ -186,8 +186,8 @@ class CurvedMesh:
         return mesh
 
     def write(self, path):
-        """Writes .msh (Gmsh 4.1, ASCII, with a physical group a CAD entity) or .vtu (VTK Lagrange
-        cells) by extension, in mm. Raises IoError naming the path.
+        """Writes .msh (Gmsh 4.1, ASCII, with a physical group a CAD entity) or .vtu (VTK) by
+        extension, in mm. Raises IoError naming the path.
         """
         self._curved.write(os.fspath(path))
 

@@ -14,7 +14,7 @@ _written = {}  # file asked for -> file that holds its content already
 def export_curved_mesh(obj, path):
     """Writes the curved elements of a document object of add_curved_mesh.
 
-    path  .msh (Gmsh 4.1, ASCII) or .vtu (VTK Lagrange cells); an existing file is replaced
+    path  .msh (Gmsh 4.1, ASCII) or .vtu (VTK); an existing file is replaced
 
     Raises InvalidInput for other objects, IoError naming the path.
     """

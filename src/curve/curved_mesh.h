@@ -82,7 +82,7 @@ void write(const CurvedMesh& mesh, const std::string& path);
 /// Text of a Gmsh .msh file, 4.1 ASCII, with a physical group for each CAD edge, face and volume by FreeCAD's names.
 std::string to_msh(const CurvedMesh& mesh);
 
-/// Text of a VTK .vtu file with Lagrange cells: tetrahedra where there are any, triangles otherwise.
+/// Text of a VTK .vtu file: tetrahedra where there are any, triangles otherwise; as Lagrange cells from order 3 on.
 std::string to_vtu(const CurvedMesh& mesh);
 
 /// A text of a dozen lines for people.

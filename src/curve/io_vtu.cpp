@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 
@@ -10,8 +11,12 @@ namespace mq::curve {
 
 namespace {
 
-constexpr int kLagrangeTriangle = 69;
-constexpr int kLagrangeTetrahedron = 71;
+/// VTK's number of the elements. Those of orders 1 and 2 have cells of their own, which more programs know than know
+/// Lagrange cells, FreeCAD's FEM among them.
+int cell_type(int dimension, int order) {
+    constexpr int kTypes[2][3] = {{5, 22, 69}, {10, 24, 71}};
+    return kTypes[dimension - 2][std::min(order, 3) - 1];
+}
 
 std::string joined(const std::vector<std::int32_t>& values) {
     std::string out;
@@ -66,7 +71,7 @@ std::string to_vtu(const CurvedMesh& mesh) {
     for (std::size_t i = 1; i <= entity.size(); ++i) {
         offsets.push_back(static_cast<std::int32_t>(i) * lattice.size());
     }
-    const std::vector<std::int32_t> types(entity.size(), volume ? kLagrangeTetrahedron : kLagrangeTriangle);
+    const std::vector<std::int32_t> types(entity.size(), cell_type(volume ? 3 : 2, mesh.order));
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" byte_order=\"LittleEndian\">\n"
            "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
            std::to_string(mesh.nodes.size()) + "\" NumberOfCells=\"" + std::to_string(entity.size()) + "\">\n" +

@@ -76,7 +76,9 @@ def has(module):
                           check=False).returncode == 0
 
 
-class Files(helpers.DocumentTest):
+class FileTest(helpers.DocumentTest):
+    """Writes meshes into the folder and has programs read them."""
+
     def write(self, mesh, name):
         path = os.path.join(self.folder, name)
         mesh.write(path)
@@ -89,6 +91,8 @@ class Files(helpers.DocumentTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout.splitlines()[-1])
 
+
+class Files(FileTest):
     @unittest.skipUnless(has("gmsh"), "Gmsh's Python module is not installed")
     def test_gmsh_reads_the_elements_that_were_written(self):
         solid, sphere = Part.makeCylinder(5, 10), Part.makeSphere(5)
