@@ -193,6 +193,7 @@ class CurvedMeshesInFem(FileTest):
         curved = mq.curve(Part.makeCylinder(5, 10), order=2, volume=True)
         given = curved.to_fem_mesh()
         expected = self.fem_nodes(given, given.Volumes)
+        self.assert_middles(expected)
         # FreeCAD's tetrahedra are turned the other way round than this formula has them.
         self.assertAlmostEqual(-volumes_of(expected).sum() / curved.report.volume, 1.0, places=9)
         self.assertLess(volumes_of(expected).max(), 0.0)
@@ -213,20 +214,27 @@ class CurvedMeshesInFem(FileTest):
                 else:
                     np.testing.assert_allclose(found, expected, atol=1e-6)
 
-    def test_triangles(self):
+    def test_triangles_and_straight_elements(self):
         import Fem
 
-        curved = mq.curve(Part.makeTorus(10, 3), order=2)
-        expected = curved.nodes[curved.triangles]
-        self.assert_middles(expected)
-        for name in ("inp", "unv", "vtu"):
-            with self.subTest(name):
-                path = os.path.join(self.folder, "part." + name)
-                (curved if name == "vtu" else curved.to_fem_mesh()).write(path)
-                read = Fem.read(path)
-                self.assertEqual((read.NodeCount, read.TriangleCount),
-                                 (len(curved.nodes), len(curved.triangles)))
-                np.testing.assert_allclose(self.fem_nodes(read, read.Faces), expected, atol=1e-5)
+        torus, cylinder = Part.makeTorus(10, 3), Part.makeCylinder(5, 10)
+        for curved in (mq.curve(torus, order=2), mq.curve(torus, order=1),
+                       mq.curve(cylinder, order=1, volume=True)):
+            given = curved.to_fem_mesh()
+            expected = self.fem_nodes(given, given.Volumes or given.Faces)
+            if not given.Volumes:
+                np.testing.assert_array_equal(expected, curved.nodes[curved.triangles])
+            for name in ("inp", "unv", "vtu"):
+                with self.subTest(f"{curved} {name}"):
+                    path = os.path.join(self.folder, "part." + name)
+                    (curved if name == "vtu" else given).write(path)
+                    read = Fem.read(path)
+                    self.assertEqual((read.NodeCount, read.TriangleCount, read.TetraCount),
+                                     (len(curved.nodes), given.TriangleCount, given.TetraCount))
+                    found = self.fem_nodes(read, read.Volumes or read.Faces)
+                    if name == "vtu" and read.Volumes:
+                        expected = curved.nodes[curved.elements]
+                    np.testing.assert_allclose(found, expected, atol=1e-5)
 
     def test_a_wrong_order_of_nodes_is_noticed(self):
         curved = mq.curve(Part.makeCylinder(5, 10), order=2, volume=True)
