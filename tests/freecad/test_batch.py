@@ -6,6 +6,7 @@ import html.parser
 import importlib.util
 import json
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -14,13 +15,15 @@ import time
 import unittest
 import uuid
 from collections import Counter
+from pathlib import Path
 
 import helpers
 import Mesh
+import numpy as np
 import Part
 from test_cli import COMMAND, run
 
-from MeshQuality.batch import charts, freecads, part
+from MeshQuality.batch import charts, freecads, part, plan, report
 
 HAS_DASK = importlib.util.find_spec("distributed") is not None
 NEEDS_DASK = unittest.skipUnless(HAS_DASK, "python3-distributed is not installed")
@@ -107,6 +110,7 @@ class Batch(BatchTest):
         self.shape("sub/box.brep", Part.makeBox(3, 2, 1))
         with open(os.path.join(self.parts, "junk & more.step"), "w", encoding="ascii") as stream:
             stream.write("no STEP file\n")
+        os.symlink("nowhere.step", os.path.join(self.parts, ".hidden.step"))
         with open(os.path.join(self.parts, "notes.txt"), "w", encoding="ascii") as stream:
             stream.write("no part\n")
 
@@ -183,6 +187,9 @@ class Batch(BatchTest):
         os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns))
         self.assertEqual(self.batch()[1]["worked_on"], 0)
         self.assertEqual(self.batch("--check-content")[1]["worked_on"], 1)
+        # What cannot be read costs itself only.
+        os.symlink("nowhere", os.path.join(self.parts, "link.step"))
+        self.assertEqual(self.batch("--check-content")[1]["states"], {"done": 3, "input": 2})
 
     def test_a_line_cut_short_is_done_again(self):
         self.batch()
@@ -225,6 +232,7 @@ class Batch(BatchTest):
                 ((empty, "-o", self.out), ".step"),
                 ((self.parts, "-o", self.out, "--only", "x*"), "--only"),
                 ((self.parts, "-o", self.parts + "/notes.txt"), "notes.txt"),
+                ((self.parts, "-o", self.parts + "/sub/.."), "of their own"),
                 ((self.parts, "-o", self.out, "--min-angle", "50"), "34 degrees"),
                 ((self.parts, "-o", self.out, "--format", "xyz"), "ply"),
                 ((self.parts, "-o", self.out, "--jobs", "0"), "--jobs"),
@@ -390,6 +398,7 @@ class Scheduler(BatchTest):
         out, err = driver.communicate(timeout=120)
         self.assertLess(had, 38)  # it was killed in the middle
         self.assertEqual(driver.returncode, 0, err)
+        self.assertEqual(len(err.splitlines()), 1, err)
         self.assertEqual(json.loads(out)["states"], {"done": 40})
         self.assertEqual(Counter(entry["part"] for entry in self.lines()), Counter(names))
         self.assertEqual(sorted(tree(os.path.join(self.out, "meshes"))),
@@ -408,3 +417,38 @@ class Scheduler(BatchTest):
                                "tcp://127.0.0.1:9")
         self.assertEqual((status, out), (2, ""))
         self.assertIn("no Dask scheduler at tcp://127.0.0.1:9", err[-1])
+
+
+class Report(unittest.TestCase):
+    """The findings of many parts; no FreeCAD, no Dask."""
+
+    PLAN = plan.Plan(Path("parts"), Path("out"), "triangulate", {"min_angle": 25.0}, ".ply", 1.0, 1.0)
+
+    def entry(self, i, angle, **more):
+        return {"part": f"p{i:05d}.step", "state": "done", "seconds": 0.5, "peak_mib": 100,
+                "output": f"meshes/p{i:05d}.step.ply",
+                "report": {"min_angle": angle, "min_angle_unexempted": max(angle, 25.0),
+                           "triangles": i + 1, "exempt_count": 0, "closed": True,
+                           "box": [[0, 0, 0], [1, 2, 4]], "max_chord_height": 0.04}, **more}
+
+    def test_of_many_parts_the_worst_are_kept(self):
+        findings = report.Findings("triangulate")
+        for i in range(3000):
+            findings.add(self.entry(i, 30.0 - 0.01 * ((i * 1237) % 3000)))
+        page = report.page(self.PLAN, findings)
+        lowest = page.partition("smallest angle, degrees, lowest")[2].partition("</table>")[0]
+        found = [float(value) for value in re.findall(r"<td>([\d.]+)</td>", lowest)]
+        np.testing.assert_allclose(found, [0.01 * i for i in range(1, 11)], rtol=1e-5)
+        # Nobody is among the worst who keeps what was asked for.
+        self.assertNotIn("without exempted triangles, degrees, lowest", page)
+        self.assertIn("3000 of 3000 parts", page)
+        self.assertIn("<td>0.01</td>", page.partition("distance to the shape by its size, highest")[2])
+
+    def test_failures_are_gathered_by_cause(self):
+        findings = report.Findings("triangulate")
+        for i in range(300):
+            findings.add(self.entry(i, 25.0, state="failed", error=f"Face{i} of '{i}.step' <fails>"))
+        findings.add(self.entry(301, 25.0, state="timeout", error="took more than 5 s"))
+        page = report.page(self.PLAN, findings)
+        self.assertIn("<td>failed</td><td>300</td><td>Face0 of &#x27;0.step&#x27; &lt;fails&gt;</td>", page)
+        self.assertEqual(len(findings.causes), 2)

@@ -38,7 +38,8 @@ for path in sys.argv[1:]:
     surface.SetInputData(data)
     mass.SetInputConnection(surface.GetOutputPort())
     mass.Update()
-    cells = [data.GetCellData().GetArrayName(i) for i in range(data.GetCellData().GetNumberOfArrays())]
+    cells = data.GetCellData()
+    cells = [cells.GetArrayName(i) for i in range(cells.GetNumberOfArrays())]
     results.append({"points": data.GetNumberOfPoints(), "triangles": data.GetNumberOfCells(),
                     "area": mass.GetSurfaceArea(), "volume": mass.GetVolume(),
                     "bounds": data.GetBounds(), "cell data": cells})
@@ -139,7 +140,8 @@ class FlatMeshes(FileTest):
                 "points": int(points), "triangles": int(triangles),
                 "area": float(re.search(r"Surface Area is (\S+)", said)[1]),
                 "volume": float(re.search(r"Mesh Volume\s+is (\S+)", said)[1]),
-                "bounds": [float(value) for pair in zip(low, high) for value in pair]}, name, digits=5)
+                "bounds": [float(value) for pair in zip(low, high) for value in pair],
+            }, name, digits=5)
 
     def test_freecad_fem(self):
         import Fem

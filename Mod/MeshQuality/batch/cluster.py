@@ -5,6 +5,7 @@ Dask's workers only wait: the work is done by the FreeCADs that they start, see 
 machine one worker of as many threads as there are jobs, in this process, is enough.
 """
 
+import logging
 import os
 import uuid
 from contextlib import contextmanager
@@ -36,9 +37,12 @@ def client_of(scheduler=None, jobs=None):
     import dask
     from distributed import Client, LocalCluster
 
+    for name in ("distributed", "asyncio"):
+        # What matters is raised, and the last line on stderr is the command's.
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+
     # Results of parts are small, and what FreeCAD takes is limited elsewhere.
-    with dask.config.set({"distributed.admin.log-format": "%(message)s",
-                          "distributed.worker.memory.target": False,
+    with dask.config.set({"distributed.worker.memory.target": False,
                           "distributed.worker.memory.spill": False}):
         if scheduler is None:
             with LocalCluster(n_workers=1, threads_per_worker=jobs or cores(), processes=False,
@@ -59,14 +63,12 @@ def client_of(scheduler=None, jobs=None):
             yield client
 
 
-def shipped(function):
-    """A function of (package folder, arguments) that runs `function` of MeshQuality.batch on a worker.
+def shipped(module, name):
+    """A function of (package folder, arguments) that runs a function of MeshQuality.batch on a worker.
 
     A nested function travels by its content, so that workers need not have the package on their
     path; they need its folder, under the same path or as MESHQUALITY_MOD says.
     """
-    module, name = function
-
     def work(folder, *arguments):
         import importlib
         import os
@@ -80,15 +82,16 @@ def shipped(function):
     return work
 
 
-def run(client, plan, parts, finished):
+def run(client, plan, parts, finished, work=None):
     """Does the parts, in their order; calls finished(entry) for each once, in the order they end.
 
+    work(folder, task, batch) does one, on a worker; part.run unless another one is given.
     Raises ConnectionError when the scheduler goes away: what was not finished is not done.
     """
     from distributed import as_completed
 
     folder = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-    batch, work = uuid.uuid4().hex, shipped(("part", "run"))
+    batch, work = uuid.uuid4().hex, work or shipped("part", "run")
     waiting, tasks = iter(parts), {}
     flow = as_completed(with_results=True, raise_errors=False)
 
@@ -123,7 +126,7 @@ def _ahead(client):
 def _end_work(client, batch, folder):
     """Ends the FreeCADs of the batch on all workers."""
     if client.status == "running":
-        client.run(shipped(("freecads", "close_pool")), folder, batch)
+        client.run(shipped("freecads", "close_pool"), folder, batch, on_error="ignore")
 
 
 def _lost(plan, part, raised):

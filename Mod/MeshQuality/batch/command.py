@@ -90,7 +90,8 @@ def run(arguments):
     text += f"; this run did {len(todo)} in {_duration(summary['seconds'])}; see " \
             f"{plan.out / report.NAME}"
     return {"status": FAILED if failed else DONE, "text": text, "report": summary,
-            "report_text": "".join(f"{state:<8} {count:>8}\n" for state, count in sorted(states.items()))}
+            "report_text": "".join(f"{state:<8} {count:>8}\n"
+                                   for state, count in sorted(states.items()))}
 
 
 def _do(arguments, plan, todo, ledger):

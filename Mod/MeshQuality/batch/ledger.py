@@ -32,28 +32,24 @@ class Ledger:
         away what interrupted writers left behind.
         """
         known = {part.name: part for part in parts}
-        entries = {entry["part"]: entry for entry in self.entries()
-                   if entry["part"] in known and self._stands(entry, retry)}
-
-        def same(entry):
-            part = known[entry["part"]]
-            if not check_content and (entry["size"], entry["mtime_ns"]) == (part.size, part.mtime_ns):
-                return entry
-            if entry["size"] != part.size:
-                return None
-            if digest_of(self._plan.folder / part.name) != entry["digest"]:
-                return None
-            return {**entry, "mtime_ns": part.mtime_ns}
-
+        kept, doubtful = {}, {}
+        for entry in self.entries():
+            part = known.get(entry["part"])
+            if part and self._stands(entry, part, retry):
+                same = (entry["size"], entry["mtime_ns"]) == (part.size, part.mtime_ns)
+                (kept if same and not check_content else doubtful)[part.name] = entry
         with ThreadPoolExecutor(8) as pool:
-            kept = [entry for entry in pool.map(same, entries.values()) if entry]
-        self._replace(kept)
+            digests = pool.map(_digest_of, [self._plan.folder / name for name in doubtful])
+            for entry, digest in zip(doubtful.values(), digests):
+                if digest == entry["digest"]:
+                    kept[entry["part"]] = {**entry, "mtime_ns": known[entry["part"]].mtime_ns}
+        self._replace(kept.values())
         self._sweep()
-        done = {entry["part"] for entry in kept}
-        return [part for part in parts if part.name not in done]
+        return [part for part in parts if part.name not in kept]
 
-    def _stands(self, entry, retry):
-        if entry["key"] != self._plan.key or entry["state"] == LOST:
+    def _stands(self, entry, part, retry):
+        """Whether the entry is good for the part, if its content is still the same."""
+        if entry["key"] != self._plan.key or entry["state"] == LOST or entry["size"] != part.size:
             return False
         if entry["state"] != "done":
             return not retry
@@ -107,6 +103,14 @@ class Ledger:
             self._stream.close()
             self._stream = None
         self._lock.close()
+
+
+def _digest_of(path):
+    """Of a file that cannot be read one that is no digest, so that the part is tried again."""
+    try:
+        return digest_of(path)
+    except OSError:
+        return ""
 
 
 def _locked(path):

@@ -82,6 +82,7 @@ def _outcome(result, task):
     if result["status"] == DONE:
         return {"state": "done", **found, "report": result["report"]}
     state = "input" if result["status"] == USAGE else "failed"
-    if state == "failed" and ("MemoryError" in result["text"] or result["peak"] > 0.9 * task["bytes"]):
+    full = "MemoryError" in result["text"] or result["peak"] > 0.9 * task["bytes"]
+    if state == "failed" and full:
         state = "memory"
     return {"state": state, **found, "error": result["text"]}

@@ -7,6 +7,7 @@ import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from .. import cli
 from ..cli_parser import INPUTS, OUTPUTS, TABLES
@@ -17,8 +18,7 @@ MESHES = "meshes"
 _DEFAULT_FORMAT = {"triangulate": "ply", "improve": "ply", "curve": "msh"}
 
 
-@dataclass(frozen=True)
-class Part:
+class Part(NamedTuple):
     """A file below the folder: its path there with slashes, bytes, and time of change in ns."""
 
     name: str
@@ -66,6 +66,8 @@ def plan_of(arguments):
     folder, out = Path(arguments.folder).absolute(), Path(arguments.output).absolute()
     if not folder.is_dir():
         raise Error(f"there is no folder '{folder}'")
+    if out.resolve() == folder.resolve():
+        raise Error("the results need a folder of their own: name another one with -o")
     if out.exists() and not out.is_dir():
         raise Error(f"'{out}' is a file: the results need a folder")
     for flag, value in (("--time-limit", arguments.time_limit),
@@ -100,9 +102,16 @@ def find_parts(plan, patterns=None):
             relative = os.path.relpath(full, plan.folder).replace(os.sep, "/")
             if patterns and not any(fnmatch.fnmatch(relative, pattern) for pattern in patterns):
                 continue
-            status = os.stat(full)
-            found.append(Part(relative, status.st_size, status.st_mtime_ns))
+            found.append(_part(relative, full))
     if not found:
         raise Error(f"there is no file to work on in '{plan.folder}': it must hold "
                     f"{' '.join(known)}" + (" that match --only" if patterns else ""))
     return sorted(found, key=lambda part: (-part.size, part.name))
+
+
+def _part(name, path):
+    try:
+        status = os.stat(path)
+    except OSError:  # a link to nowhere: that it cannot be read is said of the part later
+        return Part(name, 0, 0)
+    return Part(name, status.st_size, status.st_mtime_ns)

@@ -4,14 +4,17 @@
 import html
 import os
 import re
-from collections import Counter, defaultdict
+import urllib.parse
+from array import array
+from collections import Counter
 from dataclasses import dataclass
 
 from ..version import __version__
 from . import charts
 
 NAME = "report.html"
-WORST = 10
+_OPEN = "not closed"
+WORST, SUCH_AS, MOST_ROWS = 10, 5, 100
 
 _STATES = {
     "done": "meshed", "input": "input that cannot be worked on", "failed": "failed",
@@ -22,13 +25,16 @@ _STATES = {
 
 @dataclass(frozen=True)
 class Figure:
-    """A figure of parts: how it is got from an entry, drawn, and which end of it is bad."""
+    """A figure of parts: how it is got from an entry, how it is drawn, which end of it is bad, and
+    which option asks for a bound: on the good side of it parts are not among the worst.
+    """
 
     title: str
     value: object
     log: bool = False
     limits: tuple = None
     worst: str = "high"
+    asked: str = None
 
 
 def _of(name):
@@ -52,9 +58,10 @@ _COMMON = (
     Figure("memory, MiB", lambda entry: entry["peak_mib"] or None),
 )
 _FLAT = (
-    Figure("smallest angle, degrees", _of("min_angle"), limits=(0.0, 60.0), worst="low"),
+    Figure("smallest angle, degrees", _of("min_angle"), limits=(0.0, 60.0), worst="low",
+           asked="min_angle"),
     Figure("smallest angle without exempted triangles, degrees", _of("min_angle_unexempted"),
-           limits=(0.0, 60.0), worst="low"),
+           limits=(0.0, 60.0), worst="low", asked="min_angle"),
     Figure("exempted triangles", _of("exempt_count"), log=True),
     Figure("distance to the shape by its size", _relative("max_chord_height"), log=True),
     Figure("triangles", _of("triangles"), log=True),
@@ -79,26 +86,42 @@ class Findings:
     def __init__(self, command):
         self.figures = figures_of(command)
         self.states = Counter()
-        self.causes = defaultdict(list)
-        self.values = [[] for _ in self.figures]
-        self.faulty = []
+        self.causes = {}  # (state, kind) -> [number of parts, first error, first parts]
+        self.values = [array("d") for _ in self.figures]
+        self.worst = [[] for _ in self.figures]
+        self.faulty, self.faulty_count = [], 0
         self.seconds = 0.0
 
     def add(self, entry):
         self.states[entry["state"]] += 1
         self.seconds += entry.get("seconds", 0.0)
         if entry["state"] != "done":
-            self.causes[(entry["state"], kind_of(entry["error"]))].append(
-                (entry["part"], entry["error"]))
+            cause = self.causes.setdefault((entry["state"], kind_of(entry["error"])),
+                                           [0, entry["error"], []])
+            cause[0] += 1
+            if cause[0] <= SUCH_AS:
+                cause[2].append(entry["part"])
             return
-        for figure, values in zip(self.figures, self.values):
+        for i, figure in enumerate(self.figures):
             value = figure.value(entry)
             if value is not None:
-                values.append((value, entry["part"], entry["output"]))
+                self.values[i].append(value)
+                self._keep_worst(i, (-value if figure.worst == "high" else value, entry["part"],
+                                     entry["output"]))
         report = entry["report"]
         wrong = [name for name in ("closed", "oriented", "manifold") if report.get(name) is False]
         if wrong:
-            self.faulty.append((entry["part"], "not " + ", not ".join(wrong)))
+            self.faulty_count += 1
+            if len(self.faulty) < MOST_ROWS:
+                self.faulty.append((entry["part"], "not " + ", not ".join(wrong)))
+
+    def _keep_worst(self, i, row):
+        """Keeps the rows with the lowest first values."""
+        rows = self.worst[i]
+        rows.append(row)
+        if len(rows) >= 50 * WORST:
+            rows.sort(key=lambda row: row[:2])
+            del rows[WORST:]
 
 
 def kind_of(error):
@@ -131,7 +154,7 @@ def page(plan, findings):
         f"<p>MeshQuality {__version__}. {_text(options)}. {findings.seconds:.0f} s of work in all."
         "</p>",
         _states(findings.states, total), _charts(plan, findings), _causes(findings.causes),
-        _worst(findings), _faulty(findings.faulty), "</body></html>\n"])
+        _worst(plan, findings), _faulty(findings), "</body></html>\n"])
 
 
 def _states(states, total):
@@ -145,43 +168,46 @@ def _states(states, total):
 def _charts(plan, findings):
     drawn = []
     for figure, values in zip(findings.figures, findings.values):
-        mark = plan.options.get("min_angle") if "angle," in figure.title else None
-        drawn.append(charts.histogram([value for value, _, _ in values], figure.title, figure.log,
-                                      figure.limits, mark))
+        drawn.append(charts.histogram(values, figure.title, figure.log, figure.limits,
+                                      plan.options.get(figure.asked)))
     return f'<h2>All parts</h2><div class="charts">{"".join(drawn)}</div>'
 
 
 def _causes(causes):
     if not causes:
         return ""
-    rows = []
-    for (state, _), parts in sorted(causes.items(), key=lambda item: (-len(item[1]), item[0])):
-        names = ", ".join(name for name, _ in sorted(parts)[:5])
-        rows.append([_STATES[state], len(parts), min(parts)[1], names])
+    rows = [[_STATES[state], count, error, ", ".join(names)]
+            for (state, _), (count, error, names)
+            in sorted(causes.items(), key=lambda item: (-item[1][0], item[0]))]
     return "<h2>Parts that failed, by cause</h2>" + _table(
-        ["state", "parts", "the first says", "such as"], rows)
+        ["state", "parts", "the first says", "such as"], rows[:MOST_ROWS]) + _more(len(rows))
 
 
-def _worst(findings):
+def _more(count):
+    return f"<p>... and {count - MOST_ROWS} more: see parts.csv.</p>" if count > MOST_ROWS else ""
+
+
+def _worst(plan, findings):
     tables = []
-    for figure, values in zip(findings.figures, findings.values):
-        worst = sorted(values, key=lambda row: (-row[0] if figure.worst == "high" else row[0], row[1]))
-        worst = [row for row in worst[:WORST] if row[0] > 0 or figure.worst == "low"]
-        if worst:
-            rows = [[f"{value:.6g}", _link(part, output)] for value, part, output in worst]
-            end = "highest" if figure.worst == "high" else "lowest"
-            tables.append(f"<div><h3>{_text(figure.title)}, {end}</h3>"
+    for figure, worst in zip(findings.figures, findings.worst):
+        high, asked = figure.worst == "high", plan.options.get(figure.asked)
+        worst = [(-value if high else value, part, output)
+                 for value, part, output in sorted(worst, key=lambda row: row[:2])[:WORST]]
+        rows = [[f"{value:.6g}", _link(part, output)] for value, part, output in worst
+                if (value > 0 if high else asked is None or value < asked)]
+        if rows:
+            tables.append(f"<div><h3>{_text(figure.title)}, {'highest' if high else 'lowest'}</h3>"
                           + _table(["", "part"], rows) + "</div>")
     return f'<h2>Worst parts</h2><div class="charts">{"".join(tables)}</div>'
 
 
-def _faulty(faulty):
-    if not faulty:
+def _faulty(findings):
+    if not findings.faulty:
         return ""
-    more = f"<p>... and {len(faulty) - 100} more: see parts.csv.</p>" if len(faulty) > 100 else ""
-    return (f"<h2>Meshes that are not closed, not oriented or not manifold ({len(faulty)})</h2>"
-            "<p>Open shells and loose faces have open meshes.</p>"
-            + _table(["part", ""], sorted(faulty)[:100]) + more)
+    return (f"<h2>Meshes that are not closed, not oriented or not manifold "
+            f"({findings.faulty_count})</h2><p>Open shells and loose faces have open meshes.</p>"
+            + _table(["part", ""], sorted(findings.faulty, key=lambda row: (row[1] == _OPEN, row)))
+            + _more(findings.faulty_count))
 
 
 class _Markup(str):
@@ -191,14 +217,8 @@ class _Markup(str):
 def _link(part, output):
     if not output:
         return part
-    target = "/".join(_quoted(name) for name in output.split("/"))
+    target = urllib.parse.quote(output, errors="surrogateescape")
     return _Markup(f'<a href="{html.escape(target)}">{_text(part)}</a>')
-
-
-def _quoted(name):
-    from urllib.parse import quote
-
-    return quote(name, errors="surrogateescape")
 
 
 def _table(head, rows):

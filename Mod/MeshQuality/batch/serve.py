@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs inside FreeCAD: takes a job a line from stdin, and prints the result of each as a line."""
 
+import ctypes
 import json
 import os
 import signal
@@ -13,7 +14,7 @@ import FreeCAD
 from MeshQuality import cli_worker
 from MeshQuality.batch import LONG_LIST, SHOWN_OF_LIST
 
-_GRACE = 30  # seconds after which it ends itself, should nobody else do it
+_GRACE = 30  # seconds beyond the limit of a job
 
 
 def limit_memory(bytes_allowed):
@@ -26,12 +27,23 @@ def limit_memory(bytes_allowed):
 
 
 def forget_peak():
-    """Has the peak of memory counted from now on; on Linux only."""
+    """Gives back what earlier jobs left, and has the peak of memory counted from now on; on Linux only."""
+    if not sys.platform.startswith("linux"):
+        return
+    trim = getattr(ctypes.CDLL(None), "malloc_trim", None)  # the GNU library has it
+    if trim:
+        trim(0)
     try:
         with open("/proc/self/clear_refs", "w", encoding="ascii") as stream:
             stream.write("5")
     except OSError:
         return
+
+
+def end_itself_after(seconds):
+    """Should nobody else do it, even in the middle of a call that never returns; 0: not at all."""
+    if hasattr(signal, "alarm"):
+        signal.alarm(seconds)
 
 
 def memory_now():
@@ -93,9 +105,10 @@ def main():
     while True:
         given.acquire()
         job = jobs.pop(0)
-        if hasattr(signal, "alarm"):
-            signal.alarm(int(job["seconds"]) + _GRACE)
-        channel.write(json.dumps({"meshquality": "done", **done(job)}) + "\n")
+        end_itself_after(int(job["seconds"]) + _GRACE)
+        result = done(job)
+        end_itself_after(0)
+        channel.write(json.dumps({"meshquality": "done", **result}) + "\n")
         channel.flush()
 
 
