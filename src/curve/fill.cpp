@@ -2,6 +2,7 @@
 #include "curve/fill.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -88,6 +89,35 @@ Filling read_answer(Reader& reader, const std::vector<Vec3>& turned, const Eigen
     return filling;
 }
 
+std::array<int, 3> sorted(std::array<int, 3> corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
+}
+
+/// Whether the tetrahedra share their triangles two by two, but for those of the surface.
+bool ends_at(const std::vector<std::array<int, 3>>& surface, const std::vector<std::array<int, 4>>& tetrahedra) {
+    std::vector<std::array<int, 3>> sides;
+    sides.reserve(4 * tetrahedra.size() + surface.size());
+    for (const auto& t : surface) {
+        sides.push_back(sorted(t));
+    }
+    for (const auto& t : tetrahedra) {
+        sides.push_back(sorted({t[0], t[1], t[2]}));
+        sides.push_back(sorted({t[0], t[1], t[3]}));
+        sides.push_back(sorted({t[0], t[2], t[3]}));
+        sides.push_back(sorted({t[1], t[2], t[3]}));
+    }
+    // With the surface's own each triangle is there twice.
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0; i < sides.size(); i += 2) {
+        const bool single = i + 1 == sides.size() || sides[i] != sides[i + 1];
+        if (single || (i + 2 < sides.size() && sides[i] == sides[i + 2])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 struct Attempt {
     Filling filling;
     std::string fault;  ///< empty: the filling stands
@@ -110,7 +140,11 @@ Attempt attempt(const std::vector<Vec3>& points, const std::vector<std::array<in
     }
     Reader reader(answer);
     if (reader.take<std::int64_t>() == 0) {
-        return {read_answer(reader, turned, turn), "", false};
+        Attempt done{read_answer(reader, turned, turn), "", false};
+        if (!ends_at(triangles, done.filling.tetrahedra)) {
+            done.fault = "the tetrahedra do not end at the surface";
+        }
+        return done;
     }
     reader.take<std::int64_t>();
     return {{}, reader.rest(), false};
