@@ -97,7 +97,9 @@ class PanelTest(GuiTest):
         """Checks that the panel fits into FreeCAD's task view as wide as that is at first, and takes a
         picture of it.
         """
-        dock = FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "Combo View")
+        dock = panel.form.parentWidget()
+        while not isinstance(dock, QtGui.QDockWidget):
+            dock = dock.parentWidget()
         FreeCADGui.getMainWindow().resizeDocks([dock], [264], QtCore.Qt.Horizontal)
         wait()
         panel.form.setMinimumHeight(panel.form.sizeHint().height())
