@@ -10,6 +10,7 @@ import sys
 
 from .errors import MissingBinary
 
+# The folder of the addon.
 HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
@@ -68,6 +69,17 @@ def program(name):
         with contextlib.suppress(OSError):
             os.chmod(path, os.stat(path).st_mode | 0o111)
     return path
+
+
+# The property of a view that has the colour of its faces: before FreeCAD 1.0, and since.
+SHAPE_COLOURS = ("ShapeColor", "ShapeAppearance")
+
+
+def shape_colour(view):
+    """The colour of a view's faces as (red, green, blue); light grey while it is not read yet."""
+    appearance = getattr(view, "ShapeAppearance", None)
+    colour = appearance[0].DiffuseColor if appearance else getattr(view, "ShapeColor", None)
+    return tuple(colour or (0.8, 0.8, 0.8))[:3]
 
 
 def flags(buttons):

@@ -11,6 +11,7 @@ import ctypes
 import numpy as np
 from pivy import coin
 
+from ..compat import SHAPE_COLOURS, shape_colour
 from ..curved_mesh import CurvedMesh
 from ..errors import Error
 from .colour_scale import colours_of
@@ -157,7 +158,7 @@ class CurvedMeshView(MeshView):
 
     def onChanged(self, view, name):
         """A property of the view has changed."""
-        if name in ("ColorBy", "ShapeColor", "LineColor", "LineWidth", "Transparency"):
+        if name in ("ColorBy", *SHAPE_COLOURS, "LineColor", "LineWidth", "Transparency"):
             self._paint(view)
 
     def _paint(self, view):
@@ -165,10 +166,6 @@ class CurvedMeshView(MeshView):
         if getattr(view, "ColorBy", PLAIN) == JACOBIAN and self._quality is not None:
             self.scene.colour(self._quality, transparency)
         else:
-            self.scene.paint(_rgb(view, "ShapeColor", (0.8, 0.8, 0.8)), transparency)
-        self.scene.draw_edges(_rgb(view, "LineColor", (0.0, 0.0, 0.0)),
+            self.scene.paint(shape_colour(view), transparency)
+        self.scene.draw_edges(tuple(getattr(view, "LineColor", (0.0, 0.0, 0.0)))[:3],
                               getattr(view, "LineWidth", 1.0))
-
-
-def _rgb(view, name, default):
-    return tuple(getattr(view, name, default))[:3]
