@@ -237,7 +237,8 @@ def main(arguments=None):
     except OSError as error:
         result = {"status": FAILED, "text": str(error)}
     except KeyboardInterrupt:
-        result = {"status": FAILED, "text": "interrupted"}
+        remedy = ": run it again to go on" if parsed.command == "batch" else ""
+        result = {"status": FAILED, "text": "interrupted" + remedy}
     _print(result, parsed)
     return result["status"]
 

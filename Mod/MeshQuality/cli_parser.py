@@ -23,6 +23,7 @@ OUTPUTS = {"triangulate": FLAT_SUFFIXES + CURVED_SUFFIXES,
            "quality": ()}
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
           "improve": options.IMPROVE, "boolean": options.BOOLEAN, "quality": ()}
+_FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
 STATUS = "Exit status: 0 done, 1 failed, 2 bad usage or input. The last line on stderr says why."
@@ -141,7 +142,7 @@ def _add_single(commands, name, title, description):
                      help="print the report as one JSON object on stdout")
     _add_options(one, TABLES[name])
     if name == "curve":
-        _add_options(one, options.CURVED_DISPLAY, {"Display": "Flat triangles"})
+        _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)
     return one
 
 
@@ -186,6 +187,8 @@ def _add_batch(commands, batched):
     one.add_argument("--json", action="store_true",
                      help="print a summary as one JSON object on stdout")
     _add_options(one, TABLES[batched])
+    if batched == "curve":
+        _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)
 
 
 def _add_options(one, table, headings=None):

@@ -218,6 +218,12 @@ class Batch(BatchTest):
         self.assertEqual(status, 0, err)
         self.assertEqual({entry["report"]["invalid"] for entry in self.lines()}, {0})
         self.assertTrue(os.path.exists(os.path.join(self.out, "meshes", "sub", "box.brep.vtu")))
+        for deviation in (0.2, 0.02):
+            status, summary, err = self.batch("--command", "curve", "--only", "cyl*", "--format",
+                                              "stl", "--deviation", deviation)
+            self.assertEqual((status, summary["worked_on"]), (0, 1), err)
+        fine = Mesh.Mesh(os.path.join(self.out, "meshes", "cylinder.brep.stl"))
+        self.assertGreater(fine.CountFacets, 2 * self.lines()[0]["report"]["elements"])
         Mesh.createBox(1, 1, 1).write(os.path.join(self.parts, "box.stl"))
         status, summary, err = self.batch("--command", "quality")
         self.assertEqual((status, summary["parts"]), (0, 1), err)
@@ -238,6 +244,7 @@ class Batch(BatchTest):
                 ((self.parts, "-o", self.out, "--jobs", "0"), "--jobs"),
                 ((self.parts, "-o", self.out, "--time-limit", "-1"), "--time-limit"),
                 ((self.parts, "-o", self.out, "--order", "2"), "--order"),
+                ((self.parts, "-o", self.out, "--command", "curve", "--deviation", "1"), "flat"),
                 ((self.parts,), "--output")):
             with self.subTest(arguments):
                 status, out, err = run("batch", *arguments)
@@ -305,7 +312,7 @@ class Workers(BatchTest):
         output = os.path.join(self.out, "meshes", name + ".ply")
         return {"part": name, "path": path, "size": 1, "mtime_ns": 1, "key": "k", "output": "o",
                 "output_path": output, "command": "triangulate", "suffix": ".ply",
-                "options": options, "seconds": 60.0, "bytes": 2**31}
+                "options": options, "deviation": None, "seconds": 60.0, "bytes": 2**31}
 
     def kill_soon(self):
         """Kills the FreeCAD that works, in the middle of its work."""

@@ -108,7 +108,7 @@ def run(client, plan, parts, finished, work=None):
         for future, result in flow:
             part = tasks.pop(future.key)
             if future.status == "cancelled":
-                raise ConnectionError("the Dask scheduler has gone")
+                raise ConnectionError("the Dask scheduler has gone: run it again to go on")
             finished(result if future.status == "finished" else _lost(plan, part, result))
             future.release()
             ended += 1

@@ -47,6 +47,7 @@ def run(task, batch):
 def _attempt(task, pool, fresh):
     """(what came of the part, whether its FreeCAD had done others before)."""
     job = {"command": task["command"], "options": task["options"], "suffix": task["suffix"],
+           "deviation": task["deviation"],
            "inputs": [task["path"]], "input": task["path"], "output": task["output_path"],
            "seconds": task["seconds"]}
     used = False

@@ -28,7 +28,9 @@ class Part(NamedTuple):
 
 @dataclass(frozen=True)
 class Plan:
-    """What is done to each part. `suffix` is the extension of the meshes, None without any."""
+    """What is done to each part. `suffix` is the extension of the meshes, None without any; `deviation`
+    is that of flat triangles of curved meshes.
+    """
 
     folder: Path
     out: Path
@@ -37,11 +39,13 @@ class Plan:
     suffix: str
     seconds: float
     gibibytes: float
+    deviation: float = None
 
     @property
     def key(self):
         """A digest of all that results depend on beside the part: command, options, format, version."""
-        said = json.dumps([self.command, self.options, self.suffix, __version__], sort_keys=True)
+        said = json.dumps([self.command, self.options, self.suffix, self.deviation, __version__],
+                          sort_keys=True)
         return hashlib.sha256(said.encode()).hexdigest()[:16]
 
     def output_of(self, name):
@@ -54,7 +58,8 @@ class Plan:
         return {
             "part": part.name, "path": str(self.folder / part.name), "size": part.size,
             "mtime_ns": part.mtime_ns, "key": self.key, "command": self.command,
-            "options": self.options, "suffix": self.suffix, "output": output,
+            "options": self.options, "suffix": self.suffix, "deviation": self.deviation,
+            "output": output,
             "output_path": str(self.out / output) if output else None,
             "seconds": self.seconds, "bytes": int(self.gibibytes * 2**30),
         }
@@ -75,7 +80,8 @@ def plan_of(arguments):
                         ("--jobs", 1 if arguments.jobs is None else arguments.jobs)):
         if not 0 < value < float("inf"):
             raise Error(f"{flag} {value:g} is not allowed: it must be greater than 0")
-    job = {"options": cli.take_options(vars(arguments).copy(), TABLES[command])}
+    job = {"options": cli.take_options(vars(arguments).copy(), TABLES[command]),
+           "deviation": getattr(arguments, "deviation", None)}
     name = arguments.format or _DEFAULT_FORMAT.get(command)
     if arguments.format and not OUTPUTS[command]:
         raise Error(f"--format {name} is not for --command {command}, which writes no meshes")
@@ -83,7 +89,7 @@ def plan_of(arguments):
     if command == "curve":
         cli.require_curved_output(job, suffix)
     return Plan(folder, out, command, job["options"], suffix,
-                arguments.time_limit, arguments.memory_limit)
+                arguments.time_limit, arguments.memory_limit, job["deviation"])
 
 
 def find_parts(plan, patterns=None):
