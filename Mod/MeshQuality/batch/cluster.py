@@ -7,6 +7,8 @@ machine one worker of as many threads as there are jobs, in this process, is eno
 
 import logging
 import os
+import socket
+import urllib.parse
 import uuid
 from contextlib import contextmanager
 
@@ -51,7 +53,8 @@ def client_of(scheduler=None, jobs=None):
                 yield client
             return
         try:
-            client = Client(scheduler, timeout=10)
+            _require_listener(scheduler)
+            client = Client(scheduler, timeout=20)
         except (OSError, ValueError, TimeoutError) as error:
             raise Error(f"there is no Dask scheduler at {scheduler}: {error}") from error
         with client:
@@ -61,6 +64,13 @@ def client_of(scheduler=None, jobs=None):
                 raise Error(f"the Dask cluster at {scheduler} has no workers: start some with "
                             f"dask-worker {scheduler}") from error
             yield client
+
+
+def _require_listener(address):
+    """Raises OSError at once where nobody listens: Dask would try for a while."""
+    place = urllib.parse.urlsplit(address)
+    if place.scheme == "tcp" and place.port:
+        socket.create_connection((place.hostname, place.port), timeout=20).close()
 
 
 def shipped(module, name):
@@ -107,9 +117,12 @@ def run(client, plan, parts, finished, work=None):
         submit(_ahead(client))
         for future, result in flow:
             part = tasks.pop(future.key)
-            if future.status == "cancelled":
+            if isinstance(result, dict):
+                finished(result)
+            elif future.status == "cancelled":
                 raise ConnectionError("the Dask scheduler has gone: run it again to go on")
-            finished(result if future.status == "finished" else _lost(plan, part, result))
+            else:
+                finished(_lost(plan, part, result))
             future.release()
             ended += 1
             wanted = 1 if ended % CHECK_EVERY else _ahead(client) - len(tasks)
