@@ -182,7 +182,7 @@ def measure_driver(arguments, scratch):
             stream.write(json.dumps(entry) + "\n")
     book = ledger.Ledger(chosen)
     for name, do in (("go on", lambda: book.keep(found)), ("table", lambda: table.write(chosen, book)),
-                     ("report", lambda: report.write(chosen, book))):
+                     ("report", lambda: report.write(chosen, book, len(found)))):
         with measured() as cost:
             do()
         print(f"{name:<10} {cost[0].wall:8.2f} s, {1e6 * cost[0].wall / len(found):8.1f} us a part")

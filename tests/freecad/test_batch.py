@@ -2,6 +2,7 @@
 """bin/meshquality batch from outside: lines, meshes, table, report, and what a second run does."""
 
 import csv
+import dataclasses
 import html.parser
 import importlib.util
 import json
@@ -23,7 +24,7 @@ import numpy as np
 import Part
 from test_cli import COMMAND, run
 
-from MeshQuality.batch import charts, freecads, part, plan, report
+from MeshQuality.batch import charts, command, freecads, part, plan, report
 
 HAS_DASK = importlib.util.find_spec("distributed") is not None
 NEEDS_DASK = unittest.skipUnless(HAS_DASK, "python3-distributed is not installed")
@@ -444,6 +445,7 @@ class Report(unittest.TestCase):
             findings.add(self.entry(i, 30.0 - 0.01 * ((i * 1237) % 3000)))
         page = report.page(self.PLAN, findings)
         lowest = page.partition("smallest angle, degrees, lowest")[2].partition("</table>")[0]
+        self.assertNotIn("yet to be done", page)
         found = [float(value) for value in re.findall(r"<td>([\d.]+)</td>", lowest)]
         np.testing.assert_allclose(found, [0.01 * i for i in range(1, 11)], rtol=1e-5)
         # Nobody is among the worst who keeps what was asked for.
@@ -459,3 +461,19 @@ class Report(unittest.TestCase):
         page = report.page(self.PLAN, findings)
         self.assertIn("<td>failed</td><td>300</td><td>Face0 of &#x27;0.step&#x27; &lt;fails&gt;</td>", page)
         self.assertEqual(len(findings.causes), 2)
+
+    def test_while_it_runs_the_results_so_far_are_there(self):
+        class Lines:
+            def entries(_):
+                return iter([self.entry(0, 25.0), self.entry(1, 25.0)])
+
+            sorted_entries = entries
+
+        with tempfile.TemporaryDirectory() as folder:
+            chosen = dataclasses.replace(self.PLAN, out=Path(folder))
+            self.assertGreaterEqual(command.write_results(chosen, Lines(), 10), 0.0)
+            page = (Path(folder) / "report.html").read_text(encoding="utf-8")
+            self.assertIn("2 of 10 parts", page)
+            self.assertIn("<td>yet to be done</td><td>8</td><td>80.00 %</td>", page)
+            rows = (Path(folder) / "parts.csv").read_text(encoding="utf-8").splitlines()
+            self.assertEqual((len(rows), rows[2].split(",")[0]), (3, "p00001.step"))

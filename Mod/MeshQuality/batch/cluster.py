@@ -11,6 +11,7 @@ import socket
 import urllib.parse
 import uuid
 from contextlib import contextmanager
+from tempfile import TemporaryDirectory
 
 from ..errors import Error
 from .part import LOST
@@ -47,8 +48,10 @@ def client_of(scheduler=None, jobs=None):
     with dask.config.set({"distributed.worker.memory.target": False,
                           "distributed.worker.memory.spill": False}):
         if scheduler is None:
-            with LocalCluster(n_workers=1, threads_per_worker=jobs or cores(), processes=False,
-                              dashboard_address=None, memory_limit=0) as cluster, \
+            with TemporaryDirectory(prefix="meshquality-") as scratch, \
+                    LocalCluster(n_workers=1, threads_per_worker=jobs or cores(), processes=False,
+                                 dashboard_address=None, memory_limit=0,
+                                 local_directory=scratch) as cluster, \
                     Client(cluster) as client:
                 yield client
             return

@@ -14,6 +14,7 @@ from .part import LOST
 from .plan import find_parts, plan_of
 
 SYSTEM_PYTHON = "/usr/bin/python3"
+INTERIM_SECONDS = 60.0  # at least, between looks at what is done so far; they take 2 % of the time
 MOST_LOST = 50  # parts in a row, before the batch gives up: then it is not the parts
 
 
@@ -77,10 +78,9 @@ def run(arguments):
     try:
         todo = ledger.keep(parts, arguments.retry, arguments.check_content)
         if todo:
-            _do(arguments, plan, todo, ledger)
+            _do(arguments, plan, todo, ledger, len(parts))
         states = Counter(entry["state"] for entry in ledger.entries())
-        table.write(plan, ledger)
-        report.write(plan, ledger)
+        write_results(plan, ledger, len(parts))
     finally:
         ledger.close()
     failed = len(parts) - states["done"]
@@ -94,8 +94,16 @@ def run(arguments):
                                    for state, count in sorted(states.items()))}
 
 
-def _do(arguments, plan, todo, ledger):
-    line, lost = ProgressLine(len(todo)), [0]
+def write_results(plan, ledger, total):
+    """Writes table and report; returns the seconds that it took."""
+    start = time.monotonic()
+    table.write(plan, ledger)
+    report.write(plan, ledger, total)
+    return time.monotonic() - start
+
+
+def _do(arguments, plan, todo, ledger, total):
+    line, lost, due = ProgressLine(len(todo)), [0], [time.monotonic() + INTERIM_SECONDS]
     if arguments.scheduler is None:
         freecad()  # says so at once where there is none
 
@@ -106,6 +114,9 @@ def _do(arguments, plan, todo, ledger):
         if lost[0] == MOST_LOST:
             raise OSError(f"{MOST_LOST} parts in a row could not be worked on, {entry['part']} "
                           f"because: {entry['error']}")
+        if time.monotonic() > due[0]:
+            took = write_results(plan, ledger, total)
+            due[0] = time.monotonic() + max(INTERIM_SECONDS, 50 * took)
 
     with ended_by_sigterm(), cluster.client_of(arguments.scheduler, arguments.jobs) as client:
         try:

@@ -19,7 +19,7 @@ WORST, SUCH_AS, MOST_ROWS = 10, 5, 100
 _STATES = {
     "done": "meshed", "input": "input that cannot be worked on", "failed": "failed",
     "crash": "crashed", "timeout": "over the time limit", "memory": "over the memory limit",
-    "lost": "workers lost",
+    "lost": "workers lost", "todo": "yet to be done",
 }
 
 
@@ -129,11 +129,12 @@ def kind_of(error):
     return re.sub(r"\d+(\.\d+)?(e-?\d+)?", "#", re.sub(r"'[^']*'", "'...'", error))
 
 
-def write(plan, ledger):
-    """Writes the report."""
+def write(plan, ledger, total):
+    """Writes the report of what is done so far of the parts, `total` in all."""
     findings = Findings(plan.command)
     for entry in ledger.entries():
         findings.add(entry)
+    findings.states["todo"] = total - sum(findings.states.values())
     path = plan.out / NAME
     ready = path.with_name(f".{NAME}.part")
     ready.write_text(page(plan, findings), encoding="utf-8", errors="replace")
@@ -242,7 +243,7 @@ table { border-collapse: collapse; } td, th { text-align: left; padding: .15em 1
 .bar { display: flex; height: 1.2em; gap: 2px; margin: 1em 0; } .bar span { min-width: 3px; }
 .done { background: #3a7d44; } .input { background: #999; } .failed { background: #d98e04; }
 .crash { background: #b3261e; } .timeout { background: #7b4fa3; } .memory { background: #2b6cb0; }
-.lost { background: #000; }
+.lost { background: #000; } .todo { background: #e5e5e5; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(24em, 1fr)); gap: 1.5em; }
 .chart { width: 100%; } .chart rect { fill: #3b6ea5; } .chart line { stroke: #555; }
 .chart .mark { stroke: #b3261e; stroke-dasharray: 4 3; }
