@@ -88,16 +88,18 @@ class CurvedMesh:
             setattr(obj, name, values)
         obj.ElementsOrder = self.order
 
-    order = property(lambda self: self._curved.order)
+    order = property(lambda self: self._curved.order, doc="1 to 5")
     nodes = property(lambda self: self._curved.nodes, doc="float64 (N, 3), mm")
-    triangles = property(lambda self: self._curved.triangles)
-    triangle_face = property(lambda self: self._curved.triangle_face)
-    edges = property(lambda self: self._curved.edges)
-    tetrahedra = property(lambda self: self._curved.tetrahedra)
-    tetrahedron_solid = property(lambda self: self._curved.tetrahedron_solid)
-    node_entity = property(lambda self: self._curved.node_entity)
-    triangle_quality = property(lambda self: self._curved.triangle_quality)
-    tetrahedron_quality = property(lambda self: self._curved.tetrahedron_quality)
+    triangles = property(lambda self: self._curved.triangles, doc="int32 (T, nodes per triangle)")
+    triangle_face = property(lambda self: self._curved.triangle_face, doc="int32 (T,)")
+    edges = property(lambda self: self._curved.edges, doc="int32 (L, order + 1)")
+    tetrahedra = property(lambda self: self._curved.tetrahedra,
+                          doc="int32 (E, nodes per tetrahedron)")
+    tetrahedron_solid = property(lambda self: self._curved.tetrahedron_solid, doc="int32 (E,)")
+    node_entity = property(lambda self: self._curved.node_entity, doc="int32 (N, 2)")
+    triangle_quality = property(lambda self: self._curved.triangle_quality, doc="float64 (T,)")
+    tetrahedron_quality = property(lambda self: self._curved.tetrahedron_quality,
+                                   doc="float64 (E,)")
 
     @property
     def triangle_distortion(self):

@@ -99,27 +99,30 @@ CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape&
 
 void bind_curve_report(py::module_& m) {
     py::class_<CurveReport>(m, "CurveReport", "What was measured on a curved mesh, and what was repaired.")
-        .def_readonly("elements", &CurveReport::elements)
-        .def_readonly("vertices", &CurveReport::vertices)
+        .def_readonly("elements", &CurveReport::elements, "tetrahedra of a volume, triangles of a surface")
+        .def_readonly("vertices", &CurveReport::vertices, "corner vertices")
         .def_readonly("invalid_before", &CurveReport::invalid_before, "right after curving, before any repair")
-        .def_readonly("invalid", &CurveReport::invalid)
-        .def_readonly("invalid_elements", &CurveReport::invalid_elements)
+        .def_readonly("invalid", &CurveReport::invalid, "of the final mesh")
+        .def_readonly("invalid_elements", &CurveReport::invalid_elements,
+                      "[text, ...]: which these are, as \"triangle 3 on Face1\"")
         .def_readonly("min_scaled_jacobian", &CurveReport::min_scaled_jacobian, "min J / J of the straight element")
         .def_readonly("min_distortion", &CurveReport::min_distortion, "min J / max J")
         .def_readonly("max_shape_distortion", &CurveReport::max_shape_distortion,
                       "the largest of triangle_distortion or tetrahedron_distortion: 1 is the regular shape")
-        .def_readonly("mean_distortion", &CurveReport::mean_distortion)
+        .def_readonly("mean_distortion", &CurveReport::mean_distortion, "mean of min J / max J")
         .def_readonly("max_deviation", &CurveReport::max_deviation, "from the CAD faces, mm")
-        .def_readonly("rms_deviation", &CurveReport::rms_deviation)
-        .def_readonly("straightened", &CurveReport::straightened)
+        .def_readonly("rms_deviation", &CurveReport::rms_deviation, "likewise, the root of the mean square")
+        .def_readonly("straightened", &CurveReport::straightened, "[text, ...]: elements that were made straight")
         .def_readonly("volume", &CurveReport::volume, "that the curved triangles enclose, mm^3; 0 without a solid")
         .def_readonly("cad_volume", &CurveReport::cad_volume, "of the solids, mm^3; 0: unknown")
         .def_property_readonly("volume_error", &CurveReport::volume_error, "relative; -1: unknown")
-        .def_readonly("moved_vertices", &CurveReport::moved_vertices)
-        .def_property_readonly("repairs", [](const CurveReport& r) { return dict_of(r.repairs); })
-        .def_readonly("notes", &CurveReport::notes)
-        .def_property_readonly("seconds", [](const CurveReport& r) { return dict_of(r.seconds); })
-        .def_readonly("cpu_seconds", &CurveReport::cpu_seconds)
+        .def_readonly("moved_vertices", &CurveReport::moved_vertices, "corner vertices that a repair moved")
+        .def_property_readonly(
+            "repairs", [](const CurveReport& r) { return dict_of(r.repairs); }, "{kind of repair: how many}")
+        .def_readonly("notes", &CurveReport::notes, "sentences about the part and the mesh that a user should know")
+        .def_property_readonly(
+            "seconds", [](const CurveReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")
+        .def_readonly("cpu_seconds", &CurveReport::cpu_seconds, "of the operation, all threads")
         .def("__str__", &curve::to_text);
 }
 

@@ -127,30 +127,33 @@ void bind_report(py::module_& m) {
     py::class_<MeshReport>(m, "MeshReport",
                            "What was measured on a mesh, and what happened on the way to it.\n\n"
                            "Angles are in degrees, lengths in mm. str() gives a text of a dozen lines.")
-        .def_readonly("triangles", &MeshReport::triangles)
-        .def_readonly("vertices", &MeshReport::vertices)
+        .def_readonly("triangles", &MeshReport::triangles, "number of triangles")
+        .def_readonly("vertices", &MeshReport::vertices, "number of vertices")
         .def_readonly("closed", &MeshReport::closed, "no border edge")
         .def_readonly("oriented", &MeshReport::oriented, "every inner edge is run once each way")
         .def_readonly("manifold", &MeshReport::manifold,
                       "no edge of three or more triangles, no pinched vertex, no degenerate triangle")
-        .def_readonly("border_edges", &MeshReport::border_edges)
-        .def_readonly("nonmanifold_edges", &MeshReport::nonmanifold_edges)
-        .def_readonly("misoriented_edges", &MeshReport::misoriented_edges)
-        .def_readonly("pinched_vertices", &MeshReport::pinched_vertices)
-        .def_readonly("degenerate_triangles", &MeshReport::degenerate_triangles)
-        .def_readonly("duplicate_triangles", &MeshReport::duplicate_triangles)
-        .def_readonly("components", &MeshReport::components)
+        .def_readonly("border_edges", &MeshReport::border_edges, "edges of one triangle")
+        .def_readonly("nonmanifold_edges", &MeshReport::nonmanifold_edges, "edges of three or more triangles")
+        .def_readonly("misoriented_edges", &MeshReport::misoriented_edges,
+                      "inner edges that both triangles run the same way")
+        .def_readonly("pinched_vertices", &MeshReport::pinched_vertices,
+                      "vertices whose triangles form more than one fan")
+        .def_readonly("degenerate_triangles", &MeshReport::degenerate_triangles, "triangles without area")
+        .def_readonly("duplicate_triangles", &MeshReport::duplicate_triangles,
+                      "triangles with the vertices of another one")
+        .def_readonly("components", &MeshReport::components, "pieces that hang together by edges")
         .def_readonly("euler", &MeshReport::euler, "vertices - edges + triangles")
-        .def_readonly("min_angle", &MeshReport::min_angle)
-        .def_readonly("max_angle", &MeshReport::max_angle)
-        .def_readonly("mean_min_angle", &MeshReport::mean_min_angle)
+        .def_readonly("min_angle", &MeshReport::min_angle, "smallest angle of all triangles")
+        .def_readonly("max_angle", &MeshReport::max_angle, "largest angle of all triangles")
+        .def_readonly("mean_min_angle", &MeshReport::mean_min_angle, "mean of the triangles' smallest angles")
         .def_readonly("max_aspect", &MeshReport::max_aspect, "longest edge / shortest edge of one triangle")
         .def_readonly("angle_histogram", &MeshReport::angle_histogram,
                       "smallest angle of each triangle, 60 bins of one degree")
         .def_readonly("area", &MeshReport::area, "mm^2")
         .def_readonly("volume", &MeshReport::volume, "mm^3, signed; 0 unless closed")
         .def_property_readonly("box", &box_of, "(low, high), or None for an empty mesh")
-        .def_readonly("min_angle_asked", &MeshReport::min_angle_asked)
+        .def_readonly("min_angle_asked", &MeshReport::min_angle_asked, "the bound; 0: none")
         .def_readonly("min_angle_unexempted", &MeshReport::min_angle_unexempted,
                       "smallest angle over the triangles that are not in exempt")
         .def_readonly("max_chord_height", &MeshReport::max_chord_height,
@@ -172,14 +175,14 @@ void bind_report(py::module_& m) {
                                "[(cause with # for numbers, triangles), ...], most frequent first")
         .def_readonly("fallback", &MeshReport::fallback,
                       "[(face, why its samples were joined in (u, v) instead of in space), ...]")
-        .def_readonly("notes", &MeshReport::notes)
+        .def_readonly("notes", &MeshReport::notes, "sentences about the part and the mesh that a user should know")
         .def_readonly("complete", &MeshReport::complete, "False when a limit ended the work early")
         .def_property_readonly(
             "seconds", [](const MeshReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")
-        .def_readonly("cpu_seconds", &MeshReport::cpu_seconds)
+        .def_readonly("cpu_seconds", &MeshReport::cpu_seconds, "of the operation, all threads")
         .def_readonly("reused_faces", &MeshReport::reused_faces, "CAD faces that kept the triangles of the run before")
         .def_readonly("queries", &MeshReport::queries, "queries to the geometry engine")
-        .def_readonly("predicates", &MeshReport::predicates)
+        .def_readonly("predicates", &MeshReport::predicates, "geometric predicates that were evaluated")
         .def_readonly("exact_predicates", &MeshReport::exact_predicates, "predicates that needed exact arithmetic")
         .def("__str__", &mesh::to_text);
 }
