@@ -13,8 +13,9 @@ PAGE = Path(__file__).resolve().parent.parent / "docs" / "reference.md"
 MADE_BY_USERS = ("Memory",)
 HEAD = """# Reference
 
-Everything public of `import MeshQuality as mq`, from the docstrings: `tools/reference` writes this page. Lengths are in mm,
-angles in degrees. What is named here stays as it is within a major version; see [contributing](contributing.md).
+Everything public of `import MeshQuality as mq`, from the docstrings: `tools/reference` writes this
+page. Lengths are in mm, angles in degrees. What is named here stays as it is within a major version;
+see [contributing](contributing.md).
 """
 
 
@@ -29,12 +30,16 @@ def public_names():
 
 
 def members(cls):
-    """[(name, value), ...] of what a class defines for its users, in the order of its definition."""
+    """[(name, value), ...] of what a class defines for its users, in its order."""
     return [(name, value) for name, value in vars(cls).items() if not name.startswith("_")]
 
 
 def _block(text):
     return f"```text\n{text}\n```\n"
+
+
+def _cell(text):
+    return " ".join(text.split()).replace("|", "\\|")
 
 
 def _signature(name, value):
@@ -44,25 +49,29 @@ def _signature(name, value):
         return inspect.getdoc(value).splitlines()[0]
 
 
+def _code(name, value):
+    return f"```python\n{_signature(name, value)}\n```\n"
+
+
 def _function(name, value):
-    return f"## {name}\n\n```python\n{_signature(name, value)}\n```\n\n{_block(inspect.getdoc(value))}"
+    return f"## {name}\n\n{_code(name, value)}\n{_block(inspect.getdoc(value))}"
 
 
 def _class(name, cls):
     parts = [f"## {name}\n"]
     if name in MADE_BY_USERS:
-        parts.append(f"```python\n{_signature(name, cls)}\n```\n")
+        parts.append(_code(name, cls))
     parts.append(_block(inspect.getdoc(cls)))
     rows = [(member, inspect.getdoc(value)) for member, value in members(cls)
             if isinstance(value, property) or inspect.isdatadescriptor(value)]
     if rows:
         parts.append("| property | |\n|---|---|")
-        parts += [f"| `{member}` | {' '.join(text.split()).replace('|', chr(92) + '|')} |" for member, text in rows]
+        parts += [f"| `{member}` | {_cell(text)} |" for member, text in rows]
         parts.append("")
     for member, value in members(cls):
         if callable(value) or isinstance(value, classmethod):
             bound = getattr(cls, member)
-            parts.append(f"### {name}.{member}\n\n```python\n{_signature(member, bound)}\n```\n\n"
+            parts.append(f"### {name}.{member}\n\n{_code(member, bound)}\n"
                          f"{_block(inspect.getdoc(bound))}")
     return "\n".join(parts)
 

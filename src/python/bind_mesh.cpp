@@ -123,11 +123,10 @@ py::object box_of(const MeshReport& report) {
     return py::make_tuple(point(report.box.low), point(report.box.high));
 }
 
-void bind_report(py::module_& m) {
-    py::class_<MeshReport>(m, "MeshReport",
-                           "What was measured on a mesh, and what happened on the way to it.\n\n"
-                           "Angles are in degrees, lengths in mm. str() gives a text of a dozen lines.")
-        .def_readonly("triangles", &MeshReport::triangles, "number of triangles")
+using ReportClass = py::class_<MeshReport>;
+
+void bind_topology(ReportClass& report) {
+    report.def_readonly("triangles", &MeshReport::triangles, "number of triangles")
         .def_readonly("vertices", &MeshReport::vertices, "number of vertices")
         .def_readonly("closed", &MeshReport::closed, "no border edge")
         .def_readonly("oriented", &MeshReport::oriented, "every inner edge is run once each way")
@@ -143,8 +142,11 @@ void bind_report(py::module_& m) {
         .def_readonly("duplicate_triangles", &MeshReport::duplicate_triangles,
                       "triangles with the vertices of another one")
         .def_readonly("components", &MeshReport::components, "pieces that hang together by edges")
-        .def_readonly("euler", &MeshReport::euler, "vertices - edges + triangles")
-        .def_readonly("min_angle", &MeshReport::min_angle, "smallest angle of all triangles")
+        .def_readonly("euler", &MeshReport::euler, "vertices - edges + triangles");
+}
+
+void bind_measures(ReportClass& report) {
+    report.def_readonly("min_angle", &MeshReport::min_angle, "smallest angle of all triangles")
         .def_readonly("max_angle", &MeshReport::max_angle, "largest angle of all triangles")
         .def_readonly("mean_min_angle", &MeshReport::mean_min_angle, "mean of the triangles' smallest angles")
         .def_readonly("max_aspect", &MeshReport::max_aspect, "longest edge / shortest edge of one triangle")
@@ -166,8 +168,11 @@ void bind_report(py::module_& m) {
         .def_readonly("chord_height_asked", &MeshReport::chord_height_asked, "mm; 0: none")
         .def_readonly("self_intersections", &MeshReport::self_intersections,
                       "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges; "
-                      "-1: not looked for")
-        .def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
+                      "-1: not looked for");
+}
+
+void bind_course(ReportClass& report) {
+    report.def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
         .def_readonly("spanning", &MeshReport::spanning,
                       "[(triangle, the CAD faces that it lies on), ...], of keep_edges = feature; its own face is that "
                       "with the largest share")
@@ -185,6 +190,15 @@ void bind_report(py::module_& m) {
         .def_readonly("predicates", &MeshReport::predicates, "geometric predicates that were evaluated")
         .def_readonly("exact_predicates", &MeshReport::exact_predicates, "predicates that needed exact arithmetic")
         .def("__str__", &mesh::to_text);
+}
+
+void bind_report(py::module_& m) {
+    ReportClass report(m, "MeshReport",
+                       "What was measured on a mesh, and what happened on the way to it.\n\n"
+                       "Angles are in degrees, lengths in mm. str() gives a text of a dozen lines.");
+    bind_topology(report);
+    bind_measures(report);
+    bind_course(report);
 }
 
 }  // namespace

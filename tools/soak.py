@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The work of tools/soak: random operations for a given time, inside FreeCADCmd.
+
+Each operation is drawn from a seeded generator, checks what MeshQuality promises of its result,
+and leaves nothing behind. Memory is the resident set after a collection and malloc_trim; it counts
+as flat when its median over the last quarter of the time is at most FLAT times that over the second
+quarter.
+"""
+
+import ctypes
+import gc
+import json
+import os
+import random
+import statistics
+import sys
+import tempfile
+import time
+import traceback
+from collections import Counter
+from pathlib import Path
+
+import FreeCAD
+import Mesh
+import numpy as np
+import Part
+
+import MeshQuality as mq
+
+OUT = Path(__file__).resolve().parent.parent / "out" / "soak.json"
+FLAT = 1.05
+SAMPLE_EVERY = 20.0  # seconds
+
+
+def say(text):
+    """To the user; FreeCAD prints its own progress to stdout."""
+    print(text, file=sys.stderr, flush=True)
+
+
+def random_shape(dice):
+    """A solid of one to three bodies, some with rounded edges; in random places."""
+    def body():
+        size = [dice.uniform(4, 12) for _ in range(3)]
+        place = FreeCAD.Vector(*(dice.uniform(-4, 4) for _ in range(3)))
+        return dice.choice((
+            lambda: Part.makeBox(*size, place),
+            lambda: Part.makeCylinder(size[0] / 2, size[1], place),
+            lambda: Part.makeSphere(size[0] / 2, place),
+            lambda: Part.makeCone(size[0] / 2, size[1] / 4, size[2], place),
+            lambda: Part.makeTorus(size[0], size[1] / 4, place)))()
+
+    shape = body()
+    for _ in range(dice.randrange(3)):
+        other = shape.cut(body()) if dice.random() < 0.5 else shape.fuse(body())
+        if len(other.Solids) == 1 and other.isValid() and other.Volume > 1.0:
+            shape = other
+    if dice.random() < 0.3:
+        try:
+            rounded = shape.makeFillet(0.3, dice.sample(shape.Edges, min(3, len(shape.Edges))))
+        except Part.OCCError:  # FreeCAD's own refusal
+            return shape
+        shape = rounded if len(rounded.Solids) == 1 and rounded.isValid() else shape
+    return shape
+
+
+def check(condition, text):
+    """Counts a promise that was not kept."""
+    if not condition:
+        raise AssertionError(text)
+
+
+def check_report(report, shape=None):
+    """What every surface mesh promises."""
+    check(report.closed and report.oriented and report.manifold, f"not closed: {report}")
+    check(report.min_angle_unexempted >= report.min_angle_asked - 1e-9, f"angle: {report}")
+    if report.chord_height_asked > 0.0:
+        check(report.max_chord_height <= report.chord_height_asked * (1.0 + 1e-6),
+              f"chord height: {report}")
+    if shape is not None:
+        slack = max(report.max_chord_height, 0.0) * shape.Area + 1e-6 * shape.Volume
+        check(abs(report.volume - shape.Volume) <= slack,
+              f"volume {report.volume}, of the part {shape.Volume}")
+
+
+def some_mesh(dice):
+    """A quality mesh of a random part."""
+    shape = random_shape(dice)
+    return shape, mq.triangulate(shape, chord_height_relative=dice.choice((0.02, 0.005)))
+
+
+def triangulate(dice):
+    """All methods and most options."""
+    shape = random_shape(dice)
+    options = {"min_angle": dice.uniform(15, 30),
+               "chord_height_relative": 10 ** dice.uniform(-3, -1.5)}
+    method = dice.choice(("refine", "refine", "refine", "star", "sprinkle"))
+    if method == "refine" and dice.random() < 0.3:
+        options["max_edge"] = dice.uniform(1, 5)
+    mesh = mq.triangulate(shape, method=method, **options)
+    check_report(mesh.report, shape if method == "refine" else None)
+    again = mq.triangulate(shape, method=method, **options)
+    check(np.array_equal(again.triangles, mesh.triangles), "not the same mesh twice")
+
+
+def edit(dice):
+    """A memory over a few edits of one part."""
+    memory = mq.Memory(most_runs=3)
+    for _ in range(4):
+        bore = Part.makeCylinder(dice.choice((2, 3)), 10, FreeCAD.Vector(5, 5, 0))
+        shape = Part.makeBox(10, 10, 10).cut(bore)
+        check_report(mq.triangulate(shape, chord_height=0.02, memory=memory).report, shape)
+    check(len(memory) <= 3, "the memory holds more runs than it may")
+
+
+def curve(dice):
+    """Curved surfaces and volumes."""
+    shape = random_shape(dice)
+    mesh = mq.curve(shape, order=dice.choice((1, 2, 3)), volume=dice.random() < 0.3,
+                    chord_height_relative=0.02)
+    check(mesh.report.invalid == 0, f"invalid elements: {mesh.report}")
+
+
+def boolean(dice):
+    """Two meshes, or a mesh and a shape."""
+    _, mesh = some_mesh(dice)
+    other = random_shape(dice)
+    operation = dice.choice(("union", "intersection", "difference"))
+    result = mq.boolean(mesh, other, operation, tolerance=0.05)
+    if len(result.triangles):
+        report = result.report
+        check(report.closed and report.oriented and report.manifold, f"Boolean: {report}")
+
+
+def improve(dice):
+    """FreeCAD's own mesh of a part, made better."""
+    shape = random_shape(dice)
+    mesh = Mesh.Mesh([tuple(p) for p in _stock_triangles(shape)])
+    before = mq.quality(mesh).min_angle
+    after = mq.improve(mesh, min_angle=25, tolerance=0.05).report
+    check(after.min_angle >= min(before, 25.0) - 1e-6, f"improve: {before} before, {after}")
+
+
+def _stock_triangles(shape):
+    points, facets = shape.tessellate(0.1)
+    return [points[i] for facet in facets for i in facet]
+
+
+def files(dice):
+    """Every format is written; a mesh read back has the triangles."""
+    _, mesh = some_mesh(dice)
+    with tempfile.TemporaryDirectory() as folder:
+        for suffix in (".stl", ".ply", ".obj", ".off", ".msh", ".vtu"):
+            mesh.write(os.path.join(folder, "part" + suffix))
+        read = Mesh.Mesh(os.path.join(folder, "part.ply"))
+        check(read.CountFacets == len(mesh.triangles), "other triangles than were written")
+
+
+def document(dice):
+    """Objects that follow their source through edits, undo and redo, and a file."""
+    doc = FreeCAD.newDocument("Soak")
+    try:
+        doc.UndoMode = 1
+        source = doc.addObject("Part::Box", "Box")
+        doc.recompute()
+        mesh = mq.add_quality_mesh(source, chord_height=0.05)
+        mq.add_curved_mesh(source, order=2)
+        for _ in range(3):
+            doc.openTransaction("edit")
+            source.Length = dice.uniform(5, 15)
+            doc.commitTransaction()
+            doc.recompute()
+        count = mesh.Mesh.CountFacets
+        doc.undo()
+        doc.recompute()
+        doc.redo()
+        doc.recompute()
+        check(mesh.Mesh.CountFacets == count, "another mesh after undo and redo")
+        with tempfile.TemporaryDirectory() as folder:
+            doc.saveAs(os.path.join(folder, "soak.FCStd"))
+    finally:
+        FreeCAD.closeDocument(doc.Name)
+
+
+def cancel(dice):
+    """The work ends when it is told to."""
+    shape, after = random_shape(dice), dice.uniform(0, 1)
+    try:
+        mq.triangulate(shape, chord_height_relative=1e-3,
+                       progress=lambda fraction, stage: fraction < after)
+    except mq.Cancelled:
+        return
+
+
+def bad_input(dice):
+    """Errors have texts."""
+    try:
+        box = Part.makeBox(1, 1, 1)
+        dice.choice((lambda: mq.triangulate(Part.Shape()),
+                     lambda: mq.triangulate(box, min_angle=50),
+                     lambda: mq.boolean(Mesh.Mesh(), box, "union"),
+                     lambda: mq.curve(box, order=9)))()
+    except mq.Error as error:
+        check(len(str(error)) > 20, f"an error that says little: {error}")
+        return
+    raise AssertionError("bad input was taken")
+
+
+OPERATIONS = (triangulate, triangulate, triangulate, edit, curve, boolean, improve, files, document,
+              cancel, bad_input)
+
+
+def resident():
+    """MiB of memory in use, after everything free has gone back."""
+    gc.collect()
+    ctypes.CDLL(None).malloc_trim(0)
+    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 2 ** 20
+
+
+def soak(minutes, seed):
+    """Runs for so long. Returns what was done, what failed, and memory over time."""
+    done, failures, memory = Counter(), [], []
+    start = time.monotonic()
+    number = 0
+    while time.monotonic() - start < 60.0 * minutes:
+        dice = random.Random(f"{seed}:{number}")
+        operation = dice.choice(OPERATIONS)
+        try:
+            operation(dice)
+        except Exception as error:
+            failures.append({"number": number, "operation": operation.__name__,
+                             "what": str(error)[:500], "where": traceback.format_exc()[-800:]})
+            say(f"{operation.__name__} {number} failed: {str(error)[:300]}")
+        done[operation.__name__] += 1
+        number += 1
+        if not memory or time.monotonic() - start - memory[-1][0] > SAMPLE_EVERY:
+            memory.append((round(time.monotonic() - start, 1), round(resident(), 1)))
+            say(f"{memory[-1][0]:7.0f} s  {number:6d} operations  {memory[-1][1]:7.1f} MiB  "
+                f"{len(failures)} failed")
+    return {"minutes": minutes, "seed": seed, "done": dict(done), "failures": failures,
+            "memory": memory}
+
+
+def growth(memory, seconds):
+    """Memory of the last quarter over that of the second one; None of a run too short to tell."""
+    second = [m for t, m in memory if 0.25 * seconds <= t < 0.5 * seconds]
+    last = [m for t, m in memory if t >= 0.75 * seconds]
+    return statistics.median(last) / statistics.median(second) if second and last else None
+
+
+def main():
+    """One run; ends FreeCAD."""
+    minutes, seed = float(os.environ["SOAK_MINUTES"]), int(os.environ["SOAK_SEED"])
+    result = soak(minutes, seed)
+    result["growth"] = growth(result["memory"], 60.0 * minutes)
+    OUT.write_text(json.dumps(result, indent=1), encoding="utf-8")
+    flat = result["growth"] is None or result["growth"] <= FLAT
+    told = "too short to tell" if result["growth"] is None else f"{result['growth']:.3f}"
+    say(f"{sum(result['done'].values())} operations, {len(result['failures'])} failed; memory of "
+        f"the last quarter over that of the second: {told}")
+    os._exit(0 if flat and not result["failures"] else 1)
