@@ -17,6 +17,9 @@ class Preferences(gui_helpers.PanelTest):
 
         def work():
             dialog = QtGui.QApplication.activeModalWidget()
+            if dialog is None:
+                QtCore.QTimer.singleShot(WAIT, work)
+                return
             try:
                 act(dialog)
             except Exception as error:  # noqa: BLE001 - Qt would swallow it; the test raises it

@@ -19,7 +19,10 @@ from PySide import QtCore, QtGui
 def discard():
     # What a user answers when the window asks whether to save.
     box = QtGui.QApplication.activeModalWidget()
-    for button in box.findChildren(QtGui.QAbstractButton) if box else []:
+    if box is None:
+        QtCore.QTimer.singleShot(200, discard)
+        return
+    for button in box.findChildren(QtGui.QAbstractButton):
         if box.buttonRole(button) == QtGui.QMessageBox.DestructiveRole:
             button.click()
 
