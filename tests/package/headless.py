@@ -33,4 +33,5 @@ try:
 except Exception:
     traceback.print_exc()
     sys.exit(1)
+sys.stdout.flush()  # FreeCAD 1.0 ends without writing what Python still holds back
 sys.exit(0)
