@@ -19,7 +19,8 @@ class SharedShape(helpers.DocumentTest):
         shape = obj.Shape
         address, shape_hash = _core.shape_identity(shape)
         self.assertEqual((address, shape_hash), _core.shape_identity(obj.Shape))
-        self.assertEqual(shape_hash, shape.hashCode())
+        # FreeCAD 1.1 takes the hash for a number with a sign.
+        self.assertEqual(shape_hash, shape.hashCode() & 0x7FFFFFFF)
         moved = shape.copy()
         self.assertNotEqual(address, _core.shape_identity(moved)[0])
 

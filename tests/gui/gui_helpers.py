@@ -97,10 +97,14 @@ class PanelTest(GuiTest):
         """Checks that the panel fits into FreeCAD's task view as wide as that is at first, and takes a
         picture of it.
         """
-        dock = panel.form.parentWidget()
-        while not isinstance(dock, QtGui.QDockWidget):
-            dock = dock.parentWidget()
-        FreeCADGui.getMainWindow().resizeDocks([dock], [264], QtCore.Qt.Horizontal)
+        dock, outer = panel.form, panel.form.parentWidget()
+        while not isinstance(outer, QtGui.QMainWindow):
+            dock, outer = outer, outer.parentWidget()
+        if isinstance(dock, QtGui.QDockWidget):
+            FreeCADGui.getMainWindow().resizeDocks([dock], [264], QtCore.Qt.Horizontal)
+        else:  # FreeCAD 1.1 lays it over the view, and sizes it again and again
+            self.addCleanup(dock.setMaximumWidth, dock.maximumWidth())
+            dock.setMaximumWidth(264)
         wait()
         panel.form.setMinimumHeight(panel.form.sizeHint().height())
         wait()

@@ -8,7 +8,7 @@ import FreeCAD
 import FreeCADGui
 import gui_helpers
 import Part
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.features import mesh_object
@@ -33,13 +33,9 @@ def colours(icon):
 def tree_item(obj):
     """The object's item in FreeCAD's tree."""
     for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget):
-        for i in range(tree.topLevelItemCount()):
-            pending = [tree.topLevelItem(i)]
-            while pending:
-                item = pending.pop()
-                if item.text(0) == obj.Label:
-                    return item
-                pending += [item.child(k) for k in range(item.childCount())]
+        found = tree.findItems(obj.Label, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive, 0)
+        if found:
+            return found[0]
     return None
 
 

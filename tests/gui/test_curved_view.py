@@ -14,6 +14,7 @@ import MeshQuality as mq
 from MeshQuality.gui import curved_view
 
 HEADLESS = """
+import sys
 import FreeCAD
 import MeshQuality as mq
 document = FreeCAD.newDocument()
@@ -21,6 +22,7 @@ sphere = document.addObject("Part::Sphere", "Sphere")
 document.recompute()
 mq.add_curved_mesh(sphere, order=3, chord_height_relative=0.05)
 document.saveAs({path!r})
+sys.exit(0)  # FreeCAD 1.1 crashes when it ends by itself with a document that has a mesh
 """
 
 
