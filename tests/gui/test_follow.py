@@ -23,7 +23,8 @@ class Follow(gui_helpers.PanelTest):
         """Presses the window's button that recomputes, which Python code does not wait for."""
         action = next(action for action in FreeCADGui.getMainWindow().findChildren(QtGui.QAction)
                       if action.objectName() == "Std_Refresh")
-        QtCore.QTimer.singleShot(0, action, QtCore.SLOT("trigger()"))
+        action.setEnabled(True)  # FreeCAD 1.1 does so only a moment after a change
+        QtCore.QTimer.singleShot(0, action.trigger)
         self.until(lambda: "Touched" not in self.source.State)
 
     def settle(self):
