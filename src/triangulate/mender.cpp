@@ -101,6 +101,7 @@ bool Mender::run() {
         make_room();
         push_all();
         changed = work_off() || changed;
+        changed = escape_all() || changed;
         const std::size_t now = bad_triangles().size();
         if (now >= left) {
             break;
@@ -232,10 +233,12 @@ bool Mender::mend(int triangle) {
         }
         discs = std::move(larger);
     }
-    if (slide(triangle) || try_best(proposals, 0.0)) {
+    if ((undo_ == nullptr && slide(triangle)) || try_best(proposals, 0.0)) {
         return true;
     }
-    exhausted_.insert(keys.begin(), keys.end());
+    if (undo_ == nullptr) {
+        exhausted_.insert(keys.begin(), keys.end());
+    }
     return false;
 }
 
@@ -258,7 +261,7 @@ bool Mender::try_best(std::vector<Proposal>& proposals, double at_least) {
 }
 
 bool Mender::good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const {
-    const double least = std::min(kAligned, disc_alignment(work_.mesh, disc));
+    const double least = std::min(kAlignedSwap, disc_alignment(work_.mesh, disc));
     return fan_angle(work_.mesh, disc, apex.point, apex_site) >= enough_after(before) &&
            fan_alignment(work_.mesh, disc, apex, apex_site) >= least &&
            within_bounds(work_, sizing_, disc, apex, apex_site);
@@ -346,7 +349,14 @@ bool Mender::carry_out(Proposal& proposal) {
 }
 
 void Mender::replace(const Disc& disc, int apex_site) {
-    look_again_around(put_fan(work_, disc, apex_site, bound_));
+    if (undo_ != nullptr) {
+        undo_->about_to_remove(disc.triangles);
+    }
+    const std::vector<int> added = put_fan(work_, disc, apex_site, bound_);
+    if (undo_ != nullptr) {
+        undo_->added(added);
+    }
+    look_again_around(added);
 }
 
 bool Mender::slide(int triangle) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <queue>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "base/key_set.h"
 #include "triangulate/disc.h"
 #include "triangulate/insertion.h"
+#include "triangulate/region_undo.h"
 #include "triangulate/sizing.h"
 #include "triangulate/slider.h"
 #include "triangulate/triangle_marks.h"
@@ -23,6 +25,9 @@ namespace mq::triangulate {
 /// Refinement fails where a long edge at a narrow corner of the part has short ones beside it: encroachment forbids the
 /// vertices that a graded fan needs. Angles here are all that counts, besides the bounds on lengths and chord heights.
 /// Every change lifts the smallest angle of its disc by a least amount, and the number of attempts is limited.
+///
+/// Where no single change does, a disc is changed for the worse, with a vertex more or less (a fan around a vertex of a
+/// CAD edge gets another spoke), what is around it is mended, and all of it is undone unless it ends better.
 class Mender {
   public:
     Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing);
@@ -63,6 +68,16 @@ class Mender {
     bool carry_out(Proposal& proposal);
     void replace(const Disc& disc, int apex_site);
     bool slide(int triangle);
+
+    // mender_escape.cpp
+    bool escape_all();
+    bool first_escape(int triangle);
+    bool escape(int triangle);
+    bool move_corner(int triangle);
+    void follow(const std::function<bool(int)>& change);
+    std::vector<Proposal> kicks(int triangle) const;
+    bool better_after(Proposal& kick, RegionUndo& undo);
+
     void look_again_around(const std::vector<int>& changed);
     double enough_after(double before) const;
     bool good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const;
@@ -77,8 +92,11 @@ class Mender {
     const Sizing& sizing_;
     std::priority_queue<Bad> queue_;
     Slider slider_;
-    TriangleMarks failed_;  // until something changes beside them
-    KeySet exhausted_;      // discs that nothing better was found for, by key
+    RegionUndo* undo_ = nullptr;  // while it is open whether what is done will be kept
+    TriangleMarks failed_;        // until something changes beside them
+    KeySet tried_to_escape_;
+    std::size_t escape_attempts_ = 0;
+    KeySet exhausted_;  // discs that nothing better was found for, by key
 };
 
 }  // namespace mq::triangulate

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/angle.h"
 #include "triangulate/corner_angle.h"
@@ -23,8 +24,19 @@ constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
 constexpr std::size_t kMaxTried = 3;
 constexpr double kFar = 1e300;
 
-double smallest_of(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return std::min({angle_between(b - a, c - a), angle_between(c - b, a - b), angle_between(a - c, b - c)});
+// The smallest angle of the triangle with `point` for the origin of `h`, but for the one in a narrow corner of the
+// part.
+double smallest_with(const SurfaceMesh& mesh, int h, const Vec3& point) {
+    const int corner = narrow_corner_of(mesh, SurfaceMesh::triangle_of(h));
+    const std::array<int, 3> at{h, SurfaceMesh::next(h), SurfaceMesh::prev(h)};
+    const std::array<Vec3, 3> p{point, mesh.point_of(at[1]), mesh.point_of(at[2])};
+    double least = M_PI;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (at[i] != corner) {
+            least = std::min(least, angle_between(p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]));
+        }
+    }
+    return least;
 }
 
 }  // namespace
@@ -32,7 +44,6 @@ double smallest_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 Slider::Slider(Workspace& work, const Sizing& sizing)
     : work_(work), sizing_(sizing), segments_at_(segments_at_vertices(work.mesh)) {}
 
-// None for a vertex that ends a triangle in a narrow corner of the part: the other edge of the corner ends it, too.
 std::optional<Slider::Bead> Slider::bead_at(int vertex) const {
     const SurfaceMesh& mesh = work_.mesh;
     if (mesh.vertex(vertex).entity[0] != 1 || vertex >= static_cast<int>(segments_at_.size())) {
@@ -48,11 +59,7 @@ std::optional<Slider::Bead> Slider::bead_at(int vertex) const {
     for (const SurfaceMesh::SegmentUse& use : mesh.segment(bead.near).uses) {
         bead.spokes.push_back(mesh.star(mesh.leaving(use, vertex)));
         for (const int h : bead.spokes.back()) {
-            const int t = SurfaceMesh::triangle_of(h);
-            if (narrow_corner_of(mesh, t) >= 0) {
-                return std::nullopt;
-            }
-            bead.angle = std::min(bead.angle, smallest_angle(mesh, t).angle);
+            bead.angle = std::min(bead.angle, smallest_with(mesh, h, mesh.point_of(h)));
         }
     }
     return bead;
@@ -73,8 +80,7 @@ double Slider::angle_with(const Bead& bead, const Vec3& point) const {
     double least = M_PI;
     for (const std::vector<int>& around : bead.spokes) {
         for (const int h : around) {
-            least = std::min(
-                least, smallest_of(point, mesh.point_of(SurfaceMesh::next(h)), mesh.point_of(SurfaceMesh::prev(h))));
+            least = std::min(least, smallest_with(mesh, h, point));
         }
     }
     return least;
@@ -107,8 +113,10 @@ std::vector<Slider::Place> Slider::places_for(const Bead& bead, double at_least)
     const double on = work_.mesh.segment(bead.far).t[1] - t;
     const auto at = [&](double step) { return t + step * (step < 0.0 ? back : on); };
     std::vector<double> parameters;
+    const double shorter = std::abs(back) < std::abs(on) ? back : on;
     for (const double step : kSteps) {
         parameters.push_back(at(step));
+        parameters.push_back(t + step * shorter);  // innermost pieces at narrow corners are far longer than the next
     }
     const std::vector<Place> coarse = places_for(bead, parameters, 0.0);
     if (coarse.empty()) {
@@ -225,12 +233,24 @@ bool Slider::put(const Bead& bead, const Place& place, double bound) {
         site.vertex = vertex;
         indices.push_back(mesh.add_site(site));
     }
-    const std::vector<int> around = triangles_around(bead);
+    std::vector<int> around;
+    std::map<int, Exemption> in_corners;  // of the part, which are as narrow as before
+    for (const int t : triangles_around(bead)) {
+        if (narrow_corner_of(mesh, t) < 0) {
+            around.push_back(t);
+        } else if (const Exemption* exemption = work_.exemption_of(t)) {
+            in_corners[t] = *exemption;
+        }
+    }
     const std::optional<Exemption> reason = take_exemptions(work_, around);
     work_.maxmin.put_between(bead.near, bead.far, vertex, place.t, bead.spokes, indices);
     segments_at_.resize(static_cast<std::size_t>(mesh.vertex_count()), {-1, -1});
     segments_at_[static_cast<std::size_t>(vertex)] = {bead.near, bead.far};
     exempt_bad(work_, around, bound, reason);
+    for (auto& [t, exemption] : in_corners) {
+        exemption.stamp = mesh.stamp(t);
+        work_.exempt[t] = exemption;
+    }
     return true;
 }
 

@@ -87,6 +87,29 @@ TEST(Mender, LeavesOnlyTheCornersOfThePartBelowTheBound) {
     }
 }
 
+/// At 30 degrees six triangles fill a straight angle beside such an edge at most, and four the apex of a cone of 44
+/// degrees.
+TEST(Mender, LeavesOnlyTheCornersOfThePartBelow30Degrees) {
+    Options options;
+    options.min_angle = 30.0;
+    for (const double angle : {2.0, 3.0, 5.0, 8.0, 15.0}) {
+        SCOPED_TRACE(angle);
+        const Result result = mesh_of(geometry::make_shape_model(geometry::wedge(angle, 10.0, 3.0)), options);
+        expect_sound(result, 2, true);
+        expect_angles(result, 30.0);
+        EXPECT_EQ(result.report.exempt.size(), 2u);
+    }
+    options.chord_height_relative = 2e-3;
+    for (const double radius : {120.0, 140.0, 200.0}) {
+        SCOPED_TRACE(radius);
+        const Result result =
+            mesh_of(geometry::make_shape_model(BRepPrimAPI_MakeCone(radius, 0.0, 300.0).Shape()), options);
+        expect_sound(result, 2, true);
+        expect_angles(result, 30.0);
+        EXPECT_TRUE(result.report.exempt.empty());
+    }
+}
+
 TEST(Mender, KeepsTheChordHeightAndTheLengthsAskedFor) {
     Options options;
     options.chord_height = 0.01;
