@@ -19,7 +19,7 @@ using mesh::SurfaceMesh;
 constexpr double kLeastOfKick = 0.2;
 constexpr std::size_t kMaxKicks = 40;
 constexpr int kAttemptsAfterKick = 150;
-constexpr std::size_t kAttemptsInAll = 50000;
+constexpr std::size_t kAttemptsInAll = 20000;
 constexpr double kLeftAfterKick = 0.95;
 
 void rename(Disc& disc, const std::map<int, int>& moved) {

@@ -383,7 +383,8 @@ void Refiner::exempt_for(const Bad& bad, Cause cause, const std::vector<int>& se
             return;
         }
     }
-    if (const int corner = segments_.narrow_corner_near(work_.mesh.point_of(3 * bad.triangle)); corner >= 0) {
+    const int corner = segments_.narrow_corner_near(work_.mesh.point_of(3 * bad.triangle));
+    if (corner >= 0 && cause != work_.too_short()) {
         exempt(bad, Cause::NarrowCluster, corner, segments.empty() ? -1 : segments.front());
         return;
     }

@@ -24,10 +24,8 @@ constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
 constexpr std::size_t kMaxTried = 3;
 constexpr double kFar = 1e300;
 
-// The smallest angle of the triangle with `point` for the origin of `h`, but for the one in a narrow corner of the
-// part.
-double smallest_with(const SurfaceMesh& mesh, int h, const Vec3& point) {
-    const int corner = narrow_corner_of(mesh, SurfaceMesh::triangle_of(h));
+// The smallest angle of the triangle with `point` for the origin of `h`, but for the one at the half-edge `corner`.
+double smallest_with(const SurfaceMesh& mesh, int h, const Vec3& point, int corner) {
     const std::array<int, 3> at{h, SurfaceMesh::next(h), SurfaceMesh::prev(h)};
     const std::array<Vec3, 3> p{point, mesh.point_of(at[1]), mesh.point_of(at[2])};
     double least = M_PI;
@@ -44,7 +42,7 @@ double smallest_with(const SurfaceMesh& mesh, int h, const Vec3& point) {
 Slider::Slider(Workspace& work, const Sizing& sizing)
     : work_(work), sizing_(sizing), segments_at_(segments_at_vertices(work.mesh)) {}
 
-std::optional<Slider::Bead> Slider::bead_at(int vertex) const {
+std::optional<Slider::Bead> Slider::bead_at(int vertex, double bound) const {
     const SurfaceMesh& mesh = work_.mesh;
     if (mesh.vertex(vertex).entity[0] != 1 || vertex >= static_cast<int>(segments_at_.size())) {
         return std::nullopt;
@@ -59,7 +57,10 @@ std::optional<Slider::Bead> Slider::bead_at(int vertex) const {
     for (const SurfaceMesh::SegmentUse& use : mesh.segment(bead.near).uses) {
         bead.spokes.push_back(mesh.star(mesh.leaving(use, vertex)));
         for (const int h : bead.spokes.back()) {
-            bead.angle = std::min(bead.angle, smallest_with(mesh, h, mesh.point_of(h)));
+            const int corner = narrow_corner_of(mesh, SurfaceMesh::triangle_of(h));
+            const double angle = smallest_with(mesh, h, mesh.point_of(h), corner);
+            bead.angle = corner < 0 ? std::min(bead.angle, angle) : bead.angle;
+            bead.in_corners = corner < 0 ? bead.in_corners : std::min({bead.in_corners, angle, bound});
         }
     }
     return bead;
@@ -80,7 +81,12 @@ double Slider::angle_with(const Bead& bead, const Vec3& point) const {
     double least = M_PI;
     for (const std::vector<int>& around : bead.spokes) {
         for (const int h : around) {
-            least = std::min(least, smallest_with(mesh, h, point));
+            const int corner = narrow_corner_of(mesh, SurfaceMesh::triangle_of(h));
+            const double angle = smallest_with(mesh, h, point, corner);
+            if (corner >= 0 && angle < bead.in_corners) {
+                return 0.0;
+            }
+            least = corner < 0 ? std::min(least, angle) : least;
         }
     }
     return least;
@@ -236,10 +242,11 @@ bool Slider::put(const Bead& bead, const Place& place, double bound) {
     std::vector<int> around;
     std::map<int, Exemption> in_corners;  // of the part, which are as narrow as before
     for (const int t : triangles_around(bead)) {
-        if (narrow_corner_of(mesh, t) < 0) {
-            around.push_back(t);
-        } else if (const Exemption* exemption = work_.exemption_of(t)) {
+        const Exemption* exemption = narrow_corner_of(mesh, t) >= 0 ? work_.exemption_of(t) : nullptr;
+        if (exemption != nullptr) {
             in_corners[t] = *exemption;
+        } else {
+            around.push_back(t);
         }
     }
     const std::optional<Exemption> reason = take_exemptions(work_, around);
@@ -259,7 +266,7 @@ std::vector<int> Slider::improve(int triangle, double bound, const std::function
         return {};  // longer edges would have to be weighed against all around
     }
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        const auto bead = bead_at(work_.mesh.vertex_of(h));
+        const auto bead = bead_at(work_.mesh.vertex_of(h), bound);
         if (!bead || !tried_.insert(state_key(work_.mesh, triangles_around(*bead))).second) {
             continue;
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -31,7 +32,8 @@ class Slider {
         int near = -1;                         ///< the segment that ends in it
         int far = -1;                          ///< the segment that starts there
         std::vector<std::vector<int>> spokes;  ///< by use: half-edges that leave it on that face
-        double angle = 0.0;                    ///< the smallest, radians
+        double angle = 0.0;                    ///< the smallest but in narrow corners of the part, radians
+        double in_corners = M_PI;              ///< that the other two angles of triangles there must keep
     };
     struct Place {
         double t = 0.0;
@@ -39,7 +41,7 @@ class Slider {
         double angle = 0.0;
     };
 
-    std::optional<Bead> bead_at(int vertex) const;
+    std::optional<Bead> bead_at(int vertex, double bound) const;
     static std::vector<int> triangles_around(const Bead& bead);
     double angle_with(const Bead& bead, const Vec3& point) const;
     std::vector<Place> places_for(const Bead& bead, const std::vector<double>& parameters, double at_least) const;
