@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "mesh/triangle_shape.h"
+
 namespace mq::mesh {
 
 namespace {
@@ -48,6 +50,23 @@ std::string list_of(const std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+void set_exempt(const TriangleMesh& mesh, std::vector<std::pair<std::int32_t, std::string>> exempt,
+                MeshReport& report) {
+    std::vector<char> listed(mesh.triangles.size(), 0);
+    for (const auto& [triangle, why] : exempt) {
+        listed[static_cast<std::size_t>(triangle)] = 1;
+    }
+    report.exempt = std::move(exempt);
+    report.min_angle_unexempted = 180.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Triangle& v = mesh.triangles[t];
+        if (listed[t] == 0) {
+            const TriangleShape shape = shape_of({mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]});
+            report.min_angle_unexempted = std::min(report.min_angle_unexempted, shape.min_angle);
+        }
+    }
+}
 
 std::vector<ExemptCause> exempt_causes(const MeshReport& report) {
     std::vector<ExemptCause> causes;

@@ -2,12 +2,19 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/report.h"
+#include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
+
+/// Takes the list of exempt triangles, index and reason, into the report of a mesh, with the smallest angle of all
+/// others.
+void set_exempt(const TriangleMesh& mesh, std::vector<std::pair<std::int32_t, std::string>> exempt, MeshReport& report);
 
 /// Exempted triangles whose reasons differ in numbers only.
 struct ExemptCause {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "improve/improve.h"
+#include "mesh/exemptions.h"
 #include "mesh/report.h"
 #include "python/bindings.h"
 #include "python/stopwatch.h"
@@ -33,7 +34,7 @@ std::shared_ptr<Surface> improve_surface(const Surface& given, const Options& op
         surface->mesh = std::move(result.mesh);
         surface->report = mesh::measure(surface->mesh, &handle);
         surface->report.min_angle_asked = options.min_angle;
-        surface->report.exempt = std::move(result.exempt);
+        mesh::set_exempt(surface->mesh, std::move(result.exempt), surface->report);
         surface->report.notes.push_back(sentence(result));
         surface->report.seconds = std::move(result.seconds);
         surface->report.cpu_seconds = watch_all.cpu();

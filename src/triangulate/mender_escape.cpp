@@ -21,6 +21,8 @@ constexpr std::size_t kMaxKicks = 40;
 constexpr int kAttemptsAfterKick = 150;
 constexpr std::size_t kAttemptsInAll = 20000;
 constexpr double kLeftAfterKick = 0.95;
+// Where more are left, the part is to blame.
+constexpr std::size_t kMostLeft = 200;
 
 void rename(Disc& disc, const std::map<int, int>& moved) {
     const auto now = [&](int t) {
@@ -45,6 +47,9 @@ bool Mender::escape_all() {
         std::vector<std::pair<double, int>> bad;
         for (const int t : bad_triangles()) {
             bad.emplace_back(-smallest_angle(work_.mesh, t).angle, t);
+        }
+        if (bad.size() > kMostLeft) {
+            return changed;
         }
         std::sort(bad.begin(), bad.end());
         for (const auto& [angle, t] : bad) {

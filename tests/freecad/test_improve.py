@@ -41,6 +41,15 @@ class Improve(unittest.TestCase):
         self.assertLessEqual(mq.quality(better, shape).max_chord_height, given + 0.021)
         self.assertIn("edges swapped", better.report.notes[0])
 
+    def test_what_stays_below_is_listed_and_the_rest_is_not(self):
+        corners = [FreeCAD.Vector(0, 0, 0), FreeCAD.Vector(20, 0, 0), FreeCAD.Vector(20, 1.5, 0)]
+        wedge = Part.Face(Part.makePolygon([*corners, corners[0]])).extrude(FreeCAD.Vector(0, 0, 5))
+        points, facets = wedge.tessellate(0.1)
+        report = mq.improve(Mesh.Mesh([points[i] for facet in facets for i in facet])).report
+        self.assertLess(report.min_angle, 5.0)
+        self.assertTrue(report.exempt)
+        self.assertGreaterEqual(report.min_angle_unexempted, 25.0)
+
     def test_every_value_is_in_single_precision(self):
         better = mq.improve(standard_mesh()[1])
         self.assertTrue(np.array_equal(better.vertices, better.vertices.astype(np.float32)))
