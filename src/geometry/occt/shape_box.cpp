@@ -39,7 +39,7 @@ Box inner_box(const LiveShape& live, const Topology& topology, const Progress* p
 }
 
 bool much_larger(const Box& box, const Box& inner) {
-    constexpr double kMuch = 0.05;
+    constexpr double kMuch = 1e-3;
     return inner.empty() || ((box.high - box.low) - (inner.high - inner.low)).maxCoeff() > kMuch * inner.largest_side();
 }
 
