@@ -24,6 +24,12 @@ constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
 constexpr std::size_t kMaxTried = 3;
 constexpr double kFar = 1e300;
 
+// The half-edge at a corner of the part that is narrower than the bound, or -1.
+int forced_corner_of(const SurfaceMesh& mesh, int triangle, double bound) {
+    const int corner = narrow_corner_of(mesh, triangle);
+    return corner >= 0 && angle_at(mesh, corner) < bound ? corner : -1;
+}
+
 // The smallest angle of the triangle with `point` for the origin of `h`, but for the one at the half-edge `corner`.
 double smallest_with(const SurfaceMesh& mesh, int h, const Vec3& point, int corner) {
     const std::array<int, 3> at{h, SurfaceMesh::next(h), SurfaceMesh::prev(h)};
@@ -54,10 +60,11 @@ std::optional<Slider::Bead> Slider::bead_at(int vertex, double bound) const {
         return std::nullopt;
     }
     bead.angle = M_PI;
+    bead.bound = bound;
     for (const SurfaceMesh::SegmentUse& use : mesh.segment(bead.near).uses) {
         bead.spokes.push_back(mesh.star(mesh.leaving(use, vertex)));
         for (const int h : bead.spokes.back()) {
-            const int corner = narrow_corner_of(mesh, SurfaceMesh::triangle_of(h));
+            const int corner = forced_corner_of(mesh, SurfaceMesh::triangle_of(h), bound);
             const double angle = smallest_with(mesh, h, mesh.point_of(h), corner);
             bead.angle = corner < 0 ? std::min(bead.angle, angle) : bead.angle;
             bead.in_corners = corner < 0 ? bead.in_corners : std::min({bead.in_corners, angle, bound});
@@ -81,7 +88,7 @@ double Slider::angle_with(const Bead& bead, const Vec3& point) const {
     double least = M_PI;
     for (const std::vector<int>& around : bead.spokes) {
         for (const int h : around) {
-            const int corner = narrow_corner_of(mesh, SurfaceMesh::triangle_of(h));
+            const int corner = forced_corner_of(mesh, SurfaceMesh::triangle_of(h), bead.bound);
             const double angle = smallest_with(mesh, h, point, corner);
             if (corner >= 0 && angle < bead.in_corners) {
                 return 0.0;
@@ -242,7 +249,7 @@ bool Slider::put(const Bead& bead, const Place& place, double bound) {
     std::vector<int> around;
     std::map<int, Exemption> in_corners;  // of the part, which are as narrow as before
     for (const int t : triangles_around(bead)) {
-        const Exemption* exemption = narrow_corner_of(mesh, t) >= 0 ? work_.exemption_of(t) : nullptr;
+        const Exemption* exemption = forced_corner_of(mesh, t, bound) >= 0 ? work_.exemption_of(t) : nullptr;
         if (exemption != nullptr) {
             in_corners[t] = *exemption;
         } else {

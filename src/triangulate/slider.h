@@ -32,7 +32,8 @@ class Slider {
         int near = -1;                         ///< the segment that ends in it
         int far = -1;                          ///< the segment that starts there
         std::vector<std::vector<int>> spokes;  ///< by use: half-edges that leave it on that face
-        double angle = 0.0;                    ///< the smallest but in narrow corners of the part, radians
+        double angle = 0.0;                    ///< the smallest but at corners of the part below the bound, radians
+        double bound = 0.0;                    ///< on angles, radians
         double in_corners = M_PI;              ///< that the other two angles of triangles there must keep
     };
     struct Place {
