@@ -9,11 +9,11 @@
 #include "curve/child_process.h"
 #include "curve/distortion.h"
 #include "curve/enclosed.h"
+#include "curve/filled_volume.h"
 #include "curve/straighten.h"
 #include "curve/surface_crossing.h"
 #include "curve/surface_repair.h"
 #include "curve/validity.h"
-#include "curve/volume_repair.h"
 
 namespace mq::curve {
 
@@ -77,7 +77,8 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
     add("surface edges split in repair", repairs.splits);
 }
 
-void note(const VolumeRepairs& repairs, CurveReport& report) {
+void note(const FilledVolume& filled, CurveReport& report) {
+    const VolumeRepairs& repairs = filled.repairs;
     report.invalid_before += static_cast<std::size_t>(repairs.invalid_before);
     report.repairs.emplace_back("edge swaps in regions", repairs.edge_swaps);
     report.repairs.emplace_back("face swaps in regions", repairs.face_swaps);
@@ -88,6 +89,10 @@ void note(const VolumeRepairs& repairs, CurveReport& report) {
     report.moved_vertices += static_cast<std::size_t>(repairs.relocations);
     report.repairs.emplace_back("vertices put into regions", repairs.splits);
     report.repairs.emplace_back("patches of tetrahedra curved inside", repairs.patches);
+    if (filled.fillings > 1) {
+        report.notes.push_back("elements stayed invalid: the solids were filled " + std::to_string(filled.fillings) +
+                               " times, with ever more vertices inside, and the best is kept");
+    }
 }
 
 /// Volume figures take the place of those of the surface; invalid triangles stay counted.
@@ -193,14 +198,11 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     std::vector<Region> regions;
     std::vector<double> qualities;
     if (options.volume) {
-        watched.stage("filling", 0.5, 0.6);
-        Volume volume = fill_solids(surface, session.topology(), watched);
-        clock.end("filling");
-        watched.stage("repairing the volume", 0.6, 0.95);
-        note(repair_volume(volume, watched), report);
+        FilledVolume filled = fill_and_repair(surface, session.topology(), watched, clock);
+        note(filled, report);
+        Volume& volume = filled.volume;
         const std::set<int> straight_tetrahedra =
             options.straighten ? straighten_tetrahedra(volume, editor) : std::set<int>();
-        clock.end("repairing the volume");
         measure_surface(editor, straight_triangles, report);
         qualities = measure_volume(volume, straight_tetrahedra, report);
         for (const int t : volume.living()) {

@@ -44,10 +44,12 @@ class Reader {
     std::size_t at_ = 0;
 };
 
-std::string request(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles) {
+std::string request(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                    double grading_part) {
     std::string bytes;
     append(bytes, static_cast<std::int64_t>(points.size()));
     append(bytes, static_cast<std::int64_t>(triangles.size()));
+    append(bytes, grading_part);
     for (const Vec3& p : points) {
         append(bytes, std::array<double, 3>{p.x(), p.y(), p.z()});
     }
@@ -124,7 +126,7 @@ struct Attempt {
     bool too_long = false;
 };
 
-Attempt attempt(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+Attempt attempt(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles, double grading_part,
                 const Eigen::Matrix3d& turn, const Progress& progress) {
     std::vector<Vec3> turned = points;
     if (!turn.isIdentity()) {
@@ -133,7 +135,7 @@ Attempt attempt(const std::vector<Vec3>& points, const std::vector<std::array<in
         }
     }
     ChildProcess mesher(fill_program());
-    const std::string answer = mesher.exchange(request(turned, triangles), progress);
+    const std::string answer = mesher.exchange(request(turned, triangles, grading_part), progress);
     const ChildProcess::End end = mesher.end();
     if (!end.fault.empty()) {
         return {{}, end.fault, end.too_long};
@@ -165,11 +167,11 @@ void set_fill_program(const std::string& path) {
     fill_program() = path;
 }
 
-Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles, double grading_part,
              const Progress& progress) {
     std::string why;
     for (const double angle : {0.0, 1.0, 1.7}) {
-        Attempt result = attempt(points, triangles, turned_by(angle), progress);
+        Attempt result = attempt(points, triangles, grading_part, turned_by(angle), progress);
         if (result.fault.empty()) {
             return std::move(result.filling);
         }

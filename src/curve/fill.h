@@ -27,9 +27,11 @@ void set_fill_program(const std::string& path);
 
 /// Fills a closed, outward oriented surface by Netgen's nglib in a process of its own. All points and triangles of the
 /// surface are kept as they are.
+/// @param grading_part above 0: part of the usual growth of tetrahedra away from the surface. 1 is as usual; the less
+/// it is, the more vertices lie inside.
 /// @throws CannotFill when the mesher fails or crashes, GeometryError when it does not end, IoError when it cannot be
 /// started; Cancelled.
-Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+Filling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles, double grading_part,
              const Progress& progress);
 
 }  // namespace mq::curve

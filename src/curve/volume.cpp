@@ -192,7 +192,8 @@ Shell shell_of(const Surface& surface, std::size_t volume) {
 
 }  // namespace
 
-Volume fill_solids(Surface& surface, const geometry::Topology& topology, const Progress& progress) {
+Volume fill_solids(Surface& surface, const geometry::Topology& topology, double grading_part,
+                   const Progress& progress) {
     Volume volume(surface);
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
         progress.check();
@@ -202,7 +203,7 @@ Volume fill_solids(Surface& surface, const geometry::Topology& topology, const P
         const Shell shell = shell_of(surface, i);
         Filling filling;
         try {
-            filling = fill(shell.points, shell.triangles, progress);
+            filling = fill(shell.points, shell.triangles, grading_part, progress);
         } catch (const CannotFill& error) {
             throw CannotFill("Solid" + std::to_string(i + 1) + ": " + error.what() + " (" +
                              trouble_spot(surface, i, progress) + ")");

@@ -57,7 +57,8 @@ class Volume {
 };
 
 /// Fills every closed solid of the part. Volumes that are not solids have no inside and are left out.
+/// @param grading_part as of fill().
 /// @throws CannotFill naming the solid.
-Volume fill_solids(Surface& surface, const geometry::Topology& topology, const Progress& progress);
+Volume fill_solids(Surface& surface, const geometry::Topology& topology, double grading_part, const Progress& progress);
 
 }  // namespace mq::curve

@@ -18,9 +18,9 @@ namespace nglib {
 /// Fills a closed surface with tetrahedra by Netgen's nglib: a program of its own, because Netgen holds one mesh a
 /// process, crashes or does not end on some surfaces, and must not meet the Netgen of some builds of FreeCAD.
 ///
-/// Standard input: two int64, the counts of points and triangles; the points, three doubles each; the triangles, three
-/// int32 each, outward. Standard output: int64 0, the counts of points and tetrahedra, the points, the tetrahedra with
-/// four int32 each; or int64 1, a length, and why it failed.
+/// Standard input: two int64, the counts of points and triangles; a double, the part of the usual grading to fill with;
+/// the points, three doubles each; the triangles, three int32 each, outward. Standard output: int64 0, the counts of
+/// points and tetrahedra, the points, the tetrahedra with four int32 each; or int64 1, a length, and why it failed.
 namespace {
 
 /// How fast tetrahedra grow away from the surface, 0 to 1. Netgen 6.2.19 makes three times as many in a part with small
@@ -33,6 +33,7 @@ constexpr double kGrading = 0.5;
 #endif
 
 struct Input {
+    double grading_part = 1.0;
     std::vector<std::array<double, 3>> points;
     std::vector<std::array<std::int32_t, 3>> triangles;
 };
@@ -49,7 +50,7 @@ void write(std::FILE* out, const std::vector<T>& list) {
 
 bool read(Input& input) {
     std::vector<std::int64_t> counts(2);
-    if (!read(counts)) {
+    if (!read(counts) || std::fread(&input.grading_part, sizeof input.grading_part, 1, stdin) != 1) {
         return false;
     }
     input.points.resize(static_cast<std::size_t>(counts[0]));
@@ -110,7 +111,7 @@ void fill(const Input& input, std::FILE* out) {
     }
     nglib::Ng_Meshing_Parameters parameters;
     parameters.maxh = 1e30;
-    parameters.grading = kGrading;
+    parameters.grading = kGrading * input.grading_part;
     const nglib::Ng_Result result = nglib::Ng_GenerateVolumeMesh(mesh, &parameters);
     if (result == nglib::NG_OK && nglib::Ng_GetNE(mesh) > 0) {
         write_mesh(out, mesh);

@@ -22,7 +22,7 @@ struct Cube {
 
 TEST(Fill, ACubeIsFilled) {
     const Cube cube;
-    const Filling filling = fill(cube.points, cube.triangles, Progress());
+    const Filling filling = fill(cube.points, cube.triangles, 1.0, Progress());
     double sum = 0.0;
     for (const auto& t : filling.tetrahedra) {
         const auto at = [&](std::size_t k) {
@@ -39,21 +39,21 @@ TEST(Fill, ACubeIsFilled) {
 TEST(Fill, AnOpenSurfaceIsRefused) {
     Cube cube;
     cube.triangles.pop_back();
-    EXPECT_THROW(fill(cube.points, cube.triangles, Progress()), CannotFill);
+    EXPECT_THROW(fill(cube.points, cube.triangles, 1.0, Progress()), CannotFill);
 }
 
 TEST(Fill, CanBeCancelled) {
     const Cube cube;
     Progress progress;
     progress.cancel();
-    EXPECT_THROW(fill(cube.points, cube.triangles, progress), Cancelled);
+    EXPECT_THROW(fill(cube.points, cube.triangles, 1.0, progress), Cancelled);
 }
 
 TEST(Fill, AMissingProgramIsNamed) {
     const Cube cube;
     set_fill_program("/nowhere/meshquality_fill");
     try {
-        fill(cube.points, cube.triangles, Progress());
+        fill(cube.points, cube.triangles, 1.0, Progress());
         FAIL() << "nothing was thrown";
     } catch (const IoError& error) {
         EXPECT_NE(std::string(error.what()).find("/nowhere/meshquality_fill"), std::string::npos);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/progress.h"
+#include "base/stage_clock.h"
+#include "curve/volume.h"
+#include "curve/volume_repair.h"
+
+namespace mq::curve {
+
+/// The inside of a part, curved and repaired.
+struct FilledVolume {
+    Volume volume;
+    VolumeRepairs repairs;  ///< of the filling that was kept
+    int fillings = 1;       ///< that were tried
+};
+
+/// Fills the solids and repairs their tetrahedra. Where some stay invalid, mostly since they reach from one side of the
+/// surface to the other, the solids are filled again with more vertices inside. What is kept is the filling with fewest
+/// invalid tetrahedra, of equal ones the first; the last is the one that is no better than that before it.
+/// @param surface gets the vertices and shapes of what is kept.
+/// @throws CannotFill, GeometryError where the first filling fails; Cancelled.
+FilledVolume fill_and_repair(Surface& surface, const geometry::Topology& topology, Progress& progress,
+                             StageClock& clock);
+
+}  // namespace mq::curve
