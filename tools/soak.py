@@ -38,28 +38,30 @@ def say(text):
 
 
 def random_shape(dice):
-    """A solid of one to three bodies, some with rounded edges; in random places."""
+    """A solid of one to three bodies in random places; boxes may have rounded edges.
+
+    No more of FreeCAD's modelling: makeFillet of what Booleans leave can end the process.
+    """
     def body():
         size = [dice.uniform(4, 12) for _ in range(3)]
         place = FreeCAD.Vector(*(dice.uniform(-4, 4) for _ in range(3)))
-        return dice.choice((
-            lambda: Part.makeBox(*size, place),
-            lambda: Part.makeCylinder(size[0] / 2, size[1], place),
-            lambda: Part.makeSphere(size[0] / 2, place),
-            lambda: Part.makeCone(size[0] / 2, size[1] / 4, size[2], place),
-            lambda: Part.makeTorus(size[0], size[1] / 4, place)))()
+        kind = dice.choice(("box", "rounded", "cylinder", "sphere", "cone", "torus"))
+        if kind == "cylinder":
+            return Part.makeCylinder(size[0] / 2, size[1], place)
+        if kind == "sphere":
+            return Part.makeSphere(size[0] / 2, place)
+        if kind == "cone":
+            return Part.makeCone(size[0] / 2, size[1] / 4, size[2], place)
+        if kind == "torus":
+            return Part.makeTorus(size[0], size[1] / 4, place)
+        box = Part.makeBox(*size, place)
+        return box.makeFillet(dice.uniform(0.2, 1.0), box.Edges) if kind == "rounded" else box
 
     shape = body()
     for _ in range(dice.randrange(3)):
         other = shape.cut(body()) if dice.random() < 0.5 else shape.fuse(body())
         if len(other.Solids) == 1 and other.isValid() and other.Volume > 1.0:
             shape = other
-    if dice.random() < 0.3:
-        try:
-            rounded = shape.makeFillet(0.3, dice.sample(shape.Edges, min(3, len(shape.Edges))))
-        except Part.OCCError:  # FreeCAD's own refusal
-            return shape
-        shape = rounded if len(rounded.Solids) == 1 and rounded.isValid() else shape
     return shape
 
 
@@ -135,9 +137,11 @@ def improve(dice):
     """FreeCAD's own mesh of a part, made better."""
     shape = random_shape(dice)
     mesh = Mesh.Mesh([tuple(p) for p in _stock_triangles(shape)])
-    before = mq.quality(mesh).min_angle
+    before = mq.quality(mesh)
     after = mq.improve(mesh, min_angle=25, tolerance=0.05).report
-    check(after.min_angle >= min(before, 25.0) - 1e-6, f"improve: {before} before, {after}")
+    below = sum(before.angle_histogram[:25])
+    check(len(after.exempt) <= below, f"improve: {below} below before, {after}")
+    check(after.min_angle_unexempted >= 25.0, f"improve: {after}")
 
 
 def _stock_triangles(shape):
