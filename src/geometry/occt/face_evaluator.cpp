@@ -43,7 +43,7 @@ FaceEvaluator::FaceEvaluator(const TopoDS_Face& shape, const Face& data)
     located_ = !location.IsIdentity();
     set_bounds(data);
     if (surface_.GetType() == GeomAbs_BSplineSurface) {
-        spans_.emplace(surface_.BSpline());
+        patches_.emplace(surface_.BSpline());
     }
     set_references();
     set_elementary();
@@ -135,21 +135,20 @@ Vec2 FaceEvaluator::brought_in(double u, double v) const {
 }
 
 /// Of a B-spline, and not on the bounds where the adaptor takes the side that the face is on.
-bool FaceEvaluator::in_a_span(const Vec2& uv) const {
-    return spans_ && spans_->contains(uv.x(), uv.y()) && uv.x() > natural_.low[0] && uv.x() < natural_.high[0] &&
+bool FaceEvaluator::in_a_patch(const Vec2& uv) const {
+    return patches_ && patches_->contains(uv.x(), uv.y()) && uv.x() > natural_.low[0] && uv.x() < natural_.high[0] &&
            uv.y() > natural_.low[1] && uv.y() < natural_.high[1];
 }
 
 SurfacePoint FaceEvaluator::first(double u, double v) const {
     const Vec2 uv = brought_in(u, v);
+    if (in_a_patch(uv)) {
+        return patches_->first(uv.x(), uv.y());
+    }
     gp_Pnt p;
     gp_Vec su;
     gp_Vec sv;
-    if (in_a_span(uv)) {
-        spans_->at(uv.x(), uv.y()).D1(uv.x(), uv.y(), p, su, sv);
-    } else {
-        surface_.D1(uv.x(), uv.y(), p, su, sv);
-    }
+    surface_.D1(uv.x(), uv.y(), p, su, sv);
     SurfacePoint s;
     s.point = to_vec(p);
     s.su = to_vec(su);
@@ -159,13 +158,12 @@ SurfacePoint FaceEvaluator::first(double u, double v) const {
 
 SurfacePoint FaceEvaluator::second(double u, double v) const {
     const Vec2 uv = brought_in(u, v);
+    if (in_a_patch(uv)) {
+        return patches_->second(uv.x(), uv.y());
+    }
     gp_Pnt p;
     gp_Vec d[5];
-    if (in_a_span(uv)) {
-        spans_->at(uv.x(), uv.y()).D2(uv.x(), uv.y(), p, d[0], d[1], d[2], d[3], d[4]);
-    } else {
-        surface_.D2(uv.x(), uv.y(), p, d[0], d[1], d[2], d[3], d[4]);
-    }
+    surface_.D2(uv.x(), uv.y(), p, d[0], d[1], d[2], d[3], d[4]);
     SurfacePoint s;
     s.point = to_vec(p);
     s.su = to_vec(d[0]);
@@ -287,7 +285,11 @@ void FaceEvaluator::set_normal(double u, double v, const SurfacePoint& s, Answer
 }
 
 Answer FaceEvaluator::at(double u, double v) const {
-    const SurfacePoint s = first(u, v);
+    return at(u, v, first(u, v));
+}
+
+/// `s` is what `first` gives there.
+Answer FaceEvaluator::at(double u, double v, const SurfacePoint& s) const {
     Answer answer;
     answer.u = u;
     answer.v = v;

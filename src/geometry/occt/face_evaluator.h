@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "geometry/elementary_surface.h"
-#include "geometry/occt/span_caches.h"
+#include "geometry/occt/spline_patches.h"
 #include "geometry/query.h"
 #include "geometry/topology.h"
 
@@ -39,6 +39,7 @@ class FaceEvaluator {
         Vec2 uv = Vec2::Zero();
         double square = 0.0;
         bool found = false;
+        SurfacePoint at{};  ///< first derivatives there, once it was found
     };
     struct Step {
         Vec2 move = Vec2::Zero();
@@ -50,7 +51,7 @@ class FaceEvaluator {
     void set_elementary();
     bool legal(double u, double v) const;
     Vec2 brought_in(double u, double v) const;
-    bool in_a_span(const Vec2& uv) const;
+    bool in_a_patch(const Vec2& uv) const;
     SurfacePoint first(double u, double v) const;
     SurfacePoint second(double u, double v) const;
     SurfacePoint placed(SurfacePoint s) const;
@@ -61,14 +62,15 @@ class FaceEvaluator {
     std::optional<Vec3> normal_beside(const Vec2& uv, const Vec2& aside) const;
     void set_normal(double u, double v, const SurfacePoint& s, Answer& answer) const;
     Answer at(double u, double v) const;
-    Answer foot_at(const Vec3& point, const Vec2& uv, const Vec2& guess) const;
+    Answer at(double u, double v, const SurfacePoint& s) const;
+    Answer foot_at(const Vec3& point, const Foot& foot, const Vec2& guess) const;
 
     ParameterBox elementary_box(const Vec2& guess) const;
     ParameterBox search_box() const;
     Step newton_step(const SurfacePoint& s, const Vec3& r, const Vec2& uv, const ParameterBox& box) const;
     Foot newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
-    bool collapsed(const Vec2& uv) const;
-    bool is_foot(const Vec3& p, const Vec2& uv, const ParameterBox& box) const;
+    bool collapsed(const SurfacePoint& s) const;
+    bool is_foot(const Vec3& p, const Foot& foot, const ParameterBox& box) const;
     Foot search(const Vec3& p, const ParameterBox& box);
     Foot compass(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
     void sample();
@@ -78,7 +80,7 @@ class FaceEvaluator {
 
     TopoDS_Face shape_;
     GeomAdaptor_Surface surface_;
-    mutable std::optional<SpanCaches> spans_;
+    mutable std::optional<SplinePatches> patches_;
     gp_Trsf location_;
     gp_Trsf inverse_;
     bool located_ = false;

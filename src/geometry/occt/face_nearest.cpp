@@ -126,6 +126,7 @@ FaceEvaluator::Foot FaceEvaluator::newton(const Vec3& p, const Vec2& start, cons
         if (length <= (step.minimum ? kLastStep : kLastSlowStep) * size_) {
             foot.uv = next;
             foot.found = step.minimum;
+            foot.at = first(next.x(), next.y());
             return foot;
         }
         int halvings = 0;
@@ -147,21 +148,20 @@ FaceEvaluator::Foot FaceEvaluator::newton(const Vec3& p, const Vec2& start, cons
 }
 
 /// A pole and the like: one parameter moves nothing, so that a search cannot leave in every direction.
-bool FaceEvaluator::collapsed(const Vec2& uv) const {
+bool FaceEvaluator::collapsed(const SurfacePoint& s) const {
     constexpr double kCollapsed = 1e-5;
-    const SurfacePoint s = first(uv.x(), uv.y());
     return s.su.norm() <= kCollapsed * su_ || s.sv.norm() <= kCollapsed * sv_;
 }
 
 /// r is orthogonal to the surface, or points out of the box.
-bool FaceEvaluator::is_foot(const Vec3& p, const Vec2& uv, const ParameterBox& box) const {
-    const SurfacePoint s = first(uv.x(), uv.y());
+bool FaceEvaluator::is_foot(const Vec3& p, const Foot& foot, const ParameterBox& box) const {
+    const SurfacePoint& s = foot.at;
     const Vec3 r = s.point - p;
     const double slack = 1e-6 * r.norm() + 1e-9 * size_;
     const double across[2] = {r.dot(s.su), r.dot(s.sv)};
     const double sizes[2] = {s.su.norm(), s.sv.norm()};
     for (std::size_t i = 0; i < 2; ++i) {
-        const double x = uv[static_cast<Eigen::Index>(i)];
+        const double x = foot.uv[static_cast<Eigen::Index>(i)];
         const double along = sizes[i] > 0.0 ? across[i] / sizes[i] : 0.0;
         if ((along > slack && x > box.low[i]) || (along < -slack && x < box.high[i])) {
             return false;
@@ -170,8 +170,8 @@ bool FaceEvaluator::is_foot(const Vec3& p, const Vec2& uv, const ParameterBox& b
     return true;
 }
 
-/// Samples of the face's box, for searches without a guess: about as dense in both directions, and several in each
-/// span of the surface.
+/// Samples of the face's box, for searches without a guess: about as dense in both directions,
+/// and several in each span of the surface.
 void FaceEvaluator::sample() {
     constexpr double kTotal = 600.0;
     constexpr int kLeast = 8;
@@ -272,8 +272,8 @@ FaceEvaluator::Foot FaceEvaluator::search(const Vec3& p, const ParameterBox& box
         return best;
     }
     for (const auto& [square, uv] : starts) {
-        const Foot foot = newton(p, collapsed(uv) ? beside_pole(p, uv) : uv, box);
-        if (foot.found && is_foot(p, foot.uv, box) && foot.square < best.square) {
+        const Foot foot = newton(p, collapsed(first(uv.x(), uv.y())) ? beside_pole(p, uv) : uv, box);
+        if (foot.found && is_foot(p, foot, box) && foot.square < best.square) {
             best = foot;
         }
     }
@@ -305,14 +305,15 @@ FaceEvaluator::Foot FaceEvaluator::compass(const Vec3& p, const Vec2& start, con
         part *= better ? 1.0 : 0.5;
     }
     foot.found = std::isfinite(foot.square);
+    foot.at = first(foot.uv.x(), foot.uv.y());
     return foot;
 }
 
 /// The answer at the foot (u, v) of `point`, on the turn nearest to the guess.
-Answer FaceEvaluator::foot_at(const Vec3& point, const Vec2& uv, const Vec2& guess) const {
-    const double u = branch_nearest(uv.x(), guess.x(), period_[0]);
-    const double v = branch_nearest(uv.y(), guess.y(), period_[1]);
-    Answer answer = at(u, v);
+Answer FaceEvaluator::foot_at(const Vec3& point, const Foot& foot, const Vec2& guess) const {
+    const double u = branch_nearest(foot.uv.x(), guess.x(), period_[0]);
+    const double v = branch_nearest(foot.uv.y(), guess.y(), period_[1]);
+    Answer answer = at(u, v, foot.at);
     answer.distance = (answer.point - point).norm();
     return answer;
 }
@@ -328,16 +329,16 @@ Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
     answer.status = Status::NotFound;
     if (elementary_) {
         const auto uv = elementary_->nearest(p, elementary_box(guess), guess);
-        return uv ? foot_at(point, *uv, guess) : answer;
+        return uv ? foot_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, guess) : answer;
     }
     const ParameterBox box = search_box();
     Foot foot = newton(p, guess, box);
-    const bool local = foot.found && is_foot(p, foot.uv, box);
-    if (!local || collapsed(foot.uv)) {
+    const bool local = foot.found && is_foot(p, foot, box);
+    if (!local || collapsed(foot.at)) {
         const Foot other = search(p, box);
         foot = local && foot.square <= other.square ? foot : other;
     }
-    return foot.found ? foot_at(point, foot.uv, guess) : answer;
+    return foot.found ? foot_at(point, foot, guess) : answer;
 }
 
 Answer FaceEvaluator::nearest_global(const Vec3& point) {
@@ -347,10 +348,10 @@ Answer FaceEvaluator::nearest_global(const Vec3& point) {
     const Vec2 middle(0.5 * (trimmed_.low[0] + trimmed_.high[0]), 0.5 * (trimmed_.low[1] + trimmed_.high[1]));
     if (elementary_) {
         const auto uv = elementary_->nearest(p, trimmed_, middle);
-        return uv ? foot_at(point, *uv, *uv) : answer;
+        return uv ? foot_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, *uv) : answer;
     }
     const Foot foot = search(p, trimmed_);
-    return foot.found ? foot_at(point, foot.uv, foot.uv) : answer;
+    return foot.found ? foot_at(point, foot, foot.uv) : answer;
 }
 
 }  // namespace mq::geometry
