@@ -30,6 +30,8 @@ class FaceEvaluator {
     Answer nearest(const Vec3& point, double u, double v);
     Answer nearest_global(const Vec3& point);
     Answer contains(double u, double v);
+    /// Makes the box hold the face, where it holds its edges.
+    void add_to(Box& box);
     /// As `point`, for a (u, v) that a curve of the shape gave: one out of the surface's bounds is moved into them.
     Answer point_of_curve(double u, double v) const;
 
@@ -76,6 +78,8 @@ class FaceEvaluator {
     void sample();
     Vec2 beside_pole(const Vec3& p, const Vec2& pole) const;
     Vec2 sample_at(int i, int k) const;
+    Vec3 placed_sample(int i, int k) const;
+    void search_peak(int i, int k, int axis, double sign, Box& box);
     std::vector<std::pair<double, Vec2>> best_samples(const Vec3& p) const;
 
     TopoDS_Face shape_;

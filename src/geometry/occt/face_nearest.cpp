@@ -170,7 +170,7 @@ bool FaceEvaluator::is_foot(const Vec3& p, const Foot& foot, const ParameterBox&
     return true;
 }
 
-/// Samples of the face's box, for searches without a guess: about as dense in both directions,
+/// Samples of the face's box, for searches without a guess and for the face's reach: about as dense in both directions,
 /// and several in each span of the surface.
 void FaceEvaluator::sample() {
     constexpr double kTotal = 600.0;
@@ -189,8 +189,7 @@ void FaceEvaluator::sample() {
     for (int i = 0; i <= samples_[0]; ++i) {
         for (int k = 0; k <= samples_[1]; ++k) {
             const Vec2 at = sample_at(i, k);
-            const Vec2 uv = brought_in(at.x(), at.y());
-            grid_.push_back(to_vec(surface_.Value(uv.x(), uv.y())));
+            grid_.push_back(first(at.x(), at.y()).point);
         }
     }
 }

@@ -7,6 +7,8 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "base/progress.h"
@@ -43,7 +45,16 @@ std::array<double, 2> periods_of(const GeomAdaptor_Surface& surface, double tole
 std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology,
                                        const Progress* progress);
 
-/// Bounds the shape, whether or not a display triangulation hangs on it.
-Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology, const Progress* progress);
+/// How far the peak of a function can rise over the highest of samples, from three of them in a row beside it. Four
+/// times what a parabola does.
+inline double rise_over_sample(double before, double middle, double after) {
+    return std::max(0.0, 0.5 * (2.0 * middle - before - after));
+}
+
+class FaceEvaluator;
+
+/// Bounds the shape, whether or not a display triangulation hangs on it. `face` answers for a face of the topology.
+Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology,
+                 const std::function<FaceEvaluator&(int)>& face, const Progress* progress);
 
 }  // namespace mq::geometry

@@ -2,8 +2,10 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
+#include <algorithm>
 
 #include "geometry/occt/conversion.h"
+#include "geometry/occt/face_evaluator.h"
 #include "geometry/occt/live_shape.h"
 
 namespace mq::geometry {
@@ -19,20 +21,79 @@ Box to_box(const Bnd_Box& bounds) {
     return box;
 }
 
-/// Of some points of the part.
-Box inner_box(const LiveShape& live, const Topology& topology, const Progress* progress) {
-    constexpr int kPoints = 16;
+/// Takes in the peaks of a curve's coordinates: of those samples that none beside them beats, the surroundings are
+/// searched where they may reach out of the box.
+class CurveReach {
+  public:
+    CurveReach(const BRepAdaptor_Curve& curve, double first, double last) : curve_(curve), first_(first) {
+        constexpr int kLeast = 16;
+        constexpr int kMost = 200;
+        const int spans = curve.GetType() == GeomAbs_BSplineCurve ? 3 * curve.NbKnots() : 0;
+        const int count = std::clamp(spans, kLeast, kMost);
+        step_ = (last - first) / count;
+        for (int k = 0; k <= count; ++k) {
+            points_.push_back(to_vec(curve.Value(first + k * step_)));
+        }
+    }
+
+    void add_to(Box& box) const {
+        for (const Vec3& p : points_) {
+            box.add(p);
+        }
+        for (std::size_t k = 0; k < points_.size() && curve_.GetType() != GeomAbs_Line; ++k) {
+            for (int way = 0; way < 6; ++way) {
+                search_at(k, way / 2, way % 2 == 0 ? 1.0 : -1.0, box);
+            }
+        }
+    }
+
+  private:
+    void search_at(std::size_t k, int axis, double sign, Box& box) const {
+        const auto at = [&](std::size_t i) { return sign * points_[i][axis]; };
+        const double bound = sign > 0.0 ? box.high[axis] : -box.low[axis];
+        if ((k > 0 && at(k) < at(k - 1)) || (k + 1 < points_.size() && at(k) < at(k + 1))) {
+            return;
+        }
+        const std::size_t inner = std::clamp<std::size_t>(k, 1, points_.size() - 2);
+        if (at(k) + rise_over_sample(at(inner - 1), at(inner), at(inner + 1)) <= bound) {
+            return;
+        }
+        constexpr double kEnd = 1e-3;  // what is left is of the order of its square
+        constexpr int kSteps = 200;
+        const double last = first_ + (static_cast<double>(points_.size()) - 1.0) * step_;
+        double t = first_ + static_cast<double>(k) * step_;
+        Vec3 best = points_[k];
+        double part = 0.5;
+        for (int step = 0; step < kSteps && part > kEnd; ++step) {
+            bool better = false;
+            for (const double next : {t - part * step_, t + part * step_}) {
+                const Vec3 p = to_vec(curve_.Value(std::clamp(next, first_, last)));
+                if (sign * p[axis] > sign * best[axis]) {
+                    best = p;
+                    t = std::clamp(next, first_, last);
+                    better = true;
+                }
+            }
+            part *= better ? 1.0 : 0.5;
+        }
+        box.add(best);
+    }
+
+    const BRepAdaptor_Curve& curve_;
+    double first_;
+    double step_;
+    std::vector<Vec3> points_;
+};
+
+Box box_of_edges(const LiveShape& live, const Topology& topology, const Progress* progress) {
     Box box;
     Pace pace(progress);
     for (std::size_t i = 0; i < live.edges.size(); ++i) {
         pace.step();
         const Edge& edge = topology.edges[i];
-        if (edge.degenerate) {
-            continue;
-        }
-        const BRepAdaptor_Curve curve(live.edges[i]);
-        for (int k = 0; k <= kPoints; ++k) {
-            box.add(to_vec(curve.Value(edge.t0 + k * (edge.t1 - edge.t0) / kPoints)));
+        if (!edge.degenerate) {
+            const BRepAdaptor_Curve curve(live.edges[i]);
+            CurveReach(curve, edge.t0, edge.t1).add_to(box);
         }
     }
     return box;
@@ -56,30 +117,25 @@ bool may_reach_beyond(const Box& box, const TopoDS_Face& face) {
 
 }  // namespace
 
-/// The quick box is that of the poles and can be several times too large; the close one takes up to a second for a
-/// part of many free-form faces, and is only looked for where the quick one is loose, of faces that may reach farther
-/// than the edges do.
-Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology, const Progress* progress) {
+/// The quick box is that of the poles and can be several times too large. Where it is loose, the close one is that of
+/// the edges and of those faces that may reach farther than the edges do.
+Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topology& topology,
+                 const std::function<FaceEvaluator&(int)>& face, const Progress* progress) {
     // The close box is right to a part of its size, not to the last digit.
     constexpr double kMargin = 1e-6;
     Bnd_Box quick;
     BRepBndLib::Add(shape, quick, Standard_False);
     Box box = to_box(quick);
-    const Box inner = inner_box(live, topology, progress);
-    if (!quick.IsVoid() && much_larger(box, inner)) {
-        Bnd_Box close;
-        for (const TopoDS_Face& face : live.faces) {
+    const Box inner = box_of_edges(live, topology, progress);
+    if (!quick.IsVoid() && !quick.IsOpen() && much_larger(box, inner)) {
+        Box close = inner;
+        for (std::size_t i = 0; i < live.faces.size(); ++i) {
             look_for_cancel(progress);
-            if (may_reach_beyond(inner, face)) {
-                BRepBndLib::AddOptimal(face, close, Standard_False, Standard_False);
+            if (!topology.faces[i].no_area && may_reach_beyond(close, live.faces[i])) {
+                face(static_cast<int>(i)).add_to(close);
             }
         }
-        Box near = to_box(close);
-        if (!inner.empty()) {
-            near.add(inner.low);
-            near.add(inner.high);
-        }
-        box = near.empty() ? box : near;
+        box = close.empty() ? box : close;
         const Vec3 margin = Vec3::Constant(kMargin * box.largest_side());
         box.low -= margin;
         box.high += margin;

@@ -59,12 +59,13 @@ class ShapeModel final : public Model {
 ShapeModel::ShapeModel(const TopoDS_Shape& shape, const Progress* progress) : definitions_(shape) {
     place_ = definitions_.place();
     topology_ = build_topology(shape, live_, progress);
-    topology_.box = bounding_box(shape, live_, topology_, progress);
-    const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);
-    topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());
     edges_.resize(live_.edges.size());
     faces_.resize(live_.faces.size());
     classifiers_.resize(live_.volumes.size());
+    const auto evaluator = [this](int index) -> FaceEvaluator& { return face(index); };
+    topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
+    const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);
+    topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());
 }
 
 void ShapeModel::add_definition(Entity entity, Fingerprint& key) {
