@@ -32,6 +32,9 @@ EdgeEvaluator::EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data) : t0_(d
         curve_ = new GeomAdaptor_Curve(curve, t0_, t1_);
         location_ = location.Transformation();
         located_ = !location.IsIdentity();
+        if (curve_->GetType() == GeomAbs_BSplineCurve) {
+            arcs_.emplace(curve_->BSpline(), t0_, t1_);
+        }
     }
     if (curve_->GetType() == GeomAbs_Line) {
         kind_ = Kind::Line;
@@ -52,34 +55,52 @@ bool EdgeEvaluator::in_range(double t) const {
     return t >= t0_ - slack_ && t <= t1_ + slack_;
 }
 
-Vec3 EdgeEvaluator::at(double t) const {
-    gp_Pnt p = curve_->Value(t);
-    if (located_) {
-        p.Transform(location_);
+/// In the curve's own coordinates.
+Vec3 EdgeEvaluator::value(double t) const {
+    return arcs_ ? arcs_->at(t).point : to_vec(curve_->Value(t));
+}
+
+CurvePoint EdgeEvaluator::first(double t) const {
+    if (arcs_) {
+        return arcs_->at(t);
     }
-    return to_vec(p);
+    gp_Pnt p;
+    gp_Vec d;
+    curve_->D1(t, p, d);
+    return {to_vec(p), to_vec(d)};
+}
+
+CurvePoint EdgeEvaluator::second(double t) const {
+    if (arcs_) {
+        return arcs_->at(t);
+    }
+    gp_Pnt p;
+    gp_Vec d[2];
+    curve_->D2(t, p, d[0], d[1]);
+    return {to_vec(p), to_vec(d[0]), to_vec(d[1])};
+}
+
+Vec3 EdgeEvaluator::at(double t) const {
+    const Vec3 p = value(t);
+    return located_ ? to_vec(to_pnt(p).Transformed(location_)) : p;
 }
 
 double EdgeEvaluator::speed(double t) const {
-    gp_Pnt p;
-    gp_Vec d;
-    curve_->D1(t, p, d);
-    return located_ ? d.Magnitude() * std::abs(location_.ScaleFactor()) : d.Magnitude();
+    const double own = first(t).first.norm();
+    return located_ ? own * std::abs(location_.ScaleFactor()) : own;
 }
 
 Answer EdgeEvaluator::at_parameter(double t) const {
-    gp_Pnt p;
-    gp_Vec d;
-    curve_->D1(t, p, d);
-    if (located_) {
-        p.Transform(location_);
-        d.Transform(location_);
-    }
+    const CurvePoint p = first(t);
     Answer answer;
     answer.status = Status::Ok;
     answer.t = t;
-    answer.point = to_vec(p);
-    answer.normal = to_vec(d);
+    answer.point = p.point;
+    answer.normal = p.first;
+    if (located_) {
+        answer.point = to_vec(to_pnt(p.point).Transformed(location_));
+        answer.normal = to_vec(gp_Vec(p.first.x(), p.first.y(), p.first.z()).Transformed(location_));
+    }
     return answer;
 }
 

@@ -4,8 +4,10 @@
 #include <Adaptor3d_Curve.hxx>
 #include <TopoDS_Edge.hxx>
 #include <gp_Trsf.hxx>
+#include <optional>
 #include <vector>
 
+#include "geometry/occt/spline_arcs.h"
 #include "geometry/query.h"
 #include "geometry/topology.h"
 
@@ -26,6 +28,9 @@ class EdgeEvaluator {
     enum class Kind { Line, Circle, Other };
 
     bool in_range(double t) const;
+    Vec3 value(double t) const;
+    CurvePoint first(double t) const;
+    CurvePoint second(double t) const;
     Vec3 at(double t) const;
     double speed(double t) const;
     Answer at_parameter(double t) const;
@@ -39,6 +44,7 @@ class EdgeEvaluator {
     double nearest_on_circle(const Vec3& point, double guess, double low, double high) const;
 
     Handle(Adaptor3d_Curve) curve_;
+    mutable std::optional<SplineArcs> arcs_;
     gp_Trsf location_;
     bool located_ = false;
     Kind kind_ = Kind::Other;

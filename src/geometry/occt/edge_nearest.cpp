@@ -19,22 +19,18 @@ constexpr double kTwoPi = 6.283185307179586476925286766559;
 /// `point` is in the curve's own coordinates. @returns whether t is a minimum of the distance in [low, high].
 bool EdgeEvaluator::newton(const Vec3& point, double low, double high, double& t) const {
     constexpr int kSteps = 20;
-    const gp_Pnt p = to_pnt(point);
     double best = -1.0;
     for (int i = 0; i < kSteps; ++i) {
-        gp_Pnt c;
-        gp_Vec d1;
-        gp_Vec d2;
-        curve_->D2(t, c, d1, d2);
-        const gp_Vec r(p, c);
-        const double square = r.SquareMagnitude();
+        const CurvePoint c = second(t);
+        const Vec3 r = c.point - point;
+        const double square = r.squaredNorm();
         if (best >= 0.0 && square > best * (1.0 + 1e-9) + 1e-24) {
             return false;
         }
         best = square;
-        const double gradient = r.Dot(d1);
-        const double speed2 = d1.SquareMagnitude();
-        const double curvature = speed2 + r.Dot(d2);
+        const double gradient = r.dot(c.first);
+        const double speed2 = c.first.squaredNorm();
+        const double curvature = speed2 + r.dot(c.second);
         if (!(speed2 > 0.0)) {
             return false;
         }
@@ -53,8 +49,7 @@ bool EdgeEvaluator::newton(const Vec3& point, double low, double high, double& t
 double EdgeEvaluator::nearest_sampled(const Vec3& point, double low, double high) const {
     const int count = 32 + 4 * static_cast<int>(knots_.size());
     const double step = (high - low) / count;
-    const gp_Pnt p = to_pnt(point);
-    const auto distance = [&](double t) { return curve_->Value(t).SquareDistance(p); };
+    const auto distance = [&](double t) { return (value(t) - point).squaredNorm(); };
     int best = 0;
     double least = distance(low);
     for (int i = 1; i <= count; ++i) {

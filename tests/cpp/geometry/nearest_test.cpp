@@ -182,7 +182,8 @@ TEST(EdgeNearest, FollowsTheGuess) {
     EXPECT_GT(high.t, 0.6);
     EXPECT_NEAR(low.distance, high.distance, 1e-9);
     // The range is binding.
-    EXPECT_EQ(model->answer(Query::edge_nearest(kEdge, p, 0.5, 0.45, 0.55)).t, 0.45);
+    EXPECT_EQ(model->answer(Query::edge_nearest(kEdge, Vec3(1.5, 0.49, 0.0), 0.5, 0.45, 0.55)).t, 0.45);
+    EXPECT_EQ(model->answer(Query::edge_nearest(kEdge, Vec3(1.5, 0.51, 0.0), 0.5, 0.45, 0.55)).t, 0.55);
     // The first crossing, though the curve comes back.
     const Answer first = model->answer(Query::edge_at_distance(kEdge, 0.0, 1.0, 2.0));
     ASSERT_TRUE(first.found());

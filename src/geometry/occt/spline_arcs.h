@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <Geom_BSplineCurve.hxx>
+#include <cstddef>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace mq::geometry {
+
+/// A point of a curve with its derivatives.
+struct CurvePoint {
+    Vec3 point = Vec3::Zero();
+    Vec3 first = Vec3::Zero();
+    Vec3 second = Vec3::Zero();
+};
+
+/// A range of a B-spline curve as polynomials, one for each of its spans: several times as fast as OpenCASCADE's
+/// adaptor, which keeps one span.
+class SplineArcs {
+  public:
+    /// `to` lies less than a period after `from` where the curve is periodic.
+    SplineArcs(const Handle(Geom_BSplineCurve) & curve, double from, double to);
+
+    /// At `t` in the range. On a knot the derivatives are those of the span after it.
+    CurvePoint at(double t);
+
+  private:
+    // x, y, z times the weight, and the weight; without weights the last is not used.
+    using Homogeneous = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
+    struct Arc {
+        double middle = 0.0;
+        double scale = 0.0;                     // 1 / half the length
+        std::vector<Homogeneous> coefficients;  // of powers of x from -1 to 1; none: not made yet
+    };
+
+    void build(std::size_t i);
+
+    Handle(Geom_BSplineCurve) curve_;
+    std::vector<double> breaks_;  // the knots in the range, and its ends
+    std::vector<Arc> arcs_;
+    std::size_t last_ = 0;
+};
+
+}  // namespace mq::geometry
