@@ -22,6 +22,16 @@ Vec2 clamped(const Vec2& uv, const ParameterBox& box) {
     return Vec2(std::clamp(uv.x(), box.low[0], box.high[0]), std::clamp(uv.y(), box.low[1], box.high[1]));
 }
 
+/// The surface by a Taylor series of second order, after a step so short that what is left out is less than rounding.
+SurfacePoint moved(const SurfacePoint& s, const Vec2& by) {
+    SurfacePoint r;
+    r.point =
+        s.point + by.x() * (s.su + 0.5 * by.x() * s.suu + by.y() * s.suv) + by.y() * (s.sv + 0.5 * by.y() * s.svv);
+    r.su = s.su + by.x() * s.suu + by.y() * s.suv;
+    r.sv = s.sv + by.x() * s.suv + by.y() * s.svv;
+    return r;
+}
+
 }  // namespace
 
 /// Round the guess where the surface closes; elsewhere the surface's own bounds, or a box wider than the face.
@@ -126,7 +136,7 @@ FaceEvaluator::Foot FaceEvaluator::newton(const Vec3& p, const Vec2& start, cons
         if (length <= (step.minimum ? kLastStep : kLastSlowStep) * size_) {
             foot.uv = next;
             foot.found = step.minimum;
-            foot.at = first(next.x(), next.y());
+            foot.at = moved(s, move);
             return foot;
         }
         int halvings = 0;
