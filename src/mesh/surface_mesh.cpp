@@ -318,7 +318,10 @@ std::vector<int> SurfaceMesh::star(int h) const {
             break;
         }
     }
-    std::vector<int> result{first};
+    constexpr std::size_t kUsual = 12;
+    std::vector<int> result;
+    result.reserve(kUsual);
+    result.push_back(first);
     for (int g = twin(prev(first)); g >= 0 && g != first; g = twin(prev(g))) {
         result.push_back(g);
     }

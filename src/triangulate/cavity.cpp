@@ -25,7 +25,10 @@ Cavity grow_cavity(const SurfaceMesh& mesh, int half_edge, bool split, const Cor
     Cavity c;
     const int start = SurfaceMesh::triangle_of(half_edge);
     c.triangles = {start};
+    constexpr std::size_t kUsual = 8;
     std::vector<int> vertices;
+    vertices.reserve(kUsual);
+    c.rim.reserve(kUsual);
     for (int h = 3 * start; h < 3 * start + 3; ++h) {
         vertices.push_back(mesh.vertex_of(h));
         if (!split || h != half_edge) {

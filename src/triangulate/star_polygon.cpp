@@ -28,21 +28,25 @@ double squared_sine(const SurfaceMesh& mesh, const std::array<int, 3>& sites, co
 }
 
 PolygonFan fan_from(const SurfaceMesh& mesh, const StarPolygon& polygon, int apex_site, double least_angle) {
-    PolygonFan fan;
-    fan.apex_site = apex_site;
     const double enough = std::pow(std::sin(least_angle), 2);
     double least = 1.0;
     for (const auto& side : polygon.sides) {
-        if (side[0] == apex_site || side[1] == apex_site) {
-            continue;
-        }
-        fan.triangles.push_back({side[0], side[1], apex_site});
-        least = std::min(least, squared_sine(mesh, fan.triangles.back(), polygon.normal));
-        if (least < enough) {
-            return {};
+        if (side[0] != apex_site && side[1] != apex_site) {
+            least = std::min(least, squared_sine(mesh, {side[0], side[1], apex_site}, polygon.normal));
+            if (least < enough) {
+                return {};
+            }
         }
     }
+    PolygonFan fan;
+    fan.apex_site = apex_site;
     fan.angle = std::asin(std::sqrt(least));
+    fan.triangles.reserve(polygon.sides.size());
+    for (const auto& side : polygon.sides) {
+        if (side[0] != apex_site && side[1] != apex_site) {
+            fan.triangles.push_back({side[0], side[1], apex_site});
+        }
+    }
     return fan;
 }
 
@@ -52,6 +56,9 @@ std::optional<StarPolygon> star_polygon(const SurfaceMesh& mesh, int half_edge) 
     StarPolygon polygon;
     const std::vector<int> star = mesh.star(half_edge);
     std::vector<int> vertices;
+    polygon.triangles.reserve(star.size());
+    polygon.sides.reserve(star.size() + 1);
+    vertices.reserve(star.size() + 1);
     for (const int spoke : star) {
         const int t = SurfaceMesh::triangle_of(spoke);
         if (narrow_corner_of(mesh, t) >= 0) {
@@ -81,6 +88,7 @@ std::optional<StarPolygon> star_polygon(const SurfaceMesh& mesh, int half_edge) 
 
 std::vector<int> spokes_of(const StarPolygon& polygon, int apex_site) {
     std::vector<int> ends;
+    ends.reserve(polygon.sides.size());
     for (const auto& side : polygon.sides) {
         ends.push_back(side[0]);
     }
@@ -125,7 +133,9 @@ bool fan_legal(const SurfaceMesh& mesh, const Maxmin& maxmin, const StarPolygon&
     }
     const int apex = mesh.site(apex_site).vertex;
     std::vector<int> joined;
-    for (const int spoke : mesh.star(h)) {
+    const std::vector<int> star = mesh.star(h);
+    joined.reserve(2 * star.size());
+    for (const int spoke : star) {
         joined.push_back(mesh.vertex_of(SurfaceMesh::next(spoke)));
         joined.push_back(mesh.vertex_of(SurfaceMesh::prev(spoke)));
     }
