@@ -215,11 +215,7 @@ std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfaceP
     for (const int g : cavity.outside) {
         work.maxmin.swap(g, touched);
     }
-    std::vector<int> stack;
-    for (std::size_t i = before; i < touched.size(); ++i) {
-        stack.insert(stack.end(), {3 * touched[i], 3 * touched[i] + 1, 3 * touched[i] + 2});
-    }
-    work.maxmin.restore(stack, touched);
+    work.maxmin.restore_around(before, touched);
     return std::nullopt;
 }
 

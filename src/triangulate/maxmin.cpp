@@ -162,6 +162,23 @@ void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched, double 
     }
 }
 
+// Inner edges once, not from either side.
+void Maxmin::restore_around(std::size_t first, std::vector<int>& touched) {
+    constexpr std::size_t kUsual = 64;
+    std::vector<int> stack;
+    stack.reserve(kUsual);
+    const auto from = touched.begin() + static_cast<std::ptrdiff_t>(first);
+    for (auto it = from; it != touched.end(); ++it) {
+        for (int h = 3 * *it; h < 3 * *it + 3; ++h) {
+            const int g = mesh_.twin(h);
+            if (g >= 0 && std::find(from, it + 1, SurfaceMesh::triangle_of(g)) == it + 1) {
+                stack.push_back(h);
+            }
+        }
+    }
+    restore(stack, touched);
+}
+
 void Maxmin::sweep(std::vector<int>& touched, const TriangleMarks& settled) {
     // A swap far away can free a pair of vertices that made another swap illegal, so one sweep may leave some behind.
     for (int round = 0; round < kMaxSweeps; ++round) {

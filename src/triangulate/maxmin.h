@@ -30,6 +30,9 @@ class Maxmin {
     /// surface than `least` make a swap illegal, unless the old ones were worse.
     void restore(std::vector<int>& stack, std::vector<int>& touched, double least = kAlignedSwap);
 
+    /// The same from the edges of the triangles that `touched` holds from `first` on.
+    void restore_around(std::size_t first, std::vector<int>& touched);
+
     /// Swaps the edge of `h` whatever the predicate says, and keeps the books.
     void swap(int h, std::vector<int>& touched);
 

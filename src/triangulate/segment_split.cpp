@@ -268,11 +268,7 @@ void SegmentSplitter::insert(int segment, double t, const Vec3& point, const Ans
             work_.maxmin.swap(g, touched);
         }
     }
-    std::vector<int> stack;
-    for (std::size_t i = before; i < touched.size(); ++i) {
-        stack.insert(stack.end(), {3 * touched[i], 3 * touched[i] + 1, 3 * touched[i] + 2});
-    }
-    work_.maxmin.restore(stack, touched);
+    work_.maxmin.restore_around(before, touched);
 }
 
 }  // namespace mq::triangulate
