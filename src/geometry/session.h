@@ -24,6 +24,9 @@ class Session {
     /// @throws Cancelled.
     Engine::Answers ask(Engine::Batch batch) {
         check();
+        if (batch.empty()) {
+            return {};  // not worth waking the engine's thread
+        }
         if (batch.size() <= kPiece) {
             return engine_.ask(model_, std::move(batch));
         }
