@@ -32,7 +32,7 @@ EdgeEvaluator::EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data) : t0_(d
         curve_ = new GeomAdaptor_Curve(curve, t0_, t1_);
         location_ = location.Transformation();
         located_ = !location.IsIdentity();
-        if (curve_->GetType() == GeomAbs_BSplineCurve) {
+        if (curve_->GetType() == GeomAbs_BSplineCurve && t0_ < t1_) {
             arcs_.emplace(curve_->BSpline(), t0_, t1_);
         }
     }

@@ -11,8 +11,9 @@ namespace mq::geometry {
 SplineArcs::SplineArcs(const Handle(Geom_BSplineCurve) & curve, double from, double to) : curve_(curve) {
     const double slack = 1e-14 * std::max(std::abs(from), std::abs(to));
     const double period = curve->IsPeriodic() ? curve->Period() : 0.0;
+    const double turns = period > 0.0 ? std::floor((from - curve->FirstParameter()) / period) : 0.0;
     breaks_.push_back(from);
-    for (const double turn : {-period, 0.0, period}) {
+    for (const double turn : {turns * period, (turns + 1.0) * period}) {
         for (int i = curve->FirstUKnotIndex(); i <= curve->LastUKnotIndex(); ++i) {
             const double knot = curve->Knot(i) + turn;
             if (knot > breaks_.back() + slack && knot < to - slack) {

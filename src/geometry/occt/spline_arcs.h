@@ -20,7 +20,7 @@ struct CurvePoint {
 /// adaptor, which keeps one span.
 class SplineArcs {
   public:
-    /// `to` lies less than a period after `from` where the curve is periodic.
+    /// From `from` < `to`, in any turn of a periodic curve, but no more than a period.
     SplineArcs(const Handle(Geom_BSplineCurve) & curve, double from, double to);
 
     /// At `t` in the range. On a knot the derivatives are those of the span after it.
