@@ -78,7 +78,7 @@ class FaceEvaluator {
     void sample();
     Vec2 beside_pole(const Vec3& p, const Vec2& pole) const;
     Vec2 sample_at(int i, int k) const;
-    Vec3 placed_sample(int i, int k) const;
+    std::vector<std::pair<int, int>> samples_at_peaks(const std::vector<double>& values, double bound) const;
     void search_peak(int i, int k, int axis, double sign, Box& box);
     std::vector<std::pair<double, Vec2>> best_samples(const Vec3& p) const;
 

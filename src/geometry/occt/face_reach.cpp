@@ -17,12 +17,6 @@ bool is_ruled(const ElementarySurface& surface) {
 
 }  // namespace
 
-/// Of the grid of samples, in the shape's coordinates.
-Vec3 FaceEvaluator::placed_sample(int i, int k) const {
-    const Vec3& p = grid_[static_cast<std::size_t>(i * (samples_[1] + 1) + k)];
-    return located_ ? to_vec(to_pnt(p).Transformed(location_)) : p;
-}
-
 /// Peaks of the coordinates inside the face. Outside of it they do not count; what is highest inside then is on an
 /// edge, or another peak.
 void FaceEvaluator::add_to(Box& box) {
@@ -32,37 +26,62 @@ void FaceEvaluator::add_to(Box& box) {
     if (grid_.empty()) {
         sample();
     }
-    for (int i = 0; i <= samples_[0]; ++i) {
-        for (int k = 0; k <= samples_[1]; ++k) {
-            for (int way = 0; way < 6; ++way) {
-                search_peak(i, k, way / 2, way % 2 == 0 ? 1.0 : -1.0, box);
+    std::vector<Vec3> points = grid_;
+    for (Vec3& p : points) {
+        p = located_ ? to_vec(to_pnt(p).Transformed(location_)) : p;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double sign : {1.0, -1.0}) {
+            std::vector<double> values;
+            values.reserve(points.size());
+            for (const Vec3& p : points) {
+                values.push_back(sign * p[axis]);
+            }
+            for (const std::pair<int, int>& at :
+                 samples_at_peaks(values, sign > 0.0 ? box.high[axis] : -box.low[axis])) {
+                search_peak(at.first, at.second, axis, sign, box);
             }
         }
     }
 }
 
-/// Around a sample that none beside it beats, where a peak there may reach out of the box.
+/// Those samples that none beside them beats, where the values may rise over `bound` between them.
+std::vector<std::pair<int, int>> FaceEvaluator::samples_at_peaks(const std::vector<double>& values,
+                                                                 double bound) const {
+    const int rows = samples_[0];
+    const int columns = samples_[1];
+    const auto value = [&](int i, int k) { return values[static_cast<std::size_t>(i * (columns + 1) + k)]; };
+    std::vector<std::pair<int, int>> found;
+    for (int i = 0; i <= rows; ++i) {
+        for (int k = 0; k <= columns; ++k) {
+            const double here = value(i, k);
+            if ((i > 0 && here < value(i - 1, k)) || (i < rows && here < value(i + 1, k)) ||
+                (k > 0 && here < value(i, k - 1)) || (k < columns && here < value(i, k + 1))) {
+                continue;
+            }
+            const int a = std::clamp(i, 1, rows - 1);
+            const int b = std::clamp(k, 1, columns - 1);
+            if (here + rise_over_sample(value(a - 1, k), value(a, k), value(a + 1, k)) +
+                    rise_over_sample(value(i, b - 1), value(i, b), value(i, b + 1)) >
+                bound) {
+                found.emplace_back(i, k);
+            }
+        }
+    }
+    return found;
+}
+
+/// Around a sample.
 void FaceEvaluator::search_peak(int i, int k, int axis, double sign, Box& box) {
-    const double bound = sign > 0.0 ? box.high[axis] : -box.low[axis];
-    Vec3 best = placed_sample(i, k);
-    const auto value = [&](int a, int b) { return sign * placed_sample(a, b)[axis]; };
-    const double here = sign * best[axis];
-    if ((i > 0 && here < value(i - 1, k)) || (i < samples_[0] && here < value(i + 1, k)) ||
-        (k > 0 && here < value(i, k - 1)) || (k < samples_[1] && here < value(i, k + 1))) {
-        return;
-    }
-    const int a = std::clamp(i, 1, samples_[0] - 1);
-    const int b = std::clamp(k, 1, samples_[1] - 1);
-    if (here + rise_over_sample(value(a - 1, k), value(a, k), value(a + 1, k)) +
-            rise_over_sample(value(i, b - 1), value(i, b), value(i, b + 1)) <=
-        bound) {
-        return;
-    }
     constexpr double kEnd = 1e-3;  // what is left is of the order of its square
     constexpr int kSteps = 200;
+    constexpr double kAnything = 1e-8;  // of the face's size: less is rounding, on the ridge of a cylinder
     const Vec2 cell((trimmed_.high[0] - trimmed_.low[0]) / samples_[0],
                     (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);
+    const auto point = [&](const Vec2& uv) { return placed(first(uv.x(), uv.y())).point; };
+    const double bound = sign > 0.0 ? box.high[axis] : -box.low[axis];
     Vec2 at = sample_at(i, k);
+    Vec3 best = point(at);
     double part = 0.5;
     for (int step = 0; step < kSteps && part > kEnd; ++step) {
         bool better = false;
@@ -70,7 +89,7 @@ void FaceEvaluator::search_peak(int i, int k, int axis, double sign, Box& box) {
             Vec2 next = at + part * cell.cwiseProduct(way);
             next.x() = std::clamp(next.x(), trimmed_.low[0], trimmed_.high[0]);
             next.y() = std::clamp(next.y(), trimmed_.low[1], trimmed_.high[1]);
-            const Vec3 p = placed(first(next.x(), next.y())).point;
+            const Vec3 p = next == at ? best : point(next);
             if (sign * p[axis] > sign * best[axis]) {
                 best = p;
                 at = next;
@@ -79,7 +98,8 @@ void FaceEvaluator::search_peak(int i, int k, int axis, double sign, Box& box) {
         }
         part *= better ? 1.0 : 0.5;
     }
-    if (sign * best[axis] > bound && contains(at.x(), at.y()).side >= 0) {
+    const double more = kAnything * size_;
+    if (sign * best[axis] > bound + more && contains(at.x(), at.y()).side >= 0) {
         box.add(best);
     }
 }
