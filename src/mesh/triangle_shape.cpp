@@ -30,13 +30,11 @@ TriangleShape shape_of(const std::array<Vec3, 3>& p) {
     shape.area = 0.5 * twice_area;
     const double squares = length[0] * length[0] + length[1] * length[1] + length[2] * length[2];
     shape.distortion = squares / (2.0 * std::sqrt(3.0) * twice_area);
-    std::array<double, 3> angle;
-    for (int i = 0; i < 3; ++i) {
-        angle[i] = std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3])) / kDegree;
-    }
-    const auto [low, high] = std::minmax_element(angle.begin(), angle.end());
-    shape.min_angle = *low;
-    shape.max_angle = *high;
+    const auto opposite = [&](int i) {
+        return std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3])) / kDegree;
+    };
+    shape.min_angle = opposite(static_cast<int>(std::min_element(length.begin(), length.end()) - length.begin()));
+    shape.max_angle = opposite(longest);
     return shape;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/corner_angle.h"
 
+#include <algorithm>
+#include <array>
+
 #include "base/angle.h"
 #include "triangulate/side_length.h"
 
@@ -18,6 +21,15 @@ double angle_at(const SurfaceMesh& mesh, int h) {
 SmallestAngle smallest_angle(const SurfaceMesh& mesh, int triangle) {
     const int corner = SurfaceMesh::prev(shortest_side(mesh, triangle));
     return {corner, angle_at(mesh, corner)};
+}
+
+double squared_sine_of_smallest(const SurfaceMesh& mesh, int triangle) {
+    const Vec3& p = mesh.point_of(3 * triangle);
+    const Vec3 a = mesh.point_of(3 * triangle + 1) - p;
+    const Vec3 b = mesh.point_of(3 * triangle + 2) - p;
+    const std::array<double, 3> squares{a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()};
+    const double product = squares[0] * squares[1] * squares[2];
+    return product > 0.0 ? a.cross(b).squaredNorm() * std::min({squares[0], squares[1], squares[2]}) / product : 0.0;
 }
 
 int narrow_corner_of(const SurfaceMesh& mesh, int triangle) {

@@ -36,4 +36,7 @@ struct SmallestAngle {
 };
 SmallestAngle smallest_angle(const mesh::SurfaceMesh& mesh, int triangle);
 
+/// The squared sine of that angle, which is 60 degrees at most: several times as fast, and enough to compare by.
+double squared_sine_of_smallest(const mesh::SurfaceMesh& mesh, int triangle);
+
 }  // namespace mq::triangulate

@@ -29,6 +29,7 @@ constexpr int kMaxSharpened = 8;
 // Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own
 // sake.
 constexpr double kMinTurned = 1e-3;
+constexpr double kRounding = 1.0 + 1e-9;
 
 }  // namespace
 
@@ -36,17 +37,23 @@ Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_de
     : work_(work),
       segments_(segments),
       bound_(min_angle_degrees * kDegree),
+      surely_enough_(kRounding * std::pow(std::sin(bound_), 2)),
       insertion_(insertion),
       turned_(work.settled),
       looked_at_(work.settled) {}
 
 void Refiner::push_if_bad(int triangle) {
-    const SmallestAngle smallest = smallest_angle(work_.mesh, triangle);
     const double aligned = alignment(work_.mesh, triangle);
     if (aligned < kWellAligned && !turned_.marked(work_.mesh, triangle)) {
         queue_.push({aligned - 2.0, triangle, work_.mesh.stamp(triangle)});
-    } else if (smallest.angle < bound_) {
-        queue_.push({smallest.angle, triangle, work_.mesh.stamp(triangle)});
+        return;
+    }
+    if (squared_sine_of_smallest(work_.mesh, triangle) > surely_enough_) {
+        return;
+    }
+    const double angle = smallest_angle(work_.mesh, triangle).angle;
+    if (angle < bound_) {
+        queue_.push({angle, triangle, work_.mesh.stamp(triangle)});
     }
 }
 
