@@ -14,6 +14,8 @@ namespace mq::geometry {
 /// One model on one engine: what an algorithm holds while it works on a part.
 class Session {
   public:
+    static constexpr std::size_t kPiece = 2048;  ///< queries: about 10 ms of B-spline projections
+
     Session(Engine& engine, std::shared_ptr<Model> model, const Progress* progress = nullptr)
         : engine_(engine), model_(std::move(model)), progress_(progress) {}
 
@@ -56,8 +58,6 @@ class Session {
             progress_->check();
         }
     }
-
-    static constexpr std::size_t kPiece = 2048;  // about 10 ms of B-spline projections
 
     Engine& engine_;
     std::shared_ptr<Model> model_;

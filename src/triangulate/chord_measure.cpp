@@ -13,6 +13,7 @@ namespace {
 
 using geometry::Answer;
 using geometry::Query;
+using geometry::Session;
 using mesh::SurfaceMesh;
 
 // Other sites than middles are asked for where this part of the tolerance is expected there.
@@ -59,7 +60,7 @@ class Questions {
     }
 
   private:
-    static constexpr std::size_t kFull = 65536;
+    static constexpr std::size_t kFull = Session::kPiece - 8;  // a piece may add a few, and the caches hold it all
     struct Asked {
         std::size_t piece;
         Vec3 point;
@@ -241,9 +242,12 @@ void ChordMeasure::measure_sites(const std::vector<int>& half_edges) {
     for (const int half_edge : half_edges) {
         for (const int h : {half_edge, SurfaceMesh::next(half_edge)}) {
             const int site = mesh.site_of(h);
+            if (site_offsets_[site] != -1.0) {
+                continue;
+            }
             if (mesh.vertex(mesh.vertex_of(h)).entity[0] == 2) {
                 site_offsets_[site] = 0.0;
-            } else if (site_offsets_[site] == -1.0) {
+            } else {
                 site_offsets_[site] = kAsked;
                 sites.push_back(site);
                 const Vec2& uv = mesh.site(site).uv;

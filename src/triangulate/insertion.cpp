@@ -133,24 +133,41 @@ Candidate edge_middle_site(const SurfaceMesh& mesh, int h) {
     return weighted_site(mesh, SurfaceMesh::triangle_of(h), w);
 }
 
-std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const std::vector<Candidate>& candidates) {
+namespace {
+
+// Of a piece of the candidates, which the caches hold together with its questions and answers.
+void add_surface_points(Workspace& work, const Candidate* first, const Candidate* last,
+                        std::vector<std::optional<SurfacePoint>>& result) {
     geometry::Engine::Batch batch;
-    for (const Candidate& c : candidates) {
+    batch.reserve(static_cast<std::size_t>(last - first));
+    for (const Candidate* c = first; c != last; ++c) {
         batch.push_back(
-            Query::face_nearest(work.mesh.face_of(c.triangle), work.grid.to_part(c.point), c.uv.x(), c.uv.y()));
+            Query::face_nearest(work.mesh.face_of(c->triangle), work.grid.to_part(c->point), c->uv.x(), c->uv.y()));
     }
     geometry::Engine::Answers answers = work.session.ask(std::move(batch));
-    std::vector<std::optional<SurfacePoint>> result(candidates.size());
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const Candidate& c = candidates[i];
-        if (c.uv_is_near && (!answers[i].found() || answers[i].distance > c.reach)) {
-            answers[i] = work.session.ask(Query::face_point(work.mesh.face_of(c.triangle), c.uv.x(), c.uv.y()));
-            answers[i].distance = (answers[i].point - work.grid.to_part(c.point)).norm();
+    geometry::Answer* answer = answers.data();
+    for (const Candidate* c = first; c != last; ++c, ++answer) {
+        if (c->uv_is_near && (!answer->found() || answer->distance > c->reach)) {
+            *answer = work.session.ask(Query::face_point(work.mesh.face_of(c->triangle), c->uv.x(), c->uv.y()));
+            answer->distance = (answer->point - work.grid.to_part(c->point)).norm();
         }
-        if (answers[i].found() && answers[i].distance <= candidates[i].reach) {
-            result[i] =
-                SurfacePoint{work.grid.snap(answers[i].point), Vec2(answers[i].u, answers[i].v), answers[i].normal};
+        if (answer->found() && answer->distance <= c->reach) {
+            result.emplace_back(
+                SurfacePoint{work.grid.snap(answer->point), Vec2(answer->u, answer->v), answer->normal});
+        } else {
+            result.emplace_back();
         }
+    }
+}
+
+}  // namespace
+
+std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const std::vector<Candidate>& candidates) {
+    std::vector<std::optional<SurfacePoint>> result;
+    result.reserve(candidates.size());
+    for (std::size_t from = 0; from < candidates.size(); from += geometry::Session::kPiece) {
+        const std::size_t to = std::min(from + geometry::Session::kPiece, candidates.size());
+        add_surface_points(work, candidates.data() + from, candidates.data() + to, result);
     }
     return result;
 }
