@@ -87,6 +87,20 @@ def flags(buttons):
     return int(getattr(buttons, "value", buttons))
 
 
+# FreeCAD 0.20 loses 96 bytes each time that an attribute gives a quantity, a placement, a vector or a
+# box (PyObjectBase::trackAttribute); 1.0 and 1.1 do not. These two get the same without that.
+
+
+def property_of(obj, name):
+    """The value of a property of a document object."""
+    return obj.getPropertyByName(name)
+
+
+def attribute_of(geometry, name):
+    """The value of an attribute of a Part.Shape or a Mesh.Mesh."""
+    return getattr(type(geometry), name).__get__(geometry)
+
+
 class PlainState:
     """Proxy of a document object that keeps all of its state in properties.
 

@@ -9,7 +9,7 @@ from functools import cached_property
 import FreeCAD
 import numpy as np
 
-from .compat import core
+from .compat import attribute_of, core
 from .errors import InvalidInput
 
 _MANY = 5000  # numbers that take longer than a millisecond
@@ -124,7 +124,7 @@ def _mesh_and_matrix(source):
         if linked != source:
             return linked.Mesh, matrix
     mesh = getattr(source, "Mesh", source)
-    return mesh, mesh.Placement.toMatrix()
+    return mesh, attribute_of(mesh, "Placement").toMatrix()
 
 
 def surface_of_arrays(module, vertices, triangles, measured=True):

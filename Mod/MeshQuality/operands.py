@@ -11,7 +11,7 @@ import numpy as np
 
 from . import convert
 from .api import triangulate
-from .compat import core
+from .compat import attribute_of, core
 from .errors import InvalidInput, TopologyError
 from .surface_mesh import SurfaceMesh
 
@@ -126,7 +126,7 @@ class Operands:
         boxes = []
         for found in self._found:
             if not isinstance(found, tuple):
-                box = found.BoundBox
+                box = attribute_of(found, "BoundBox")
                 boxes += [(box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)]
             elif len(found[0].vertices):
                 points = found[0].vertices
@@ -135,7 +135,7 @@ class Operands:
         return float(np.ptp(np.array(boxes), axis=0).max())
 
     def _mesh_shape(self, i, chord_height, progress):
-        box = self._found[i].BoundBox
+        box = attribute_of(self._found[i], "BoundBox")
         side = max(box.XLength, box.YLength, box.ZLength)
         largest = max(map(abs, (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)))
         chord_height = max(chord_height, _FINEST_CHORD * min(largest, _FRAME * side))

@@ -10,7 +10,7 @@ import FreeCAD
 import numpy as np
 
 from .. import convert, options
-from ..compat import PlainState
+from ..compat import PlainState, attribute_of, property_of
 from ..errors import Error, InvalidInput
 from . import certificate
 from .work import Work, handed_over, result_for
@@ -290,7 +290,7 @@ def _clear_mesh(obj):
 
     if obj.Mesh.countSegments():
         empty = Mesh.Mesh()
-        empty.Placement = obj.Mesh.Placement
+        empty.Placement = attribute_of(obj.Mesh, "Placement")
         obj.Mesh = empty
 
 
@@ -332,7 +332,7 @@ def add_options(obj, table):
 
 def options_of(obj, table):
     """{option: value} of the object's properties."""
-    return {option.name: options.from_property(option, getattr(obj, option.property_name))
+    return {option.name: options.from_property(option, property_of(obj, option.property_name))
             for option in table}
 
 

@@ -11,7 +11,7 @@ import ctypes
 import numpy as np
 from pivy import coin
 
-from ..compat import SHAPE_COLOURS, shape_colour
+from ..compat import SHAPE_COLOURS, property_of, shape_colour
 from ..curved_mesh import CurvedMesh
 from ..errors import Error
 from .colour_scale import colours_of
@@ -151,7 +151,8 @@ class CurvedMeshView(MeshView):
             except (Error, ImportError):
                 # Not all properties are read yet, or there is no core: FreeCAD's own modes remain.
                 return
-            drawing = Drawing(curved.tessellate(obj.ShownDeviation.Value), curved.shown_quality)
+            deviation = property_of(obj, "ShownDeviation").Value
+            drawing = Drawing(curved.tessellate(deviation), curved.shown_quality)
         self.scene.show(drawing)
         self._quality = drawing.quality
         self._paint(obj.ViewObject)

@@ -11,7 +11,7 @@ import FreeCAD
 import numpy as np
 
 from .. import convert
-from ..compat import core
+from ..compat import core, property_of
 from ..curved_mesh import CurvedMesh
 from ..errors import InvalidInput
 from ..features import mesh_object
@@ -161,7 +161,7 @@ class QualityData:
         if getattr(obj, "ElementsOrder", 0):
             self.measures = [JACOBIAN, DISTORTION]
             self._prepare = partial(self._take_curved, CurvedMesh.taken_from(obj),
-                                    obj.ShownDeviation.Value)
+                                    property_of(obj, "ShownDeviation").Value)
         else:
             self.measures = [MIN_ANGLE, ASPECT, DISTORTION] \
                 + ([DISTANCE] if self._shape is not None else [])
