@@ -2,9 +2,10 @@
 """The work of tools/soak: random operations for a given time, inside FreeCADCmd.
 
 Each operation is drawn from a seeded generator, checks what MeshQuality promises of its result,
-and leaves nothing behind. Memory is the resident set after a collection and malloc_trim; it counts
-as flat when its median over the last quarter of the time is at most FLAT times that over the second
-quarter.
+and leaves nothing behind. Memory is looked at after a collection and malloc_trim: the resident set,
+and how much of it malloc has given out and not got back. Each of the two counts as flat when its median
+over the last quarter of the time is at most FLAT times that over the second quarter. A leak lets both
+grow; the resident set alone grows with free memory in pieces too small to give back.
 """
 
 import ctypes
@@ -213,12 +214,23 @@ OPERATIONS = (triangulate, triangulate, triangulate, edit, curve, boolean, impro
               cancel, bad_input)
 
 
-def resident():
-    """MiB of memory in use, after everything free has gone back."""
+class _MallocInfo(ctypes.Structure):
+    """The struct mallinfo2 of the C library."""
+
+    _fields_ = [(name, ctypes.c_size_t) for name in (
+        "arena", "ordblks", "smblks", "hblks", "hblkhd", "usmblks", "fsmblks", "uordblks", "fordblks",
+        "keepcost")]
+
+
+def memory_now():
+    """MiB (resident, given out by malloc), after everything free has gone back."""
     gc.collect()
-    ctypes.CDLL(None).malloc_trim(0)
+    library = ctypes.CDLL(None)
+    library.malloc_trim(0)
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
-    return pages * os.sysconf("SC_PAGE_SIZE") / 2 ** 20
+    library.mallinfo2.restype = _MallocInfo
+    info = library.mallinfo2()
+    return pages * os.sysconf("SC_PAGE_SIZE") / 2 ** 20, (info.uordblks + info.hblkhd) / 2 ** 20
 
 
 def soak(minutes, seed):
@@ -238,28 +250,39 @@ def soak(minutes, seed):
         done[operation.__name__] += 1
         number += 1
         if not memory or time.monotonic() - start - memory[-1][0] > SAMPLE_EVERY:
-            memory.append((round(time.monotonic() - start, 1), round(resident(), 1)))
-            say(f"{memory[-1][0]:7.0f} s  {number:6d} operations  {memory[-1][1]:7.1f} MiB  "
-                f"{len(failures)} failed")
+            resident, given_out = memory_now()
+            memory.append((round(time.monotonic() - start, 1), round(resident, 1),
+                           round(given_out, 2)))
+            say(f"{memory[-1][0]:7.0f} s  {number:6d} operations  {resident:7.1f} MiB, "
+                f"{given_out:7.2f} given out  {len(failures)} failed")
     return {"minutes": minutes, "seed": seed, "done": dict(done), "failures": failures,
             "memory": memory}
 
 
-def growth(memory, seconds):
-    """Memory of the last quarter over that of the second one; None of a run too short to tell."""
-    second = [m for t, m in memory if 0.25 * seconds <= t < 0.5 * seconds]
-    last = [m for t, m in memory if t >= 0.75 * seconds]
-    return statistics.median(last) / statistics.median(second) if second and last else None
+def quarters(memory, seconds, column):
+    """The median of a column of `memory` in each quarter of the time; None where there is none."""
+    result = []
+    for quarter in range(4):
+        found = [row[column] for row in memory
+                 if min(int(4.0 * row[0] / seconds), 3) == quarter]
+        result.append(statistics.median(found) if found else None)
+    return result
 
 
 def main():
     """One run; ends FreeCAD."""
     minutes, seed = float(os.environ["SOAK_MINUTES"]), int(os.environ["SOAK_SEED"])
     result = soak(minutes, seed)
-    result["growth"] = growth(result["memory"], 60.0 * minutes)
+    flat = True
+    for column, name in enumerate(("resident", "given_out"), 1):
+        result[name] = medians = quarters(result["memory"], 60.0 * minutes, column)
+        long_enough = None not in (medians[1], medians[3])
+        growth = medians[3] / medians[1] if long_enough else 1.0
+        flat = flat and growth <= FLAT
+        told = f"{growth:.3f}" if long_enough else "too short to tell"
+        say(f"MiB {name.replace('_', ' ')}, by quarter: {', '.join(map(str, medians))}; "
+            f"the last over the second: {told}")
     OUT.write_text(json.dumps(result, indent=1), encoding="utf-8")
-    flat = result["growth"] is None or result["growth"] <= FLAT
-    told = "too short to tell" if result["growth"] is None else f"{result['growth']:.3f}"
-    say(f"{sum(result['done'].values())} operations, {len(result['failures'])} failed; memory of "
-        f"the last quarter over that of the second: {told}")
+    say(f"{sum(result['done'].values())} operations, {len(result['failures'])} failed; memory "
+        f"{'flat' if flat else 'not flat'}")
     os._exit(0 if flat and not result["failures"] else 1)
