@@ -89,10 +89,7 @@ void note(const FilledVolume& filled, CurveReport& report) {
     report.moved_vertices += static_cast<std::size_t>(repairs.relocations);
     report.repairs.emplace_back("vertices put into regions", repairs.splits);
     report.repairs.emplace_back("patches of tetrahedra curved inside", repairs.patches);
-    if (filled.fillings > 1) {
-        report.notes.push_back("elements stayed invalid: the solids were filled " + std::to_string(filled.fillings) +
-                               " times, with ever more vertices inside, and the best is kept");
-    }
+    report.notes.insert(report.notes.end(), filled.notes.begin(), filled.notes.end());
 }
 
 /// Volume figures take the place of those of the surface; invalid triangles stay counted.

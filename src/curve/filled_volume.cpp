@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curve/filled_volume.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 #include "base/error.h"
@@ -14,6 +16,28 @@ namespace {
 /// Parts of the usual grading, one a filling.
 constexpr std::array<double, 3> kGradingParts{1.0, 0.5, 0.2};
 
+/// Whether other vertices inside can help: not where all that is invalid lies on folded triangles of the surface, by
+/// which their tetrahedra fold over, whichever these are.
+bool refilling_may_help(const FilledVolume& filled) {
+    if (filled.repairs.invalid_after == 0) {
+        return false;
+    }
+    const Volume& volume = filled.volume;
+    std::unordered_set<FaceKey, FaceKeyHash> folded;
+    for (const SurfaceTriangle& t : volume.surface.triangles) {
+        if (t.alive && !(t.quality > 0.0)) {
+            folded.insert(face_key(t.corners[0], t.corners[1], t.corners[2]));
+        }
+    }
+    const auto on_folded = [&](const std::array<int, 4>& v) {
+        return folded.count(face_key(v[0], v[1], v[2])) + folded.count(face_key(v[0], v[1], v[3])) +
+                   folded.count(face_key(v[0], v[2], v[3])) + folded.count(face_key(v[1], v[2], v[3])) >
+               0;
+    };
+    return std::any_of(volume.tetrahedra.begin(), volume.tetrahedra.end(),
+                       [&](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0) && !on_folded(t.corners); });
+}
+
 FilledVolume fill_once(Surface& surface, const geometry::Topology& topology, double grading_part, Progress& progress,
                        StageClock& clock) {
     progress.stage("filling", 0.5, 0.6);
@@ -22,25 +46,25 @@ FilledVolume fill_once(Surface& surface, const geometry::Topology& topology, dou
     progress.stage("repairing the volume", 0.6, 0.95);
     const VolumeRepairs repairs = repair_volume(volume, progress);
     clock.end("repairing the volume");
-    return {std::move(volume), repairs};
+    return {std::move(volume), repairs, 1, {}};
 }
 
 }  // namespace
 
-FilledVolume fill_and_repair(Surface& surface, const geometry::Topology& topology, Progress& progress,
-                             StageClock& clock) {
+FilledVolume best_filling(Surface& surface, const Filler& filler) {
     const Surface bare = surface;
-    std::optional<FilledVolume> best = fill_once(surface, topology, kGradingParts[0], progress, clock);
+    std::optional<FilledVolume> best = filler(surface, kGradingParts[0]);
     Surface best_surface(surface.shapes.order());
     int fillings = 1;
-    for (std::size_t i = 1; i < kGradingParts.size() && best->repairs.invalid_after > 0; ++i) {
+    std::string failure;
+    for (std::size_t i = 1; i < kGradingParts.size() && refilling_may_help(*best); ++i) {
         best_surface = std::exchange(surface, bare);
         ++fillings;
         std::optional<FilledVolume> next;
         try {
-            next.emplace(fill_once(surface, topology, kGradingParts[i], progress, clock));
-        } catch (const GeometryError&) {
-            // There is a filling already, whose invalid elements the report names.
+            next.emplace(filler(surface, kGradingParts[i]));
+        } catch (const GeometryError& error) {
+            failure = error.what();
         }
         if (!next || next->repairs.invalid_after >= best->repairs.invalid_after) {
             surface = std::move(best_surface);
@@ -49,7 +73,19 @@ FilledVolume fill_and_repair(Surface& surface, const geometry::Topology& topolog
         best.emplace(std::move(*next));
     }
     best->fillings = fillings;
+    if (fillings > 1) {
+        best->notes.push_back("elements stayed invalid: the solids were filled " + std::to_string(fillings) +
+                              " times, with ever more vertices inside, and the best is kept" +
+                              (failure.empty() ? "" : "; the last filling failed: " + failure));
+    }
     return std::move(*best);
+}
+
+FilledVolume fill_and_repair(Surface& surface, const geometry::Topology& topology, Progress& progress,
+                             StageClock& clock) {
+    return best_filling(surface, [&](Surface& bare, double grading_part) {
+        return fill_once(bare, topology, grading_part, progress, clock);
+    });
 }
 
 }  // namespace mq::curve
