@@ -30,7 +30,8 @@ namespace mq::triangulate {
 
 namespace {
 
-constexpr int kMaxChordRounds = 12;
+// Against rounds without end: each may split a single edge, and its swaps make the next one that is too far off.
+constexpr int kMaxChordRounds = 60;
 constexpr int kMaxCrossingRounds = 24;
 
 // Of the whole work, for the progress.

@@ -2,6 +2,7 @@
 #include "triangulate/chord.h"
 
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom_BezierCurve.hxx>
@@ -9,6 +10,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <functional>
+#include <gp_Ax2.hxx>
 #include <random>
 
 #include "base/error.h"
@@ -185,6 +187,20 @@ TEST(Chord, HoldsOnShapes) {
             EXPECT_LE(d, 0.02 + 1e-6);
         }
     }
+}
+
+/// Splitting an edge there swaps others round the cylinder, one after the other, until all are near enough.
+TEST(Chord, HoldsWhereEachEdgeThatIsSplitMakesAnother) {
+    const gp_Ax2 axis(gp_Pnt(2.5087625022713453, -2.978303498885108, 1.8125630772789592), gp::DZ());
+    const auto model =
+        geometry::make_shape_model(BRepPrimAPI_MakeCylinder(axis, 4.0696492436333855, 4.223834131583539).Shape());
+    Options options;
+    options.min_angle = 23.557490993033504;
+    options.chord_height_relative = 0.0026144965210652517;
+    geometry::Engine engine(geometry::Engine::Mode::Direct);
+    const mesh::MeshReport report = triangulate(engine, model, options).report;
+    EXPECT_LE(report.max_chord_height, report.chord_height_asked);
+    EXPECT_GE(report.min_angle, options.min_angle);
 }
 
 TEST(Chord, FlatPartsStayAsTheyAre) {
