@@ -24,7 +24,7 @@ import numpy as np
 import Part
 from test_cli import COMMAND, run
 
-from MeshQuality.batch import charts, command, freecads, part, plan, report
+from MeshQuality.batch import charts, command, freecads, part, plan, report, table
 
 HAS_DASK = importlib.util.find_spec("distributed") is not None
 NEEDS_DASK = unittest.skipUnless(HAS_DASK, "python3-distributed is not installed")
@@ -477,3 +477,33 @@ class Report(unittest.TestCase):
             self.assertIn("<td>yet to be done</td><td>8</td><td>80.00 %</td>", page)
             rows = (Path(folder) / "parts.csv").read_text(encoding="utf-8").splitlines()
             self.assertEqual((len(rows), rows[2].split(",")[0]), (3, "p00001.step"))
+
+    @unittest.skipUnless(importlib.util.find_spec("pyarrow"), "python3-pyarrow is not installed")
+    def test_the_table_is_there_as_parquet_too(self):
+        from pyarrow import parquet
+
+        entries = [self.entry(i, 20.0 + 0.001 * i) for i in range(14000)]
+        # Columns that are empty, or whole numbers, for long.
+        entries[-1].update(state="failed", error="Face3 of 'ä.step': no triangulation, \"sorry\"")
+        entries[-2]["peak_mib"] = 100.5
+
+        class Lines:
+            def entries(_):
+                return iter(entries)
+
+            def sorted_entries(_):
+                return iter(entries)
+
+        with tempfile.TemporaryDirectory() as folder:
+            table.write(dataclasses.replace(self.PLAN, out=Path(folder)), Lines())
+            with open(os.path.join(folder, "parts.csv"), encoding="utf-8", newline="") as stream:
+                rows = list(csv.DictReader(stream))
+            self.assertGreater(os.path.getsize(os.path.join(folder, "parts.csv")), 2 ** 20,
+                               "it is to be more than pyarrow reads at once")
+            read = parquet.read_table(os.path.join(folder, "parts.parquet")).to_pydict()
+        self.assertEqual(list(read), list(rows[0]))
+        self.assertEqual(read["part"], [row["part"] for row in rows])
+        self.assertEqual(read["error"][-1], rows[-1]["error"])
+        self.assertEqual(read["peak_mib"][-2:], [100.5, 100.0])
+        self.assertEqual(read["triangles"], list(range(1, 14001)))
+        np.testing.assert_array_equal(read["min_angle"], [float(row["min_angle"]) for row in rows])
