@@ -31,6 +31,10 @@ struct Box {
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     }
+    void add(const Box& o) {
+        low = low.cwiseMin(o.low);
+        high = high.cwiseMax(o.high);
+    }
     bool empty() const { return low.x() > high.x(); }
     /// Boxes are closed: faces, edges and corners meet too.
     bool meets(const Box& o) const {

@@ -59,15 +59,11 @@ std::optional<Slider::Bead> Slider::bead_at(int vertex, double bound) const {
     if (bead.near < 0 || bead.far < 0 || bead.near == bead.far) {
         return std::nullopt;
     }
-    bead.angle = M_PI;
-    bead.bound = bound;
     for (const SurfaceMesh::SegmentUse& use : mesh.segment(bead.near).uses) {
         bead.spokes.push_back(mesh.star(mesh.leaving(use, vertex)));
+        std::vector<int>& corners = bead.corners.emplace_back();
         for (const int h : bead.spokes.back()) {
-            const int corner = forced_corner_of(mesh, SurfaceMesh::triangle_of(h), bound);
-            const double angle = smallest_with(mesh, h, mesh.point_of(h), corner);
-            bead.angle = corner < 0 ? std::min(bead.angle, angle) : bead.angle;
-            bead.in_corners = corner < 0 ? bead.in_corners : std::min({bead.in_corners, angle, bound});
+            corners.push_back(forced_corner_of(mesh, SurfaceMesh::triangle_of(h), bound));
         }
     }
     return bead;
@@ -83,17 +79,13 @@ std::vector<int> Slider::triangles_around(const Bead& bead) {
     return triangles;
 }
 
-double Slider::angle_with(const Bead& bead, const Vec3& point) const {
-    const SurfaceMesh& mesh = work_.mesh;
-    double least = M_PI;
-    for (const std::vector<int>& around : bead.spokes) {
-        for (const int h : around) {
-            const int corner = forced_corner_of(mesh, SurfaceMesh::triangle_of(h), bead.bound);
-            const double angle = smallest_with(mesh, h, point, corner);
-            if (corner >= 0 && angle < bead.in_corners) {
-                return 0.0;
-            }
-            least = corner < 0 ? std::min(least, angle) : least;
+Slider::Angles Slider::angles_with(const Bead& bead, const Vec3& point) const {
+    Angles least;
+    for (std::size_t k = 0; k < bead.spokes.size(); ++k) {
+        for (std::size_t i = 0; i < bead.spokes[k].size(); ++i) {
+            const int corner = bead.corners[k][i];
+            double& angle = corner < 0 ? least.beside : least.in_corners;
+            angle = std::min(angle, smallest_with(work_.mesh, bead.spokes[k][i], point, corner));
         }
     }
     return least;
@@ -101,7 +93,7 @@ double Slider::angle_with(const Bead& bead, const Vec3& point) const {
 
 // Those with angles of at least so much, the best first.
 std::vector<Slider::Place> Slider::places_for(const Bead& bead, const std::vector<double>& parameters,
-                                              double at_least) const {
+                                              const Angles& at_least) const {
     geometry::Engine::Batch batch;
     for (const double t : parameters) {
         batch.push_back(Query::edge_point(work_.mesh.segment(bead.near).edge, t));
@@ -111,16 +103,17 @@ std::vector<Slider::Place> Slider::places_for(const Bead& bead, const std::vecto
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if (answers[i].found()) {
             const Vec3 point = work_.grid.snap(answers[i].point);
-            places.push_back({parameters[i], point, angle_with(bead, point)});
+            const Angles angles = angles_with(bead, point);
+            if (angles.beside >= at_least.beside && angles.in_corners >= at_least.in_corners) {
+                places.push_back({parameters[i], point, angles.beside});
+            }
         }
     }
-    places.erase(std::remove_if(places.begin(), places.end(), [&](const Place& p) { return p.angle < at_least; }),
-                 places.end());
     std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.angle > b.angle; });
     return places;
 }
 
-std::vector<Slider::Place> Slider::places_for(const Bead& bead, double at_least) const {
+std::vector<Slider::Place> Slider::places_for(const Bead& bead, const Angles& at_least) const {
     const double t = work_.mesh.segment(bead.near).t[1];
     const double back = t - work_.mesh.segment(bead.near).t[0];
     const double on = work_.mesh.segment(bead.far).t[1] - t;
@@ -131,7 +124,7 @@ std::vector<Slider::Place> Slider::places_for(const Bead& bead, double at_least)
         parameters.push_back(at(step));
         parameters.push_back(t + step * shorter);  // innermost pieces at narrow corners are far longer than the next
     }
-    const std::vector<Place> coarse = places_for(bead, parameters, 0.0);
+    const std::vector<Place> coarse = places_for(bead, parameters, {0.0, at_least.in_corners});
     if (coarse.empty()) {
         return {};
     }
@@ -248,12 +241,15 @@ bool Slider::put(const Bead& bead, const Place& place, double bound) {
     }
     std::vector<int> around;
     std::map<int, Exemption> in_corners;  // of the part, which are as narrow as before
-    for (const int t : triangles_around(bead)) {
-        const Exemption* exemption = forced_corner_of(mesh, t, bound) >= 0 ? work_.exemption_of(t) : nullptr;
-        if (exemption != nullptr) {
-            in_corners[t] = *exemption;
-        } else {
-            around.push_back(t);
+    for (std::size_t k = 0; k < bead.spokes.size(); ++k) {
+        for (std::size_t i = 0; i < bead.spokes[k].size(); ++i) {
+            const int t = SurfaceMesh::triangle_of(bead.spokes[k][i]);
+            const Exemption* exemption = bead.corners[k][i] >= 0 ? work_.exemption_of(t) : nullptr;
+            if (exemption != nullptr) {
+                in_corners[t] = *exemption;
+            } else {
+                around.push_back(t);
+            }
         }
     }
     const std::optional<Exemption> reason = take_exemptions(work_, around);
@@ -268,6 +264,13 @@ bool Slider::put(const Bead& bead, const Place& place, double bound) {
     return true;
 }
 
+void Slider::was_split(int segment, int far) {
+    const std::array<int, 2>& ends = work_.mesh.segment(far).vertices;
+    segments_at_.resize(static_cast<std::size_t>(work_.mesh.vertex_count()), {-1, -1});
+    segments_at_[static_cast<std::size_t>(ends[0])] = {segment, far};
+    segments_at_[static_cast<std::size_t>(ends[1])][0] = far;
+}
+
 std::vector<int> Slider::improve(int triangle, double bound, const std::function<double(double)>& enough) {
     if (sizing_.turn > 0.0 || sizing_.growth > 0.0) {
         return {};  // longer edges would have to be weighed against all around
@@ -277,7 +280,8 @@ std::vector<int> Slider::improve(int triangle, double bound, const std::function
         if (!bead || !tried_.insert(state_key(work_.mesh, triangles_around(*bead))).second) {
             continue;
         }
-        std::vector<Place> places = places_for(*bead, enough(bead->angle));
+        const Angles now = angles_with(*bead, work_.mesh.vertex(work_.mesh.vertex_of(h)).point);
+        std::vector<Place> places = places_for(*bead, {enough(now.beside), std::min(now.in_corners, bound)});
         places.resize(std::min(places.size(), kMaxTried));
         if (std::any_of(places.begin(), places.end(), [&](const Place& place) { return put(*bead, place, bound); })) {
             return triangles_around(*bead);

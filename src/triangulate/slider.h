@@ -26,15 +26,23 @@ class Slider {
     /// @return the triangles that have changed; none when there is no such place.
     std::vector<int> improve(int triangle, double bound, const std::function<double(double)>& enough);
 
+    /// After a segment was split into itself and `far`.
+    void was_split(int segment, int far);
+
   private:
     /// A vertex on a CAD edge and all around it.
     struct Bead {
         int near = -1;                         ///< the segment that ends in it
         int far = -1;                          ///< the segment that starts there
         std::vector<std::vector<int>> spokes;  ///< by use: half-edges that leave it on that face
-        double angle = 0.0;                    ///< the smallest but at corners of the part below the bound, radians
-        double bound = 0.0;                    ///< on angles, radians
-        double in_corners = M_PI;              ///< that the other two angles of triangles there must keep
+        /// Beside `spokes`: of its triangle, the half-edge at a corner of the part that is narrower than the bound, or
+        /// -1
+        std::vector<std::vector<int>> corners;
+    };
+    /// The smallest angles around a vertex, radians.
+    struct Angles {
+        double beside = M_PI;      ///< of triangles that are not at narrow corners of the part
+        double in_corners = M_PI;  ///< of the others, but for the one at the corner
     };
     struct Place {
         double t = 0.0;
@@ -44,9 +52,10 @@ class Slider {
 
     std::optional<Bead> bead_at(int vertex, double bound) const;
     static std::vector<int> triangles_around(const Bead& bead);
-    double angle_with(const Bead& bead, const Vec3& point) const;
-    std::vector<Place> places_for(const Bead& bead, const std::vector<double>& parameters, double at_least) const;
-    std::vector<Place> places_for(const Bead& bead, double at_least) const;
+    Angles angles_with(const Bead& bead, const Vec3& point) const;
+    std::vector<Place> places_for(const Bead& bead, const std::vector<double>& parameters,
+                                  const Angles& at_least) const;
+    std::vector<Place> places_for(const Bead& bead, const Angles& at_least) const;
     bool lengths_allowed(const Bead& bead, const Vec3& point) const;
     double distance_from_curve(const Bead& bead, const PointOfEdge& middle) const;
     double distance_from_surfaces(const Bead& bead, const std::vector<mesh::SurfaceMesh::Site>& sites,

@@ -7,6 +7,7 @@
     part        one part: what is run on a worker
     cluster     the parts on workers, by Dask
     table, report, charts     parts.csv and report.html
+    whole_file  how files are replaced
     command     all of it, for the command line
 
 Only `serve` imports FreeCAD. Results do not depend on which worker did a part, nor on what it did

@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from ..errors import Error
 from .part import LOST, digest_of
+from .whole_file import replacing
 
 NAME = "parts.jsonl"
 # Files yet to be renamed, here and in cli_worker.written. No part is called so: see find_parts.
@@ -77,12 +78,8 @@ class Ledger:
                 yield json.loads(stream.readline())
 
     def _replace(self, entries):
-        ready = self.path.with_name(f".{NAME}.part")
-        with open(ready, "w", encoding="utf-8") as stream:
+        with replacing(self.path, encoding="utf-8") as stream:
             stream.writelines(json.dumps(entry) + "\n" for entry in entries)
-            stream.flush()
-            os.fsync(stream.fileno())
-        os.replace(ready, self.path)
 
     def _sweep(self):
         for path, _, names in os.walk(self._plan.out):

@@ -2,7 +2,6 @@
 """report.html: what came of a batch, for people; one file that needs no other."""
 
 import html
-import os
 import re
 import urllib.parse
 from array import array
@@ -11,6 +10,7 @@ from dataclasses import dataclass
 
 from ..version import __version__
 from . import charts
+from .whole_file import replacing
 
 NAME = "report.html"
 _OPEN = "not closed"
@@ -135,10 +135,8 @@ def write(plan, ledger, total):
     for entry in ledger.entries():
         findings.add(entry)
     findings.states["todo"] = total - sum(findings.states.values())
-    path = plan.out / NAME
-    ready = path.with_name(f".{NAME}.part")
-    ready.write_text(page(plan, findings), encoding="utf-8", errors="replace")
-    os.replace(ready, path)
+    with replacing(plan.out / NAME, encoding="utf-8", errors="replace") as stream:
+        stream.write(page(plan, findings))
 
 
 def page(plan, findings):

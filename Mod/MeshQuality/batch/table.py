@@ -3,7 +3,8 @@
 
 import csv
 import importlib.util
-import os
+
+from .whole_file import replacing
 
 NAME, PARQUET = "parts.csv", "parts.parquet"
 FIRST = ("part", "state", "error", "attempts", "seconds", "peak_mib", "size", "output", "host",
@@ -28,12 +29,10 @@ def write(plan, ledger):
     for entry in ledger.entries():
         names.update(dict.fromkeys(row_of(entry)))
     path = plan.out / NAME
-    ready = path.with_name(f".{NAME}.part")
-    with open(ready, "w", encoding="utf-8", errors="surrogateescape", newline="") as stream:
+    with replacing(path, encoding="utf-8", errors="surrogateescape", newline="") as stream:
         writer = csv.DictWriter(stream, names, lineterminator="\n")
         writer.writeheader()
         writer.writerows(row_of(entry) for entry in ledger.sorted_entries())
-    os.replace(ready, path)
     if importlib.util.find_spec("pyarrow"):
         _write_parquet(path, plan.out / PARQUET)
 

@@ -140,10 +140,7 @@ Box bounding_box(const TopoDS_Shape& shape, const LiveShape& live, const Topolog
         box.low -= margin;
         box.high += margin;
     }
-    if (!inner.empty()) {
-        box.add(inner.low);
-        box.add(inner.high);
-    }
+    box.add(inner);
     return box;
 }
 
