@@ -218,16 +218,32 @@ std::vector<int> SurfaceMesh::replace(const std::vector<int>& removed, const std
                 put(h, found->second);
             } else if (const auto other = open.find({side.second, side.first}); other != open.end()) {
                 link(h, other->second);
+                open.erase(other);
             } else {
                 open.emplace(side, h);
             }
         }
     }
+    link_by_vertices(open);
     for (std::size_t i = added.size(); i < removed.size(); ++i) {
         face_[removed[i]] = -1;
         ++stamp_[removed[i]];
     }
     return indices;
+}
+
+// Half-edges, by the sites that they join. Where the parameter domain has a side for a point of space, the sides of an
+// edge there end at different sites of one vertex.
+void SurfaceMesh::link_by_vertices(const std::map<std::pair<int, int>, int>& open) {
+    std::map<std::pair<int, int>, int> others;
+    for (const auto& [side, h] : open) {
+        const auto other = others.find({vertex_of(next(h)), vertex_of(h)});
+        if (other != others.end()) {
+            link(h, other->second);
+        } else {
+            others.emplace(std::pair(vertex_of(h), vertex_of(next(h))), h);
+        }
+    }
 }
 
 std::vector<int> SurfaceMesh::join_segments(int near, int far, const std::vector<Refill>& refills) {

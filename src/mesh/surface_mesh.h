@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -156,6 +157,7 @@ class SurfaceMesh {
     void put(int h, const Link& link);
     void set_corners(int triangle, int a, int b, int c);
     void drop_last_triangle();
+    void link_by_vertices(const std::map<std::pair<int, int>, int>& open);
 
     std::vector<Vertex> vertices_;
     std::vector<Site> sites_;

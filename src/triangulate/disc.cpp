@@ -153,16 +153,22 @@ class Rim {
   public:
     Rim(const SurfaceMesh& mesh, const Disc& disc) : normal_(disc.normal) {
         for (const int side : disc.rim) {
-            const Vec3& a = mesh.point_of(side);
-            const Vec3& b = mesh.point_of(SurfaceMesh::next(side));
-            sides_.push_back({a, b, (b - a).squaredNorm()});
-            middle_ += a / static_cast<double>(disc.rim.size());
+            add(mesh.point_of(side), mesh.point_of(SurfaceMesh::next(side)));
         }
-        for (const Side& side : sides_) {
-            reach_ = std::max(reach_, (side.a - middle_).norm());
+        measure();
+    }
+    // With the chord from `before` to `after` in the place of the two sides between these half-edges' origins.
+    Rim(const SurfaceMesh& mesh, const Disc& disc, int before, int after) : normal_(disc.normal) {
+        for (const int side : disc.rim) {
+            if (side != before && SurfaceMesh::next(side) != after) {
+                add(mesh.point_of(side), mesh.point_of(SurfaceMesh::next(side)));
+            }
         }
+        add(mesh.point_of(before), mesh.point_of(after));
+        measure();
     }
 
+    const Vec3& normal() const { return normal_; }
     const Vec3& middle() const { return middle_; }
     double reach() const { return reach_; }
     // Half way from the middle to the corners.
@@ -194,19 +200,26 @@ class Rim {
         Vec3 b;
         double length;  // squared
     };
+    void add(const Vec3& a, const Vec3& b) { sides_.push_back({a, b, (b - a).squaredNorm()}); }
+    void measure() {
+        for (const Side& side : sides_) {
+            middle_ += side.a / static_cast<double>(sides_.size());
+        }
+        for (const Side& side : sides_) {
+            reach_ = std::max(reach_, (side.a - middle_).norm());
+        }
+    }
+
     std::vector<Side> sides_;
     Vec3 normal_;
     Vec3 middle_ = Vec3::Zero();
     double reach_ = 0.0;
 };
 
-}  // namespace
-
-Vec3 best_apex(const SurfaceMesh& mesh, const Disc& disc, double at_least) {
-    Rim rim(mesh, disc);
+Vec3 best_apex(Rim& rim, double at_least) {
     const double hopeless = std::pow(std::sin(kHopeless * at_least), 2);
-    const Vec3 x = disc.normal.unitOrthogonal();
-    const Vec3 y = disc.normal.cross(x).normalized();
+    const Vec3 x = rim.normal().unitOrthogonal();
+    const Vec3 y = rim.normal().cross(x).normalized();
     Vec3 best = rim.middle();
     double largest = rim.squared_sine(best, -1.0);
     const auto attempt = [&](const Vec3& p) {
@@ -238,6 +251,30 @@ Vec3 best_apex(const SurfaceMesh& mesh, const Disc& disc, double at_least) {
         }
     }
     return best;
+}
+
+}  // namespace
+
+Vec3 best_apex(const SurfaceMesh& mesh, const Disc& disc, double at_least) {
+    Rim rim(mesh, disc);
+    return best_apex(rim, at_least);
+}
+
+std::vector<EaredFan> eared_fans(const SurfaceMesh& mesh, const Disc& disc, double at_least) {
+    std::vector<EaredFan> result;
+    for (const int in : disc.rim) {
+        const int site = mesh.site_of(SurfaceMesh::next(in));
+        const int out = *std::find_if(disc.rim.begin(), disc.rim.end(), [&](int h) { return mesh.site_of(h) == site; });
+        const int after = SurfaceMesh::next(out);
+        Rim rim(mesh, disc, in, after);
+        const Vec3 apex = best_apex(rim, at_least);
+        const Vec3& ear = mesh.point_of(out);
+        const Vec3& from = mesh.point_of(in);
+        const Vec3& to = mesh.point_of(after);
+        const double of_ear = squared_sine_over(from, ear, (ear - from).squaredNorm(), to, disc.normal);
+        result.push_back({site, apex, angle_of(std::min(of_ear, rim.squared_sine(apex, -1.0)))});
+    }
+    return result;
 }
 
 bool rim_apex_legal(const SurfaceMesh& mesh, const Maxmin& maxmin, const Disc& disc, int apex_site) {

@@ -40,6 +40,15 @@ double disc_alignment(const mesh::SurfaceMesh& mesh, const Disc& disc);
 /// roughly where that is far less than `at_least` (radians).
 Vec3 best_apex(const mesh::SurfaceMesh& mesh, const Disc& disc, double at_least = 0.0);
 
+/// A fan to all corners of a rim but one, which an ear cuts off: a triangle of it and the corners next to it.
+struct EaredFan {
+    int ear_site = -1;
+    Vec3 apex = Vec3::Zero();
+    double angle = 0.0;  ///< the smallest of all triangles, the ear among them; -1: one would be turned over
+};
+/// The best one for each corner of the rim, in the order of the rim's sides. `at_least` as for best_apex.
+std::vector<EaredFan> eared_fans(const mesh::SurfaceMesh& mesh, const Disc& disc, double at_least);
+
 /// Whether a fan from a site of the rim makes no edge that is there already outside the disc.
 bool rim_apex_legal(const mesh::SurfaceMesh& mesh, const Maxmin& maxmin, const Disc& disc, int apex_site);
 

@@ -109,6 +109,18 @@ std::vector<int> Maxmin::replace(const std::vector<int>& removed, const std::vec
     return indices;
 }
 
+int Maxmin::split_segment(int segment, int vertex, double t, const std::vector<int>& sites) {
+    const std::array<int, 2> ends = mesh_.segment(segment).vertices;
+    forget(ends[0], ends[1]);
+    const int far = mesh_.split_segment(segment, vertex, t, sites);
+    remember(ends[0], vertex);
+    remember(vertex, ends[1]);
+    for (const SurfaceMesh::SegmentUse& use : mesh_.segment(segment).uses) {
+        remember(vertex, mesh_.vertex_of(SurfaceMesh::prev(use.half_edge)));
+    }
+    return far;
+}
+
 std::vector<int> Maxmin::join_segments(int near, int far, const std::vector<SurfaceMesh::Refill>& refills) {
     for (const int s : {near, far}) {
         forget(mesh_.segment(s).vertices[0], mesh_.segment(s).vertices[1]);

@@ -38,6 +38,8 @@ class Maxmin {
 
     /// Other triangles in the place of some (see SurfaceMesh::replace), in the books as well.
     std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);
+    /// Two segments in the place of one (see SurfaceMesh::split_segment), in the books as well.
+    int split_segment(int segment, int vertex, double t, const std::vector<int>& sites);
     /// One segment in the place of two (see SurfaceMesh::join_segments), in the books as well.
     std::vector<int> join_segments(int near, int far, const std::vector<mesh::SurfaceMesh::Refill>& refills);
     /// Another vertex between two segments (see SurfaceMesh::put_between), in the books as well.

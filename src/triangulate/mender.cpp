@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include "base/angle.h"
@@ -20,6 +21,8 @@ using mesh::SurfaceMesh;
 // What a change must gain at least: a part of what is missing, so that many small changes end, and in radians.
 constexpr double kGainOfMissing = 0.05;
 constexpr double kGain = 1e-6;
+// What is aimed at lies above the bound by so much, radians, or it would be approached without end.
+constexpr double kMargin = 0.002 * kDegree;
 constexpr std::size_t kMaxTried = 6;
 // Attempts: so many for each triangle that is bad at first, and no more than so many and a part of the number of all
 // triangles, so that parts full of needles do not take for ever.
@@ -29,7 +32,8 @@ constexpr std::size_t kTrianglesPerAttempt = 4;
 constexpr int kMaxGrowth = 3;
 // By how much triangles beside bad ones are made better than the bound, radians, and how often that is tried.
 constexpr double kRoom = 3.0 * kDegree;
-constexpr int kMaxRounds = 4;
+constexpr int kMaxRounds = 6;
+constexpr double kLeftAfterRound = 0.95;  // of what was missing, or it is the last
 constexpr double kMaxLift = 0.5;
 // A fan of more triangles has no angle worth the search; where a surface shrinks to a point, thousands meet in a
 // vertex.
@@ -47,7 +51,7 @@ void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<D
 }  // namespace
 
 Mender::Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing)
-    : work_(work), bound_(min_angle_degrees * kDegree), sizing_(sizing), slider_(work, sizing) {}
+    : work_(work), bound_(min_angle_degrees * kDegree), sizing_(sizing), slider_(work, sizing), undo_(work) {}
 
 // The part itself has the angle.
 bool Mender::hopeless(int triangle) const {
@@ -93,23 +97,29 @@ void Mender::push_all() {
 }
 
 bool Mender::run() {
-    wanted_ = bound_;
+    wanted_ = bound_ + kMargin;
     push_all();
     bool changed = work_off();
-    std::size_t left = bad_triangles().size();
-    for (int round = 0; round < kMaxRounds && left > 0; ++round) {
+    double left = missing_in_all();
+    for (int round = 0; round < kMaxRounds && left > 0.0; ++round) {
         make_room();
         push_all();
         changed = work_off() || changed;
         changed = escape_all() || changed;
-        const std::size_t now = bad_triangles().size();
-        if (now >= left) {
+        const double now = missing_in_all();
+        if (now > kLeftAfterRound * left) {
             break;
         }
         left = now;
     }
     close_gaps(work_);
     return changed;
+}
+
+double Mender::missing_in_all() const {
+    const std::vector<int> bad = bad_triangles();
+    return std::accumulate(bad.begin(), bad.end(), 0.0,
+                           [&](double sum, int t) { return sum + bound_ - smallest_angle(work_.mesh, t).angle; });
 }
 
 // Takes what is in the queue and what comes into it.
@@ -162,7 +172,7 @@ void Mender::make_room() {
     wanted_ = bound_ + kRoom;
     push_all();
     work_off();
-    wanted_ = bound_;
+    wanted_ = bound_ + kMargin;
     near_.clear();
 }
 
@@ -191,7 +201,7 @@ std::vector<Disc> Mender::discs_around(int triangle) const {
 std::optional<Disc> Mender::propose(const Disc& disc, std::vector<Proposal>& proposals) const {
     const double before = smallest_angle(work_.mesh, disc);
     const auto keep = [&](int apex_site, const Vec3& apex, double angle) {
-        if (angle >= enough_after(before)) {
+        if (angle >= enough_after(before) && !reopens_ear(disc, apex_site)) {
             proposals.push_back({disc, apex_site, apex, angle, before});
         }
     };
@@ -233,10 +243,10 @@ bool Mender::mend(int triangle) {
         }
         discs = std::move(larger);
     }
-    if ((undo_ == nullptr && slide(triangle)) || try_best(proposals, 0.0)) {
+    if ((undo_.empty() && slide(triangle)) || try_best(proposals, 0.0)) {
         return true;
     }
-    if (undo_ == nullptr) {
+    if (undo_.empty()) {
         exhausted_.insert(keys.begin(), keys.end());
     }
     return false;
@@ -261,7 +271,7 @@ bool Mender::try_best(std::vector<Proposal>& proposals, double at_least) {
 }
 
 bool Mender::good_enough(const Disc& disc, const Corner& apex, int apex_site, double before) const {
-    const double least = std::min(kAlignedSwap, disc_alignment(work_.mesh, disc));
+    const double least = std::min(least_aligned_, disc_alignment(work_.mesh, disc));
     return fan_angle(work_.mesh, disc, apex.point, apex_site) >= enough_after(before) &&
            fan_alignment(work_.mesh, disc, apex, apex_site) >= least &&
            within_bounds(work_, sizing_, disc, apex, apex_site);
@@ -324,7 +334,7 @@ std::optional<SurfacePoint> Mender::apex_near(const Disc& disc, const Vec3& p) c
     return surface_points(work_, {candidate}).front();
 }
 
-bool Mender::carry_out(Proposal& proposal) {
+bool Mender::carry_out(const Proposal& proposal) {
     const SurfaceMesh& mesh = work_.mesh;
     const Disc& disc = proposal.disc;
     int site = proposal.apex_site;
@@ -344,19 +354,16 @@ bool Mender::carry_out(Proposal& proposal) {
         const int face = mesh.face_of(disc.triangles.front());
         site = work_.mesh.add_site({work_.mesh.add_vertex(found->point, {2, face}), found->uv, found->normal});
     }
-    replace(disc, site);
-    return true;
+    const std::vector<int> fan = replace(disc, site);
+    return proposal.ear_site < 0 || cut_ear(fan, proposal.ear_site, site);
 }
 
-void Mender::replace(const Disc& disc, int apex_site) {
-    if (undo_ != nullptr) {
-        undo_->about_to_remove(disc.triangles);
-    }
+std::vector<int> Mender::replace(const Disc& disc, int apex_site) {
+    undo_.about_to_remove(disc.triangles);
     const std::vector<int> added = put_fan(work_, disc, apex_site, bound_);
-    if (undo_ != nullptr) {
-        undo_->added(added);
-    }
+    undo_.added(added);
     look_again_around(added);
+    return added;
 }
 
 bool Mender::slide(int triangle) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -27,7 +28,8 @@ namespace mq::triangulate {
 /// Every change lifts the smallest angle of its disc by a least amount, and the number of attempts is limited.
 ///
 /// Where no single change does, a disc is changed for the worse, with a vertex more or less (a fan around a vertex of a
-/// CAD edge gets another spoke), what is around it is mended, and all of it is undone unless it ends better.
+/// CAD edge gets another spoke, a corner loses one), or a segment is split, what is around is mended, and all of it is
+/// undone unless it ends better. Where that does not help either, another such change follows upon the first.
 class Mender {
   public:
     Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing);
@@ -50,6 +52,7 @@ class Mender {
         Vec3 apex = Vec3::Zero();
         double angle = 0.0;  ///< smallest of the fan
         double before = 0.0;
+        int ear_site = -1;  ///< of the rim, to be cut off; -1: none
     };
 
     void push_if_bad(int triangle);
@@ -57,6 +60,7 @@ class Mender {
     void push_all();
     bool work_off();
     std::vector<int> bad_triangles() const;
+    double missing_in_all() const;
     void make_room();
     bool hopeless(int triangle) const;
     bool at_resolution(int triangle) const;
@@ -65,18 +69,41 @@ class Mender {
     std::optional<Disc> propose(const Disc& disc, std::vector<Proposal>& proposals) const;
     bool try_best(std::vector<Proposal>& proposals, double at_least);
     std::optional<SurfacePoint> apex_near(const Disc& disc, const Vec3& p) const;
-    bool carry_out(Proposal& proposal);
-    void replace(const Disc& disc, int apex_site);
+    bool carry_out(const Proposal& proposal);
+    std::vector<int> replace(const Disc& disc, int apex_site);
     bool slide(int triangle);
+
+    /// A change for the worse: of a disc, or of a segment.
+    struct Kick {
+        Proposal fan;
+        int segment = -1;
+        double fraction = 0.0;  ///< of its parameters, where it is split
+    };
 
     // mender_escape.cpp
     bool escape_all();
-    bool first_escape(int triangle);
-    bool escape(int triangle);
+    bool escape_all(std::size_t depth);
+    bool spent() const;
+    bool first_escape(int triangle, std::size_t depth);
+    bool escape(int triangle, std::size_t depth);
+    bool try_kick(const Kick& kick);
+    bool better() const;
+    bool promising() const;
+    int worst_now() const;
+    void keep(const Exemption& reason);
     bool move_corner(int triangle);
+    bool cut_ear(const std::vector<int>& fan, int ear_site, int apex_site);
+    bool reopens_ear(const Disc& disc, int apex_site) const;
+    bool reopens_ear(const Disc& disc, int apex_site, int ear) const;
     void follow(const std::function<bool(int)>& change);
-    std::vector<Proposal> kicks(int triangle) const;
-    bool better_after(Proposal& kick, RegionUndo& undo);
+    std::vector<Kick> kicks(int triangle) const;
+    void add_fans(const Disc& disc, std::vector<Kick>& kicks) const;
+
+    // mender_split.cpp
+    void add_splits(int triangle, std::vector<Kick>& kicks) const;
+    std::vector<int> segments_around(int triangle) const;
+    bool can_be_split(int segment) const;
+    bool split(int segment, double fraction);
 
     void look_again_around(const std::vector<int>& changed);
     double enough_after(double before) const;
@@ -87,15 +114,18 @@ class Mender {
 
     Workspace& work_;
     double bound_;           // radians
-    double wanted_ = 0.0;    // radians, the bound or, near some vertices, more
+    double wanted_ = 0.0;    // radians, a little above the bound or, near some vertices, more
     std::vector<int> near_;  // these vertices, ascending
     const Sizing& sizing_;
     std::priority_queue<Bad> queue_;
     Slider slider_;
-    RegionUndo* undo_ = nullptr;  // while it is open whether what is done will be kept
-    TriangleMarks failed_;        // until something changes beside them
+    UndoStack undo_;                          // while it is open whether what is done will be kept
+    std::vector<int> ears_;                   // by trial: the site whose ear was cut off, or -1
+    std::vector<std::array<int, 2>> splits_;  // of these trials: near and far segments
+    TriangleMarks failed_;                    // until something changes beside them
     KeySet tried_to_escape_;
-    std::size_t escape_attempts_ = 0;
+    std::size_t attempts_left_ = 0;
+    double least_aligned_ = kAlignedSwap;
     KeySet exhausted_;  // discs that nothing better was found for, by key
 };
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
+#include "base/angle.h"
 #include "triangulate/corner_angle.h"
+#include "triangulate/disc_change.h"
 #include "triangulate/mender.h"
 
 namespace mq::triangulate {
@@ -17,12 +22,18 @@ using mesh::SurfaceMesh;
 // Changes for the worse: to no less than so much of the bound, so many at a triangle, with so many attempts to mend
 // what is around, of each kind and in all, and to be kept only if so much at most is left of what was missing.
 constexpr double kLeastOfKick = 0.2;
-constexpr std::size_t kMaxKicks = 40;
+constexpr std::size_t kMaxKicks = 60;
+constexpr std::size_t kMaxKicksInside = 12;
 constexpr int kAttemptsAfterKick = 150;
-constexpr std::size_t kAttemptsInAll = 20000;
 constexpr double kLeftAfterKick = 0.95;
-// Where more are left, the part is to blame.
-constexpr std::size_t kMostLeft = 200;
+// At the apex of a slender cone a triangle in the place of two reaches half around it, until its corners have moved.
+constexpr double kAlignedForNow = -0.1;
+// By number of changes one upon another: where more triangles are left, the part is to blame; and attempts to mend.
+constexpr std::array<std::size_t, 2> kMostLeft{200, 60};
+constexpr std::array<std::size_t, 2> kAttemptsOfRound{20000, 40000};
+// A second change is worth it where no more is missing after the first: so many times what was, and radians.
+constexpr double kPromising = 3.0;
+constexpr double kPromisingMore = 10.0 * kDegree;
 
 void rename(Disc& disc, const std::map<int, int>& moved) {
     const auto now = [&](int t) {
@@ -37,53 +48,147 @@ void rename(Disc& disc, const std::map<int, int>& moved) {
     }
 }
 
+double missing_of(const std::vector<double>& angles, double bound) {
+    return std::accumulate(angles.begin(), angles.end(), 0.0,
+                           [&](double sum, double angle) { return sum + std::max(0.0, bound - angle); });
+}
+
+std::vector<double> angles_now(const SurfaceMesh& mesh, const RegionUndo& trial) {
+    std::vector<double> angles;
+    for (const int t : trial.now()) {
+        angles.push_back(smallest_angle(mesh, t).angle);
+    }
+    return angles;
+}
+
 }  // namespace
 
-// What is left; first what misses least, which is helped most easily.
+// One change after all others have had their turn.
 bool Mender::escape_all() {
     bool changed = false;
+    for (std::size_t depth = 1; depth <= kMostLeft.size(); ++depth) {
+        changed = escape_all(depth) || changed;
+    }
+    return changed;
+}
+
+// What is left; first what misses least, which is helped most easily.
+bool Mender::escape_all(std::size_t depth) {
+    bool changed = false;
+    tried_to_escape_.clear();
+    attempts_left_ = kAttemptsOfRound[depth - 1];
     for (bool again = true; again;) {  // what is undone has other indices
         again = false;
         std::vector<std::pair<double, int>> bad;
         for (const int t : bad_triangles()) {
             bad.emplace_back(-smallest_angle(work_.mesh, t).angle, t);
         }
-        if (bad.size() > kMostLeft) {
+        if (bad.size() > kMostLeft[depth - 1]) {
             return changed;
         }
         std::sort(bad.begin(), bad.end());
         for (const auto& [angle, t] : bad) {
-            if (work_.exemption_of(t) != nullptr && first_escape(t)) {
+            if (work_.exemption_of(t) != nullptr && first_escape(t, depth)) {
                 again = true;
-                changed = escape(t) || changed;
+                const Exemption reason = *work_.exemption_of(t);
+                if (escape(t, depth)) {
+                    keep(reason);
+                    changed = true;
+                }
             }
         }
     }
     return changed;
 }
 
-// By its sites: after what was undone it is another triangle, but not a better one.
-bool Mender::first_escape(int triangle) {
-    std::uint64_t key = 0;
+// By the sites around: after what was undone it is another triangle, but not a better one.
+bool Mender::first_escape(int triangle, std::size_t depth) {
+    std::uint64_t key = depth;
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        key += KeyHash()(static_cast<std::uint64_t>(work_.mesh.site_of(h)));
+        for (const int spoke : work_.mesh.star(h)) {
+            key += KeyHash()(static_cast<std::uint64_t>(work_.mesh.site_of(SurfaceMesh::next(spoke))));
+        }
     }
     return tried_to_escape_.insert(key).second;
 }
 
-bool Mender::escape(int triangle) {
-    std::vector<Proposal> tries = kicks(triangle);
-    for (auto kick = tries.begin(); kick != tries.end() && escape_attempts_ < kAttemptsInAll && !work_.over_budget();
-         ++kick) {
+bool Mender::spent() const {
+    return attempts_left_ == 0 || work_.over_budget();
+}
+
+// By up to `depth` changes, one upon another. On success the trials are open.
+bool Mender::escape(int triangle, std::size_t depth) {
+    std::vector<Kick> tries = kicks(triangle);
+    tries.resize(std::min(tries.size(), undo_.empty() ? kMaxKicks : kMaxKicksInside));
+    for (auto kick = tries.begin(); kick != tries.end() && !spent(); ++kick) {
         work_.progress.check();
-        RegionUndo undo(work_);
-        if (better_after(*kick, undo)) {
+        undo_.begin();
+        ears_.push_back(kick->fan.ear_site);
+        const std::size_t splits = splits_.size();
+        if (try_kick(*kick) && (better() || (depth > 1 && promising() && escape(worst_now(), depth - 1)))) {
             return true;
         }
-        const std::map<int, int> moved = undo.undo();
-        std::for_each(kick, tries.end(), [&](Proposal& later) { rename(later.disc, moved); });
+        ears_.pop_back();
+        splits_.resize(splits);
+        const std::map<int, int> moved = undo_.undo_last();
+        std::for_each(kick, tries.end(), [&](Kick& later) { rename(later.fan.disc, moved); });
     }
     return false;
+}
+
+// And mends what it has made worse.
+bool Mender::try_kick(const Kick& kick) {
+    queue_ = {};
+    least_aligned_ = kAlignedForNow;
+    const bool done = kick.segment >= 0 ? split(kick.segment, kick.fraction) : carry_out(kick.fan);
+    least_aligned_ = kAlignedSwap;
+    if (done) {
+        follow([&](int t) { return move_corner(t); });
+        for (const int t : undo_.last().now()) {
+            push_if_bad(t);
+        }
+        follow([&](int t) { return mend(t); });
+    }
+    queue_ = {};
+    return done;
+}
+
+// What is missing of the bound around must become less in all, and nothing worse than the worst there was.
+bool Mender::better() const {
+    const std::vector<double> before = undo_.first().angles_before();
+    const std::vector<double> after = angles_now(work_.mesh, undo_.first());
+    const std::set<int>& now = undo_.first().now();
+    const double least = std::min(kAlignedSwap, undo_.first().alignment_before());
+    return *std::min_element(after.begin(), after.end()) >= *std::min_element(before.begin(), before.end()) &&
+           missing_of(after, bound_) < kLeftAfterKick * missing_of(before, bound_) &&
+           std::all_of(now.begin(), now.end(), [&](int t) { return alignment(work_.mesh, t) >= least; });
+}
+
+bool Mender::promising() const {
+    return missing_of(angles_now(work_.mesh, undo_.first()), bound_) <
+           kPromising * missing_of(undo_.first().angles_before(), bound_) + kPromisingMore;
+}
+
+int Mender::worst_now() const {
+    const std::set<int>& now = undo_.first().now();
+    return *std::min_element(now.begin(), now.end(), [&](int a, int b) {
+        return smallest_angle(work_.mesh, a).angle < smallest_angle(work_.mesh, b).angle;
+    });
+}
+
+// What is below the bound after an escape need not lie where something was before.
+void Mender::keep(const Exemption& reason) {
+    const std::set<int>& now = undo_.first().now();
+    std::vector<int> left;
+    std::copy_if(now.begin(), now.end(), std::back_inserter(left),
+                 [&](int t) { return work_.exemption_of(t) == nullptr; });
+    exempt_bad(work_, left, bound_, reason);
+    for (const auto& [near, far] : splits_) {
+        slider_.was_split(near, far);
+    }
+    splits_.clear();
+    ears_.clear();
+    undo_.keep_all();
 }
 
 // A vertex of it, and nothing else.
@@ -103,69 +208,102 @@ bool Mender::move_corner(int triangle) {
     return try_best(proposals, 0.0);
 }
 
-// Changes that leave another number of vertices, the best first.
-std::vector<Mender::Proposal> Mender::kicks(int triangle) const {
+// Changes that leave another number of vertices or of triangles at one, the best first.
+std::vector<Mender::Kick> Mender::kicks(int triangle) const {
+    std::vector<Kick> result;
+    for (const Disc& disc : discs_around(triangle)) {
+        add_fans(disc, result);
+    }
+    add_splits(triangle, result);
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Kick& a, const Kick& b) { return a.fan.angle > b.fan.angle; });
+    return result;
+}
+
+void Mender::add_fans(const Disc& disc, std::vector<Kick>& kicks) const {
     const SurfaceMesh& mesh = work_.mesh;
-    std::vector<Proposal> result;
-    const auto keep = [&](const Disc& disc, int apex_site, const Vec3& apex) {
+    const double least = kLeastOfKick * bound_;
+    const auto keep = [&](int apex_site, const Vec3& apex) {
         const double angle = fan_angle(mesh, disc, apex, apex_site);
-        if (angle > kLeastOfKick * bound_) {
-            result.push_back({disc, apex_site, apex, angle, -M_PI});
+        if (angle > least) {
+            kicks.push_back({{disc, apex_site, apex, angle, -M_PI}});
         }
     };
-    for (const Disc& disc : discs_around(triangle)) {
-        const std::size_t inside = (disc.triangles.size() + 2 - disc.rim.size()) / 2;
-        for (const int side : inside > 0 ? disc.rim : std::vector<int>()) {
-            keep(disc, mesh.site_of(side), mesh.point_of(side));
-        }
-        if (inside != 1) {
-            keep(disc, -1, best_apex(mesh, disc, kLeastOfKick * bound_));
+    const std::size_t inside = (disc.triangles.size() + 2 - disc.rim.size()) / 2;
+    for (const int side : inside > 0 ? disc.rim : std::vector<int>()) {
+        keep(mesh.site_of(side), mesh.point_of(side));
+    }
+    if (inside != 1) {
+        keep(-1, best_apex(mesh, disc, least));
+    }
+    for (const EaredFan& fan : eared_fans(mesh, disc, least)) {
+        if (fan.angle > least) {
+            kicks.push_back({{disc, -1, fan.apex, fan.angle, -M_PI, fan.ear_site}});
         }
     }
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Proposal& a, const Proposal& b) { return a.angle > b.angle; });
-    result.resize(std::min(result.size(), kMaxKicks));
-    return result;
+}
+
+// The two triangles of the fan at that corner swap their common side.
+bool Mender::cut_ear(const std::vector<int>& fan, int ear_site, int apex_site) {
+    const SurfaceMesh& mesh = work_.mesh;
+    std::vector<int> at_ear;
+    int beside = -1;
+    for (const int t : fan) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (mesh.site_of(h) == ear_site) {
+                at_ear.push_back(t);
+                const int other = mesh.site_of(SurfaceMesh::next(h));
+                beside = other != apex_site ? other : beside;
+            }
+        }
+    }
+    const auto disc = disc_of(mesh, std::move(at_ear));
+    if (!disc || beside < 0) {
+        return false;
+    }
+    Proposal swap{*disc, beside, mesh.vertex(mesh.site(beside).vertex).point, 0.0, 0.0};
+    return carry_out(swap);
+}
+
+// Whether a corner that lost a triangle by an ear would get another one. Nothing else keeps what follows a kick from
+// going the way back.
+bool Mender::reopens_ear(const Disc& disc, int apex_site) const {
+    return std::any_of(ears_.begin(), ears_.end(),
+                       [&](int ear) { return ear >= 0 && reopens_ear(disc, apex_site, ear); });
+}
+
+bool Mender::reopens_ear(const Disc& disc, int apex_site, int ear) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    const auto at_ear = [&](int h) { return mesh.site_of(h) == ear; };
+    const auto side = std::find_if(disc.rim.begin(), disc.rim.end(), at_ear);
+    if (side == disc.rim.end()) {
+        return false;
+    }
+    const std::vector<int> around = triangles_around(mesh, *side);
+    const auto before = std::count_if(around.begin(), around.end(), [&](int t) {
+        return std::find(disc.triangles.begin(), disc.triangles.end(), t) != disc.triangles.end();
+    });
+    const std::ptrdiff_t sides = static_cast<std::ptrdiff_t>(disc.rim.size());
+    const bool beside = std::any_of(disc.rim.begin(), disc.rim.end(), [&](int h) {
+        const int next = SurfaceMesh::next(h);
+        return (at_ear(h) && mesh.site_of(next) == apex_site) || (at_ear(next) && mesh.site_of(h) == apex_site);
+    });
+    const std::ptrdiff_t after = apex_site == ear ? sides - 2 : beside ? 1 : 2;
+    return after > before;
 }
 
 // What a kick has made worse, by one kind of change.
 void Mender::follow(const std::function<bool(int)>& change) {
     TriangleMarks tried;
-    for (int n = 0; n < kAttemptsAfterKick && !queue_.empty() && !work_.over_budget(); ++n) {
+    for (int n = 0; n < kAttemptsAfterKick && !queue_.empty() && !spent(); ++n) {
         const Bad bad = queue_.top();
         queue_.pop();
-        ++escape_attempts_;
+        --attempts_left_;
         if (work_.mesh.stamp(bad.triangle) == bad.stamp && !tried.marked(work_.mesh, bad.triangle) &&
             !change(bad.triangle)) {
             tried.mark(work_.mesh, bad.triangle);
         }
     }
-}
-
-// What is missing of the bound around must become less in all, and nothing worse than the worst there was.
-bool Mender::better_after(Proposal& kick, RegionUndo& undo) {
-    undo_ = &undo;
-    queue_ = {};
-    bool better = false;
-    if (carry_out(kick)) {
-        follow([&](int t) { return move_corner(t); });
-        for (const int t : undo.now()) {
-            push_if_bad(t);
-        }
-        follow([&](int t) { return mend(t); });
-        const auto missing = [&](double sum, double angle) { return sum + std::max(0.0, bound_ - angle); };
-        std::vector<double> after;
-        for (const int t : undo.now()) {
-            after.push_back(smallest_angle(work_.mesh, t).angle);
-        }
-        const std::vector<double>& before = undo.angles_before();
-        better = *std::min_element(after.begin(), after.end()) >= *std::min_element(before.begin(), before.end()) &&
-                 std::accumulate(after.begin(), after.end(), 0.0, missing) <
-                     kLeftAfterKick * std::accumulate(before.begin(), before.end(), 0.0, missing);
-    }
-    queue_ = {};
-    undo_ = nullptr;
-    return better;
 }
 
 }  // namespace mq::triangulate

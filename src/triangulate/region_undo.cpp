@@ -1,40 +1,137 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/region_undo.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "triangulate/corner_angle.h"
+#include "triangulate/fold.h"
 
 namespace mq::triangulate {
 
+using mesh::SurfaceMesh;
+
 void RegionUndo::about_to_remove(const std::vector<int>& triangles) {
-    const mesh::SurfaceMesh& mesh = work_.mesh;
+    const SurfaceMesh& mesh = work_.mesh;
     for (const int t : triangles) {
         if (now_.erase(t) > 0) {
             continue;
         }
-        removed_.push_back(t);
-        sites_.push_back({mesh.site_of(3 * t), mesh.site_of(3 * t + 1), mesh.site_of(3 * t + 2)});
-        angles_.push_back(smallest_angle(mesh, t).angle);
-        const Exemption* exemption = work_.exemption_of(t);
-        exemptions_.push_back(exemption != nullptr ? std::optional<Exemption>(*exemption) : std::nullopt);
+        Before before{t, mesh.face_of(t), {}, smallest_angle(mesh, t).angle, std::nullopt};
+        before.sites = {mesh.site_of(3 * t), mesh.site_of(3 * t + 1), mesh.site_of(3 * t + 2)};
+        if (const Exemption* exemption = work_.exemption_of(t)) {
+            before.exemption = *exemption;
+        }
+        before_.push_back(before);
+        alignment_ = std::min(alignment_, alignment(mesh, t));
     }
 }
 
+void RegionUndo::about_to_split(int segment) {
+    const SurfaceMesh& mesh = work_.mesh;
+    split_ = Split{segment, mesh.segment_count(), {}, {}};
+    for (const SurfaceMesh::SegmentUse& use : mesh.segment(segment).uses) {
+        split_->bases.push_back({mesh.site_of(use.half_edge), mesh.site_of(SurfaceMesh::next(use.half_edge))});
+        split_->faces.push_back(mesh.face_of(SurfaceMesh::triangle_of(use.half_edge)));
+    }
+}
+
+std::vector<double> RegionUndo::angles_before() const {
+    std::vector<double> angles;
+    for (const Before& before : before_) {
+        angles.push_back(before.angle);
+    }
+    return angles;
+}
+
+// Of one face all that is to go and all that comes back.
+SurfaceMesh::Refill RegionUndo::refill_of(int face) const {
+    SurfaceMesh::Refill refill;
+    for (const int t : now_) {
+        if (work_.mesh.face_of(t) == face) {
+            refill.removed.push_back(t);
+        }
+    }
+    for (const Before& before : before_) {
+        if (before.face == face) {
+            refill.added.push_back(before.sites);
+        }
+    }
+    return refill;
+}
+
 std::map<int, int> RegionUndo::undo() {
-    if (removed_.empty()) {
-        return {};
+    std::set<int> faces;
+    for (const Before& before : before_) {
+        faces.insert(before.face);
     }
     for (const int t : now_) {
         work_.exempt.erase(t);
     }
-    const std::vector<int> again = work_.maxmin.replace({now_.begin(), now_.end()}, sites_);
-    std::map<int, int> moved;
-    for (std::size_t i = 0; i < again.size(); ++i) {
-        moved[removed_[i]] = again[i];
-        if (exemptions_[i]) {
-            exemptions_[i]->stamp = work_.mesh.stamp(again[i]);
-            work_.exempt[again[i]] = *exemptions_[i];
+    std::map<int, std::vector<int>> again;  // by face, in the order of `before_`
+    if (split_) {
+        std::vector<SurfaceMesh::Refill> refills;
+        for (std::size_t k = 0; k < split_->faces.size(); ++k) {
+            refills.push_back(refill_of(split_->faces[k]));
+            refills.back().base = split_->bases[k];
+        }
+        const std::vector<int> joined = work_.maxmin.join_segments(split_->near, split_->far, refills);
+        auto next = joined.begin();
+        for (std::size_t k = 0; k < refills.size(); ++k) {
+            const auto end = next + static_cast<std::ptrdiff_t>(refills[k].added.size());
+            again[split_->faces[k]].assign(next, end);
+            faces.erase(split_->faces[k]);
+            next = end;
         }
     }
+    for (const int face : faces) {
+        const SurfaceMesh::Refill refill = refill_of(face);
+        again[face] = work_.maxmin.replace(refill.removed, refill.added);
+    }
+    std::map<int, int> moved;
+    std::map<int, std::size_t> done;
+    for (Before& before : before_) {
+        const int t = again[before.face][done[before.face]++];
+        moved[before.triangle] = t;
+        if (before.exemption) {
+            before.exemption->stamp = work_.mesh.stamp(t);
+            work_.exempt[t] = *before.exemption;
+        }
+    }
+    return moved;
+}
+
+void UndoStack::about_to_remove(const std::vector<int>& triangles) {
+    for (RegionUndo& trial : open_) {
+        trial.about_to_remove(triangles);
+    }
+}
+
+void UndoStack::about_to_split(int segment) {
+    for (const SurfaceMesh::SegmentUse& use : work_.mesh.segment(segment).uses) {
+        about_to_remove({SurfaceMesh::triangle_of(use.half_edge)});
+    }
+    if (!open_.empty()) {
+        open_.back().about_to_split(segment);
+    }
+}
+
+void UndoStack::added(const std::vector<int>& triangles) {
+    for (RegionUndo& trial : open_) {
+        trial.added(triangles);
+    }
+}
+
+std::map<int, int> UndoStack::undo_last() {
+    RegionUndo last = std::move(open_.back());
+    open_.pop_back();
+    about_to_remove({last.now().begin(), last.now().end()});
+    std::map<int, int> moved = last.undo();
+    std::vector<int> again;
+    for (const auto& [before, now] : moved) {
+        again.push_back(now);
+    }
+    added(again);
     return moved;
 }
 

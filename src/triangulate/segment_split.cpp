@@ -251,16 +251,10 @@ void SegmentSplitter::insert(int segment, double t, const Vec3& point, const Ans
     for (std::size_t k = 0; k < old.uses.size(); ++k) {
         sites.push_back(mesh.add_site({vertex, Vec2(on_faces[k].u, on_faces[k].v), on_faces[k].normal}));
     }
-    work_.maxmin.forget(old.vertices[0], old.vertices[1]);
-    const int far = mesh.split_segment(segment, vertex, t, sites);
-    work_.maxmin.remember(old.vertices[0], vertex);
-    work_.maxmin.remember(vertex, old.vertices[1]);
+    const int far = work_.maxmin.split_segment(segment, vertex, t, sites);
     for (const int s : {segment, far}) {
         for (const SurfaceMesh::SegmentUse& use : mesh.segment(s).uses) {
             touched.push_back(SurfaceMesh::triangle_of(use.half_edge));
-            if (s == segment) {  // the edge from the new vertex to the apex is seen from both halves: count it once
-                work_.maxmin.remember(vertex, mesh.vertex_of(SurfaceMesh::prev(use.half_edge)));
-            }
         }
     }
     for (const Cavity& cavity : cavities) {

@@ -525,6 +525,31 @@ TEST(SurfaceMesh, StampsGoOnWherePlacesAreTakenAgain) {
     EXPECT_EQ(mesh.inconsistency(), "");
 }
 
+/// Where a side of the parameter domain is a point of space, an inner edge may end at two sites of one vertex.
+TEST(SurfaceMesh, ReplacesBothSidesOfAnEdgeWithTwoSitesAtAnEnd) {
+    SurfaceMesh mesh;
+    std::array<int, 4> vertices{};
+    std::array<int, 4> sites{};
+    for (int i = 0; i < 4; ++i) {
+        vertices[i] = mesh.add_vertex(Vec3(i % 2, i / 2, 0), {1, i});
+        sites[i] = mesh.add_site({vertices[i]});
+    }
+    const int other = mesh.add_site({vertices[2]});
+    const std::vector<std::array<int, 3>> corners{{sites[0], sites[1], sites[2]}, {sites[1], sites[3], other}};
+    for (const auto& c : corners) {
+        mesh.add_triangle(c, 0);
+    }
+    mesh.link(1, 5);
+    for (const int h : {0, 2, 3, 4}) {
+        const int s = mesh.add_segment(h, {mesh.vertex_of(h), mesh.vertex_of(SurfaceMesh::next(h))}, {0.0, 1.0});
+        mesh.bind(h, s, h);
+    }
+    ASSERT_EQ(mesh.inconsistency(), "");
+    mesh.replace({0, 1}, {corners[1], corners[0]});
+    EXPECT_EQ(mesh.inconsistency(), "");
+    EXPECT_EQ(mesh.twin(2), 4);
+}
+
 TEST(SurfaceMesh, InconsistencyNamesLooseAndWrongHalfEdges) {
     SurfaceMesh mesh;
     std::array<int, 4> sites{};

@@ -68,5 +68,95 @@ TEST(RegionUndo, BringsBackWhatWasThere) {
     }
 }
 
+using Ends = std::array<double, 5>;
+
+std::set<Ends> segments_of(const mesh::SurfaceMesh& mesh) {
+    std::set<Ends> all;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        const mesh::SurfaceMesh::Segment& segment = mesh.segment(s);
+        if (!segment.uses.empty()) {
+            all.insert({static_cast<double>(segment.edge), static_cast<double>(segment.vertices[0]),
+                        static_cast<double>(segment.vertices[1]), segment.t[0], segment.t[1]});
+        }
+    }
+    return all;
+}
+
+void random_fan(Pipeline& pipeline, std::mt19937& random, UndoStack& undo) {
+    mesh::SurfaceMesh& mesh = pipeline.surface;
+    const int t = static_cast<int>(random() % static_cast<unsigned>(mesh.triangle_count()));
+    if (mesh.gone(t)) {
+        return;
+    }
+    const auto disc = disc_of(mesh, triangles_around(mesh, 3 * t + static_cast<int>(random() % 3)));
+    if (!disc) {
+        return;
+    }
+    const mesh::SurfaceMesh::Site site = mesh.site(mesh.site_of(disc->rim.front()));
+    const int vertex = mesh.add_vertex(site.point, {2, mesh.face_of(t)});
+    undo.about_to_remove(disc->triangles);
+    undo.added(put_fan(pipeline.work, *disc, mesh.add_site({vertex, site.uv, site.normal}), 0.4));
+}
+
+// On two faces, in the middle of its parameters.
+void random_split(Pipeline& pipeline, std::mt19937& random, UndoStack& undo) {
+    mesh::SurfaceMesh& mesh = pipeline.surface;
+    const int s = static_cast<int>(random() % static_cast<unsigned>(mesh.segment_count()));
+    const mesh::SurfaceMesh::Segment segment = mesh.segment(s);
+    std::set<int> faces;
+    for (const auto& use : segment.uses) {
+        faces.insert(mesh.face_of(use.half_edge / 3));
+    }
+    if (faces.empty() || faces.size() < segment.uses.size()) {
+        return;
+    }
+    undo.about_to_split(s);
+    const double t = 0.5 * (segment.t[0] + segment.t[1]);
+    const Vec3 point = 0.5 * (mesh.vertex(segment.vertices[0]).point + mesh.vertex(segment.vertices[1]).point);
+    const int vertex = mesh.add_vertex(point, {1, segment.edge});
+    std::vector<int> sites;
+    for (const auto& use : segment.uses) {
+        sites.push_back(mesh.add_site({vertex, Vec2::Zero(), mesh.site(mesh.site_of(use.half_edge)).normal}));
+    }
+    const int far = pipeline.maxmin.split_segment(s, vertex, t, sites);
+    for (const int half : {s, far}) {
+        for (const auto& use : mesh.segment(half).uses) {
+            undo.added({use.half_edge / 3});
+        }
+    }
+}
+
+/// Fans and splits of segments in trials within trials: each comes back to what it began with, on all faces.
+TEST(UndoStack, BringsBackWhatWasThereTrialByTrial) {
+    std::mt19937 random(11);
+    for (const geometry::Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        pipeline.refine(25.0);
+        mesh::SurfaceMesh& mesh = pipeline.surface;
+        for (int round = 0; round < 10; ++round) {
+            UndoStack undo(pipeline.work);
+            std::vector<std::pair<std::set<std::array<int, 3>>, std::set<Ends>>> before;
+            for (int depth = 0; depth < 3; ++depth) {
+                before.emplace_back(sites_of(mesh), segments_of(mesh));
+                undo.begin();
+                random_fan(pipeline, random, undo);
+                random_split(pipeline, random, undo);
+                random_fan(pipeline, random, undo);
+                EXPECT_EQ(mesh.inconsistency(), "");
+            }
+            while (!undo.empty()) {
+                undo.undo_last();
+                EXPECT_EQ(sites_of(mesh), before.back().first);
+                EXPECT_EQ(segments_of(mesh), before.back().second);
+                EXPECT_EQ(mesh.inconsistency(), "");
+                before.pop_back();
+            }
+            mesh.compact();
+            EXPECT_TRUE(pipeline.maxmin.doubled_edges().empty());
+        }
+    }
+}
+
 }  // namespace
 }  // namespace mq::triangulate

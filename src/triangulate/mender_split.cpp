@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "base/angle.h"
+#include "triangulate/corner_angle.h"
+#include "triangulate/disc_change.h"
+#include "triangulate/mender.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Query;
+using mesh::SurfaceMesh;
+
+// Where on the segment, of its parameters; and so many segments at a triangle.
+constexpr std::array<double, 3> kFractions{0.5, 0.36, 0.64};
+constexpr std::size_t kMostSegments = 8;
+
+}  // namespace
+
+// The longest first.
+std::vector<int> Mender::segments_around(int triangle) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    std::set<int> found;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        for (const int t : triangles_around(mesh, h)) {
+            for (int k = 3 * t; k < 3 * t + 3; ++k) {
+                if (mesh.segment_of(k) >= 0) {
+                    found.insert(mesh.segment_of(k));
+                }
+            }
+        }
+    }
+    std::vector<int> segments(found.begin(), found.end());
+    const auto length = [&](int s) {
+        const std::array<int, 2>& ends = mesh.segment(s).vertices;
+        return (mesh.vertex(ends[1]).point - mesh.vertex(ends[0]).point).norm();
+    };
+    std::stable_sort(segments.begin(), segments.end(), [&](int a, int b) { return length(a) > length(b); });
+    segments.resize(std::min(segments.size(), kMostSegments));
+    return segments;
+}
+
+// Not where a triangle fills a narrow corner, nor on seams.
+bool Mender::can_be_split(int segment) const {
+    std::set<int> faces;
+    for (const SurfaceMesh::SegmentUse& use : work_.mesh.segment(segment).uses) {
+        const int t = SurfaceMesh::triangle_of(use.half_edge);
+        if (!faces.insert(work_.mesh.face_of(t)).second || narrow_corner_of(work_.mesh, t) >= 0) {
+            return false;
+        }
+    }
+    return !faces.empty();
+}
+
+// Their angle is that of the halves of the triangles beside them, as far as chords tell.
+void Mender::add_splits(int triangle, std::vector<Kick>& kicks) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    for (const int segment : segments_around(triangle)) {
+        if (!can_be_split(segment)) {
+            continue;
+        }
+        for (const double fraction : kFractions) {
+            Kick kick{{}, segment, fraction};
+            kick.fan.angle = M_PI;
+            const std::array<int, 2>& ends = mesh.segment(segment).vertices;
+            const Vec3 a = mesh.vertex(ends[0]).point;
+            const Vec3 b = mesh.vertex(ends[1]).point;
+            const Vec3 middle = a + fraction * (b - a);
+            for (const SurfaceMesh::SegmentUse& use : mesh.segment(segment).uses) {
+                const Vec3& apex = mesh.point_of(SurfaceMesh::prev(use.half_edge));
+                for (const Vec3& end : {a, b}) {
+                    kick.fan.angle = std::min({kick.fan.angle, angle_between(apex - end, middle - end),
+                                               angle_between(apex - middle, end - middle),
+                                               angle_between(middle - apex, end - apex)});
+                }
+            }
+            kicks.push_back(kick);
+        }
+    }
+}
+
+// At that fraction of its parameters.
+bool Mender::split(int segment, double fraction) {
+    SurfaceMesh& mesh = work_.mesh;
+    const SurfaceMesh::Segment old = mesh.segment(segment);
+    const double t = old.t[0] + fraction * (old.t[1] - old.t[0]);
+    geometry::Engine::Batch batch{Query::edge_point(old.edge, t)};
+    for (const SurfaceMesh::SegmentUse& use : old.uses) {
+        batch.push_back(Query::use_on_face(use.use, t));
+    }
+    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
+    if (!std::all_of(answers.begin(), answers.end(), [](const geometry::Answer& a) { return a.found(); })) {
+        return false;
+    }
+    const Vec3 point = work_.grid.snap(answers.front().point);
+    for (const int end : old.vertices) {
+        if ((mesh.vertex(end).point - point).norm() < work_.shortest_allowed()) {
+            return false;
+        }
+    }
+    undo_.about_to_split(segment);
+    const int vertex = mesh.add_vertex(point, {1, old.edge});
+    std::vector<int> sites;
+    std::vector<int> beside;
+    for (std::size_t k = 0; k < old.uses.size(); ++k) {
+        const geometry::Answer& there = answers[k + 1];
+        sites.push_back(mesh.add_site({vertex, Vec2(there.u, there.v), there.normal}));
+        beside.push_back(SurfaceMesh::triangle_of(old.uses[k].half_edge));
+    }
+    const std::optional<Exemption> reason = take_exemptions(work_, beside);
+    const int far = work_.maxmin.split_segment(segment, vertex, t, sites);
+    std::vector<int> halves;
+    for (const int s : {segment, far}) {
+        for (const SurfaceMesh::SegmentUse& use : mesh.segment(s).uses) {
+            halves.push_back(SurfaceMesh::triangle_of(use.half_edge));
+        }
+    }
+    undo_.added(halves);
+    splits_.push_back({segment, far});
+    exempt_bad(work_, halves, bound_, reason);
+    look_again_around(halves);
+    return std::all_of(halves.begin(), halves.end(), [&](int h) { return alignment(mesh, h) >= least_aligned_; });
+}
+
+}  // namespace mq::triangulate
