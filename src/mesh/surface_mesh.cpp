@@ -232,6 +232,12 @@ std::vector<int> SurfaceMesh::replace(const std::vector<int>& removed, const std
     return indices;
 }
 
+void SurfaceMesh::become(const SurfaceMesh& other) {
+    const int numbers = std::max(numbers_, other.numbers_);
+    *this = other;
+    numbers_ = numbers;
+}
+
 // Half-edges, by the sites that they join. Where the parameter domain has a side for a point of space, the sides of an
 // edge there end at different sites of one vertex.
 void SurfaceMesh::link_by_vertices(const std::map<std::pair<int, int>, int>& open) {

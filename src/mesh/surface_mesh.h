@@ -131,6 +131,9 @@ class SurfaceMesh {
     /// @return the pairs old index, new index of the triangles that moved.
     std::vector<std::pair<int, int>> compact();
 
+    /// Becomes what it was, or another outcome of the same. Numbers of edges go on from the higher of the two.
+    void become(const SurfaceMesh& other);
+
     /// The half-edge that leaves the end `vertex` of a segment on the face of one of its uses: along the segment, or
     /// the next one of the triangle.
     int leaving(const SegmentUse& use, int vertex) const {

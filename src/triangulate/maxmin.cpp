@@ -16,14 +16,19 @@ constexpr int kMaxSweeps = 20;
 }  // namespace
 
 Maxmin::Maxmin(SurfaceMesh& mesh) : mesh_(mesh) {
-    for (int s = 0; s < mesh.segment_count(); ++s) {
-        if (!mesh.segment(s).uses.empty()) {
-            remember(mesh.segment(s).vertices[0], mesh.segment(s).vertices[1]);
+    look_again();
+}
+
+void Maxmin::look_again() {
+    pairs_.clear();
+    for (int s = 0; s < mesh_.segment_count(); ++s) {
+        if (!mesh_.segment(s).uses.empty()) {
+            remember(mesh_.segment(s).vertices[0], mesh_.segment(s).vertices[1]);
         }
     }
-    for (int h = 0; h < mesh.half_edge_count(); ++h) {
-        if (mesh.twin(h) > h) {
-            remember(mesh.vertex_of(h), mesh.vertex_of(SurfaceMesh::next(h)));
+    for (int h = 0; h < mesh_.half_edge_count(); ++h) {
+        if (mesh_.twin(h) > h) {
+            remember(mesh_.vertex_of(h), mesh_.vertex_of(SurfaceMesh::next(h)));
         }
     }
 }

@@ -22,6 +22,8 @@ namespace mq::triangulate {
 class Maxmin {
   public:
     explicit Maxmin(mesh::SurfaceMesh& mesh);
+    /// After the mesh was changed without it.
+    void look_again();
 
     /// Swaps until no edge of the whole mesh violates the predicate, but for those beside the `settled` triangles.
     void sweep(std::vector<int>& touched, const TriangleMarks& settled = {});

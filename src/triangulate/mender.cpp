@@ -96,17 +96,19 @@ void Mender::push_all() {
     }
 }
 
-bool Mender::run() {
+bool Mender::run(const std::vector<Escape>& escapes) {
     wanted_ = bound_ + kMargin;
     push_all();
     bool changed = work_off();
-    double left = missing_in_all();
+    double left = missing();
     for (int round = 0; round < kMaxRounds && left > 0.0; ++round) {
         make_room();
         push_all();
         changed = work_off() || changed;
-        changed = escape_all() || changed;
-        const double now = missing_in_all();
+        for (const Escape kinds : escapes) {
+            changed = escape_all(kinds) || changed;
+        }
+        const double now = missing();
         if (now > kLeftAfterRound * left) {
             break;
         }
@@ -116,7 +118,7 @@ bool Mender::run() {
     return changed;
 }
 
-double Mender::missing_in_all() const {
+double Mender::missing() const {
     const std::vector<int> bad = bad_triangles();
     return std::accumulate(bad.begin(), bad.end(), 0.0,
                            [&](double sum, int t) { return sum + bound_ - smallest_angle(work_.mesh, t).angle; });
@@ -384,6 +386,45 @@ void Mender::look_again_around(const std::vector<int>& changed) {
             }
         }
     }
+}
+
+namespace {
+
+/// What mending changes.
+struct State {
+    SurfaceMesh mesh;
+    std::map<int, Exemption> exempt;
+
+    explicit State(const Workspace& work) : mesh(work.mesh), exempt(work.exempt) {}
+    void put_back(Workspace& work) const {
+        work.mesh.become(mesh);
+        work.maxmin.look_again();
+        work.exempt = exempt;
+    }
+};
+
+}  // namespace
+
+bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing) {
+    using Escape = Mender::Escape;
+    Mender simple(work, min_angle_degrees, sizing);
+    std::optional<State> before;
+    if (simple.missing() > 0.0) {
+        before.emplace(work);
+    }
+    const bool changed = simple.run({Escape::Fans});
+    const double left = simple.missing();
+    if (!before || !(left > 0.0)) {
+        return changed;
+    }
+    const State after(work);
+    before->put_back(work);
+    Mender thorough(work, min_angle_degrees, sizing);
+    if (thorough.run({Escape::All, Escape::TwoInARow}) && thorough.missing() < left) {
+        return true;
+    }
+    after.put_back(work);
+    return changed;
 }
 
 }  // namespace mq::triangulate

@@ -32,10 +32,15 @@ namespace mq::triangulate {
 /// undone unless it ends better. Where that does not help either, another such change follows upon the first.
 class Mender {
   public:
+    /// What is tried where no single change helps: other fans; ears and splits, too; two of all these in a row.
+    enum class Escape { Fans, All, TwoInARow };
+
     Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing);
 
     /// @return whether anything was changed. Leaves no triangle that is gone.
-    bool run();
+    bool run(const std::vector<Escape>& escapes);
+    /// What triangles miss of the bound that may have it, radians in all.
+    double missing() const;
 
   private:
     struct Bad {
@@ -60,7 +65,6 @@ class Mender {
     void push_all();
     bool work_off();
     std::vector<int> bad_triangles() const;
-    double missing_in_all() const;
     void make_room();
     bool hopeless(int triangle) const;
     bool at_resolution(int triangle) const;
@@ -81,10 +85,9 @@ class Mender {
     };
 
     // mender_escape.cpp
-    bool escape_all();
-    bool escape_all(std::size_t depth);
+    bool escape_all(Escape kinds);
     bool spent() const;
-    bool first_escape(int triangle, std::size_t depth);
+    bool first_escape(int triangle);
     bool escape(int triangle, std::size_t depth);
     bool try_kick(const Kick& kick);
     bool better() const;
@@ -98,6 +101,7 @@ class Mender {
     void follow(const std::function<bool(int)>& change);
     std::vector<Kick> kicks(int triangle) const;
     void add_fans(const Disc& disc, std::vector<Kick>& kicks) const;
+    void add_eared_fans(const Disc& disc, std::vector<Kick>& kicks) const;
 
     // mender_split.cpp
     void add_splits(int triangle, std::vector<Kick>& kicks) const;
@@ -124,9 +128,15 @@ class Mender {
     std::vector<std::array<int, 2>> splits_;  // of these trials: near and far segments
     TriangleMarks failed_;                    // until something changes beside them
     KeySet tried_to_escape_;
+    Escape kinds_ = Escape::Fans;
     std::size_t attempts_left_ = 0;
     double least_aligned_ = kAlignedSwap;
     KeySet exhausted_;  // discs that nothing better was found for, by key
 };
+
+/// Mends with simple escapes; where something is left, it begins anew with all of them, and the better end stays.
+/// Either can end in a place that the other finds a way around.
+/// @return whether anything was changed. Leaves no triangle that is gone.
+bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing);
 
 }  // namespace mq::triangulate

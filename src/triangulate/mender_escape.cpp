@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -28,9 +27,14 @@ constexpr int kAttemptsAfterKick = 150;
 constexpr double kLeftAfterKick = 0.95;
 // At the apex of a slender cone a triangle in the place of two reaches half around it, until its corners have moved.
 constexpr double kAlignedForNow = -0.1;
-// By number of changes one upon another: where more triangles are left, the part is to blame; and attempts to mend.
-constexpr std::array<std::size_t, 2> kMostLeft{200, 60};
-constexpr std::array<std::size_t, 2> kAttemptsOfRound{20000, 40000};
+// Changes one upon another, attempts to mend in a round, and how many triangles are left where the part is to blame.
+struct Limits {
+    std::size_t changes;
+    std::size_t attempts;
+    std::size_t most_left;
+};
+constexpr Limits kOne{1, 20000, 200};
+constexpr Limits kTwoInARow{2, 40000, 60};
 // A second change is worth it where no more is missing after the first: so many times what was, and radians.
 constexpr double kPromising = 3.0;
 constexpr double kPromisingMore = 10.0 * kDegree;
@@ -63,35 +67,28 @@ std::vector<double> angles_now(const SurfaceMesh& mesh, const RegionUndo& trial)
 
 }  // namespace
 
-// One change after all others have had their turn.
-bool Mender::escape_all() {
-    bool changed = false;
-    for (std::size_t depth = 1; depth <= kMostLeft.size(); ++depth) {
-        changed = escape_all(depth) || changed;
-    }
-    return changed;
-}
-
 // What is left; first what misses least, which is helped most easily.
-bool Mender::escape_all(std::size_t depth) {
+bool Mender::escape_all(Escape kinds) {
+    const Limits limits = kinds == Escape::TwoInARow ? kTwoInARow : kOne;
+    kinds_ = kinds;
     bool changed = false;
     tried_to_escape_.clear();
-    attempts_left_ = kAttemptsOfRound[depth - 1];
+    attempts_left_ = limits.attempts;
     for (bool again = true; again;) {  // what is undone has other indices
         again = false;
         std::vector<std::pair<double, int>> bad;
         for (const int t : bad_triangles()) {
             bad.emplace_back(-smallest_angle(work_.mesh, t).angle, t);
         }
-        if (bad.size() > kMostLeft[depth - 1]) {
+        if (bad.size() > limits.most_left) {
             return changed;
         }
         std::sort(bad.begin(), bad.end());
         for (const auto& [angle, t] : bad) {
-            if (work_.exemption_of(t) != nullptr && first_escape(t, depth)) {
+            if (work_.exemption_of(t) != nullptr && first_escape(t)) {
                 again = true;
                 const Exemption reason = *work_.exemption_of(t);
-                if (escape(t, depth)) {
+                if (escape(t, limits.changes)) {
                     keep(reason);
                     changed = true;
                 }
@@ -102,8 +99,8 @@ bool Mender::escape_all(std::size_t depth) {
 }
 
 // By the sites around: after what was undone it is another triangle, but not a better one.
-bool Mender::first_escape(int triangle, std::size_t depth) {
-    std::uint64_t key = depth;
+bool Mender::first_escape(int triangle) {
+    std::uint64_t key = 0;
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
         for (const int spoke : work_.mesh.star(h)) {
             key += KeyHash()(static_cast<std::uint64_t>(work_.mesh.site_of(SurfaceMesh::next(spoke))));
@@ -213,8 +210,13 @@ std::vector<Mender::Kick> Mender::kicks(int triangle) const {
     std::vector<Kick> result;
     for (const Disc& disc : discs_around(triangle)) {
         add_fans(disc, result);
+        if (kinds_ != Escape::Fans) {
+            add_eared_fans(disc, result);
+        }
     }
-    add_splits(triangle, result);
+    if (kinds_ != Escape::Fans) {
+        add_splits(triangle, result);
+    }
     std::stable_sort(result.begin(), result.end(),
                      [](const Kick& a, const Kick& b) { return a.fan.angle > b.fan.angle; });
     return result;
@@ -236,7 +238,11 @@ void Mender::add_fans(const Disc& disc, std::vector<Kick>& kicks) const {
     if (inside != 1) {
         keep(-1, best_apex(mesh, disc, least));
     }
-    for (const EaredFan& fan : eared_fans(mesh, disc, least)) {
+}
+
+void Mender::add_eared_fans(const Disc& disc, std::vector<Kick>& kicks) const {
+    const double least = kLeastOfKick * bound_;
+    for (const EaredFan& fan : eared_fans(work_.mesh, disc, least)) {
         if (fan.angle > least) {
             kicks.push_back({{disc, -1, fan.apex, fan.angle, -M_PI, fan.ear_site}});
         }

@@ -140,7 +140,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     clock.end("crossings");
     if (options.insertion != Insertion::Paper) {
         work.progress.stage("mending", 0.85, 0.9);
-        Mender(work, options.min_angle, sizing).run();
+        mend(work, options.min_angle, sizing);
         clock.end("mending");
     }
     if (options.keep_edges == KeepEdges::Feature) {

@@ -163,7 +163,7 @@ TEST(Mender, StopsWhenAsked) {
     pipeline.refine(25.0);
     pipeline.progress.cancel();
     const Sizing none{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {})};
-    EXPECT_THROW(Mender(pipeline.work, 25.0, none).run(), Cancelled);
+    EXPECT_THROW(mend(pipeline.work, 25.0, none), Cancelled);
 }
 
 }  // namespace
