@@ -122,18 +122,18 @@ void Engine::Impl::finish(Job& job) {
 
 Engine::Answers Engine::Impl::answer(const std::shared_ptr<Model>& model, const Batch& batch,
                                      std::uint64_t generation) {
-    Answers answers(batch.size());
+    Answers answers;
+    answers.reserve(batch.size());
     std::size_t count = 0;
     for (; count < batch.size() && generation_.load(std::memory_order_relaxed) == generation; ++count) {
         if (model) {
-            answers[count] = model->answer(batch[count]);
+            answers.push_back(model->answer(batch[count]));
         } else {
-            answers[count].status = Status::BadQuery;
+            answers.emplace_back();
+            answers.back().status = Status::BadQuery;
         }
     }
-    for (std::size_t i = count; i < batch.size(); ++i) {
-        answers[i].status = Status::Stopped;
-    }
+    answers.resize(batch.size());  // what is left was stopped, as an answer says that nobody gave
     queries_.fetch_add(count, std::memory_order_relaxed);
     return answers;
 }

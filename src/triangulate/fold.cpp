@@ -16,15 +16,16 @@ double alignment(const Corner& a, const Corner& b, const Corner& c) {
     if (!(length > 0.0)) {
         return -1.0;
     }
-    double worst = 1.0;
+    double least = length;
     bool singular = false;
     for (const Corner* corner : {&a, &b, &c}) {
         if (corner->normal.squaredNorm() > 0.0) {
-            worst = std::min(worst, normal.dot(corner->normal) / length);
+            least = std::min(least, normal.dot(corner->normal));
         } else {
             singular = true;
         }
     }
+    const double worst = least / length;
     // Around the apex of a slender cone there is room for four triangles of 25 degrees or fewer, so each of them has to
     // turn far away from the surface at its other corners.
     return singular && worst > kAlignedAtApex ? std::max(worst, kWellAligned) : worst;

@@ -50,13 +50,23 @@ Weights circumcentre(const Vec3& a, const Vec3& b, const Vec3& c) {
     return {{wa / sum, wb / sum, wc / sum}};
 }
 
+// Of the ball around the circumcentre. The power of a point is linear but for its square, and vanishes at the corners:
+// seen from p, with the centre as the sum of w x over the corners x, that of p is 2 |centre|^2 - sum of w |x|^2. Here
+// both are times the square of the sum of the weights, which spares the division.
 bool in_circumsphere(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
-    const Vec3& a = mesh.point_of(3 * triangle);
-    const Vec3& b = mesh.point_of(3 * triangle + 1);
-    const Vec3& c = mesh.point_of(3 * triangle + 2);
-    const Weights w = circumcentre(a, b, c);
-    const Vec3 centre = w.w[0] * a + w.w[1] * b + w.w[2] * c;
-    return !((p - centre).squaredNorm() > (a - centre).squaredNorm());  // degenerate triangles count as reached
+    const Vec3 a = mesh.point_of(3 * triangle) - p;
+    const Vec3 b = mesh.point_of(3 * triangle + 1) - p;
+    const Vec3 c = mesh.point_of(3 * triangle + 2) - p;
+    const double la = (c - b).squaredNorm();
+    const double lb = (a - c).squaredNorm();
+    const double lc = (b - a).squaredNorm();
+    const double wa = la * (lb + lc - la);
+    const double wb = lb * (lc + la - lb);
+    const double wc = lc * (la + lb - lc);
+    const double squares = wa * a.squaredNorm() + wb * b.squaredNorm() + wc * c.squaredNorm();
+    const double sum = wa + wb + wc;
+    // Degenerate triangles count as reached.
+    return !(sum > 0.0) || !(2.0 * (wa * a + wb * b + wc * c).squaredNorm() > sum * squares);
 }
 
 // The three signed areas of p against the sides, seen along p's normal.

@@ -193,7 +193,8 @@ Vec3 FaceEvaluator::local(const Vec3& point) const {
 std::optional<Vec3> FaceEvaluator::regular_normal(const SurfacePoint& s) const {
     const Vec3 n = s.su.cross(s.sv);
     const double size = n.norm();
-    if (!(size > kSingular * su_ * sv_) || !(size > kSingular * s.su.norm() * s.sv.norm())) {
+    const double squares = s.su.squaredNorm() * s.sv.squaredNorm();
+    if (!(size > kSingular * su_ * sv_) || !(size * size > kSingular * kSingular * squares)) {
         return std::nullopt;
     }
     return Vec3(n / size);

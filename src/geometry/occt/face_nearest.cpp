@@ -132,8 +132,9 @@ FaceEvaluator::Foot FaceEvaluator::newton(const Vec3& p, const Vec2& start, cons
         Vec2 move = step.move.cwiseMin(longest).cwiseMax(-longest);
         const Vec2 next = clamped(foot.uv + move, box);
         move = next - foot.uv;
-        const double length = s.su.norm() * std::abs(move.x()) + s.sv.norm() * std::abs(move.y());
-        if (length <= (step.minimum ? kLastStep : kLastSlowStep) * size_) {
+        const double square_moved = s.su.squaredNorm() * move.x() * move.x() + s.sv.squaredNorm() * move.y() * move.y();
+        const double last = (step.minimum ? kLastStep : kLastSlowStep) * size_;
+        if (square_moved <= last * last) {
             foot.uv = next;
             foot.found = step.minimum;
             foot.at = moved(s, move);
@@ -169,11 +170,11 @@ bool FaceEvaluator::is_foot(const Vec3& p, const Foot& foot, const ParameterBox&
     const Vec3 r = s.point - p;
     const double slack = 1e-6 * r.norm() + 1e-9 * size_;
     const double across[2] = {r.dot(s.su), r.dot(s.sv)};
-    const double sizes[2] = {s.su.norm(), s.sv.norm()};
+    const double squares[2] = {s.su.squaredNorm(), s.sv.squaredNorm()};
     for (std::size_t i = 0; i < 2; ++i) {
         const double x = foot.uv[static_cast<Eigen::Index>(i)];
-        const double along = sizes[i] > 0.0 ? across[i] / sizes[i] : 0.0;
-        if ((along > slack && x > box.low[i]) || (along < -slack && x < box.high[i])) {
+        const bool sloping = across[i] * across[i] > slack * slack * squares[i];
+        if (sloping && (across[i] > 0.0 ? x > box.low[i] : x < box.high[i])) {
             return false;
         }
     }
