@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -83,6 +84,36 @@ void separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
     }
 }
 
+// CAD edges that join the same nodes by one segment each would be one edge of the mesh: all but the straightest of them
+// are split.
+void separate_doubled_segments(Workspace& work, SegmentSplitter& splitter, std::vector<int>& touched) {
+    std::map<std::pair<int, int>, std::vector<int>> by_ends;
+    for (int s = 0; s < work.mesh.segment_count(); ++s) {
+        if (!work.mesh.segment(s).uses.empty()) {
+            const auto& v = work.mesh.segment(s).vertices;
+            by_ends[std::minmax(v[0], v[1])].push_back(s);
+        }
+    }
+    for (const auto& [ends, segments] : by_ends) {
+        if (segments.size() < 2) {
+            continue;
+        }
+        const Vec3 middle = 0.5 * (work.mesh.vertex(ends.first).point + work.mesh.vertex(ends.second).point);
+        std::vector<std::pair<double, int>> by_height;
+        for (const int s : segments) {
+            const mesh::SurfaceMesh::Segment& segment = work.mesh.segment(s);
+            const geometry::Answer on_curve =
+                work.session.ask(geometry::Query::edge_middle(segment.edge, segment.t[0], segment.t[1]));
+            by_height.emplace_back((work.grid.snap(on_curve.point) - middle).norm(), s);
+        }
+        std::sort(by_height.begin(), by_height.end());
+        for (std::size_t i = 1; i < by_height.size(); ++i) {
+            splitter.request(by_height[i].second, true);
+        }
+    }
+    splitter.run(touched);
+}
+
 std::string failed_faces(const geometry::InitialTriangulation& initial) {
     std::string text;
     for (const auto& [face, why] : initial.failures) {
@@ -108,6 +139,8 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     std::string released;
     const int first = work.mesh.vertex_count();
     SegmentSplitter segments(work);
+    std::vector<int> touched;
+    separate_doubled_segments(work, segments, touched);
     const double from = first_share(options);
     const double middle = from + 0.34 * (0.9 - from);
     const Sizing sizing{chord, EdgeBounds(work.session.topology(), options.max_edge, options.local_sizes),

@@ -196,6 +196,20 @@ TEST(Triangulate, WorksOnTinyAndHugeShapes) {
 }
 
 /// Several threads may mesh at once on one engine.
+/// Two CAD edges of the part end at the same nodes, and both chords are near enough to their curves at first.
+TEST(Triangulate, EdgesBetweenTheSameNodesStayTwoEdges) {
+    const auto model = geometry::make_shape_model(geometry::stored("doubled_edge"));
+    for (const double bound : {0.0, 0.02, 0.004464248404181683}) {
+        SCOPED_TRACE(bound);
+        Options options;
+        options.min_angle = 20.265115815158513;
+        options.chord_height_relative = bound;
+        const Result result = mesh_of(model, options);
+        expect_sound(result, 2, true);
+        expect_angles(result, options.min_angle);
+    }
+}
+
 TEST(Triangulate, SharesAnEngineBetweenThreads) {
     Engine engine;
     const auto model = geometry::make_torus(5.0, 1.5);
