@@ -6,6 +6,7 @@ import dataclasses
 import html.parser
 import importlib.util
 import json
+import logging
 import os
 import re
 import shutil
@@ -24,7 +25,7 @@ import numpy as np
 import Part
 from test_cli import COMMAND, run
 
-from MeshQuality.batch import charts, command, freecads, part, plan, report, table
+from MeshQuality.batch import charts, cluster, command, freecads, part, plan, report, table
 
 HAS_DASK = importlib.util.find_spec("distributed") is not None
 NEEDS_DASK = unittest.skipUnless(HAS_DASK, "python3-distributed is not installed")
@@ -418,6 +419,13 @@ class Scheduler(BatchTest):
         # All FreeCADs are gone: of the marked processes the scheduler and one worker are left.
         self.assertTrue(wait_until(lambda: len(processes_with(self.mark)) == 2, 15),
                         processes_with(self.mark))
+
+    def test_dask_says_nothing_of_its_own(self):
+        with cluster.client_of(jobs=1):
+            loud = [name for name in logging.root.manager.loggerDict
+                    if name.partition(".")[0] == "distributed"
+                    and logging.getLogger(name).isEnabledFor(logging.ERROR)]
+        self.assertEqual(loud, [])
 
     def test_no_scheduler_there(self):
         self.shape("box.brep", Part.makeBox(1, 1, 1))

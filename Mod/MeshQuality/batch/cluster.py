@@ -40,8 +40,9 @@ def client_of(scheduler=None, jobs=None):
     import dask
     from distributed import Client, LocalCluster
 
-    for name in ("distributed", "asyncio"):
-        # What matters is raised, and the last line on stderr is the command's.
+    for name in ("distributed", "distributed.client", "asyncio"):
+        # What matters is raised, and the line on stderr is the command's. The client has a level of
+        # its own by Dask's configuration.
         logging.getLogger(name).setLevel(logging.CRITICAL)
 
     # Results of parts are small, and what FreeCAD takes is limited elsewhere.
