@@ -20,7 +20,8 @@ PICTURES = ROOT / "build" / "test-logs" / "gui"
 SCREEN = "-screen 0 1400x900x24"
 LIMIT = 600  # seconds for all tests
 
-# No start page, which needs a browser; the workbench under test first.
+# No start page, which needs a browser; the workbench under test first; cameras that do not turn slowly (FreeCAD 1.0), or
+# a picture shows some place on the way.
 SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters>
   <FCParamGroup Name="Root">
@@ -30,6 +31,7 @@ SETTINGS = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
           <FCText Name="AutoloadModule">MeshQualityWorkbench</FCText>
           <FCBool Name="ShowSplasher" Value="0"/>
         </FCParamGroup>
+        <FCParamGroup Name="View"><FCBool Name="UseNavigationAnimations" Value="0"/></FCParamGroup>
         <FCParamGroup Name="Mod">
           <FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/></FCParamGroup>
         </FCParamGroup>
