@@ -40,10 +40,11 @@ def client_of(scheduler=None, jobs=None):
     import dask
     from distributed import Client, LocalCluster
 
-    for name in ("distributed", "distributed.client", "asyncio"):
-        # What matters is raised, and the line on stderr is the command's. The client has a level of
-        # its own by Dask's configuration.
-        logging.getLogger(name).setLevel(logging.CRITICAL)
+    for name in list(logging.root.manager.loggerDict):
+        # What matters is raised, and the line on stderr is the command's. Some of Dask's loggers have
+        # levels of their own.
+        if name.partition(".")[0] in ("distributed", "asyncio"):
+            logging.getLogger(name).setLevel(logging.CRITICAL)
 
     # Results of parts are small, and what FreeCAD takes is limited elsewhere.
     with dask.config.set({"distributed.worker.memory.target": False,
