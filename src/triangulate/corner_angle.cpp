@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/corner_angle.h"
 
-#include <algorithm>
-#include <array>
-
 #include "base/angle.h"
 #include "triangulate/side_length.h"
 
@@ -24,12 +21,10 @@ SmallestAngle smallest_angle(const SurfaceMesh& mesh, int triangle) {
 }
 
 double squared_sine_of_smallest(const SurfaceMesh& mesh, int triangle) {
-    const Vec3& p = mesh.point_of(3 * triangle);
-    const Vec3 a = mesh.point_of(3 * triangle + 1) - p;
-    const Vec3 b = mesh.point_of(3 * triangle + 2) - p;
-    const std::array<double, 3> squares{a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()};
-    const double product = squares[0] * squares[1] * squares[2];
-    return product > 0.0 ? a.cross(b).squaredNorm() * std::min({squares[0], squares[1], squares[2]}) / product : 0.0;
+    const int h = 3 * triangle;
+    const Vec3& p = mesh.point_of(h);
+    return squared_sine_of_smallest((mesh.point_of(h + 1) - p).cross(mesh.point_of(h + 2) - p), squared_length(mesh, h),
+                                    squared_length(mesh, h + 1), squared_length(mesh, h + 2));
 }
 
 int narrow_corner_of(const SurfaceMesh& mesh, int triangle) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -36,7 +37,14 @@ struct SmallestAngle {
 };
 SmallestAngle smallest_angle(const mesh::SurfaceMesh& mesh, int triangle);
 
-/// The squared sine of that angle, which is 60 degrees at most: several times as fast, and enough to compare by.
+/// The squared sine of a triangle's smallest angle: it lies between the two longer sides, and is 60 degrees at most.
+/// Several times as fast as the angle, and enough to compare by. 0 where two corners are one.
+/// @param area a normal as long as twice the area
+/// @param a, b, c squared lengths of the sides
+inline double squared_sine_of_smallest(const Vec3& area, double a, double b, double c) {
+    const double product = a * b * c;
+    return product > 0.0 ? area.squaredNorm() * std::min({a, b, c}) / product : 0.0;
+}
 double squared_sine_of_smallest(const mesh::SurfaceMesh& mesh, int triangle);
 
 }  // namespace mq::triangulate

@@ -27,13 +27,6 @@ bool contains(const std::vector<int>& all, int one) {
     return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-// The squared sine of the smallest angle: it lies between the two longer sides, and is 60 degrees at most.
-// `area`: a normal as long as twice the area; `a`, `b`, `c`: squared lengths of the sides.
-double squared_sine(const Vec3& area, double a, double b, double c) {
-    const double product = a * b * c;
-    return product > 0.0 ? area.squaredNorm() * std::min({a, b, c}) / product : 0.0;
-}
-
 double angle_of(double squared_sine) {
     return squared_sine < 0.0 ? -1.0 : std::asin(std::sqrt(std::min(squared_sine, 1.0)));
 }
@@ -47,7 +40,7 @@ double squared_sine_over(const Vec3& from, const Vec3& to, double length, const 
     const Vec3 a = from - apex;
     const Vec3 b = to - apex;
     const Vec3 area = a.cross(b);
-    return area.dot(normal) > 0.0 ? squared_sine(area, a.squaredNorm(), b.squaredNorm(), length) : -1.0;
+    return area.dot(normal) > 0.0 ? squared_sine_of_smallest(area, a.squaredNorm(), b.squaredNorm(), length) : -1.0;
 }
 
 double squared_sine_over(const SurfaceMesh& mesh, const Disc& disc, int side, const Vec3& apex) {
@@ -104,8 +97,7 @@ std::optional<Disc> disc_of(const SurfaceMesh& mesh, std::vector<int> triangles)
 double smallest_angle(const SurfaceMesh& mesh, const Disc& disc) {
     double least = 1.0;
     for (const int t : disc.triangles) {
-        least = std::min(least, squared_sine(doubled_area(mesh, t), squared_length(mesh, 3 * t),
-                                             squared_length(mesh, 3 * t + 1), squared_length(mesh, 3 * t + 2)));
+        least = std::min(least, squared_sine_of_smallest(mesh, t));
     }
     return angle_of(least);
 }

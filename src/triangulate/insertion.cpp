@@ -38,14 +38,19 @@ Candidate weighted_site(const SurfaceMesh& mesh, int triangle, const Weights& we
     return c;
 }
 
-// Barycentric weights of the circumcentre.
-Weights circumcentre(const Vec3& a, const Vec3& b, const Vec3& c) {
+// Barycentric weights of the circumcentre, yet to be divided by their sum: not above 0 for degenerate triangles.
+Weights circumcentre_shares(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double la = (c - b).squaredNorm();
     const double lb = (a - c).squaredNorm();
     const double lc = (b - a).squaredNorm();
     const double wa = la * (lb + lc - la);
     const double wb = lb * (lc + la - lb);
     const double wc = lc * (la + lb - lc);
+    return {{wa, wb, wc}};
+}
+
+Weights circumcentre(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto [wa, wb, wc] = circumcentre_shares(a, b, c).w;
     const double sum = wa + wb + wc;
     return {{wa / sum, wb / sum, wc / sum}};
 }
@@ -57,12 +62,7 @@ bool in_circumsphere(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
     const Vec3 a = mesh.point_of(3 * triangle) - p;
     const Vec3 b = mesh.point_of(3 * triangle + 1) - p;
     const Vec3 c = mesh.point_of(3 * triangle + 2) - p;
-    const double la = (c - b).squaredNorm();
-    const double lb = (a - c).squaredNorm();
-    const double lc = (b - a).squaredNorm();
-    const double wa = la * (lb + lc - la);
-    const double wb = lb * (lc + la - lb);
-    const double wc = lc * (la + lb - lc);
+    const auto [wa, wb, wc] = circumcentre_shares(a, b, c).w;
     const double squares = wa * a.squaredNorm() + wb * b.squaredNorm() + wc * c.squaredNorm();
     const double sum = wa + wb + wc;
     // Degenerate triangles count as reached.

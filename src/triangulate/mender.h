@@ -105,6 +105,7 @@ class Mender {
 
     // mender_split.cpp
     void add_splits(int triangle, std::vector<Kick>& kicks) const;
+    double angle_of_halves(int segment, double fraction) const;
     std::vector<int> segments_around(int triangle) const;
     bool can_be_split(int segment) const;
     bool split(int segment, double fraction);

@@ -7,6 +7,8 @@
 #include "triangulate/corner_angle.h"
 #include "triangulate/disc_change.h"
 #include "triangulate/mender.h"
+#include "triangulate/segment_split.h"
+#include "triangulate/side_length.h"
 
 namespace mq::triangulate {
 
@@ -35,10 +37,7 @@ std::vector<int> Mender::segments_around(int triangle) const {
         }
     }
     std::vector<int> segments(found.begin(), found.end());
-    const auto length = [&](int s) {
-        const std::array<int, 2>& ends = mesh.segment(s).vertices;
-        return (mesh.vertex(ends[1]).point - mesh.vertex(ends[0]).point).norm();
-    };
+    const auto length = [&](int s) { return side_length(mesh, mesh.segment(s).uses.front().half_edge); };
     std::stable_sort(segments.begin(), segments.end(), [&](int a, int b) { return length(a) > length(b); });
     segments.resize(std::min(segments.size(), kMostSegments));
     return segments;
@@ -56,28 +55,32 @@ bool Mender::can_be_split(int segment) const {
     return !faces.empty();
 }
 
-// Their angle is that of the halves of the triangles beside them, as far as chords tell.
-void Mender::add_splits(int triangle, std::vector<Kick>& kicks) const {
+// The smallest angle of the halves of the triangles beside it, as far as chords tell.
+double Mender::angle_of_halves(int segment, double fraction) const {
     const SurfaceMesh& mesh = work_.mesh;
+    const std::array<int, 2>& ends = mesh.segment(segment).vertices;
+    const Vec3 a = mesh.vertex(ends[0]).point;
+    const Vec3 b = mesh.vertex(ends[1]).point;
+    const Vec3 middle = a + fraction * (b - a);
+    double least = M_PI;
+    for (const SurfaceMesh::SegmentUse& use : mesh.segment(segment).uses) {
+        const Vec3& apex = mesh.point_of(SurfaceMesh::prev(use.half_edge));
+        for (const Vec3& end : {a, b}) {
+            least = std::min({least, angle_between(apex - end, middle - end),
+                              angle_between(apex - middle, end - middle), angle_between(middle - apex, end - apex)});
+        }
+    }
+    return least;
+}
+
+void Mender::add_splits(int triangle, std::vector<Kick>& kicks) const {
     for (const int segment : segments_around(triangle)) {
         if (!can_be_split(segment)) {
             continue;
         }
         for (const double fraction : kFractions) {
             Kick kick{{}, segment, fraction};
-            kick.fan.angle = M_PI;
-            const std::array<int, 2>& ends = mesh.segment(segment).vertices;
-            const Vec3 a = mesh.vertex(ends[0]).point;
-            const Vec3 b = mesh.vertex(ends[1]).point;
-            const Vec3 middle = a + fraction * (b - a);
-            for (const SurfaceMesh::SegmentUse& use : mesh.segment(segment).uses) {
-                const Vec3& apex = mesh.point_of(SurfaceMesh::prev(use.half_edge));
-                for (const Vec3& end : {a, b}) {
-                    kick.fan.angle = std::min({kick.fan.angle, angle_between(apex - end, middle - end),
-                                               angle_between(apex - middle, end - middle),
-                                               angle_between(middle - apex, end - apex)});
-                }
-            }
+            kick.fan.angle = angle_of_halves(segment, fraction);
             kicks.push_back(kick);
         }
     }
@@ -102,23 +105,14 @@ bool Mender::split(int segment, double fraction) {
             return false;
         }
     }
-    undo_.about_to_split(segment);
-    const int vertex = mesh.add_vertex(point, {1, old.edge});
-    std::vector<int> sites;
     std::vector<int> beside;
-    for (std::size_t k = 0; k < old.uses.size(); ++k) {
-        const geometry::Answer& there = answers[k + 1];
-        sites.push_back(mesh.add_site({vertex, Vec2(there.u, there.v), there.normal}));
-        beside.push_back(SurfaceMesh::triangle_of(old.uses[k].half_edge));
+    for (const SurfaceMesh::SegmentUse& use : old.uses) {
+        beside.push_back(SurfaceMesh::triangle_of(use.half_edge));
     }
+    undo_.about_to_split(segment);
     const std::optional<Exemption> reason = take_exemptions(work_, beside);
-    const int far = work_.maxmin.split_segment(segment, vertex, t, sites);
-    std::vector<int> halves;
-    for (const int s : {segment, far}) {
-        for (const SurfaceMesh::SegmentUse& use : mesh.segment(s).uses) {
-            halves.push_back(SurfaceMesh::triangle_of(use.half_edge));
-        }
-    }
+    const int far = mesh.segment_count();
+    const std::vector<int> halves = split_at(work_, segment, t, point, answers.data() + 1);
     undo_.added(halves);
     splits_.push_back({segment, far});
     exempt_bad(work_, halves, bound_, reason);

@@ -64,7 +64,6 @@ class UndoStack {
 
     void begin() { open_.emplace_back(work_); }
     bool empty() const { return open_.empty(); }
-    std::size_t depth() const { return open_.size(); }
     /// All that has changed.
     const RegionUndo& first() const { return open_.front(); }
     /// What has changed since the last `begin`.

@@ -30,6 +30,23 @@ constexpr int kMaxPostponed = 12;
 
 }  // namespace
 
+std::vector<int> split_at(Workspace& work, int segment, double t, const Vec3& point, const Answer* on_faces) {
+    SurfaceMesh& mesh = work.mesh;
+    const int vertex = mesh.add_vertex(point, {1, mesh.segment(segment).edge});
+    std::vector<int> sites;
+    for (std::size_t k = 0; k < mesh.segment(segment).uses.size(); ++k) {
+        sites.push_back(mesh.add_site({vertex, Vec2(on_faces[k].u, on_faces[k].v), on_faces[k].normal}));
+    }
+    const int far = work.maxmin.split_segment(segment, vertex, t, sites);
+    std::vector<int> halves;
+    for (const int s : {segment, far}) {
+        for (const SurfaceMesh::SegmentUse& use : mesh.segment(s).uses) {
+            halves.push_back(SurfaceMesh::triangle_of(use.half_edge));
+        }
+    }
+    return halves;
+}
+
 SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work), floors_(work), room_(measure_room(work.mesh)) {
     for (double& radius : room_.innermost) {
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());
@@ -243,20 +260,9 @@ SegmentSplitter::Outcome SegmentSplitter::split(int segment, const Answer& place
 
 void SegmentSplitter::insert(int segment, double t, const Vec3& point, const Answer* on_faces,
                              const std::vector<Cavity>& cavities, std::vector<int>& touched) {
-    SurfaceMesh& mesh = work_.mesh;
-    const SurfaceMesh::Segment old = mesh.segment(segment);
     const std::size_t before = touched.size();
-    const int vertex = mesh.add_vertex(point, {1, old.edge});
-    std::vector<int> sites;
-    for (std::size_t k = 0; k < old.uses.size(); ++k) {
-        sites.push_back(mesh.add_site({vertex, Vec2(on_faces[k].u, on_faces[k].v), on_faces[k].normal}));
-    }
-    const int far = work_.maxmin.split_segment(segment, vertex, t, sites);
-    for (const int s : {segment, far}) {
-        for (const SurfaceMesh::SegmentUse& use : mesh.segment(s).uses) {
-            touched.push_back(SurfaceMesh::triangle_of(use.half_edge));
-        }
-    }
+    const std::vector<int> halves = split_at(work_, segment, t, point, on_faces);
+    touched.insert(touched.end(), halves.begin(), halves.end());
     for (const Cavity& cavity : cavities) {
         for (const int g : cavity.outside) {
             work_.maxmin.swap(g, touched);

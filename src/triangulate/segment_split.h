@@ -11,6 +11,10 @@
 
 namespace mq::triangulate {
 
+/// Splits a segment at a point of its curve, and the triangles beside it. `on_faces[k]` is the point as use k sees it.
+/// @return the halves of these triangles. The new segment is the mesh's last.
+std::vector<int> split_at(Workspace& work, int segment, double t, const Vec3& point, const geometry::Answer* on_faces);
+
 /// Splits constraining edges on their CAD curves: in the middle by arc length, and near a CAD node with an acute
 /// corner on concentric shells, at power-of-two multiples of the innermost (Ruppert 1995, modified segment splitting).
 /// On shells the pieces at one narrow corner get equal lengths, and equal pieces at less than 60 degrees do not

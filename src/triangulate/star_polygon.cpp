@@ -21,10 +21,7 @@ double squared_sine(const SurfaceMesh& mesh, const std::array<int, 3>& sites, co
     if (!(area.dot(normal) > 0.0)) {
         return -1.0;
     }
-    const double ab = (b - a).squaredNorm();
-    const double bc = (c - b).squaredNorm();
-    const double ca = (a - c).squaredNorm();
-    return area.squaredNorm() * std::min({ab, bc, ca}) / (ab * bc * ca);
+    return squared_sine_of_smallest(area, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm());
 }
 
 PolygonFan fan_from(const SurfaceMesh& mesh, const StarPolygon& polygon, int apex_site, double least_angle) {

@@ -23,6 +23,23 @@ std::set<std::array<int, 3>> sites_of(const mesh::SurfaceMesh& mesh) {
     return all;
 }
 
+/// A fan from a new vertex in the place of all triangles around the origin of `h`, where these are a disc.
+/// @return its triangles
+template <typename Undo>
+std::vector<int> put_new_fan(Pipeline& pipeline, int h, Undo& undo) {
+    mesh::SurfaceMesh& mesh = pipeline.surface;
+    const auto disc = disc_of(mesh, triangles_around(mesh, h));
+    if (!disc) {
+        return {};
+    }
+    const mesh::SurfaceMesh::Site site = mesh.site(mesh.site_of(disc->rim.front()));
+    const int vertex = mesh.add_vertex(site.point, {2, mesh.face_of(h / 3)});
+    undo.about_to_remove(disc->triangles);
+    std::vector<int> added = put_fan(pipeline.work, *disc, mesh.add_site({vertex, site.uv, site.normal}), 0.4);
+    undo.added(added);
+    return added;
+}
+
 /// Any number of fans in the place of others, over each other or not: the same triangles are there again, under the
 /// indices that are told, with their exemptions.
 TEST(RegionUndo, BringsBackWhatWasThere) {
@@ -38,23 +55,13 @@ TEST(RegionUndo, BringsBackWhatWasThere) {
             if (mesh.gone(middle)) {
                 continue;
             }
-            const int face = mesh.face_of(middle);
             const int first_site = mesh.site_of(3 * middle);
             pipeline.work.exempt[middle] = {Cause::Stuck, -1, -1, mesh.stamp(middle)};
             RegionUndo undo(pipeline.work);
             int next = middle;
             for (int change = 0; change < 6; ++change) {
-                const auto disc = disc_of(mesh, triangles_around(mesh, 3 * next + static_cast<int>(random() % 3)));
-                if (!disc) {
-                    continue;
-                }
-                const mesh::SurfaceMesh::Site site = mesh.site(mesh.site_of(disc->rim.front()));
-                const int vertex = mesh.add_vertex(site.point, {2, face});
-                undo.about_to_remove(disc->triangles);
-                const std::vector<int> added =
-                    put_fan(pipeline.work, *disc, mesh.add_site({vertex, site.uv, site.normal}), 0.4);
-                undo.added(added);
-                next = added[random() % added.size()];
+                const std::vector<int> added = put_new_fan(pipeline, 3 * next + static_cast<int>(random() % 3), undo);
+                next = added.empty() ? next : added[random() % added.size()];
             }
             const std::map<int, int> moved = undo.undo();
             EXPECT_EQ(sites_of(mesh), before);
@@ -88,14 +95,7 @@ void random_fan(Pipeline& pipeline, std::mt19937& random, UndoStack& undo) {
     if (mesh.gone(t)) {
         return;
     }
-    const auto disc = disc_of(mesh, triangles_around(mesh, 3 * t + static_cast<int>(random() % 3)));
-    if (!disc) {
-        return;
-    }
-    const mesh::SurfaceMesh::Site site = mesh.site(mesh.site_of(disc->rim.front()));
-    const int vertex = mesh.add_vertex(site.point, {2, mesh.face_of(t)});
-    undo.about_to_remove(disc->triangles);
-    undo.added(put_fan(pipeline.work, *disc, mesh.add_site({vertex, site.uv, site.normal}), 0.4));
+    put_new_fan(pipeline, 3 * t + static_cast<int>(random() % 3), undo);
 }
 
 // On two faces, in the middle of its parameters.
