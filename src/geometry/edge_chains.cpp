@@ -136,8 +136,9 @@ void EdgeChains::leave_nodes_alone(const Topology& topology) {
         const double most = kMostOfEdge * length_of(points);
         for (int end = 0; end < 2 && !chains_[e].collapsed; ++end) {
             const int n = topology.edges[e].nodes[end];
-            if (n >= 0 && topology.nodes[n].tolerance > grid_.shortest_side()) {
-                balls_[e][end] = {topology.nodes[n].point, std::min(topology.nodes[n].tolerance, most)};
+            if (n >= 0) {
+                balls_[e][end] = {topology.nodes[n].point,
+                                  std::min(std::max(topology.nodes[n].tolerance, grid_.shortest_side()), most)};
             }
             while (points.size() > 2 && at_node(e, end, end == 0 ? points[1] : points[points.size() - 2])) {
                 const auto beside = end == 0 ? 1 : static_cast<std::ptrdiff_t>(points.size()) - 2;

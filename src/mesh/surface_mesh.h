@@ -85,6 +85,7 @@ class SurfaceMesh {
 
     const Vertex& vertex(int v) const { return vertices_[v]; }
     const Site& site(int s) const { return sites_[s]; }
+    void set_normal(int s, const Vec3& normal) { sites_[s].normal = normal; }
     const Segment& segment(int s) const { return segments_[s]; }
 
     /// Triangle (a, b, c) becomes (a, b, p), (b, c, p), (c, a, p); the first keeps its index.

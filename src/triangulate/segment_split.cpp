@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/predicates.h"
+#include "triangulate/border_normal.h"
 #include "triangulate/corner_angle.h"
 #include "triangulate/fold.h"
 
@@ -181,8 +182,8 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
             on_faces.push_back(Query::use_on_face(use.use, places[i].t));
         }
     }
-    const geometry::Engine::Answers answers = work_.session.ask(std::move(on_faces));
-    const Answer* next = answers.data();
+    geometry::Engine::Answers answers = work_.session.ask(std::move(on_faces));
+    Answer* next = answers.data();
     std::vector<int> halves;
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const std::size_t uses = work_.mesh.segment(segments[i]).uses.size();
@@ -233,7 +234,26 @@ SegmentSplitter::Outcome SegmentSplitter::wait_for(int segment, int other) {
     return waiting_[other] != 0 ? Outcome::Later : Outcome::Refused;
 }
 
-SegmentSplitter::Outcome SegmentSplitter::split(int segment, const Answer& place, const Answer* on_faces,
+// Room for the new vertex on the face of one use. Where the surface turns over beside its border there is none, until
+// it gets the normal a little inside.
+Cavity SegmentSplitter::cavity_for(int half_edge, const Vec3& point, Answer& on_face) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    const int triangle = SurfaceMesh::triangle_of(half_edge);
+    const double least = std::min(kNotFolded, alignment(mesh, triangle));
+    Cavity cavity = grow_cavity(mesh, half_edge, true, {point, on_face.normal}, least);
+    if (cavity.complete || !on_face.found()) {
+        return cavity;
+    }
+    const SurfaceMesh::Site site{-1, Vec2(on_face.u, on_face.v), on_face.normal, point};
+    const auto inner = normal_a_little_inside(work_, mesh.face_of(triangle), site, way_across(mesh, half_edge));
+    if (!inner) {
+        return cavity;
+    }
+    on_face.normal = *inner;
+    return grow_cavity(mesh, half_edge, true, {point, *inner}, least);
+}
+
+SegmentSplitter::Outcome SegmentSplitter::split(int segment, const Answer& place, Answer* on_faces,
                                                 std::vector<int>& touched) {
     const Vec3 point = work_.grid.snap(place.point);
     if (!good_place(segment, place, point)) {
@@ -242,9 +262,7 @@ SegmentSplitter::Outcome SegmentSplitter::split(int segment, const Answer& place
     std::vector<Cavity> cavities;
     std::set<int> taken;
     for (std::size_t k = 0; k < work_.mesh.segment(segment).uses.size(); ++k) {
-        const int h = work_.mesh.segment(segment).uses[k].half_edge;
-        const double least = std::min(kNotFolded, alignment(work_.mesh, SurfaceMesh::triangle_of(h)));
-        cavities.push_back(grow_cavity(work_.mesh, h, true, {point, on_faces[k].normal}, least));
+        cavities.push_back(cavity_for(work_.mesh.segment(segment).uses[k].half_edge, point, on_faces[k]));
         if (!on_faces[k].found() || !cavities.back().complete) {
             return wait_for(segment, cavities.back().segment);
         }

@@ -58,8 +58,8 @@ class SegmentSplitter {
     geometry::Query place_query(int segment) const;
     void split_batch(const std::vector<int>& segments, std::vector<int>& touched);
     enum class Outcome { Split, Refused, Later };
-    Outcome split(int segment, const geometry::Answer& place, const geometry::Answer* on_faces,
-                  std::vector<int>& touched);
+    Cavity cavity_for(int half_edge, const Vec3& point, geometry::Answer& on_face) const;
+    Outcome split(int segment, const geometry::Answer& place, geometry::Answer* on_faces, std::vector<int>& touched);
     bool good_place(int segment, const geometry::Answer& place, const Vec3& point) const;
     Outcome wait_for(int segment, int other);
     void insert(int segment, double t, const Vec3& point, const geometry::Answer* on_faces,

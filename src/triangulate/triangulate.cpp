@@ -13,6 +13,7 @@
 
 #include "base/predicates.h"
 #include "triangulate/assemble.h"
+#include "triangulate/border_normal.h"
 #include "triangulate/chord.h"
 #include "triangulate/coarsener.h"
 #include "triangulate/corner_angle.h"
@@ -35,6 +36,8 @@ namespace {
 constexpr int kMaxChordRounds = 60;
 constexpr int kMaxCrossingRounds = 24;
 
+// Of the part's size; and no more than the tolerance.
+constexpr double kUnseen = 1e-3;
 // Of the whole work, for the progress.
 constexpr double kFirstShare = 0.15;
 
@@ -140,6 +143,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     const int first = work.mesh.vertex_count();
     SegmentSplitter segments(work);
     std::vector<int> touched;
+    take_normals_from_inside(work);
     separate_doubled_segments(work, segments, touched);
     const double from = first_share(options);
     const double middle = from + 0.34 * (0.9 - from);
@@ -287,6 +291,10 @@ Workspace workspace_of(const Task& task, mesh::SurfaceMesh& surface, Maxmin& max
     Workspace work{task.session, task.grid, surface, maxmin, task.progress};
     work.floor = task.grid.shortest_side();
     work.min_edge = task.options.min_edge;
+    work.unseen = kUnseen * task.session.topology().box.largest_side();
+    if (task.chord > 0.0) {
+        work.unseen = std::min(work.unseen, task.chord);
+    }
     work.budget = task.options.budget();
     return work;
 }

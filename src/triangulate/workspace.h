@@ -64,6 +64,7 @@ struct Workspace {
     std::map<int, Exemption> exempt{};    ///< by triangle
     std::map<int, Span> spanning{};       ///< by triangle; only after relics were released
     TriangleMarks settled{};              ///< those that came from an earlier run, with good angles
+    double unseen = 0.0;                  ///< a surface that turns within this need not be followed, mm
 
     bool over_budget() const { return static_cast<std::size_t>(mesh.triangle_count()) >= budget; }
     double shortest_allowed() const { return min_edge > floor ? min_edge : floor; }
