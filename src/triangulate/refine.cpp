@@ -25,7 +25,7 @@ constexpr double kMaxShrink = 0.5;
 // How many times larger the angle between two CAD edges is than that between their chords, for these to be halved; and
 // how often at one vertex.
 constexpr double kNarrowed = 1.08;
-constexpr int kMaxSharpened = 8;
+constexpr int kMaxSharpened = 16;
 // Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own
 // sake.
 constexpr double kMinTurned = 1e-3;

@@ -110,6 +110,21 @@ TEST(LooseNodes, HooksOfEdgesAreNotFollowed) {
     EXPECT_GE((point(vertices[vertices.size() - 2]) - point(vertices.back())).norm(), 1e-3);
 }
 
+/// The same within less than single precision tells apart, whatever the corner's tolerance.
+TEST(LooseNodes, HooksThatSinglePrecisionDoesNotShowAreNotFollowed) {
+    const double hook = 4e-6;
+    const Case c(face_in_plane({{at(0, 0), 1e-7, {at(0, 0), at(9.99, 0)}},
+                                {at(9.99, 0), 1e-7, {at(9.99, 0), at(10, 0.5 * hook), at(10 - hook, 0)}},
+                                {at(10 - hook, 0), 1e-7, {at(10 - hook, 0), at(10, 10)}},
+                                {at(10, 10), 1e-7, {at(10, 10), at(0, 10)}},
+                                {at(0, 10), 1e-7, {at(0, 10), at(0, 0)}}}));
+    ASSERT_GT(c.grid.shortest_side(), 2.0 * hook);
+    ASSERT_TRUE(c.initial.failures.empty()) << c.initial.failures.front().second;
+    const auto& vertices = c.initial.chains.chain(1).vertices;
+    const auto point = [&](int v) { return c.initial.chains.vertices()[v].point; };
+    EXPECT_GE((point(vertices[vertices.size() - 2]) - point(vertices.back())).norm(), c.grid.shortest_side());
+}
+
 /// The edges of a corner end apart from each other, so far that the loop runs back over itself; a short edge follows.
 TEST(LooseNodes, ImagesOfOneNodeAreOne) {
     const Case c(face_in_plane({{at(0, 0), 1e-7, {at(0, 0), at(10.0005, 0)}},
