@@ -49,14 +49,9 @@ EditableMesh::EditableMesh(const mesh::TriangleMesh& given, double feature_angle
     : points_(given.vertices),
       triangles_(given.triangles),
       gone_(given.triangles.size(), 0),
-      stars_(given.vertices.size()),
       sharp_at_(given.vertices.size()),
       alive_(static_cast<int>(given.triangles.size())) {
-    for (int t = 0; t < triangle_count(); ++t) {
-        for (const std::int32_t v : triangles_[t]) {
-            stars_[v].push_back(t);
-        }
-    }
+    find_stars();
     const mesh::EdgeTable edges(triangles_, points_.size());
     const std::vector<Vec3> normals = sound_normals(*this, edges);
     edges.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
@@ -120,6 +115,26 @@ void EditableMesh::apply(const Change& change) {
         set_sharp(a, b, true);
     }
     alive_ += static_cast<int>(change.added.size()) - static_cast<int>(change.removed.size());
+}
+
+void EditableMesh::restore(State state) {
+    gone_ = std::move(state.gone);
+    sharp_at_ = std::move(state.sharp_at);
+    alive_ = state.alive;
+    triangles_.resize(gone_.size());
+    points_.resize(sharp_at_.size());
+    find_stars();
+}
+
+void EditableMesh::find_stars() {
+    stars_.assign(points_.size(), {});
+    for (int t = 0; t < triangle_count(); ++t) {
+        for (const std::int32_t v : triangles_[t]) {
+            if (!gone_[t]) {
+                stars_[v].push_back(t);
+            }
+        }
+    }
 }
 
 mesh::TriangleMesh EditableMesh::result() const {

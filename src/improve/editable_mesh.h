@@ -51,10 +51,21 @@ class EditableMesh {
     void forget_last_vertex();
     void apply(const Change& change);
 
+    /// A state to come back to. Triangles and vertices are only ever added and marked, so that marks are all it takes.
+    struct State {
+        std::vector<char> gone;
+        std::vector<std::vector<int>> sharp_at;
+        int alive = 0;
+    };
+    State state() const { return {gone_, sharp_at_, alive_}; }
+    /// Goes back to an earlier state of this mesh.
+    void restore(State state);
+
     /// What is there now, with vertices that no triangle uses left out.
     mesh::TriangleMesh result() const;
 
   private:
+    void find_stars();
     void set_sharp(int a, int b, bool sharp);
 
     std::vector<Vec3> points_;

@@ -27,17 +27,35 @@ GivenSurface::GivenSurface(const mesh::TriangleMesh& given, const EditableMesh& 
       tree_(given.vertices, given.triangles),
       curves_(given.vertices, sharp_) {}
 
+bool GivenSurface::within(const Vec3& p, double distance) const {
+    const std::int32_t found = tree_.any_within(p, distance, last_);
+    last_ = found >= 0 ? found : last_;
+    return found >= 0;
+}
+
+bool GivenSurface::sharp_edges_within(const Vec3& p, double distance) const {
+    const std::int32_t found = sharp_.empty() ? -1 : curves_.any_within(p, distance, last_sharp_);
+    last_sharp_ = found >= 0 ? found : last_sharp_;
+    return found >= 0;
+}
+
 Vec3 GivenSurface::project(const Vec3& p) const {
-    return in_single(tree_.nearest(p).point);
+    const mesh::Nearest near = tree_.nearest_from(p, last_);
+    last_ = near.triangle;
+    return in_single(near.point);
 }
 
 Vec3 GivenSurface::project_to_sharp_edges(const Vec3& p) const {
-    return in_single(curves_.nearest(p).point);
+    const mesh::Nearest near = curves_.nearest_from(p, last_sharp_);
+    last_sharp_ = near.triangle;
+    return in_single(near.point);
 }
 
-Vec3 GivenSurface::normal(const Vec3& p) const {
-    const Triangle& t = given_.triangles[static_cast<std::size_t>(tree_.nearest(p).triangle)];
-    return sound_normal({given_.vertices[t[0]], given_.vertices[t[1]], given_.vertices[t[2]]});
+GivenSurface::Foot GivenSurface::foot(const Vec3& p) const {
+    const mesh::Nearest near = tree_.nearest_from(p, last_);
+    last_ = near.triangle;
+    const Triangle& t = given_.triangles[static_cast<std::size_t>(near.triangle)];
+    return {near.distance, sound_normal({given_.vertices[t[0]], given_.vertices[t[1]], given_.vertices[t[2]]})};
 }
 
 Vec3 in_single(const Vec3& p) {

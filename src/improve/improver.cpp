@@ -47,7 +47,15 @@ Improver::Improver(const mesh::TriangleMesh& given, const Options& options, Prog
       bend_(options.feature_angle * kDegree),
       shortest_(kShortestUnits * std::numeric_limits<float>::epsilon() * size_of(given)),
       most_triangles_(kGrowth * mesh_.triangle_count() + kMoreTriangles),
-      witnesses_(given.triangles.size()) {}
+      witnesses_(given.triangles.size()),
+      halvings_(given.vertices.size()),
+      changed_(given.vertices.size()),
+      mended_(given.triangles.size()),
+      moved_(given.vertices.size()) {
+    for (const Triangle& t : given.triangles) {
+        angles_.push_back(smallest_angle(t));
+    }
+}
 
 void Improver::run() {
     bool splits = false;
@@ -72,7 +80,7 @@ void Improver::run() {
     }
     if (bad_triangles().size() >= fewest_bad_) {
         // Where refinement runs away, between sharp edges at small angles, there are more bad triangles in the end.
-        std::swap(mesh_, *best_);
+        mesh_.restore(std::move(*best_));
         counts = best_counts_;
     }
 }
@@ -82,7 +90,7 @@ bool Improver::keep_if_best(std::size_t bad) {
         return false;
     }
     fewest_bad_ = bad;
-    best_.emplace(mesh_);
+    best_ = mesh_.state();
     best_counts_ = counts;
     return true;
 }
@@ -98,11 +106,11 @@ std::vector<std::pair<int, std::string>> Improver::left() const {
 }
 
 double Improver::smallest_angle(const Triangle& t) const {
-    return mesh::shape_of(mesh_.corners(t)).min_angle;
+    return mesh::min_angle_of(mesh_.corners(t));
 }
 
 bool Improver::bad(int t) const {
-    return smallest_angle(mesh_.triangle(t)) < options_.min_angle;
+    return angles_[t] < options_.min_angle;
 }
 
 bool Improver::forced(int t) const {
@@ -124,11 +132,8 @@ bool Improver::forced(int t) const {
 std::vector<int> Improver::bad_triangles() const {
     std::vector<std::pair<double, int>> found;
     for (int t = 0; t < mesh_.triangle_count(); ++t) {
-        if (!mesh_.gone(t)) {
-            const double angle = smallest_angle(mesh_.triangle(t));
-            if (angle < options_.min_angle) {
-                found.emplace_back(angle, t);
-            }
+        if (!mesh_.gone(t) && bad(t)) {
+            found.emplace_back(angles_[t], t);
         }
     }
     std::sort(found.begin(), found.end());
@@ -140,7 +145,25 @@ std::vector<int> Improver::bad_triangles() const {
 }
 
 bool Improver::mend(int t) {
-    return swap_some(t) || collapse_some(t) || move_some(t);
+    if (same_around(t, mended_[t])) {
+        return false;
+    }
+    if (swap_some(t) || collapse_some(t) || move_some(t)) {
+        return true;
+    }
+    mended_[t] = now_;
+    return false;
+}
+
+bool Improver::same_around(int t, int since) const {
+    const auto same = [&](int v) { return changed_[v] < since; };
+    const Triangle& c = mesh_.triangle(t);
+    return std::all_of(c.begin(), c.end(), [&](int v) {
+        const std::vector<int>& star = mesh_.star(v);
+        return std::all_of(star.begin(), star.end(), [&](int s) {
+            return std::all_of(mesh_.triangle(s).begin(), mesh_.triangle(s).end(), same);
+        });
+    });
 }
 
 bool Improver::swap_some(int t) {
@@ -164,7 +187,7 @@ bool Improver::collapse_some(int t) {
         const int a = c[i], b = c[(i + 1) % 3];
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
             // Vertices that came by halving would go and come for ever.
-            const auto change = halvings_of(from) == 0 ? collapse_edge(mesh_, from, to, bend_) : std::nullopt;
+            const auto change = halvings_[from] == 0 ? collapse_edge(mesh_, from, to, bend_) : std::nullopt;
             if (change && attempt(*change, Rule::Better, {mesh_.point(from)})) {
                 ++counts.collapses;
                 return true;
@@ -181,7 +204,7 @@ bool Improver::move_some(int t) {
 
 bool Improver::move(int v) {
     const Freedom free = freedom(mesh_, v, bend_);
-    if (free == Freedom::None) {
+    if (free == Freedom::None || changed_[v] < moved_[v]) {
         return false;
     }
     const std::vector<int> around = free == Freedom::Curve ? mesh_.sharp_neighbours(v) : mesh_.neighbours(v);
@@ -193,14 +216,14 @@ bool Improver::move(int v) {
     for (const double step : {1.0, 0.5, 0.25, 0.125}) {
         const Vec3 there = here + step * (centre - here);
         const Vec3 p = free == Freedom::Curve ? surface_.project_to_sharp_edges(there) : surface_.project(there);
-        const int other = mesh_.add_vertex(p);
+        const int other = add_vertex(p, halvings_[v]);
         if (p != here && attempt(replace_vertex(mesh_, v, other), Rule::Better, {here})) {
-            halvings_[other] = halvings_of(v);
             ++counts.moves;
             return true;
         }
-        mesh_.forget_last_vertex();
+        forget_last_vertex();
     }
+    moved_[v] = now_;
     return false;
 }
 
@@ -235,21 +258,20 @@ bool Improver::refine(int t) {
 
 bool Improver::split(int a, int b) {
     const Vec3 middle = mesh_.is_sharp(a, b) ? on_a_shell(a, b) : Vec3(0.5 * (mesh_.point(a) + mesh_.point(b)));
-    const int halvings = 1 + std::max(halvings_of(a), halvings_of(b));
+    const int halvings = 1 + std::max(halvings_[a], halvings_[b]);
     if (halvings > kMostHalvings || (mesh_.point(b) - mesh_.point(a)).norm() < 2.0 * shortest_) {
         return false;
     }
     const Vec3 p = mesh_.is_sharp(a, b) ? surface_.project_to_sharp_edges(middle) : surface_.project(middle);
     // Where the surface is at the limit of the tolerance, it stays as it is.
     for (const auto& [place, rule] : {std::pair(p, Rule::Any), std::pair(in_single(middle), Rule::Same)}) {
-        const int v = mesh_.add_vertex(place);
+        const int v = add_vertex(place, halvings);
         if (attempt(split_edge(mesh_, a, b, v), rule)) {
             ++counts.splits;
-            halvings_[v] = halvings;
             swap_around(v);
             return true;
         }
-        mesh_.forget_last_vertex();
+        forget_last_vertex();
     }
     return false;
 }
@@ -274,9 +296,18 @@ Vec3 Improver::on_a_shell(int a, int b) const {
     return at_a ? Vec3(p + shell * (q - p)) : Vec3(q + shell * (p - q));
 }
 
-int Improver::halvings_of(int v) const {
-    const auto found = halvings_.find(v);
-    return found == halvings_.end() ? 0 : found->second;
+int Improver::add_vertex(const Vec3& point, int halvings) {
+    halvings_.push_back(halvings);
+    changed_.push_back(now_);
+    moved_.push_back(0);
+    return mesh_.add_vertex(point);
+}
+
+void Improver::forget_last_vertex() {
+    mesh_.forget_last_vertex();
+    halvings_.pop_back();
+    changed_.pop_back();
+    moved_.pop_back();
 }
 
 void Improver::swap_around(int v) {
@@ -311,25 +342,43 @@ bool Improver::attempt(const Change& change, Rule rule, const std::vector<Vec3>&
     if (!good_enough(change, rule) || !(same || near_enough(change)) || !hand_over(change, leaving, most, taken)) {
         return false;
     }
-    mesh_.apply(change);
-    for (const int t : change.removed) {
-        witnesses_[t].clear();
-    }
-    witnesses_.insert(witnesses_.end(), std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
+    make(change, std::move(taken));
     return true;
 }
 
-bool Improver::good_enough(const Change& change, Rule rule) const {
-    double before = 180.0, after = 180.0;
+void Improver::make(const Change& change, std::vector<std::vector<Vec3>> taken) {
+    const auto note = [&](const Triangle& t) {
+        for (const std::int32_t v : t) {
+            changed_[v] = now_;
+        }
+    };
     for (const int t : change.removed) {
-        before = std::min(before, smallest_angle(mesh_.triangle(t)));
+        witnesses_[t].clear();
+        note(mesh_.triangle(t));
     }
     for (const Triangle& t : change.added) {
-        after = std::min(after, smallest_angle(t));
+        angles_.push_back(smallest_angle(t));
+        mended_.push_back(0);
+        note(t);
     }
+    ++now_;
+    mesh_.apply(change);
+    witnesses_.insert(witnesses_.end(), std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
+}
+
+bool Improver::good_enough(const Change& change, Rule rule) const {
     // Degrees. Vertices that creep would hold up what helps more.
     constexpr double kBetter = 1.0;
-    return rule == Rule::Better ? after > before + kBetter : after > 0.0;
+    double least = 0.0;
+    if (rule == Rule::Better) {
+        double before = 180.0;
+        for (const int t : change.removed) {
+            before = std::min(before, angles_[t]);
+        }
+        least = before + kBetter;
+    }
+    return std::all_of(change.added.begin(), change.added.end(),
+                       [&](const Triangle& t) { return smallest_angle(t) > least; });
 }
 
 bool Improver::near_enough(const Change& change) const {
@@ -337,22 +386,19 @@ bool Improver::near_enough(const Change& change) const {
         const std::array<Vec3, 3> p = mesh_.corners(t);
         const Vec3 centre = (p[0] + p[1] + p[2]) / 3.0;
         const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-        const Vec3 expected = surface_.normal(centre);
-        if (expected != Vec3::Zero() && normal.dot(expected) < kSameSide) {
-            return false;
-        }
-        if (surface_.distance(centre) > tolerance_) {
+        const GivenSurface::Foot foot = surface_.foot(centre);
+        if (foot.distance > tolerance_ || (foot.normal != Vec3::Zero() && normal.dot(foot.normal) < kSameSide)) {
             return false;
         }
         for (std::size_t i = 0; i < 3; ++i) {
-            if (surface_.distance(0.5 * (p[i] + p[(i + 1) % 3])) > tolerance_) {
+            if (!surface_.within(0.5 * (p[i] + p[(i + 1) % 3]), tolerance_)) {
                 return false;
             }
         }
     }
     return std::all_of(change.sharp.begin(), change.sharp.end(), [&](const std::pair<int, int>& edge) {
         const Vec3 middle = 0.5 * (mesh_.point(edge.first) + mesh_.point(edge.second));
-        return surface_.distance_to_sharp_edges(middle) <= tolerance_;
+        return surface_.sharp_edges_within(middle, tolerance_);
     });
 }
 

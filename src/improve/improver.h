@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -39,6 +38,12 @@ class Improver {
     std::vector<int> bad_triangles() const;
 
     bool mend(int t);
+    /// Whether nothing that mending a triangle looks at has changed since a time.
+    bool same_around(int t, int since) const;
+    int add_vertex(const Vec3& point, int halvings);
+    void forget_last_vertex();
+    /// Makes a change that was allowed; `taken` are the new triangles' witnesses.
+    void make(const Change& change, std::vector<std::vector<Vec3>> taken);
     bool swap_some(int t);
     bool collapse_some(int t);
     bool move_some(int t);
@@ -48,7 +53,6 @@ class Improver {
     /// Where to divide a sharp edge: in the middle, or at a power of two from the end at which it meets another one at
     /// a small angle, so that both are divided alike (concentric shells, Ruppert 1995).
     Vec3 on_a_shell(int a, int b) const;
-    int halvings_of(int v) const;
     void swap_around(int v);
 
     bool attempt(const Change& change, Rule rule, const std::vector<Vec3>& leaving = {});
@@ -68,8 +72,14 @@ class Improver {
     double shortest_;
     int most_triangles_;
     std::vector<std::vector<Vec3>> witnesses_;  ///< by triangle: given vertices near it that are vertices no longer
-    std::unordered_map<int, int> halvings_;     ///< of vertices that came by halving edges: how often
-    std::optional<EditableMesh> best_;          ///< the mesh with the fewest bad triangles so far
+    std::vector<double> angles_;                ///< by triangle: its smallest angle, degrees
+    std::vector<int> halvings_;                 ///< by vertex: how often edges were halved until it came; 0: given
+    // What was tried in vain is not tried again before something has changed that it depends on. Times count changes.
+    int now_ = 1;
+    std::vector<int> changed_;                 ///< by vertex: when its triangles changed last
+    std::vector<int> mended_;                  ///< by triangle: when mending it failed last
+    std::vector<int> moved_;                   ///< by vertex: when moving it failed last
+    std::optional<EditableMesh::State> best_;  ///< the mesh with the fewest bad triangles so far
     Result best_counts_;
     std::size_t fewest_bad_ = 0;
 };

@@ -10,32 +10,59 @@
 
 namespace mq::mesh {
 
-// The cross product is taken between the two shortest sides, where it loses least in a sliver.
-TriangleShape shape_of(const std::array<Vec3, 3>& p) {
-    const std::array<Vec3, 3> side{p[2] - p[1], p[0] - p[2], p[1] - p[0]};
-    const std::array<double, 3> length{side[0].norm(), side[1].norm(), side[2].norm()};
-    const int longest = static_cast<int>(std::max_element(length.begin(), length.end()) - length.begin());
-    const double shortest = std::min({length[0], length[1], length[2]});
-    const double twice_area = side[(longest + 1) % 3].cross(side[(longest + 2) % 3]).norm();
+namespace {
 
+struct Sides {
+    std::array<Vec3, 3> side;  // opposite the corner of its index
+    std::array<double, 3> length;
+    int shortest;
+    int longest;
+    double twice_area;
+    bool degenerate;
+
+    /// Degrees, at the corner opposite a side.
+    double angle_opposite(int i) const {
+        return std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3])) / kDegree;
+    }
+};
+
+// The cross product is taken between the two shortest sides, where it loses least in a sliver.
+Sides sides_of(const std::array<Vec3, 3>& p) {
+    Sides s{{p[2] - p[1], p[0] - p[2], p[1] - p[0]}, {}, 0, 0, 0.0, false};
+    s.length = {s.side[0].norm(), s.side[1].norm(), s.side[2].norm()};
+    s.longest = static_cast<int>(std::max_element(s.length.begin(), s.length.end()) - s.length.begin());
+    s.shortest = static_cast<int>(std::min_element(s.length.begin(), s.length.end()) - s.length.begin());
+    const int i = (s.longest + 1) % 3, j = (s.longest + 2) % 3;
+    s.twice_area = s.side[i].cross(s.side[j]).norm();
+    s.degenerate = s.length[s.shortest] == 0.0 ||
+                   (s.twice_area <= 1e-10 * (s.length[i] * s.length[j]) && collinear(p[0], p[1], p[2]));
+    return s;
+}
+
+}  // namespace
+
+TriangleShape shape_of(const std::array<Vec3, 3>& p) {
+    const Sides s = sides_of(p);
+    const double shortest = s.length[s.shortest];
     TriangleShape shape;
-    shape.aspect = shortest > 0.0 ? length[longest] / shortest : HUGE_VAL;
-    const double scale = length[(longest + 1) % 3] * length[(longest + 2) % 3];
-    shape.degenerate = shortest == 0.0 || (twice_area <= 1e-10 * scale && collinear(p[0], p[1], p[2]));
+    shape.aspect = shortest > 0.0 ? s.length[s.longest] / shortest : HUGE_VAL;
+    shape.degenerate = s.degenerate;
     if (shape.degenerate) {
         shape.max_angle = 180.0;
         shape.distortion = HUGE_VAL;
         return shape;
     }
-    shape.area = 0.5 * twice_area;
-    const double squares = length[0] * length[0] + length[1] * length[1] + length[2] * length[2];
-    shape.distortion = squares / (2.0 * std::sqrt(3.0) * twice_area);
-    const auto opposite = [&](int i) {
-        return std::atan2(twice_area, -side[(i + 1) % 3].dot(side[(i + 2) % 3])) / kDegree;
-    };
-    shape.min_angle = opposite(static_cast<int>(std::min_element(length.begin(), length.end()) - length.begin()));
-    shape.max_angle = opposite(longest);
+    shape.area = 0.5 * s.twice_area;
+    const double squares = s.length[0] * s.length[0] + s.length[1] * s.length[1] + s.length[2] * s.length[2];
+    shape.distortion = squares / (2.0 * std::sqrt(3.0) * s.twice_area);
+    shape.min_angle = s.angle_opposite(s.shortest);
+    shape.max_angle = s.angle_opposite(s.longest);
     return shape;
+}
+
+double min_angle_of(const std::array<Vec3, 3>& p) {
+    const Sides s = sides_of(p);
+    return s.degenerate ? 0.0 : s.angle_opposite(s.shortest);
 }
 
 }  // namespace mq::mesh

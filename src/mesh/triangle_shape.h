@@ -20,5 +20,7 @@ struct TriangleShape {
 };
 
 TriangleShape shape_of(const std::array<Vec3, 3>& corners);
+/// TriangleShape::min_angle alone, in half the time.
+double min_angle_of(const std::array<Vec3, 3>& corners);
 
 }  // namespace mq::mesh

@@ -10,6 +10,9 @@ namespace mq::mesh {
 namespace {
 
 constexpr std::size_t kLeafSize = 4;
+/// Nodes that wait while the tree is descended: one for each level, of which there are at most 30 for the bits of the
+/// Morton codes, and 32 for the halvings of what has the same code.
+constexpr std::size_t kDeepest = 64;
 
 /// The next single-precision number toward minus infinity; std::nextafter, but inlined.
 float next_below(float x) {
@@ -303,9 +306,10 @@ std::vector<TriangleTree::Task> TriangleTree::own_pair_tasks(std::size_t count) 
     });
 }
 
-Nearest TriangleTree::nearest(const Vec3& p, double bound) const {
-    Nearest best;
-    double best_squared = bound * bound;
+/// visit(i) for the triangles of the leaves whose boxes are within a bound, which may shrink meanwhile, the nearer half
+/// of each node first. A visit that returns false ends it.
+template <typename Visit>
+void TriangleTree::for_each_near(const Vec3& p, const double& bound_squared, Visit&& visit) const {
     // Squared distance of a box, a rounding too small rather than too large.
     const auto distance = [&p](const Bounds& bounds) {
         double sum = 0.0;
@@ -319,14 +323,14 @@ Nearest TriangleTree::nearest(const Vec3& p, double bound) const {
         double distance;
         std::int32_t node;
     };
-    std::vector<Entry> stack;
+    std::array<Entry, kDeepest> stack;
+    std::size_t height = 0;
     if (!nodes_.empty()) {
-        stack.push_back({distance(nodes_[0].bounds), 0});
+        stack[height++] = {distance(nodes_[0].bounds), 0};
     }
-    while (!stack.empty()) {
-        const Entry top = stack.back();
-        stack.pop_back();
-        if (top.distance > best_squared) {
+    while (height > 0) {
+        const Entry top = stack[--height];
+        if (top.distance > bound_squared) {
             continue;
         }
         const Node& node = nodes_[top.node];
@@ -336,23 +340,59 @@ Nearest TriangleTree::nearest(const Vec3& p, double bound) const {
             if (far.distance < near.distance) {
                 std::swap(near, far);
             }
-            stack.push_back(far);
-            stack.push_back(near);
+            if (far.distance <= bound_squared) {
+                stack[height++] = far;
+            }
+            stack[height++] = near;
             continue;
         }
         for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-            const std::int32_t triangle = items_[i].triangle;
-            const Triangle& t = (*triangles_)[triangle];
-            const Vec3 q = nearest_on_triangle(p, (*vertices_)[t[0]], (*vertices_)[t[1]], (*vertices_)[t[2]]);
-            const double squared = (q - p).squaredNorm();
-            const bool lower = best.triangle < 0 || triangle < best.triangle;
-            if (squared < best_squared || (squared == best_squared && lower)) {
-                best_squared = squared;
-                best = {triangle, q, std::sqrt(squared)};
+            if (!visit(items_[i].triangle)) {
+                return;
             }
         }
     }
+}
+
+void TriangleTree::search(const Vec3& p, Nearest& best, double best_squared) const {
+    for_each_near(p, best_squared, [&](std::int32_t triangle) {
+        const Vec3 q = nearest_on(triangle, p);
+        const double squared = (q - p).squaredNorm();
+        const bool lower = best.triangle < 0 || triangle < best.triangle;
+        if (squared < best_squared || (squared == best_squared && lower)) {
+            best_squared = squared;
+            best = {triangle, q, std::sqrt(squared)};
+        }
+        return true;
+    });
+}
+
+Nearest TriangleTree::nearest(const Vec3& p, double bound) const {
+    Nearest best;
+    search(p, best, bound * bound);
     return best;
+}
+
+Nearest TriangleTree::nearest_from(const Vec3& p, std::int32_t guess) const {
+    const Vec3 q = nearest_on(guess, p);
+    const double squared = (q - p).squaredNorm();
+    Nearest best{guess, q, std::sqrt(squared)};
+    search(p, best, squared);
+    return best;
+}
+
+std::int32_t TriangleTree::any_within(const Vec3& p, double distance, std::int32_t guess) const {
+    const auto is_within = [&](std::int32_t triangle) { return (nearest_on(triangle, p) - p).norm() <= distance; };
+    if (is_within(guess)) {
+        return guess;
+    }
+    std::int32_t found = -1;
+    const double bound_squared = distance * distance * (1.0 + 8.0 * std::numeric_limits<double>::epsilon());
+    for_each_near(p, bound_squared, [&](std::int32_t triangle) {
+        found = is_within(triangle) ? triangle : -1;
+        return found < 0;
+    });
+    return found;
 }
 
 }  // namespace mq::mesh

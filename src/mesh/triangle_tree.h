@@ -85,6 +85,10 @@ class TriangleTree {
 
     /// The triangle nearest to p among those at most `bound` away (mm); of several, the one with the lowest index.
     Nearest nearest(const Vec3& p, double bound = std::numeric_limits<double>::infinity()) const;
+    /// The same without a bound, sooner the nearer the triangle `guess` of the tree is to p.
+    Nearest nearest_from(const Vec3& p, std::int32_t guess) const;
+    /// Some triangle at most `distance` away (mm), -1: none; `guess`, a triangle of the tree, if it is.
+    std::int32_t any_within(const Vec3& p, double distance, std::int32_t guess) const;
 
   private:
     struct Bounds {
@@ -142,6 +146,13 @@ class TriangleTree {
             return true;
         }
     }
+    Vec3 nearest_on(std::int32_t triangle, const Vec3& p) const {
+        const Triangle& t = (*triangles_)[triangle];
+        return nearest_on_triangle(p, (*vertices_)[t[0]], (*vertices_)[t[1]], (*vertices_)[t[2]]);
+    }
+    template <typename Visit>
+    void for_each_near(const Vec3& p, const double& bound_squared, Visit&& visit) const;
+    void search(const Vec3& p, Nearest& best, double best_squared) const;
     template <typename Meets, typename Visit>
     void descend(const Meets& meets, Visit& visit) const;
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 #include <utility>
@@ -242,6 +243,32 @@ TEST_P(TriangleTreeTest, NearestPointIsTheNearest) {
         if (expected.distance > 0.0) {
             EXPECT_EQ(tree.nearest(p, 0.999 * expected.distance).triangle, -1);
         }
+    }
+}
+
+TEST_P(TriangleTreeTest, AGuessChangesNoAnswer) {
+    const Soup soup(GetParam(), 250, 20);
+    const Soup queries(GetParam(), 60, 21);
+    const TriangleTree tree(soup.vertices, soup.triangles);
+    std::int32_t guess = 0;
+    for (const Vec3& p : queries.vertices) {
+        guess = (guess + 97) % 250;
+        const Nearest expected = tree.nearest(p);
+        for (const std::int32_t from : {guess, expected.triangle}) {
+            const Nearest found = tree.nearest_from(p, from);
+            EXPECT_EQ(found.triangle, expected.triangle);
+            EXPECT_EQ(found.point, expected.point);
+            EXPECT_EQ(found.distance, expected.distance);
+            EXPECT_GE(tree.any_within(p, expected.distance, from), 0);
+            if (expected.distance > 0.0) {
+                EXPECT_EQ(tree.any_within(p, std::nextafter(expected.distance, 0.0), from), -1);
+            }
+        }
+        const std::int32_t some = tree.any_within(p, 2.0 * expected.distance, guess);
+        ASSERT_GE(some, 0);
+        const Triangle& t = soup.triangles[some];
+        EXPECT_LE((nearest_on_triangle(p, soup.vertices[t[0]], soup.vertices[t[1]], soup.vertices[t[2]]) - p).norm(),
+                  2.0 * expected.distance);
     }
 }
 
