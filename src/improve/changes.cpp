@@ -46,11 +46,13 @@ std::optional<Change> collapse_edge(const EditableMesh& mesh, int from, int to, 
     if (free == Freedom::None || (free == Freedom::Curve && !mesh.is_sharp(from, to))) {
         return std::nullopt;
     }
-    const std::vector<int> of_from = mesh.neighbours(from);
-    const std::vector<int> of_to = mesh.neighbours(to);
-    std::vector<int> common;
-    std::set_intersection(of_from.begin(), of_from.end(), of_to.begin(), of_to.end(), std::back_inserter(common));
-    if (common.size() != mesh.around_edge(from, to).size()) {
+    // Of the vertices joined to both, each must be that of a triangle of the edge.
+    const bool fewer_at_from = mesh.star(from).size() <= mesh.star(to).size();
+    const std::vector<int> joined = mesh.neighbours(fewer_at_from ? from : to);
+    const int other = fewer_at_from ? to : from;
+    const auto common = std::count_if(joined.begin(), joined.end(),
+                                      [&](int w) { return w != other && !mesh.around_edge(w, other).empty(); });
+    if (static_cast<std::size_t>(common) != mesh.around_edge(from, to).size()) {
         return std::nullopt;
     }
     Change change;

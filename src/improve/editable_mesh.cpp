@@ -62,10 +62,14 @@ EditableMesh::EditableMesh(const mesh::TriangleMesh& given, double feature_angle
 }
 
 std::vector<int> EditableMesh::around_edge(int a, int b) const {
+    // A vertex in the middle of a fan may have thousands of triangles, the others of the fan have few.
+    const bool fewer_at_a = stars_[a].size() <= stars_[b].size();
+    const std::vector<int>& star = stars_[fewer_at_a ? a : b];
+    const int other = fewer_at_a ? b : a;
     std::vector<int> found;
-    std::copy_if(stars_[a].begin(), stars_[a].end(), std::back_inserter(found), [&](int t) {
+    std::copy_if(star.begin(), star.end(), std::back_inserter(found), [&](int t) {
         const Triangle& c = triangles_[t];
-        return c[0] == b || c[1] == b || c[2] == b;
+        return c[0] == other || c[1] == other || c[2] == other;
     });
     return found;
 }

@@ -36,12 +36,13 @@ class EditableMesh {
     const Vec3& point(int v) const { return points_[v]; }
     std::array<Vec3, 3> corners(const Triangle& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
     bool gone(int t) const { return gone_[t]; }
+    /// The triangles at a vertex, in ascending order.
     const std::vector<int>& star(int v) const { return stars_[v]; }
 
     bool is_sharp(int a, int b) const { return std::binary_search(sharp_at_[a].begin(), sharp_at_[a].end(), b); }
     /// The other ends of the sharp edges at a vertex, in ascending order.
     const std::vector<int>& sharp_neighbours(int v) const { return sharp_at_[v]; }
-    /// The triangles with the edge a-b.
+    /// The triangles with the edge a-b, in ascending order.
     std::vector<int> around_edge(int a, int b) const;
     /// All vertices joined to one, in ascending order.
     std::vector<int> neighbours(int v) const;

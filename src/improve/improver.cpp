@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kSameSide = 0.5;    // cosine of the most that a normal may turn from the surface's: 60 degrees
 constexpr double kTolerance = 1e-3;  // of the largest dimension, where none is given
+// Degrees. Vertices that creep would hold up what helps more.
+constexpr double kBetter = 1.0;
 constexpr int kMostRounds = 200;
 // Refinement that finds no way to fewer bad triangles in so many rounds is not about to.
 constexpr int kPatience = 12;
@@ -50,6 +52,8 @@ Improver::Improver(const mesh::TriangleMesh& given, const Options& options, Prog
       witnesses_(given.triangles.size()),
       halvings_(given.vertices.size()),
       changed_(given.vertices.size()),
+      around_(given.vertices.size()),
+      worst_(given.vertices.size()),
       mended_(given.triangles.size()),
       moved_(given.vertices.size()) {
     for (const Triangle& t : given.triangles) {
@@ -156,13 +160,58 @@ bool Improver::mend(int t) {
 }
 
 bool Improver::same_around(int t, int since) const {
-    const auto same = [&](int v) { return changed_[v] < since; };
     const Triangle& c = mesh_.triangle(t);
-    return std::all_of(c.begin(), c.end(), [&](int v) {
-        const std::vector<int>& star = mesh_.star(v);
-        return std::all_of(star.begin(), star.end(), [&](int s) {
-            return std::all_of(mesh_.triangle(s).begin(), mesh_.triangle(s).end(), same);
-        });
+    return std::all_of(c.begin(), c.end(), [&](int v) { return around_[v] < since; });
+}
+
+void Improver::note_changed(const Change& change) {
+    std::vector<int> touched;
+    for (const int t : change.removed) {
+        touched.insert(touched.end(), mesh_.triangle(t).begin(), mesh_.triangle(t).end());
+    }
+    for (const Triangle& t : change.added) {
+        touched.insert(touched.end(), t.begin(), t.end());
+    }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    for (const int v : touched) {
+        changed_[v] = around_[v] = now_;
+        for (const int t : mesh_.star(v)) {
+            for (const std::int32_t w : mesh_.triangle(t)) {
+                around_[w] = now_;
+            }
+        }
+    }
+    ++now_;
+}
+
+double Improver::worst_angle_at(int v) {
+    auto& [found_at, worst] = worst_[v];
+    if (found_at <= changed_[v]) {
+        worst = 180.0;
+        for (const int t : mesh_.star(v)) {
+            worst = std::min(worst, angles_[t]);
+        }
+        found_at = now_;
+    }
+    return worst;
+}
+
+bool Improver::betters(int v, const Vec3& place, int without) {
+    const double least = worst_angle_at(v) + kBetter;
+    const std::vector<int>& star = mesh_.star(v);
+    return std::all_of(star.begin(), star.end(), [&](int t) {
+        const Triangle& c = mesh_.triangle(t);
+        std::array<Vec3, 3> corners = mesh_.corners(c);
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (c[i] == without) {
+                return true;
+            }
+            if (c[i] == v) {
+                corners[i] = place;
+            }
+        }
+        return mesh::min_angle_of(corners) > least;
     });
 }
 
@@ -187,7 +236,8 @@ bool Improver::collapse_some(int t) {
         const int a = c[i], b = c[(i + 1) % 3];
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
             // Vertices that came by halving would go and come for ever.
-            const auto change = halvings_[from] == 0 ? collapse_edge(mesh_, from, to, bend_) : std::nullopt;
+            const bool may_go = halvings_[from] == 0 && betters(from, mesh_.point(to), to);
+            const auto change = may_go ? collapse_edge(mesh_, from, to, bend_) : std::nullopt;
             if (change && attempt(*change, Rule::Better, {mesh_.point(from)})) {
                 ++counts.collapses;
                 return true;
@@ -216,8 +266,11 @@ bool Improver::move(int v) {
     for (const double step : {1.0, 0.5, 0.25, 0.125}) {
         const Vec3 there = here + step * (centre - here);
         const Vec3 p = free == Freedom::Curve ? surface_.project_to_sharp_edges(there) : surface_.project(there);
+        if (p == here || !betters(v, p)) {
+            continue;
+        }
         const int other = add_vertex(p, halvings_[v]);
-        if (p != here && attempt(replace_vertex(mesh_, v, other), Rule::Better, {here})) {
+        if (attempt(replace_vertex(mesh_, v, other), Rule::Better, {here})) {
             ++counts.moves;
             return true;
         }
@@ -299,6 +352,8 @@ Vec3 Improver::on_a_shell(int a, int b) const {
 int Improver::add_vertex(const Vec3& point, int halvings) {
     halvings_.push_back(halvings);
     changed_.push_back(now_);
+    around_.push_back(now_);
+    worst_.emplace_back(0, 0.0);
     moved_.push_back(0);
     return mesh_.add_vertex(point);
 }
@@ -307,6 +362,8 @@ void Improver::forget_last_vertex() {
     mesh_.forget_last_vertex();
     halvings_.pop_back();
     changed_.pop_back();
+    around_.pop_back();
+    worst_.pop_back();
     moved_.pop_back();
 }
 
@@ -347,28 +404,19 @@ bool Improver::attempt(const Change& change, Rule rule, const std::vector<Vec3>&
 }
 
 void Improver::make(const Change& change, std::vector<std::vector<Vec3>> taken) {
-    const auto note = [&](const Triangle& t) {
-        for (const std::int32_t v : t) {
-            changed_[v] = now_;
-        }
-    };
     for (const int t : change.removed) {
         witnesses_[t].clear();
-        note(mesh_.triangle(t));
     }
     for (const Triangle& t : change.added) {
         angles_.push_back(smallest_angle(t));
         mended_.push_back(0);
-        note(t);
     }
-    ++now_;
     mesh_.apply(change);
+    note_changed(change);
     witnesses_.insert(witnesses_.end(), std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
 }
 
 bool Improver::good_enough(const Change& change, Rule rule) const {
-    // Degrees. Vertices that creep would hold up what helps more.
-    constexpr double kBetter = 1.0;
     double least = 0.0;
     if (rule == Rule::Better) {
         double before = 180.0;

@@ -40,6 +40,12 @@ class Improver {
     bool mend(int t);
     /// Whether nothing that mending a triangle looks at has changed since a time.
     bool same_around(int t, int since) const;
+    void note_changed(const Change& change);
+    /// Whether the worst angle at a vertex becomes better where it moves to a place, as far as triangles go that are
+    /// not at the vertex `without` too. Mostly soon said, while a change must name all triangles, of which a fan has
+    /// many.
+    bool betters(int v, const Vec3& place, int without = -1);
+    double worst_angle_at(int v);
     int add_vertex(const Vec3& point, int halvings);
     void forget_last_vertex();
     /// Makes a change that was allowed; `taken` are the new triangles' witnesses.
@@ -76,10 +82,12 @@ class Improver {
     std::vector<int> halvings_;                 ///< by vertex: how often edges were halved until it came; 0: given
     // What was tried in vain is not tried again before something has changed that it depends on. Times count changes.
     int now_ = 1;
-    std::vector<int> changed_;                 ///< by vertex: when its triangles changed last
-    std::vector<int> mended_;                  ///< by triangle: when mending it failed last
-    std::vector<int> moved_;                   ///< by vertex: when moving it failed last
-    std::optional<EditableMesh::State> best_;  ///< the mesh with the fewest bad triangles so far
+    std::vector<int> changed_;                   ///< by vertex: when its triangles changed last
+    std::vector<int> around_;                    ///< by vertex: when its triangles or those of a neighbour changed last
+    std::vector<std::pair<int, double>> worst_;  ///< by vertex: its worst angle, and when that was found
+    std::vector<int> mended_;                    ///< by triangle: when mending it failed last
+    std::vector<int> moved_;                     ///< by vertex: when moving it failed last
+    std::optional<EditableMesh::State> best_;    ///< the mesh with the fewest bad triangles so far
     Result best_counts_;
     std::size_t fewest_bad_ = 0;
 };

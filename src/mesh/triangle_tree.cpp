@@ -347,7 +347,7 @@ void TriangleTree::for_each_near(const Vec3& p, const double& bound_squared, Vis
             continue;
         }
         for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
-            if (!visit(items_[i].triangle)) {
+            if (distance(items_[i].bounds) <= bound_squared && !visit(items_[i].triangle)) {
                 return;
             }
         }
