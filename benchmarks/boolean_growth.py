@@ -14,6 +14,7 @@ import statistics
 import time
 
 import inside_freecad
+from made_meshes import sphere
 
 HEAD = f"{'':<22} {'triangles':>10} {'pairs':>8} {'CPU s':>8} {'us/triangle':>12} {'us/pair beyond':>15}"
 
@@ -24,26 +25,6 @@ def parser():
     result.add_argument("--levels", type=int, default=8, help="finest refinement: 8 * 4**n triangles")
     result.add_argument("-n", type=int, default=3, dest="runs", help="runs of each case")
     return result
-
-
-def sphere(level, radius=1.0, centre=(0.0, 0.0, 0.0)):
-    """(V, F) of an octahedron refined `level` times on the sphere."""
-    import numpy as np
-
-    vertices = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], float)
-    triangles = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4],
-                          [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
-    for _ in range(level):
-        sides = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
-        edges, index = np.unique(sides, axis=0, return_inverse=True)
-        middle = index.reshape(-1, 3) + len(vertices)
-        new = vertices[edges].sum(axis=1)
-        vertices = np.vstack([vertices, new / np.linalg.norm(new, axis=1)[:, None]])
-        a, b, c = triangles.T
-        ab, bc, ca = middle.T
-        triangles = np.vstack([np.stack(t, axis=1) for t in
-                               ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))])
-    return (radius * vertices + np.asarray(centre)).astype(np.float32), triangles.astype(np.int32)
 
 
 def measure(name, a, b, runs, **options):

@@ -1,0 +1,81 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cost of improving a mesh against its size: processor seconds, and their exponent from line to line.
+
+    /usr/bin/python3 benchmarks/improve_growth.py [--largest 250000] [-n 3]
+
+Three kinds of meshes, made here, each finer by four from line to line: a sphere whose vertices are
+shaken (as of a scan), a closed cylinder of needles (as of CAD), and a crumpled sheet with so many
+sharp edges that most triangles stay bad (what every round tries again). 25 degrees and the tolerance
+of a thousandth of the size. Seconds are of mq.improve, the median of n runs. The exponent is 1 where
+the cost grows as the triangles do.
+"""
+
+import argparse
+import math
+import statistics
+import time
+
+import inside_freecad
+from made_meshes import crumpled_sheet, needle_cylinder, shaken_sphere
+
+HEAD = f"{'':<10} {'triangles':>9} {'below':>7} -> {'triangles':>9} {'below':>7} {'CPU s':>8} " \
+       f"{'us/triangle':>12} {'exponent':>9}"
+ANGLE = 25.0
+
+
+def parser():
+    result = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result.add_argument("--largest", type=int, default=250000, metavar="TRIANGLES")
+    result.add_argument("-n", type=int, default=3, dest="runs", help="runs of each mesh")
+    return result
+
+
+def below(surface):
+    from MeshQuality.compat import core
+
+    return int((core().triangle_shapes(surface)[0] < ANGLE).sum())
+
+
+def measure(kind, make, level, runs):
+    import MeshQuality as mq
+    import numpy as np
+    from MeshQuality import convert
+    from MeshQuality.compat import core
+
+    vertices, triangles = make(level)
+    given = mq.SurfaceMesh(convert.surface_of_arrays(
+        core(), vertices.astype(np.float32).astype(float), triangles.astype(np.int32), measured=False))
+    seconds = []
+    for _ in range(runs):
+        start = time.process_time()
+        better = mq.improve(given, min_angle=ANGLE)
+        seconds.append(time.process_time() - start)
+    return {"kind": kind, "triangles": len(triangles), "below": below(given._surface),
+            "after": len(better.triangles), "below_after": below(better._surface),
+            "seconds": statistics.median(seconds)}
+
+
+def line(row, before):
+    exponent = ""
+    if before:
+        exponent = f"{math.log(row['seconds'] / before['seconds']) / math.log(row['triangles'] / before['triangles']):.2f}"
+    return f"{row['kind']:<10} {row['triangles']:9} {row['below']:7} -> {row['after']:9} {row['below_after']:7} " \
+           f"{row['seconds']:8.3f} {1e6 * row['seconds'] / row['triangles']:12.2f} {exponent:>9}"
+
+
+def work(arguments):
+    rows = []
+    print(HEAD)
+    for kind, make in (("sphere", shaken_sphere), ("cylinder", needle_cylinder), ("crumpled", crumpled_sheet)):
+        before, level = None, 4
+        while 8 * 4 ** level <= arguments.largest:
+            row = measure(kind, make, level, arguments.runs)
+            rows.append(row)
+            print(line(row, before), flush=True)
+            before, level = row, level + 1
+    return {"angle": ANGLE, "meshes": rows}
+
+
+inside_freecad.start(__file__, parser(), work)
