@@ -4,11 +4,11 @@
 
     /usr/bin/python3 benchmarks/improve_growth.py [--largest 250000] [-n 3]
 
-Three kinds of meshes, made here, each finer by four from line to line: a sphere whose vertices are
-shaken (as of a scan), a closed cylinder of needles (as of CAD), and a crumpled sheet with so many
-sharp edges that most triangles stay bad (what every round tries again). 25 degrees and the tolerance
-of a thousandth of the size. Seconds are of mq.improve, the median of n runs. The exponent is 1 where
-the cost grows as the triangles do.
+Made here, each finer by four from line to line: a sphere whose vertices are shaken (as of a scan),
+a row of closed cylinders of needles (as of CAD), a crumpled sheet with so many sharp edges that many
+triangles stay bad (what every round could try again), and one cylinder of ever more sides, at whose
+ends all triangles meet in a vertex. 25 degrees. Seconds are of mq.improve, the median of n runs. The
+exponent is 1 where the cost grows as the triangles do.
 """
 
 import argparse
@@ -17,11 +17,16 @@ import statistics
 import time
 
 import inside_freecad
-from made_meshes import crumpled_sheet, needle_cylinder, shaken_sphere
+from made_meshes import crumpled_sheet, needle_cylinder, row_of_cylinders, shaken_sphere
 
 HEAD = f"{'':<10} {'triangles':>9} {'below':>7} -> {'triangles':>9} {'below':>7} {'CPU s':>8} " \
        f"{'us/triangle':>12} {'exponent':>9}"
 ANGLE = 25.0
+MOST_IN_A_FAN = 10000  # triangles: beyond, it takes minutes
+# Name, mesh of a level, tolerance in mm.
+KINDS = (("sphere", shaken_sphere, 2e-3), ("cylinders", row_of_cylinders, 5e-3),
+         ("crumpled", crumpled_sheet, 2e-2),
+         ("fans", lambda level: needle_cylinder(2 * 4 ** level + 1), 2e-3))
 
 
 def parser():
@@ -38,19 +43,19 @@ def below(surface):
     return int((core().triangle_shapes(surface)[0] < ANGLE).sum())
 
 
-def measure(kind, make, level, runs):
+def measure(kind, mesh, tolerance, runs):
     import MeshQuality as mq
     import numpy as np
     from MeshQuality import convert
     from MeshQuality.compat import core
 
-    vertices, triangles = make(level)
+    vertices, triangles = mesh
     given = mq.SurfaceMesh(convert.surface_of_arrays(
         core(), vertices.astype(np.float32).astype(float), triangles.astype(np.int32), measured=False))
     seconds = []
     for _ in range(runs):
         start = time.process_time()
-        better = mq.improve(given, min_angle=ANGLE)
+        better = mq.improve(given, min_angle=ANGLE, tolerance=tolerance)
         seconds.append(time.process_time() - start)
     return {"kind": kind, "triangles": len(triangles), "below": below(given._surface),
             "after": len(better.triangles), "below_after": below(better._surface),
@@ -60,18 +65,21 @@ def measure(kind, make, level, runs):
 def line(row, before):
     exponent = ""
     if before:
-        exponent = f"{math.log(row['seconds'] / before['seconds']) / math.log(row['triangles'] / before['triangles']):.2f}"
-    return f"{row['kind']:<10} {row['triangles']:9} {row['below']:7} -> {row['after']:9} {row['below_after']:7} " \
-           f"{row['seconds']:8.3f} {1e6 * row['seconds'] / row['triangles']:12.2f} {exponent:>9}"
+        dearer, larger = (row[key] / before[key] for key in ("seconds", "triangles"))
+        exponent = f"{math.log(dearer) / math.log(larger):.2f}"
+    return f"{row['kind']:<10} {row['triangles']:9} {row['below']:7} -> {row['after']:9} " \
+           f"{row['below_after']:7} {row['seconds']:8.3f} " \
+           f"{1e6 * row['seconds'] / row['triangles']:12.2f} {exponent:>9}"
 
 
 def work(arguments):
     rows = []
     print(HEAD)
-    for kind, make in (("sphere", shaken_sphere), ("cylinder", needle_cylinder), ("crumpled", crumpled_sheet)):
+    for kind, make, tolerance in KINDS:
         before, level = None, 4
-        while 8 * 4 ** level <= arguments.largest:
-            row = measure(kind, make, level, arguments.runs)
+        most = min(arguments.largest, MOST_IN_A_FAN if kind == "fans" else arguments.largest)
+        while 8 * 4 ** level <= most:
+            row = measure(kind, make(level), tolerance, arguments.runs)
             rows.append(row)
             print(line(row, before), flush=True)
             before, level = row, level + 1

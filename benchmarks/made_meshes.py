@@ -30,12 +30,11 @@ def shaken_sphere(level):
     return vertices / np.linalg.norm(vertices, axis=1)[:, None], triangles
 
 
-def needle_cylinder(level):
-    """Of 8 * 4**level triangles and the height of its diameter."""
-    sides = 2 * 4 ** level + 1
+def needle_cylinder(sides, height=2.0):
+    """Closed, of 4 * sides - 4 triangles: two to a side, and a fan at either end."""
     angle = 2 * np.pi * np.arange(sides) / sides
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    vertices = np.vstack([np.c_[ring, np.zeros(sides)], np.c_[ring, np.full(sides, 2.0)]])
+    vertices = np.vstack([np.c_[ring, np.zeros(sides)], np.c_[ring, np.full(sides, height)]])
     i = np.arange(sides)
     j = (i + 1) % sides
     ends = np.stack([np.zeros(sides - 2, int), j[1:-1], i[1:-1]], axis=1)
@@ -45,8 +44,17 @@ def needle_cylinder(level):
     return vertices, triangles
 
 
+def row_of_cylinders(level):
+    """4**level / 32 cylinders of 256 triangles each, side by side."""
+    vertices, triangles = needle_cylinder(65)
+    count = 4 ** level // 32
+    shifts = np.c_[3.0 * np.arange(count), np.zeros((count, 2))]
+    return ((vertices + shifts[:, None]).reshape(-1, 3),
+            (triangles + len(vertices) * np.arange(count)[:, None, None]).reshape(-1, 3))
+
+
 def crumpled_sheet(level):
-    """A square of 8 * 4**level triangles, three times as long as wide each, whose points are lifted at random."""
+    """Of 8 * 4**level triangles, three times as long as wide, whose points are lifted at random."""
     cells = 2 ** (level + 1)
     x, y = np.meshgrid(np.arange(cells + 1), np.arange(cells + 1))
     lift = np.random.default_rng(2).uniform(0.0, 1.5, x.size)
