@@ -7,7 +7,7 @@
 Made here, each finer by four from line to line: a sphere whose vertices are shaken (as of a scan),
 a row of closed cylinders of needles (as of CAD), a crumpled sheet with so many sharp edges that many
 triangles stay bad (what every round could try again), and one cylinder of ever more sides, at whose
-ends all triangles meet in a vertex. 25 degrees. Seconds are of mq.improve, the median of n runs. The
+ends all triangles meet in a vertex, and whose needles stay bad, too. 25 degrees. Seconds are of mq.improve, the median of n runs. The
 exponent is 1 where the cost grows as the triangles do.
 """
 

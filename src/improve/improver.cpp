@@ -15,10 +15,8 @@ namespace {
 
 constexpr double kSameSide = 0.5;    // cosine of the most that a normal may turn from the surface's: 60 degrees
 constexpr double kTolerance = 1e-3;  // of the largest dimension, where none is given
-// Vertices that creep would hold up what helps more. Degrees, and of the angle itself: a needle among needles is twice
-// as good when half of them are gone, though by less than a degree.
+// Degrees. Vertices that creep would hold up what helps more.
 constexpr double kBetter = 1.0;
-constexpr double kBetterShare = 0.5;
 constexpr int kMostRounds = 200;
 // Refinement that finds no way to fewer bad triangles in so many rounds is not about to.
 constexpr int kPatience = 12;
@@ -31,11 +29,6 @@ constexpr int kMoreTriangles = 2000;
 constexpr int kMostHalvings = 10;
 // Edges are not halved to lengths below so many units of single precision of the part's size.
 constexpr double kShortestUnits = 64.0;
-
-/// What a worst angle has to exceed to be better than another one.
-double better_than(double angle) {
-    return angle + std::min(kBetter, kBetterShare * angle);
-}
 
 double size_of(const mesh::TriangleMesh& mesh) {
     Box box;
@@ -205,7 +198,7 @@ double Improver::worst_angle_at(int v) {
 }
 
 bool Improver::betters(int v, const Vec3& place, int without) {
-    const double least = better_than(worst_angle_at(v));
+    const double least = worst_angle_at(v) + kBetter;
     const std::vector<int>& star = mesh_.star(v);
     return std::all_of(star.begin(), star.end(), [&](int t) {
         const Triangle& c = mesh_.triangle(t);
@@ -430,7 +423,7 @@ bool Improver::good_enough(const Change& change, Rule rule) const {
         for (const int t : change.removed) {
             before = std::min(before, angles_[t]);
         }
-        least = better_than(before);
+        least = before + kBetter;
     }
     return std::all_of(change.added.begin(), change.added.end(),
                        [&](const Triangle& t) { return smallest_angle(t) > least; });
