@@ -61,9 +61,14 @@ def random_shape(dice):
     shape = body()
     for _ in range(dice.randrange(3)):
         other = shape.cut(body()) if dice.random() < 0.5 else shape.fuse(body())
-        if len(other.Solids) == 1 and other.isValid() and other.Volume > 1.0:
+        if len(other.Solids) == 1 and other.isValid() and other.Volume > 1.0 and not half_done(other):
             shape = other
     return shape
+
+
+def half_done(shape):
+    """Whether a Boolean found where faces cross, but did not cut them there: two tori can end so, with the volume of one."""
+    return any(edge.Orientation == "Internal" for face in shape.Faces for edge in face.Edges)
 
 
 def check(condition, text):

@@ -24,6 +24,11 @@ constexpr double kWorthAskingCurve = 0.6;
 // the tolerance is not the edge's own: without that triangles would shrink to nothing there.
 constexpr double kAvoidable = 0.25;
 constexpr std::array<double, 2> kBesideMiddle{0.35, 0.65};
+// Where an edge or a triangle is as near to the tolerance as this, its farthest place may lie a little aside and beyond
+// it: there it is measured, too, at these parts of the way of an edge, and so much of the way to each corner.
+constexpr double kClose = 0.95;
+constexpr std::array<double, 2> kAside{0.44, 0.56};
+constexpr double kAsideOfPeak = 0.1;
 
 // Questions about distances, each for one of the pieces that are measured.
 class Questions {
@@ -72,6 +77,15 @@ class Questions {
     geometry::Engine::Batch batch_;
     std::vector<Asked> asked_;
 };
+
+bool close(const Distance& measured, double tolerance) {
+    return measured.distance > kClose * tolerance && measured.distance <= tolerance;
+}
+
+// Between ends that are off the face by a and b. Where that is less than the tolerance, the mesh need not be off.
+double unavoidable(double a, double b, double at, double tolerance) {
+    return std::max(a, b) > tolerance ? (1.0 - at) * a + at * b : 0.0;
+}
 
 Vec3 between(const Vec3& a, const Vec3& b, double at) {
     return (1.0 - at) * a + at * b;
@@ -174,17 +188,13 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
     known_.resize(static_cast<std::size_t>(mesh.number_count()));
     Questions questions(work_, results, tolerance);
     std::vector<char> middle_seen(half_edges.size(), 0);
-    // Between ends that are off the face by less than the tolerance, the mesh need not be.
-    const auto unavoidable = [&](double a, double b, double at) {
-        return std::max(a, b) > tolerance ? (1.0 - at) * a + at * b : 0.0;
-    };
     const auto add = [&](std::size_t i, double at) {
         const int h = half_edges[i];
         const int next = SurfaceMesh::next(h);
         const Vec3 p = between(mesh.point_of(h), mesh.point_of(next), at);
         const Vec2 uv = (1.0 - at) * mesh.site(mesh.site_of(h)).uv + at * mesh.site(mesh.site_of(next)).uv;
         questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()),
-                      unavoidable(offset(h), offset(next), at));
+                      unavoidable(offset(h), offset(next), at, tolerance));
     };
     const auto remember = [&](std::size_t i, const Vec3& p, const Answer& foot) {
         if (middle_seen[i] == 0) {
@@ -208,6 +218,17 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
         const EdgePeak peak = edge_peak(mesh, half_edges[i]);
         if (peak.at != 0.5 && peak.height > kWorthAsking * tolerance) {
             add(i, peak.at);
+        }
+        if (questions.full()) {
+            questions.ask(remember);
+        }
+    }
+    questions.ask(remember);
+    for (std::size_t i = 0; i < half_edges.size(); ++i) {
+        if (known(half_edges[i]).tolerance != static_cast<float>(tolerance) && close(results[i], tolerance)) {
+            for (const double at : kAside) {
+                add(i, at);
+            }
         }
         if (questions.full()) {
             questions.ask(remember);
@@ -286,26 +307,47 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
         sides.insert(sides.end(), {3 * t, 3 * t + 1});
     }
     measure_sites(sides);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
+    std::vector<TrianglePeak> peaks;
+    const auto add = [&](std::size_t i, const std::array<double, 3>& weights) {
         const int h = 3 * triangles[i];
-        const TrianglePeak peak = triangle_peak(height(h), height(h + 1), height(h + 2));
-        if (peak.height <= kWorthAsking * tolerance) {
-            continue;
-        }
         Vec3 p = Vec3::Zero();
         Vec2 uv = Vec2::Zero();
         double unavoidable = 0.0;
         double farthest = 0.0;
         for (int k = 0; k < 3; ++k) {
-            p += peak.weights[k] * mesh.point_of(h + k);
-            uv += peak.weights[k] * mesh.site(mesh.site_of(h + k)).uv;
-            unavoidable += peak.weights[k] * offset(h + k);
+            p += weights[k] * mesh.point_of(h + k);
+            uv += weights[k] * mesh.site(mesh.site_of(h + k)).uv;
+            unavoidable += weights[k] * offset(h + k);
             farthest = std::max(farthest, offset(h + k));
         }
         questions.add(i, p, Query::face_nearest(mesh.face_of(h / 3), work_.grid.to_part(p), uv.x(), uv.y()),
                       farthest > tolerance ? unavoidable : 0.0);
         if (questions.full()) {
             questions.ask(ignore);
+        }
+    };
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const int h = 3 * triangles[i];
+        peaks.push_back(triangle_peak(height(h), height(h + 1), height(h + 2)));
+        if (peaks[i].height > kWorthAsking * tolerance) {
+            add(i, peaks[i].weights);
+        }
+    }
+    questions.ask(ignore);
+    std::vector<std::size_t> again;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (close(results[i], tolerance)) {
+            again.push_back(i);
+        }
+    }
+    for (const std::size_t i : again) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            std::array<double, 3> weights = peaks[i].weights;
+            for (double& w : weights) {
+                w *= 1.0 - kAsideOfPeak;
+            }
+            weights[corner] += kAsideOfPeak;
+            add(i, weights);
         }
     }
     questions.ask(ignore);
