@@ -29,6 +29,9 @@ constexpr std::array<double, 2> kBesideMiddle{0.35, 0.65};
 constexpr double kClose = 0.95;
 constexpr std::array<double, 2> kAside{0.44, 0.56};
 constexpr double kAsideOfPeak = 0.1;
+// What the sides of a triangle tell of its inside is not exact: it is measured no nearer to a side than this part of
+// the height over it.
+constexpr double kFromSide = 0.125;
 
 // Questions about distances, each for one of the pieces that are measured.
 class Questions {
@@ -85,6 +88,26 @@ bool close(const Distance& measured, double tolerance) {
 // Between ends that are off the face by a and b. Where that is less than the tolerance, the mesh need not be off.
 double unavoidable(double a, double b, double at, double tolerance) {
     return std::max(a, b) > tolerance ? (1.0 - at) * a + at * b : 0.0;
+}
+
+// Where to measure a triangle, with the height that is expected there or, where it is largest over a side, over that.
+TrianglePeak place_inside(const std::array<double, 3>& heights) {
+    TrianglePeak peak = triangle_peak(heights[0], heights[1], heights[2]);
+    if (!(peak.height > 0.0)) {
+        const auto lower = [](double a, double b) { return std::abs(a) < std::abs(b); };
+        const auto highest = std::max_element(heights.begin(), heights.end(), lower) - heights.begin();
+        peak = {{0.5, 0.5, 0.5}, std::abs(heights[static_cast<std::size_t>(highest)])};
+        peak.weights[static_cast<std::size_t>(highest + 2) % 3] = 0.0;
+    }
+    double sum = 0.0;
+    for (double& w : peak.weights) {
+        w = std::max(w, kFromSide);
+        sum += w;
+    }
+    for (double& w : peak.weights) {
+        w /= sum;
+    }
+    return peak;
 }
 
 Vec3 between(const Vec3& a, const Vec3& b, double at) {
@@ -328,7 +351,7 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
     };
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int h = 3 * triangles[i];
-        peaks.push_back(triangle_peak(height(h), height(h + 1), height(h + 2)));
+        peaks.push_back(place_inside({height(h), height(h + 1), height(h + 2)}));
         if (peaks[i].height > kWorthAsking * tolerance) {
             add(i, peaks[i].weights);
         }

@@ -18,6 +18,7 @@
 #include "mesh/samples.h"
 #include "triangulate/checks.h"
 #include "triangulate/deviation.h"
+#include "triangulate/warped_face.h"
 
 namespace mq::triangulate {
 namespace {
@@ -110,6 +111,30 @@ TEST(Chord, AbsoluteBoundHoldsOnDenseSamples) {
             Options options;
             options.chord_height = bound;
             expect_chord(solid, options, bound);
+        }
+    }
+}
+
+/// Edges and triangles over which the surface is farthest elsewhere than their corners and sides let expect.
+TEST(Chord, HoldsBesideThePlacesThatAreMeasured) {
+    for (const auto& [waves, height] : {std::pair(5.0, 0.5), std::pair(5.0, 1.0), std::pair(8.0, 2.0)}) {
+        const auto model = wavy_face(waves, height);
+        const geometry::Face& face = model->topology().faces[0];
+        const auto distance = [&](const Vec3& p) {
+            const double u = face.low[0] + 0.1 * p.x() * (face.high[0] - face.low[0]);
+            const double v = face.low[1] + 0.1 * p.y() * (face.high[1] - face.low[1]);
+            return model->answer(geometry::Query::face_nearest(0, p, u, v)).distance;
+        };
+        for (const double bound : {0.1, 0.05, 0.02, 0.01}) {
+            for (const double angle : {25.0, 30.0}) {
+                SCOPED_TRACE(std::to_string(waves) + " " + std::to_string(height) + " to " + std::to_string(bound));
+                Options options;
+                options.min_angle = angle;
+                options.chord_height = bound;
+                const Result result = mesh_of(model, options);
+                EXPECT_LE(result.report.max_chord_height, bound);
+                EXPECT_LE(deviation(result.mesh, distance, 12), kBetweenSamples * bound);
+            }
         }
     }
 }

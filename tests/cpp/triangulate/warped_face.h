@@ -51,6 +51,23 @@ inline std::shared_ptr<geometry::Model> peaked_face() {
     return geometry::make_shape_model(BRepBuilderAPI_MakeFace(surface, 1e-7).Face());
 }
 
+/// A square of side 10 with `waves` / pi half waves along x, and seven tenths as many along y, which run askew.
+inline std::shared_ptr<geometry::Model> wavy_face(double waves, double height) {
+    constexpr int kPoints = 21;
+    TColgp_Array2OfPnt points(1, kPoints, 1, kPoints);
+    for (int i = 0; i < kPoints; ++i) {
+        for (int j = 0; j < kPoints; ++j) {
+            const double x = i / (kPoints - 1.0);
+            const double y = j / (kPoints - 1.0);
+            const double z = height * std::sin(waves * x) * std::cos(0.7 * waves * y + x);
+            points.SetValue(i + 1, j + 1, gp_Pnt(10.0 * x, 10.0 * y, z));
+        }
+    }
+    GeomAPI_PointsToBSplineSurface surface;
+    surface.Interpolate(points);
+    return geometry::make_shape_model(BRepBuilderAPI_MakeFace(surface.Surface(), 1e-7).Face());
+}
+
 /// A steep flank of a thread: five turns that lie close above each other and face the same way.
 inline std::shared_ptr<geometry::Model> thread_face() {
     constexpr int kAround = 101;
