@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <set>
 
 #include "base/angle.h"
 #include "base/disjoint_sets.h"
@@ -16,6 +18,9 @@ constexpr double kMaxTurn = 0.5236;  // 30 degrees between the tangents of one p
 constexpr int kMaxDepth = 14;
 // The ball of a node takes no more of an edge than this share of its length, however large its tolerance is.
 constexpr double kMostOfEdge = 0.1;
+// Faces with a shorter border than so many least lengths are a point: where one of their edges collapses, the others
+// would lie on each other.
+constexpr double kShortBorder = 8.0;
 
 struct Interval {
     int edge;
@@ -37,6 +42,16 @@ bool turns_too_much(const Answer* samples) {
     return worst > kMaxTurn;
 }
 
+std::set<int> edges_of(const Face& face, const Topology& topology) {
+    std::set<int> edges;
+    for (const Loop& loop : face.loops) {
+        for (const int u : loop.uses) {
+            edges.insert(topology.uses[u].edge);
+        }
+    }
+    return edges;
+}
+
 double length_of(const std::vector<Vec3>& points) {
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -53,6 +68,7 @@ EdgeChains::EdgeChains(Session& session, const SingleGrid& grid) : grid_(grid) {
     points_.resize(topology.edges.size());
     sample(session);
     collapse_short_edges(topology);
+    collapse_small_faces(session);
     leave_nodes_alone(topology);
     place_nodes(topology);
     points_.clear();
@@ -117,10 +133,39 @@ void EdgeChains::collapse_short_edges(const Topology& topology) {
                 limit, std::min(topology.nodes[edge.nodes[0]].tolerance, topology.nodes[edge.nodes[1]].tolerance));
         }
         if (edge.degenerate || length < limit) {
-            chains_[e].collapsed = true;
-            chains_[e].t = {edge.t0, edge.t1};
+            collapse(static_cast<int>(e), edge);
         }
     }
+}
+
+void EdgeChains::collapse_small_faces(Session& session) {
+    const Topology& topology = session.topology();
+    for (int f = 0; f < static_cast<int>(topology.faces.size()); ++f) {
+        const Face& face = topology.faces[f];
+        const std::set<int> edges = edges_of(face, topology);
+        const double border = std::accumulate(edges.begin(), edges.end(), 0.0,
+                                              [&](double sum, int e) { return sum + length_of(points_[e]); });
+        const auto sampled = std::find_if(edges.begin(), edges.end(), [&](int e) { return !points_[e].empty(); });
+        if (face.no_area || sampled == edges.end() || border >= kShortBorder * grid_.shortest_side()) {
+            continue;
+        }
+        // Not a sphere with a hole.
+        const Answer middle =
+            session.ask(Query::face_point(f, 0.5 * (face.low[0] + face.high[0]), 0.5 * (face.low[1] + face.high[1])));
+        if (middle.found() && (middle.point - points_[*sampled].front()).norm() <= border) {
+            std::for_each(edges.begin(), edges.end(), [&](int e) { collapse(e, topology.edges[e]); });
+        }
+    }
+}
+
+void EdgeChains::collapse(int edge, const Edge& data) {
+    chains_[edge].collapsed = true;
+    chains_[edge].t = {data.t0, data.t1};
+}
+
+bool EdgeChains::is_a_point(const Face& face, const Topology& topology) const {
+    const std::set<int> edges = edges_of(face, topology);
+    return !edges.empty() && std::all_of(edges.begin(), edges.end(), [&](int e) { return chains_[e].collapsed; });
 }
 
 bool EdgeChains::at_node(int edge, int end, const Vec3& point) const {

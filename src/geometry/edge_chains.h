@@ -36,6 +36,8 @@ class EdgeChains {
     const EdgeChain& chain(int edge) const { return chains_[edge]; }
     /// The vertex of a CAD node; nodes joined by collapsed edges share one.
     int vertex_of_node(int node) const { return node_vertex_[node]; }
+    /// All edges of the face are collapsed: nothing of it is left to be meshed.
+    bool is_a_point(const Face& face, const Topology& topology) const;
 
     using Mark = std::pair<int, int>;  ///< edge, index of the piece from t[i] to t[i + 1]
     /// Halves the marked pieces by arc length. Pieces that the grid cannot halve stay; @return the edges that changed.
@@ -48,6 +50,8 @@ class EdgeChains {
     void place_nodes(const Topology& topology);
     void sample(Session& session);
     void collapse_short_edges(const Topology& topology);
+    void collapse_small_faces(Session& session);
+    void collapse(int edge, const Edge& data);
     void leave_nodes_alone(const Topology& topology);
     bool at_node(int edge, int end, const Vec3& point) const;
 

@@ -36,7 +36,12 @@ InitialTriangulation triangulate_the_rest(Session& session, const SingleGrid& gr
     std::vector<int> open;
     for (int f = 0; f < static_cast<int>(topology.faces.size()); ++f) {
         // Those without an area are left out; the part's faults name them.
-        if (!topology.faces[f].no_area && result.faces[f].triangles.empty()) {
+        if (topology.faces[f].no_area || !result.faces[f].triangles.empty()) {
+            continue;
+        }
+        if (result.chains.is_a_point(topology.faces[f], topology)) {
+            result.points.push_back(f);
+        } else {
             open.push_back(f);
         }
     }

@@ -166,6 +166,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     if (coarsens(work, options)) {
         work.progress.stage("taking out vertices", 0.8, 0.82);
         Coarsener(work, findings.chords, options.min_angle, sizing, first).run();
+        refine_chords();  // it looks at fewer places
         clock.end("taking out vertices");
     }
     work.progress.stage("separating crossings", 0.82, 0.85);
@@ -228,6 +229,9 @@ bool can_be_recalled(const Options& options) {
 void report_first(const SampledTriangulation& first, const Options& options, mesh::MeshReport& report) {
     for (const auto& failure : first.faces.failures) {
         report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
+    }
+    for (const int face : first.faces.points) {
+        report.notes.push_back(geometry::name_of({2, face}) + " is a point in single precision: left out");
     }
     report.fallback.assign(first.fallbacks.begin(), first.fallbacks.end());
     if (!first.complete && report.complete) {

@@ -257,7 +257,7 @@ class Batch(BatchTest):
         for i in range(16):
             self.shape(f"ring{i}.brep", Part.makeTorus(10 + i, 3))
         command = [COMMAND, "batch", self.parts, "-o", self.out, "--jobs", "2",
-                   "--chord-height", "0.01"]
+                   "--chord-height", "0.003"]
         slow = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                 stderr=subprocess.PIPE, text=True,
                                 env={**os.environ, "MESHQUALITY_TEST": self.mark})
@@ -272,7 +272,7 @@ class Batch(BatchTest):
         self.assertTrue(wait_until(lambda: not processes_with(self.mark), 10))
         had = len(self.lines())
         self.assertLess(had, 20)
-        _, summary, _ = self.batch("--chord-height", "0.01")
+        _, summary, _ = self.batch("--chord-height", "0.003")
         self.assertEqual(summary["worked_on"], 20 - had)
         self.assertEqual(set(Counter(entry["part"] for entry in self.lines()).values()), {1})
         self.assertEqual(summary["states"], {"done": 19, "input": 1})

@@ -90,6 +90,21 @@ class SimpleParts(unittest.TestCase):
         self.assertLess(abs(mesh.report.volume / shape.Volume - 1.0), 0.05)
         self.assertAlmostEqual(mesh.to_mesh().BoundBox.Center.x, 1e6, delta=1.0)
 
+    def test_faces_below_single_precision_are_a_point(self):
+        box = Part.makeBox(10, 10, 10)
+        cutter = Part.makeBox(8, 8, 8, FreeCAD.Vector(-4, -4, 0))
+        cutter.Placement = FreeCAD.Placement(
+            FreeCAD.Vector(10, 10, 10) - FreeCAD.Vector(1, 1, 1) * 3e-6,
+            FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), FreeCAD.Vector(1, 1, 1)))
+        shape = box.cut(cutter)
+        self.assertEqual(len(shape.Faces), 7)
+        tiny = min(range(7), key=lambda i: shape.Faces[i].Area)
+        self.assertLess(shape.Faces[tiny].Length, 5e-5)
+        mesh = self.check(shape)
+        self.assertEqual(mesh.report.euler, 2)
+        self.assertNotIn(tiny, mesh.triangle_face)
+        self.assertIn(f"Face{tiny + 1} is a point in single precision: left out", mesh.report.notes)
+
     def test_open_faces_give_an_open_mesh(self):
         mesh = mq.triangulate(Part.makePlane(10, 10))
         self.assertFalse(mesh.report.closed)

@@ -93,7 +93,8 @@ void expect_chord(const Solid& solid, const Options& options, double bound) {
 /// Triangles that are left as they are when a segment beside them is split first, or that cannot be split at the first
 /// side, get another chance.
 TEST(ChordRefiner, EveryTriangleOfARingKeepsTheChordHeight) {
-    const double rings[3][4] = {// radii, chord height, angle
+    const double rings[4][4] = {// radii, chord height, angle
+                                {5.259051005402928, 2.7591574110792747, 0.061115928338595096, 17.786116049799865},
                                 {5.77, 1.42519, 0.0416747, 24.7},
                                 {1.57, 0.76302, 0.00620206, 20.7},
                                 {5.84, 3.40472, 0.0234467, 24.3}};
