@@ -35,6 +35,7 @@ namespace {
 // Against rounds without end: each may split a single edge, and its swaps make the next one that is too far off.
 constexpr int kMaxChordRounds = 60;
 constexpr int kMaxCrossingRounds = 24;
+constexpr int kMaxDoubledRounds = 4;
 
 // Of the part's size; and no more than the tolerance.
 constexpr double kUnseen = 1e-3;
@@ -162,6 +163,15 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     };
     work.progress.stage("refining to the chord height", middle, 0.8);
     refine_chords();
+    // Where a segment is split between triangles with the same third corner on either face, there are two such edges.
+    const auto separate_doubled = [&] {
+        for (int round = 0; round < kMaxDoubledRounds && !work.maxmin.doubled_edges().empty(); ++round) {
+            separate_doubled_edges(work, touched);
+            refiner.run();
+            refine_chords();
+        }
+    };
+    separate_doubled();
     clock.end("chord height");
     if (coarsens(work, options)) {
         work.progress.stage("taking out vertices", 0.8, 0.82);
@@ -175,6 +185,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
         refiner.run();
         refine_chords();
     }
+    separate_doubled();
     clock.end("crossings");
     if (options.insertion != Insertion::Paper) {
         work.progress.stage("mending", 0.85, 0.9);

@@ -105,6 +105,23 @@ class SimpleParts(unittest.TestCase):
         self.assertNotIn(tiny, mesh.triangle_face)
         self.assertIn(f"Face{tiny + 1} is a point in single precision: left out", mesh.report.notes)
 
+    def test_two_faces_do_not_share_an_edge_that_is_no_segment(self):
+        """A segment was split between triangles with the same third corner on either face."""
+        def rounded(size, place, radius):
+            box = Part.makeBox(*size, FreeCAD.Vector(*place))
+            return box.makeFillet(radius, box.Edges)
+
+        first = rounded((6.649232081042951, 11.659334527478972, 9.602467782112463),
+                        (3.1219687772852973, -1.6347451926683352, -2.449704694585839), 0.7707597426587804)
+        second = rounded((7.219900622734113, 8.698709089978255, 10.017261593541498),
+                         (0.4278010063274795, -0.7530503810956031, -2.3951446560146934), 0.45393916853761396)
+        ring = Part.makeTorus(6.097066389693372, 6.537007492019581 / 4,
+                              FreeCAD.Vector(3.1651895841969404, 0.5824190002692138, 3.217932993368538))
+        shape = first.fuse(second).cut(ring)
+        for insertion in ("off-centre", "paper"):
+            self.check(shape, min_angle=16.526594861165, chord_height_relative=0.003368443955734472,
+                       insertion=insertion)
+
     def test_open_faces_give_an_open_mesh(self):
         mesh = mq.triangulate(Part.makePlane(10, 10))
         self.assertFalse(mesh.report.closed)
