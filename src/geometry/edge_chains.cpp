@@ -154,6 +154,7 @@ void EdgeChains::collapse_small_faces(Session& session) {
             session.ask(Query::face_point(f, 0.5 * (face.low[0] + face.high[0]), 0.5 * (face.low[1] + face.high[1])));
         if (middle.found() && (middle.point - points_[*sampled].front()).norm() <= border) {
             std::for_each(edges.begin(), edges.end(), [&](int e) { collapse(e, topology.edges[e]); });
+            small_faces_.insert(f);
         }
     }
 }
@@ -161,11 +162,6 @@ void EdgeChains::collapse_small_faces(Session& session) {
 void EdgeChains::collapse(int edge, const Edge& data) {
     chains_[edge].collapsed = true;
     chains_[edge].t = {data.t0, data.t1};
-}
-
-bool EdgeChains::is_a_point(const Face& face, const Topology& topology) const {
-    const std::set<int> edges = edges_of(face, topology);
-    return !edges.empty() && std::all_of(edges.begin(), edges.end(), [&](int e) { return chains_[e].collapsed; });
 }
 
 bool EdgeChains::at_node(int edge, int end, const Vec3& point) const {

@@ -36,8 +36,8 @@ class EdgeChains {
     const EdgeChain& chain(int edge) const { return chains_[edge]; }
     /// The vertex of a CAD node; nodes joined by collapsed edges share one.
     int vertex_of_node(int node) const { return node_vertex_[node]; }
-    /// All edges of the face are collapsed: nothing of it is left to be meshed.
-    bool is_a_point(const Face& face, const Topology& topology) const;
+    /// The face is so small that all its edges are collapsed: nothing of it is left to be meshed.
+    bool is_a_point(int face) const { return small_faces_.count(face) > 0; }
 
     using Mark = std::pair<int, int>;  ///< edge, index of the piece from t[i] to t[i + 1]
     /// Halves the marked pieces by arc length. Pieces that the grid cannot halve stay; @return the edges that changed.
@@ -59,6 +59,7 @@ class EdgeChains {
     std::vector<ChainVertex> vertices_;
     std::vector<EdgeChain> chains_;
     std::vector<int> node_vertex_;
+    std::set<int> small_faces_;
     std::vector<std::vector<Vec3>> points_;  // per edge, while sampling
     /// Around an end of an edge: what lies in it is as good as the node.
     struct Ball {

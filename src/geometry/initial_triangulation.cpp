@@ -39,7 +39,7 @@ InitialTriangulation triangulate_the_rest(Session& session, const SingleGrid& gr
         if (topology.faces[f].no_area || !result.faces[f].triangles.empty()) {
             continue;
         }
-        if (result.chains.is_a_point(topology.faces[f], topology)) {
+        if (result.chains.is_a_point(f)) {
             result.points.push_back(f);
         } else {
             open.push_back(f);
