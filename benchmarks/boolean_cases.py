@@ -15,7 +15,6 @@ MeshQuality. Its line shows its seconds, MeshQuality's seconds as a part of them
 faults, and the largest distance of either surface's corners and centres from the other surface.
 """
 
-import argparse
 import fnmatch
 import gzip
 import tempfile
@@ -65,8 +64,7 @@ HEAD = f"{'case':<26} {'CPU s':>7} {'wall s':>7} {'aim':>5} {'triangles':>10} {'
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--data", default=str(inside_freecad.data_folder()),
                         help="folder with boolean/")
     result.add_argument("--only", action="append", metavar="PATTERN", help="names of cases")

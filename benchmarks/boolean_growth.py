@@ -9,7 +9,6 @@ that cross by two, from line to line); one small sphere against a fine one (the 
 one pair at several tolerances. Processor seconds of mq.boolean, the median of n runs.
 """
 
-import argparse
 import statistics
 import time
 
@@ -20,8 +19,7 @@ HEAD = f"{'':<22} {'triangles':>10} {'pairs':>8} {'CPU s':>8} {'us/triangle':>12
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--levels", type=int, default=8, help="finest refinement: 8 * 4**n triangles")
     result.add_argument("-n", type=int, default=3, dest="runs", help="runs of each case")
     return result

@@ -9,7 +9,6 @@ the callback's answer until MeshQuality.Cancelled is raised. The part gets as ma
 takes for the work to last.
 """
 
-import argparse
 import random
 import time
 
@@ -19,8 +18,7 @@ BOUND = 0.2  # seconds: what the callers were promised
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--part", default="wing_main", help="one of tests/parts")
     result.add_argument("--triangles", type=int, default=300_000, help="at least so many")
     result.add_argument("--cancels", type=int, default=50)

@@ -16,7 +16,6 @@ Ours are judged by our own certified test. With --judge, a program that reads a 
 prints JSON, both are judged by that, and Gmsh's columns are filled.
 """
 
-import argparse
 import fnmatch
 import json
 import os
@@ -32,8 +31,7 @@ LARGE = "CrankArm"
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--order", type=int, default=2, choices=(2, 3, 4))
     result.add_argument("--only", default="*", help="names, with wildcards")
     result.add_argument("--data", default=str(inside_freecad.data_folder()))

@@ -10,7 +10,6 @@ Seconds are the processor's of mq.improve. Distances are the largest of corners 
 surface from the other one, new from given and back, as parts of the size.
 """
 
-import argparse
 import fnmatch
 import gzip
 import shutil
@@ -29,8 +28,7 @@ HEAD = f"{'':<20} {'triangles':>9} {'angle':>6} {'below':>6}    {'after':>7} {'a
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--data", default=str(inside_freecad.data_folder()),
                         help="folder with cad/ and mesh/")
     result.add_argument("--only", default="*", metavar="PATTERN", help="names of files")

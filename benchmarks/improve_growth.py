@@ -7,11 +7,10 @@
 Made here, each finer by four from line to line: a sphere whose vertices are shaken (as of a scan),
 a row of closed cylinders of needles (as of CAD), a crumpled sheet with so many sharp edges that many
 triangles stay bad (what every round could try again), and one cylinder of ever more sides, at whose
-ends all triangles meet in a vertex, and whose needles stay bad, too. 25 degrees. Seconds are of mq.improve, the median of n runs. The
-exponent is 1 where the cost grows as the triangles do.
+ends all triangles meet in a vertex, and whose needles stay bad, too. 25 degrees. Seconds are of
+mq.improve, the median of n runs. The exponent is 1 where the cost grows as the triangles do.
 """
 
-import argparse
 import math
 import statistics
 import time
@@ -30,8 +29,7 @@ KINDS = (("sphere", shaken_sphere, 2e-3), ("cylinders", row_of_cylinders, 5e-3),
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--largest", type=int, default=250000, metavar="TRIANGLES")
     result.add_argument("-n", type=int, default=3, dest="runs", help="runs of each mesh")
     return result

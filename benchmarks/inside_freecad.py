@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Lets a benchmark be started by any Python: its work is done by a headless FreeCAD.
 
-A benchmark calls `start(__file__, parser, work)`. `work(arguments)` runs inside FreeCAD with
+A benchmark calls `start(__file__, parser, work)`, where the parser is of `command_line`. `work(arguments)` runs inside FreeCAD with
 MeshQuality and tests/parts on the path; what it returns goes to --out as JSON.
 """
 
@@ -23,6 +23,12 @@ def data_folder():
     repository."""
     default = ROOT.parent / "shared" / "data"
     return Path(os.environ.get("MESHQUALITY_DATA", default)).resolve()
+
+
+def command_line(text):
+    """A parser of the command line that shows this text as it stands."""
+    return argparse.ArgumentParser(description=text,
+                                   formatter_class=argparse.RawDescriptionHelpFormatter)
 
 
 def start(script, parser, work):

@@ -7,7 +7,6 @@
 prints a table; see poisson.py for the problem.
 """
 
-import argparse
 import os
 
 import inside_freecad
@@ -39,8 +38,7 @@ def draw(rows, path):
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--picture", type=os.path.abspath, help="file to draw the errors into")
     return result
 

@@ -12,7 +12,6 @@ exempted triangle is explained by the part: by a corner that is narrower than th
 edges at such a corner, or by the apex of a slender cone.
 """
 
-import argparse
 import time
 
 import inside_freecad
@@ -23,8 +22,7 @@ INSERTIONS = ("off-centre", "paper")
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--from", dest="low", type=int, default=25, metavar="DEGREES")
     result.add_argument("--to", dest="high", type=int, default=34, metavar="DEGREES")
     result.add_argument("--max-triangles", type=int, default=1_000_000, help="the budget")

@@ -22,7 +22,6 @@ not installed are skipped: Gmsh needs Debian's python3-gmsh, Netgen libnglib-dev
 bytes of memory per triangle, those of the peak above what FreeCAD had before.
 """
 
-import argparse
 import json
 import math
 import os
@@ -44,8 +43,7 @@ GROWTH = 4.0  # chord heights go down by this factor
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("-n", "--runs", type=int, default=3, help="of every mesher, in turn")
     result.add_argument("--model", action="append", help="CAD file; may be given more than once")
     result.add_argument("--level", action="append", type=float, help="1e-3 and 1e-4 unless given")

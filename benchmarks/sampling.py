@@ -15,7 +15,6 @@ growth      processor time (the median of three runs) and peak memory against th
 Seconds are those of the processor.
 """
 
-import argparse
 import math
 import time
 
@@ -29,8 +28,7 @@ REPEATS = 3
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--most", type=float, default=1e5, help="vertices of the last growth step")
     result.add_argument("--only", choices=("parts", "chords", "parameters", "connectivity",
                                            "growth"))

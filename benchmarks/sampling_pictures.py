@@ -5,7 +5,6 @@
     /usr/bin/python3 benchmarks/sampling_pictures.py [--out-dir docs]
 """
 
-import argparse
 import sys
 from pathlib import Path
 
@@ -15,8 +14,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 def parser():
-    result = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    result = inside_freecad.command_line(__doc__)
     result.add_argument("--out-dir", default=str(ROOT / "docs"), help="folder for the pictures")
     return result
 

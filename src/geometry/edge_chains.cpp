@@ -142,11 +142,14 @@ void EdgeChains::collapse_small_faces(Session& session) {
     const Topology& topology = session.topology();
     for (int f = 0; f < static_cast<int>(topology.faces.size()); ++f) {
         const Face& face = topology.faces[f];
+        if (face.no_area) {
+            continue;
+        }
         const std::set<int> edges = edges_of(face, topology);
         const double border = std::accumulate(edges.begin(), edges.end(), 0.0,
                                               [&](double sum, int e) { return sum + length_of(points_[e]); });
         const auto sampled = std::find_if(edges.begin(), edges.end(), [&](int e) { return !points_[e].empty(); });
-        if (face.no_area || sampled == edges.end() || border >= kShortBorder * grid_.shortest_side()) {
+        if (sampled == edges.end() || border >= kShortBorder * grid_.shortest_side()) {
             continue;
         }
         // Not a sphere with a hole.

@@ -35,13 +35,8 @@ InitialTriangulation triangulate_the_rest(Session& session, const SingleGrid& gr
     result.faces.resize(topology.faces.size());
     std::vector<int> open;
     for (int f = 0; f < static_cast<int>(topology.faces.size()); ++f) {
-        // Those without an area are left out; the part's faults name them.
-        if (topology.faces[f].no_area || !result.faces[f].triangles.empty()) {
-            continue;
-        }
-        if (result.chains.is_a_point(f)) {
-            result.points.push_back(f);
-        } else {
+        // Those without an area are left out; the part's faults name them. So are points.
+        if (!topology.faces[f].no_area && !result.chains.is_a_point(f) && result.faces[f].triangles.empty()) {
             open.push_back(f);
         }
     }

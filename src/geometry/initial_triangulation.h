@@ -17,7 +17,6 @@ struct InitialTriangulation {
     EdgeChains chains;
     std::vector<FaceTriangulation> faces;
     std::vector<std::pair<int, std::string>> failures;  ///< faces without a triangulation, and why
-    std::vector<int> points{};                          ///< faces that single precision shows as a point
 };
 
 InitialTriangulation triangulate_initially(Session& session, const SingleGrid& grid, Progress& progress);

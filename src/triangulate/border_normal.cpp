@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "triangulate/corner_angle.h"
 #include "triangulate/fold.h"
 
 namespace mq::triangulate {
@@ -15,16 +16,12 @@ using mesh::SurfaceMesh;
 // How far in at most, of the way: what is as large as a triangle is to be seen.
 constexpr double kPartOfWay = 0.5;
 
-bool on_border(const SurfaceMesh& mesh, int h) {
-    return mesh.vertex(mesh.vertex_of(h)).entity[0] < 2;
-}
-
 // Its normal turns by almost a right angle from the triangle or from another corner's.
 bool disagrees(const SurfaceMesh& mesh, int h) {
     const int next = SurfaceMesh::next(h);
     const int prev = SurfaceMesh::prev(h);
     const Vec3& normal = mesh.site(mesh.site_of(h)).normal;
-    const Vec3 area = (mesh.point_of(next) - mesh.point_of(h)).cross(mesh.point_of(prev) - mesh.point_of(h));
+    const Vec3 area = doubled_area(mesh, SurfaceMesh::triangle_of(h));
     return normal.dot(area) < kAlignedAtLast * area.norm() ||
            normal.dot(mesh.site(mesh.site_of(next)).normal) < kAlignedAtLast ||
            normal.dot(mesh.site(mesh.site_of(prev)).normal) < kAlignedAtLast;
@@ -66,7 +63,7 @@ void take_normals_from_inside(Workspace& work) {
     SurfaceMesh& mesh = work.mesh;
     for (int h = 0; h < mesh.half_edge_count(); ++h) {
         const int t = SurfaceMesh::triangle_of(h);
-        if (!on_border(mesh, h) || work.settled.marked(mesh, t) || !disagrees(mesh, h)) {
+        if (!work.maxmin.on_border(mesh.vertex_of(h)) || work.settled.marked(mesh, t) || !disagrees(mesh, h)) {
             continue;
         }
         const int site = mesh.site_of(h);

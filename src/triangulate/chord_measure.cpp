@@ -178,9 +178,6 @@ std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments
         const Vec3 way = foot.found() ? Vec3(work_.grid.to_part(p) - foot.point) : Vec3::Zero();
         offsets_[pair_key(v[0], v[1])] = {way.x(), way.y(), way.z()};
     };
-    const auto settled = [&](std::size_t i) {
-        return known(half_edge_of(segments[i])).tolerance == static_cast<float>(tolerance);
-    };
     for (std::size_t i = 0; i < segments.size(); ++i) {
         if (!recall(half_edge_of(segments[i]), results[i])) {
             add(i, 0.5);
@@ -192,7 +189,8 @@ std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments
     questions.ask(remember);
     const auto ignore = [](std::size_t, const Vec3&, const Answer&) {};
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        if (!settled(i) && results[i].distance > kWorthAskingCurve * tolerance && results[i].distance <= tolerance) {
+        if (!settled(half_edge_of(segments[i]), tolerance) && results[i].distance > kWorthAskingCurve * tolerance &&
+            results[i].distance <= tolerance) {
             for (const double at : kBesideMiddle) {
                 add(i, at);
             }
@@ -229,13 +227,12 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
     };
     measure_sites(half_edges);
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
-        const Known& before = known(half_edges[i]);
         if (recall(half_edges[i], results[i])) {
             middle_seen[i] = 1;
         } else {
             add(i, 0.5);
         }
-        if (before.tolerance == static_cast<float>(tolerance)) {
+        if (settled(half_edges[i], tolerance)) {
             continue;
         }
         const EdgePeak peak = edge_peak(mesh, half_edges[i]);
@@ -248,7 +245,7 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
     }
     questions.ask(remember);
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
-        if (known(half_edges[i]).tolerance != static_cast<float>(tolerance) && close(results[i], tolerance)) {
+        if (!settled(half_edges[i], tolerance) && close(results[i], tolerance)) {
             for (const double at : kAside) {
                 add(i, at);
             }
@@ -262,6 +259,11 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
         keep(half_edges[i], tolerance, results[i]);
     }
     return results;
+}
+
+// For this tolerance everything has been asked.
+bool ChordMeasure::settled(int half_edge, double tolerance) const {
+    return known(half_edge).tolerance == static_cast<float>(tolerance);
 }
 
 // @return whether anything is known of it.
@@ -357,14 +359,8 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
         }
     }
     questions.ask(ignore);
-    std::vector<std::size_t> again;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (close(results[i], tolerance)) {
-            again.push_back(i);
-        }
-    }
-    for (const std::size_t i : again) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
+        for (std::size_t corner = 0; corner < 3 && close(results[i], tolerance); ++corner) {
             std::array<double, 3> weights = peaks[i].weights;
             for (double& w : weights) {
                 w *= 1.0 - kAsideOfPeak;

@@ -61,6 +61,7 @@ class ChordMeasure {
         float height = 0.0F;  // over the middle, with the sign of the side; not of segments
     };
     const Known& known(int half_edge) const;
+    bool settled(int half_edge, double tolerance) const;
     bool recall(int half_edge, Distance& result) const;
     void keep(int half_edge, double tolerance, const Distance& distance);
     int half_edge_of(int segment) const { return work_.mesh.segment(segment).uses.front().half_edge; }

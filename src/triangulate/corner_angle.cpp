@@ -20,11 +20,15 @@ SmallestAngle smallest_angle(const SurfaceMesh& mesh, int triangle) {
     return {corner, angle_at(mesh, corner)};
 }
 
+Vec3 doubled_area(const SurfaceMesh& mesh, int triangle) {
+    const Vec3& p = mesh.point_of(3 * triangle);
+    return (mesh.point_of(3 * triangle + 1) - p).cross(mesh.point_of(3 * triangle + 2) - p);
+}
+
 double squared_sine_of_smallest(const SurfaceMesh& mesh, int triangle) {
     const int h = 3 * triangle;
-    const Vec3& p = mesh.point_of(h);
-    return squared_sine_of_smallest((mesh.point_of(h + 1) - p).cross(mesh.point_of(h + 2) - p), squared_length(mesh, h),
-                                    squared_length(mesh, h + 1), squared_length(mesh, h + 2));
+    return squared_sine_of_smallest(doubled_area(mesh, triangle), squared_length(mesh, h), squared_length(mesh, h + 1),
+                                    squared_length(mesh, h + 2));
 }
 
 int narrow_corner_of(const SurfaceMesh& mesh, int triangle) {

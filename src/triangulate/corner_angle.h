@@ -37,6 +37,9 @@ struct SmallestAngle {
 };
 SmallestAngle smallest_angle(const mesh::SurfaceMesh& mesh, int triangle);
 
+/// Normal to a triangle, as long as twice its area.
+Vec3 doubled_area(const mesh::SurfaceMesh& mesh, int triangle);
+
 /// The squared sine of a triangle's smallest angle: it lies between the two longer sides, and is 60 degrees at most.
 /// Several times as fast as the angle, and enough to compare by. 0 where two corners are one.
 /// @param area a normal as long as twice the area

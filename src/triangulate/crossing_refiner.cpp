@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "triangulate/corner_angle.h"
 #include "triangulate/deviation.h"
 
 namespace mq::triangulate {
@@ -25,7 +26,7 @@ constexpr double kExact = 4.0;
 double CrossingRefiner::depth(int a, int b) const {
     const SurfaceMesh& mesh = work_.mesh;
     const Vec3& o = mesh.point_of(3 * b);
-    const Vec3 normal = (mesh.point_of(3 * b + 1) - o).cross(mesh.point_of(3 * b + 2) - o).normalized();
+    const Vec3 normal = doubled_area(mesh, b).normalized();
     double above = 0.0;
     double below = 0.0;
     for (int h = 3 * a; h < 3 * a + 3; ++h) {
@@ -40,12 +41,8 @@ double CrossingRefiner::depth(int a, int b) const {
 // layers of a face that is rolled up: these are left, and reported.)
 bool CrossingRefiner::folded(const std::array<int, 2>& pair) const {
     const SurfaceMesh& mesh = work_.mesh;
-    std::array<Vec3, 2> normals;
-    for (int i = 0; i < 2; ++i) {
-        const Vec3& o = mesh.point_of(3 * pair[i]);
-        normals[i] = (mesh.point_of(3 * pair[i] + 1) - o).cross(mesh.point_of(3 * pair[i] + 2) - o);
-    }
-    return mesh.face_of(pair[0]) == mesh.face_of(pair[1]) && normals[0].dot(normals[1]) > 0.0;
+    return mesh.face_of(pair[0]) == mesh.face_of(pair[1]) &&
+           doubled_area(mesh, pair[0]).dot(doubled_area(mesh, pair[1])) > 0.0;
 }
 
 std::vector<CrossingRefiner::Crossing> CrossingRefiner::crossings() {

@@ -48,11 +48,6 @@ double squared_sine_over(const SurfaceMesh& mesh, const Disc& disc, int side, co
                              apex, disc.normal);
 }
 
-Vec3 doubled_area(const SurfaceMesh& mesh, int t) {
-    const Vec3& a = mesh.point_of(3 * t);
-    return (mesh.point_of(3 * t + 1) - a).cross(mesh.point_of(3 * t + 2) - a);
-}
-
 }  // namespace
 
 std::vector<int> triangles_around(const SurfaceMesh& mesh, int h) {

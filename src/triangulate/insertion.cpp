@@ -6,6 +6,7 @@
 
 #include "base/predicates.h"
 #include "triangulate/cavity.h"
+#include "triangulate/corner_angle.h"
 #include "triangulate/side_length.h"
 
 namespace mq::triangulate {
@@ -73,8 +74,7 @@ bool in_circumsphere(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
 std::array<double, 3> side_areas(const SurfaceMesh& mesh, int triangle, const SurfacePoint& p) {
     Vec3 up = p.normal;
     if (!(up.squaredNorm() > 0.0)) {
-        const Vec3& a = mesh.point_of(3 * triangle);
-        up = (mesh.point_of(3 * triangle + 1) - a).cross(mesh.point_of(3 * triangle + 2) - a);
+        up = doubled_area(mesh, triangle);
     }
     std::array<double, 3> areas{};
     for (int i = 0; i < 3; ++i) {

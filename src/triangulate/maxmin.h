@@ -47,6 +47,8 @@ class Maxmin {
     /// Another vertex between two segments (see SurfaceMesh::put_between), in the books as well.
     void put_between(int near, int far, int vertex, double t, const std::vector<std::vector<int>>& spokes,
                      const std::vector<int>& sites);
+    /// On a CAD edge or at a node.
+    bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
     /// Whether an edge or a segment joins the two vertices already, both of them on CAD edges.
     bool joined(int a, int b) const { return on_border(a) && on_border(b) && pairs_.count(pair_key(a, b)) > 0; }
 
@@ -59,7 +61,6 @@ class Maxmin {
   private:
     bool legal(int h, double least) const;
     void book_inner_edges(const std::vector<int>& triangles, void (Maxmin::*book)(int, int));
-    bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
 
     mesh::SurfaceMesh& mesh_;
     // Edges between two vertices on CAD edges: only these can meet the same pair on another face.

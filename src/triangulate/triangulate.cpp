@@ -66,8 +66,10 @@ void check_against_part(const Options& options, const geometry::Topology& topolo
     }
 }
 
-// Edges of S_C that join the same vertices on two faces get a vertex of their own in the middle.
-void separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
+// Edges that join the same vertices on two faces get a vertex of their own in the middle.
+// @return whether there were any that did
+bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
+    bool any = false;
     for (int round = 0; round < 8; ++round) {
         const std::vector<int> doubled = work.maxmin.doubled_edges();
         std::vector<Candidate> candidates;
@@ -83,9 +85,11 @@ void separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
             }
         }
         if (!changed) {
-            return;
+            break;
         }
+        any = true;
     }
+    return any;
 }
 
 // CAD edges that join the same nodes by one segment each would be one edge of the mesh: all but the straightest of them
@@ -165,8 +169,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     refine_chords();
     // Where a segment is split between triangles with the same third corner on either face, there are two such edges.
     const auto separate_doubled = [&] {
-        for (int round = 0; round < kMaxDoubledRounds && !work.maxmin.doubled_edges().empty(); ++round) {
-            separate_doubled_edges(work, touched);
+        for (int round = 0; round < kMaxDoubledRounds && separate_doubled_edges(work, touched); ++round) {
             refiner.run();
             refine_chords();
         }
@@ -241,8 +244,10 @@ void report_first(const SampledTriangulation& first, const Options& options, mes
     for (const auto& failure : first.faces.failures) {
         report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
     }
-    for (const int face : first.faces.points) {
-        report.notes.push_back(geometry::name_of({2, face}) + " is a point in single precision: left out");
+    for (int face = 0; face < static_cast<int>(first.faces.faces.size()); ++face) {
+        if (first.faces.chains.is_a_point(face)) {
+            report.notes.push_back(geometry::name_of({2, face}) + " is a point in single precision: left out");
+        }
     }
     report.fallback.assign(first.fallbacks.begin(), first.fallbacks.end());
     if (!first.complete && report.complete) {

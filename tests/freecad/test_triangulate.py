@@ -103,7 +103,12 @@ class SimpleParts(unittest.TestCase):
         mesh = self.check(shape)
         self.assertEqual(mesh.report.euler, 2)
         self.assertNotIn(tiny, mesh.triangle_face)
-        self.assertIn(f"Face{tiny + 1} is a point in single precision: left out", mesh.report.notes)
+        left_out = f"Face{tiny + 1} is a point in single precision: left out"
+        self.assertIn(left_out, mesh.report.notes)
+        for method in ("star", "sprinkle"):
+            with self.subTest(method=method):
+                sampled = mq.triangulate(shape, method=method)
+                self.assertIn(left_out, sampled.report.notes)
 
     def test_two_faces_do_not_share_an_edge_that_is_no_segment(self):
         """A segment was split between triangles with the same third corner on either face."""
