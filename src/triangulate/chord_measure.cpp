@@ -360,7 +360,10 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
     }
     questions.ask(ignore);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        for (std::size_t corner = 0; corner < 3 && close(results[i], tolerance); ++corner) {
+        if (!close(results[i], tolerance)) {
+            continue;
+        }
+        for (std::size_t corner = 0; corner < 3; ++corner) {
             std::array<double, 3> weights = peaks[i].weights;
             for (double& w : weights) {
                 w *= 1.0 - kAsideOfPeak;
