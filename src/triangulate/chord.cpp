@@ -122,14 +122,20 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
     }
     const std::vector<Distance> distances =
         sizing_.tolerance > 0.0 ? measure_.of_edges(edges, sizing_.tolerance) : std::vector<Distance>(edges.size());
+    auto foot = measure_.feet_of_far_middles().begin();
+    const auto last_foot = measure_.feet_of_far_middles().end();
     for (std::size_t i = 0; i < edges.size(); ++i) {
         pace.step();
         const int h = edges[i];
         const double e = excess_of_edge(distances[i].avoidable, h);
-        if (e > 1.0) {
-            found.push_back({h, work_.mesh.stamp(h / 3), e, edge_middle_site(work_.mesh, h)});
-        } else {
+        if (!(e > 1.0)) {
             passed_.mark(work_.mesh, h);
+            continue;
+        }
+        found.push_back({h, work_.mesh.stamp(h / 3), e, edge_middle_site(work_.mesh, h)});
+        foot = std::find_if(foot, last_foot, [&](const ChordMeasure::Foot& f) { return f.index >= i; });
+        if (foot != last_foot && foot->index == i) {
+            found.back().surface_point = surface_point(work_, found.back().candidate, foot->nearest);
         }
     }
 }
@@ -245,18 +251,16 @@ bool ChordRefiner::run() {
 }
 
 void ChordRefiner::split(const std::vector<Site>& sites) {
-    std::vector<Candidate> candidates;
     std::vector<const Site*> inner;
     for (const Site& site : sites) {
         const int s = work_.mesh.segment_of(site.half_edge);
         if (s >= 0) {
             segments_.request(s, true);
         } else {
-            candidates.push_back(site.candidate);
             inner.push_back(&site);
         }
     }
-    const auto points = surface_points(work_, candidates);
+    const auto points = surface_points_of(inner);
     Pace pace(work_.progress);
     for (std::size_t i = 0; i < inner.size() && !work_.over_budget(); ++i) {
         pace.step();
@@ -264,6 +268,24 @@ void ChordRefiner::split(const std::vector<Site>& sites) {
     }
     segments_.run(touched_);
     touched_.clear();
+}
+
+// Asks for those that are not known.
+std::vector<std::optional<SurfacePoint>> ChordRefiner::surface_points_of(const std::vector<const Site*>& sites) {
+    std::vector<Candidate> unknown;
+    for (const Site* site : sites) {
+        if (!site->surface_point) {
+            unknown.push_back(site->candidate);
+        }
+    }
+    const auto asked = surface_points(work_, unknown);
+    auto next = asked.begin();
+    std::vector<std::optional<SurfacePoint>> result;
+    result.reserve(sites.size());
+    for (const Site* site : sites) {
+        result.push_back(site->surface_point ? site->surface_point : *next++);
+    }
+    return result;
 }
 
 void ChordRefiner::split_one(const Site& site, const std::optional<SurfacePoint>& p) {

@@ -32,6 +32,7 @@ class ChordRefiner {
         std::uint32_t stamp;
         double excess;  // how many times over its bound
         Candidate candidate;
+        std::optional<SurfacePoint> surface_point{};  // of the candidate, where it is known already
     };
     std::vector<Site> violations();
     void measure_segments(std::vector<Site>& found);
@@ -46,6 +47,7 @@ class ChordRefiner {
     double excess_of_edge(double chord, int half_edge) const;
     std::vector<double> turns_of(const std::vector<int>& segments);
     void split(const std::vector<Site>& sites);
+    std::vector<std::optional<SurfacePoint>> surface_points_of(const std::vector<const Site*>& sites);
     void split_one(const Site& site, const std::optional<SurfacePoint>& p);
 
     Workspace& work_;

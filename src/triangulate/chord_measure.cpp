@@ -223,8 +223,12 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
             const double side = (work_.grid.to_part(p) - foot.point).dot(foot.normal);
             known_[static_cast<std::size_t>(mesh.number_of(half_edges[i]))].height =
                 foot.found() ? static_cast<float>(std::copysign(foot.distance, side)) : 0.0F;
+            if (foot.found() && foot.distance > tolerance) {
+                feet_.push_back({i, foot});
+            }
         }
     };
+    feet_.clear();
     measure_sites(half_edges);
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
         if (recall(half_edges[i], results[i])) {

@@ -34,6 +34,13 @@ class ChordMeasure {
 
     std::vector<Distance> of_segments(const std::vector<int>& segments, double tolerance);
     std::vector<Distance> of_edges(const std::vector<int>& half_edges, double tolerance);
+    /// What the surface has over the middle of an edge.
+    struct Foot {
+        std::size_t index;  ///< among the edges
+        geometry::Answer nearest;
+    };
+    /// Of those edges of the last `of_edges` whose middles were asked for and are farther than the tolerance; ascending.
+    const std::vector<Foot>& feet_of_far_middles() const { return feet_; }
     /// Their sides must have been measured.
     std::vector<Distance> of_triangles(const std::vector<int>& triangles, double tolerance);
 
@@ -73,6 +80,7 @@ class ChordMeasure {
     Workspace& work_;
     std::vector<double> site_offsets_;  // of vertices on CAD edges from the surface, mm, by site; below 0: not known
     std::vector<Known> known_;          // by the number of the edge; of a segment the one of its first half-edge
+    std::vector<Foot> feet_;
     using Offset = std::array<double, 3>;
     KeyMap<Offset> offsets_;  // of the middles of segments from their curves, by their vertices
 };

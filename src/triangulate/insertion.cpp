@@ -13,6 +13,7 @@ namespace mq::triangulate {
 
 namespace {
 
+using geometry::Answer;
 using geometry::Query;
 using mesh::SurfaceMesh;
 
@@ -143,6 +144,13 @@ Candidate edge_middle_site(const SurfaceMesh& mesh, int h) {
     return weighted_site(mesh, SurfaceMesh::triangle_of(h), w);
 }
 
+std::optional<SurfacePoint> surface_point(const Workspace& work, const Candidate& candidate, const Answer& nearest) {
+    if (!nearest.found() || nearest.distance > candidate.reach) {
+        return std::nullopt;
+    }
+    return SurfacePoint{work.grid.snap(nearest.point), Vec2(nearest.u, nearest.v), nearest.normal};
+}
+
 namespace {
 
 // Of a piece of the candidates, which the caches hold together with its questions and answers.
@@ -155,18 +163,13 @@ void add_surface_points(Workspace& work, const Candidate* first, const Candidate
             Query::face_nearest(work.mesh.face_of(c->triangle), work.grid.to_part(c->point), c->uv.x(), c->uv.y()));
     }
     geometry::Engine::Answers answers = work.session.ask(std::move(batch));
-    geometry::Answer* answer = answers.data();
+    Answer* answer = answers.data();
     for (const Candidate* c = first; c != last; ++c, ++answer) {
         if (c->uv_is_near && (!answer->found() || answer->distance > c->reach)) {
             *answer = work.session.ask(Query::face_point(work.mesh.face_of(c->triangle), c->uv.x(), c->uv.y()));
             answer->distance = (answer->point - work.grid.to_part(c->point)).norm();
         }
-        if (answer->found() && answer->distance <= c->reach) {
-            result.emplace_back(
-                SurfacePoint{work.grid.snap(answer->point), Vec2(answer->u, answer->v), answer->normal});
-        } else {
-            result.emplace_back();
-        }
+        result.push_back(surface_point(work, *c, *answer));
     }
 }
 

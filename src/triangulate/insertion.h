@@ -37,6 +37,9 @@ struct SurfacePoint {
     Vec3 normal;
 };
 
+/// What was found as the nearest to a candidate; no value where that is none, or on another sheet of the surface.
+std::optional<SurfacePoint> surface_point(const Workspace& work, const Candidate& candidate,
+                                          const geometry::Answer& nearest);
 /// Asks for the surface points of many candidates at once; no value where the engine has none near.
 std::vector<std::optional<SurfacePoint>> surface_points(Workspace& work, const std::vector<Candidate>& candidates);
 

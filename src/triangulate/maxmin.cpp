@@ -21,6 +21,7 @@ Maxmin::Maxmin(SurfaceMesh& mesh) : mesh_(mesh) {
 
 void Maxmin::look_again() {
     pairs_.clear();
+    doubled_ = 0;
     for (int s = 0; s < mesh_.segment_count(); ++s) {
         if (!mesh_.segment(s).uses.empty()) {
             remember(mesh_.segment(s).vertices[0], mesh_.segment(s).vertices[1]);
@@ -34,21 +35,30 @@ void Maxmin::look_again() {
 }
 
 void Maxmin::remember(int a, int b) {
-    if (on_border(a) && on_border(b)) {
-        ++pairs_[pair_key(a, b)];
+    if (on_border(a) && on_border(b) && ++pairs_[pair_key(a, b)] == 2) {
+        ++doubled_;
     }
 }
 
 void Maxmin::forget(int a, int b) {
+    if (!on_border(a) || !on_border(b)) {
+        return;
+    }
     const auto found = pairs_.find(pair_key(a, b));
-    if (found != pairs_.end() && --found->second == 0) {
+    if (found == pairs_.end()) {
+        return;
+    }
+    --found->second;
+    if (found->second == 1) {
+        --doubled_;
+    } else if (found->second == 0) {
         pairs_.erase(found);
     }
 }
 
 std::vector<int> Maxmin::doubled_edges() const {
     std::vector<int> result;
-    for (int h = 0; h < mesh_.half_edge_count(); ++h) {
+    for (int h = 0; doubled_ > 0 && h < mesh_.half_edge_count(); ++h) {
         const int a = mesh_.vertex_of(h);
         const int b = mesh_.vertex_of(SurfaceMesh::next(h));
         if (mesh_.twin(h) > h && on_border(a) && on_border(b) && pairs_.at(pair_key(a, b)) > 1) {

@@ -65,6 +65,7 @@ class Maxmin {
     mesh::SurfaceMesh& mesh_;
     // Edges between two vertices on CAD edges: only these can meet the same pair on another face.
     std::unordered_map<std::uint64_t, int> pairs_;
+    int doubled_ = 0;  // pairs that more than one edge joins
 };
 
 }  // namespace mq::triangulate
