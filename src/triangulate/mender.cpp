@@ -228,6 +228,7 @@ bool Mender::mend(int triangle) {
     std::vector<Proposal> proposals;
     std::vector<Disc> discs = discs_around(triangle);
     std::vector<std::uint64_t> keys;
+    const auto smaller = [](const Disc& a, const Disc& b) { return a.triangles.size() < b.triangles.size(); };
     const auto known = [&](const Disc& disc) {
         keys.push_back(state_key(work_.mesh, disc.triangles));
         return exhausted_.count(keys.back()) > 0;
@@ -235,13 +236,15 @@ bool Mender::mend(int triangle) {
     discs.erase(std::remove_if(discs.begin(), discs.end(), known), discs.end());
     for (int growth = 0; growth <= kMaxGrowth; ++growth) {
         std::vector<Disc> larger;
-        for (const Disc& disc : discs) {
-            if (auto more = propose(disc, proposals)) {
+        std::stable_sort(discs.begin(), discs.end(), smaller);
+        for (auto disc = discs.begin(); disc != discs.end(); ++disc) {
+            if (auto more = propose(*disc, proposals)) {
                 larger.push_back(std::move(*more));
             }
-        }
-        if (try_best(proposals, wanted_)) {
-            return true;
+            const bool last_of_size = disc + 1 == discs.end() || smaller(*disc, *(disc + 1));
+            if (last_of_size && try_best(proposals, wanted_)) {
+                return true;
+            }
         }
         discs = std::move(larger);
     }
