@@ -49,5 +49,11 @@ inline double squared_sine_of_smallest(const Vec3& area, double a, double b, dou
     return product > 0.0 ? area.squaredNorm() * std::min({a, b, c}) / product : 0.0;
 }
 double squared_sine_of_smallest(const mesh::SurfaceMesh& mesh, int triangle);
+/// A squared sine beyond which a smallest angle is more than `angle` (radians), however it is rounded.
+inline double surely_beyond(double angle) {
+    constexpr double kRounding = 1.0 + 1e-9;
+    const double sine = std::sin(angle);
+    return kRounding * sine * sine;
+}
 
 }  // namespace mq::triangulate

@@ -16,16 +16,21 @@ namespace {
 
 void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
     report.min_angle_unexempted = 180.0;
+    double beyond = 2.0;  // squared sine: neither below the bound nor the smallest so far
     Pace pace(work.progress);
     for (std::size_t i = 0; i < out.source.size(); ++i) {
         pace.step();
         const int t = out.source[i];
+        if (squared_sine_of_smallest(work.mesh, t) > beyond) {
+            continue;
+        }
         const double angle = smallest_angle(work.mesh, t).angle / kDegree;
         const Exemption* exemption = work.exemption_of(t);
         if (angle < bound && exemption != nullptr) {
             report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, t, *exemption));
         } else {
             report.min_angle_unexempted = std::min(report.min_angle_unexempted, angle);
+            beyond = surely_beyond(std::max(report.min_angle_unexempted, bound) * kDegree);
         }
     }
 }

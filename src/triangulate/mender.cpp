@@ -69,7 +69,15 @@ bool Mender::at_resolution(int triangle) const {
     return exemption != nullptr && exemption->cause == Cause::Resolution;
 }
 
+void Mender::want(double angle) {
+    wanted_ = angle;
+    surely_enough_ = surely_beyond(angle);
+}
+
 void Mender::push_if_bad(int triangle) {
+    if (squared_sine_of_smallest(work_.mesh, triangle) > surely_enough_) {
+        return;
+    }
     const double angle = smallest_angle(work_.mesh, triangle).angle;
     if (angle < wanted_ && !hopeless(triangle) && (angle < bound_ || near(triangle))) {
         queue_.push({angle, triangle, work_.mesh.stamp(triangle)});
@@ -97,7 +105,7 @@ void Mender::push_all() {
 }
 
 bool Mender::run(const std::vector<Escape>& escapes) {
-    wanted_ = bound_ + kMargin;
+    want(bound_ + kMargin);
     push_all();
     bool changed = work_off();
     double left = missing();
@@ -171,10 +179,10 @@ void Mender::make_room() {
         }
     }
     near_.assign(vertices.begin(), vertices.end());
-    wanted_ = bound_ + kRoom;
+    want(bound_ + kRoom);
     push_all();
     work_off();
-    wanted_ = bound_ + kMargin;
+    want(bound_ + kMargin);
     near_.clear();
 }
 

@@ -60,6 +60,7 @@ class Mender {
         int ear_site = -1;  ///< of the rim, to be cut off; -1: none
     };
 
+    void want(double angle);
     void push_if_bad(int triangle);
     bool near(int triangle) const;
     void push_all();
@@ -118,9 +119,10 @@ class Mender {
     double distance_of_disc(const Disc& disc) const;
 
     Workspace& work_;
-    double bound_;           // radians
-    double wanted_ = 0.0;    // radians, a little above the bound or, near some vertices, more
-    std::vector<int> near_;  // these vertices, ascending
+    double bound_;                // radians
+    double wanted_ = 0.0;         // radians, a little above the bound or, near some vertices, more
+    double surely_enough_ = 0.0;  // squared sine, of what is wanted
+    std::vector<int> near_;       // these vertices, ascending
     const Sizing& sizing_;
     std::priority_queue<Bad> queue_;
     Slider slider_;

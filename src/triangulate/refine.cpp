@@ -29,7 +29,6 @@ constexpr int kMaxSharpened = 16;
 // Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own
 // sake.
 constexpr double kMinTurned = 1e-3;
-constexpr double kRounding = 1.0 + 1e-9;
 
 }  // namespace
 
@@ -37,7 +36,7 @@ Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_de
     : work_(work),
       segments_(segments),
       bound_(min_angle_degrees * kDegree),
-      surely_enough_(kRounding * std::pow(std::sin(bound_), 2)),
+      surely_enough_(surely_beyond(bound_)),
       insertion_(insertion),
       turned_(work.settled),
       looked_at_(work.settled) {}

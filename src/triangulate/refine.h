@@ -67,7 +67,7 @@ class Refiner {
     Workspace& work_;
     SegmentSplitter& segments_;
     double bound_;          // radians
-    double surely_enough_;  // squared sine, by rounding above that of the bound
+    double surely_enough_;  // squared sine
     Insertion insertion_;
     std::priority_queue<Bad> queue_;
     std::map<int, int> sharpened_;  // by vertex: how often the chords at a narrow corner were halved
