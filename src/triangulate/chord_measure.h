@@ -39,7 +39,7 @@ class ChordMeasure {
         std::size_t index;  ///< among the edges
         geometry::Answer nearest;
     };
-    /// Of those edges of the last `of_edges` whose middles were asked for and are farther than the tolerance; ascending.
+    /// Of the edges of the last `of_edges` whose middles were asked for and are farther than the tolerance; ascending.
     const std::vector<Foot>& feet_of_far_middles() const { return feet_; }
     /// Their sides must have been measured.
     std::vector<Distance> of_triangles(const std::vector<int>& triangles, double tolerance);
