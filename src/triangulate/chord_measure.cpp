@@ -220,9 +220,7 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
     const auto remember = [&](std::size_t i, const Vec3& p, const Answer& foot) {
         if (middle_seen[i] == 0) {
             middle_seen[i] = 1;
-            const double side = (work_.grid.to_part(p) - foot.point).dot(foot.normal);
-            known_[static_cast<std::size_t>(mesh.number_of(half_edges[i]))].height =
-                foot.found() ? static_cast<float>(std::copysign(foot.distance, side)) : 0.0F;
+            keep_height(half_edges[i], p, foot);
             if (foot.found() && foot.distance > tolerance) {
                 feet_.push_back({i, foot});
             }
@@ -263,6 +261,13 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
         keep(half_edges[i], tolerance, results[i]);
     }
     return results;
+}
+
+// Of the middle of an edge over its surface.
+void ChordMeasure::keep_height(int half_edge, const Vec3& middle, const Answer& foot) {
+    const double side = (work_.grid.to_part(middle) - foot.point).dot(foot.normal);
+    known_[static_cast<std::size_t>(work_.mesh.number_of(half_edge))].height =
+        foot.found() ? static_cast<float>(std::copysign(foot.distance, side)) : 0.0F;
 }
 
 // For this tolerance everything has been asked.

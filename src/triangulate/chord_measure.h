@@ -71,6 +71,7 @@ class ChordMeasure {
     bool settled(int half_edge, double tolerance) const;
     bool recall(int half_edge, Distance& result) const;
     void keep(int half_edge, double tolerance, const Distance& distance);
+    void keep_height(int half_edge, const Vec3& middle, const geometry::Answer& foot);
     int half_edge_of(int segment) const { return work_.mesh.segment(segment).uses.front().half_edge; }
     std::uint64_t ends_key(int half_edge) const;
     double height(int half_edge) const;
