@@ -43,12 +43,15 @@ std::vector<int> Mender::segments_around(int triangle) const {
     return segments;
 }
 
-// Not where a triangle fills a narrow corner, nor on seams.
+// Not where a triangle fills a narrow corner, nor on seams, nor where two of its triangles have the same third corner:
+// the new vertex would be joined to that twice.
 bool Mender::can_be_split(int segment) const {
     std::set<int> faces;
+    std::set<int> third_corners;
     for (const SurfaceMesh::SegmentUse& use : work_.mesh.segment(segment).uses) {
         const int t = SurfaceMesh::triangle_of(use.half_edge);
-        if (!faces.insert(work_.mesh.face_of(t)).second || narrow_corner_of(work_.mesh, t) >= 0) {
+        if (!faces.insert(work_.mesh.face_of(t)).second || narrow_corner_of(work_.mesh, t) >= 0 ||
+            !third_corners.insert(work_.mesh.vertex_of(SurfaceMesh::prev(use.half_edge))).second) {
             return false;
         }
     }
