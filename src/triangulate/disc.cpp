@@ -203,44 +203,59 @@ class Rim {
     double reach_ = 0.0;
 };
 
+// An apex, and the squared sine of the smallest angle of its fan.
+struct Apex {
+    Vec3 point;
+    double squared_sine;
+
+    bool improve(Rim& rim, const Vec3& p) {
+        const double found = rim.squared_sine(p, squared_sine);
+        if (!(found > squared_sine)) {
+            return false;
+        }
+        *this = {p, found};
+        return true;
+    }
+};
+
+Apex rough_apex(Rim& rim) {
+    Apex best{rim.middle(), rim.squared_sine(rim.middle(), -1.0)};
+    for (const Vec3& p : rim.inner_points()) {
+        best.improve(rim, p);
+    }
+    return best;
+}
+
+// Where the smallest angle is at least some value is a convex region, so any start in it will do.
 Vec3 best_apex(Rim& rim, double at_least) {
     const double hopeless = std::pow(std::sin(kHopeless * at_least), 2);
     const Vec3 x = rim.normal().unitOrthogonal();
     const Vec3 y = rim.normal().cross(x).normalized();
-    Vec3 best = rim.middle();
-    double largest = rim.squared_sine(best, -1.0);
-    const auto attempt = [&](const Vec3& p) {
-        const double found = rim.squared_sine(p, largest);
-        if (found > largest) {
-            largest = found;
-            best = p;
-            return true;
-        }
-        return false;
-    };
-    // Where the smallest angle is at least some value is a convex region, so any start in it will do.
-    for (const Vec3& p : rim.inner_points()) {
-        attempt(p);
-    }
+    Apex best = rough_apex(rim);
     double step = 0.25 * rim.reach();
-    for (int n = 0; n < kSearchSteps && (n < kScouting || largest > hopeless); ++n, step *= kShrink) {
+    for (int n = 0; n < kSearchSteps && (n < kScouting || best.squared_sine > hopeless); ++n, step *= kShrink) {
         const Vec3 first = step * (std::cos(n * kTurn) * x + std::sin(n * kTurn) * y);
         const Vec3 second = step * (std::cos(n * kTurn) * y - std::sin(n * kTurn) * x);
         for (int moves = 0; moves < kMovesPerStep; ++moves) {
-            const Vec3 from = best;
+            const Vec3 from = best.point;
             bool better = false;
             for (const Vec3& way : {first, second, Vec3(-first), Vec3(-second)}) {
-                better = attempt(from + way) || better;
+                better = best.improve(rim, from + way) || better;
             }
             if (!better) {
                 break;
             }
         }
     }
-    return best;
+    return best.point;
 }
 
 }  // namespace
+
+Vec3 rough_apex(const SurfaceMesh& mesh, const Disc& disc) {
+    Rim rim(mesh, disc);
+    return rough_apex(rim).point;
+}
 
 Vec3 best_apex(const SurfaceMesh& mesh, const Disc& disc, double at_least) {
     Rim rim(mesh, disc);

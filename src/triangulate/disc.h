@@ -40,6 +40,9 @@ double disc_alignment(const mesh::SurfaceMesh& mesh, const Disc& disc);
 /// roughly where that is far less than `at_least` (radians).
 Vec3 best_apex(const mesh::SurfaceMesh& mesh, const Disc& disc, double at_least = 0.0);
 
+/// The best of a few places for it.
+Vec3 rough_apex(const mesh::SurfaceMesh& mesh, const Disc& disc);
+
 /// A fan to all corners of a rim but one, which an ear cuts off: a triangle of it and the corners next to it.
 struct EaredFan {
     int ear_site = -1;

@@ -10,6 +10,7 @@
 #include "triangulate/corner_angle.h"
 #include "triangulate/disc_change.h"
 #include "triangulate/distance_probes.h"
+#include "triangulate/rim_corners.h"
 
 namespace mq::triangulate {
 
@@ -51,7 +52,9 @@ void add_disc(const SurfaceMesh& mesh, std::vector<int> triangles, std::vector<D
 }  // namespace
 
 Mender::Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing)
-    : work_(work), bound_(min_angle_degrees * kDegree), sizing_(sizing), slider_(work, sizing), undo_(work) {}
+    : work_(work), bound_(min_angle_degrees * kDegree), sizing_(sizing), slider_(work, sizing), undo_(work) {
+    want(bound_ + kMargin);
+}
 
 // The part itself has the angle.
 bool Mender::hopeless(int triangle) const {
@@ -104,15 +107,21 @@ void Mender::push_all() {
     }
 }
 
-bool Mender::run(const std::vector<Escape>& escapes) {
-    want(bound_ + kMargin);
+bool Mender::change_singly() {
     push_all();
-    bool changed = work_off();
-    double left = missing();
+    return work_off();
+}
+
+bool Mender::make_room_and_change() {
+    make_room();
+    return change_singly();
+}
+
+bool Mender::run(const std::vector<Escape>& escapes, double missing_before) {
+    bool changed = false;
+    double left = missing_before;
     for (int round = 0; round < kMaxRounds && left > 0.0; ++round) {
-        make_room();
-        push_all();
-        changed = work_off() || changed;
+        changed = (round > 0 && make_room_and_change()) || changed;
         for (const Escape kinds : escapes) {
             changed = escape_all(kinds) || changed;
         }
@@ -122,7 +131,6 @@ bool Mender::run(const std::vector<Escape>& escapes) {
         }
         left = now;
     }
-    close_gaps(work_);
     return changed;
 }
 
@@ -207,28 +215,41 @@ std::vector<Disc> Mender::discs_around(int triangle) const {
     return discs;
 }
 
-// @return a larger disc that may do better: with the neighbour over the worst side.
-std::optional<Disc> Mender::propose(const Disc& disc, std::vector<Proposal>& proposals) const {
+// @return the worst side, over which a larger disc may do better; -1: none is needed, or there is none.
+int Mender::propose(const Disc& disc, std::vector<Proposal>& proposals) const {
     const double before = smallest_angle(work_.mesh, disc);
     const auto keep = [&](int apex_site, const Vec3& apex, double angle) {
         if (angle >= enough_after(before) && !reopens_ear(disc, apex_site)) {
             proposals.push_back({disc, apex_site, apex, angle, before});
         }
     };
-    for (const int side : disc.rim) {
-        const Vec3& apex = work_.mesh.point_of(side);
-        keep(work_.mesh.site_of(side), apex, fan_angle(work_.mesh, disc, apex, work_.mesh.site_of(side)));
+    const RimCorners corners(work_.mesh, disc, enough_after(before));
+    for (std::size_t k = 0; k < disc.rim.size(); ++k) {
+        if (corners.allow_apex(k)) {
+            const int site = work_.mesh.site_of(disc.rim[k]);
+            const Vec3& apex = work_.mesh.point_of(disc.rim[k]);
+            keep(site, apex, fan_angle(work_.mesh, disc, apex, site));
+        }
     }
-    const Vec3 apex = best_apex(work_.mesh, disc, enough_after(before));
+    const bool worth_searching = corners.allow_inner_apex();
+    const Vec3 apex = worth_searching ? best_apex(work_.mesh, disc, enough_after(before)) : rough_apex(work_.mesh, disc);
     const double angle = fan_angle(work_.mesh, disc, apex);
     keep(-1, apex, angle);
-    const int g = work_.mesh.twin(worst_side(work_.mesh, disc, apex));
-    if (angle >= wanted_ || g < 0) {
-        return std::nullopt;
+    return angle >= wanted_ ? -1 : worst_side(work_.mesh, disc, apex);
+}
+
+// With the neighbours over these sides, of each disc the one with the same index; -1: none of it.
+std::vector<Disc> Mender::grown(const std::vector<Disc>& discs, const std::vector<int>& over) const {
+    std::vector<Disc> result;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        const int g = over[i] < 0 ? -1 : work_.mesh.twin(over[i]);
+        if (g >= 0) {
+            std::vector<int> triangles = discs[i].triangles;
+            triangles.push_back(SurfaceMesh::triangle_of(g));
+            add_disc(work_.mesh, std::move(triangles), result);
+        }
     }
-    std::vector<int> triangles = disc.triangles;
-    triangles.push_back(SurfaceMesh::triangle_of(g));
-    return disc_of(work_.mesh, std::move(triangles));
+    return result;
 }
 
 // Small discs first; once one of them reaches the bound that will do.
@@ -243,18 +264,18 @@ bool Mender::mend(int triangle) {
     };
     discs.erase(std::remove_if(discs.begin(), discs.end(), known), discs.end());
     for (int growth = 0; growth <= kMaxGrowth; ++growth) {
-        std::vector<Disc> larger;
         std::stable_sort(discs.begin(), discs.end(), smaller);
+        std::vector<int> worst_sides;
         for (auto disc = discs.begin(); disc != discs.end(); ++disc) {
-            if (auto more = propose(*disc, proposals)) {
-                larger.push_back(std::move(*more));
-            }
+            worst_sides.push_back(propose(*disc, proposals));
             const bool last_of_size = disc + 1 == discs.end() || smaller(*disc, *(disc + 1));
             if (last_of_size && try_best(proposals, wanted_)) {
                 return true;
             }
         }
-        discs = std::move(larger);
+        if (growth < kMaxGrowth) {
+            discs = grown(discs, worst_sides);
+        }
     }
     if ((undo_.empty() && slide(triangle)) || try_best(proposals, 0.0)) {
         return true;
@@ -416,25 +437,40 @@ struct State {
 
 }  // namespace
 
-bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing) {
+namespace {
+
+// Mends with simple escapes; where something is left, it begins anew with all of them, and the better end stays. Either
+// can end in a place that the other finds a way around.
+bool escape(Workspace& work, double min_angle_degrees, const Sizing& sizing, double missing) {
     using Escape = Mender::Escape;
+    const State before(work);
     Mender simple(work, min_angle_degrees, sizing);
-    std::optional<State> before;
-    if (simple.missing() > 0.0) {
-        before.emplace(work);
-    }
-    const bool changed = simple.run({Escape::Fans});
+    const bool changed = simple.run({Escape::Fans}, missing);
     const double left = simple.missing();
-    if (!before || !(left > 0.0)) {
+    if (!(left > 0.0)) {
         return changed;
     }
     const State after(work);
-    before->put_back(work);
+    before.put_back(work);
     Mender thorough(work, min_angle_degrees, sizing);
-    if (thorough.run({Escape::All, Escape::TwoInARow}) && thorough.missing() < left) {
+    if (thorough.run({Escape::All, Escape::TwoInARow}, missing) && thorough.missing() < left) {
         return true;
     }
     after.put_back(work);
+    return changed;
+}
+
+}  // namespace
+
+bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing) {
+    Mender mender(work, min_angle_degrees, sizing);
+    bool changed = mender.change_singly();
+    const double missing = mender.missing();
+    if (missing > 0.0) {
+        changed = mender.make_room_and_change() || changed;
+        changed = escape(work, min_angle_degrees, sizing, missing) || changed;
+    }
+    close_gaps(work);
     return changed;
 }
 

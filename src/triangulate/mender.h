@@ -37,8 +37,13 @@ class Mender {
 
     Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing);
 
-    /// @return whether anything was changed. Leaves no triangle that is gone.
-    bool run(const std::vector<Escape>& escapes);
+    /// Single changes, as long as one helps. @return whether anything was changed, as of all that follow.
+    bool change_singly();
+    /// Makes what is around bad triangles better than the bound first, where it holds these fast.
+    bool make_room_and_change();
+    /// Rounds of escapes, and of the former between them, as long as enough becomes better.
+    /// @param missing_before that of the round before
+    bool run(const std::vector<Escape>& escapes, double missing_before);
     /// What triangles miss of the bound that may have it, radians in all.
     double missing() const;
 
@@ -71,7 +76,8 @@ class Mender {
     bool at_resolution(int triangle) const;
     bool mend(int triangle);
     std::vector<Disc> discs_around(int triangle) const;
-    std::optional<Disc> propose(const Disc& disc, std::vector<Proposal>& proposals) const;
+    int propose(const Disc& disc, std::vector<Proposal>& proposals) const;
+    std::vector<Disc> grown(const std::vector<Disc>& discs, const std::vector<int>& over) const;
     bool try_best(std::vector<Proposal>& proposals, double at_least);
     std::optional<SurfacePoint> apex_near(const Disc& disc, const Vec3& p) const;
     bool carry_out(const Proposal& proposal);
@@ -137,8 +143,6 @@ class Mender {
     KeySet exhausted_;  // discs that nothing better was found for, by key
 };
 
-/// Mends with simple escapes; where something is left, it begins anew with all of them, and the better end stays.
-/// Either can end in a place that the other finds a way around.
 /// @return whether anything was changed. Leaves no triangle that is gone.
 bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing);
 
