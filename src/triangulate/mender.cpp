@@ -232,7 +232,8 @@ int Mender::propose(const Disc& disc, std::vector<Proposal>& proposals) const {
         }
     }
     const bool worth_searching = corners.allow_inner_apex();
-    const Vec3 apex = worth_searching ? best_apex(work_.mesh, disc, enough_after(before)) : rough_apex(work_.mesh, disc);
+    const Vec3 apex =
+        worth_searching ? best_apex(work_.mesh, disc, enough_after(before)) : rough_apex(work_.mesh, disc);
     const double angle = fan_angle(work_.mesh, disc, apex);
     keep(-1, apex, angle);
     return angle >= wanted_ ? -1 : worst_side(work_.mesh, disc, apex);
