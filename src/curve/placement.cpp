@@ -6,8 +6,6 @@
 #include <cstring>
 #include <set>
 
-#include "base/error.h"
-#include "curve/blending.h"
 #include "curve/validity.h"
 
 namespace mq::curve {
@@ -19,22 +17,8 @@ using geometry::Query;
 
 /// Below this quality the other way to place the nodes of a triangle is tried too.
 constexpr double kWorthComparing = 0.3;
-constexpr int kArcRounds = 3;
-constexpr int kEvenRounds = 2;
 /// Samples of the deviation lie on a lattice of this degree: no order up to five has nodes there.
 constexpr int kSampleDegree = 7;
-
-/// Sum of squared steps, 1 when all are equal and on a line: grows with length and with unevenness.
-double unevenness(const Vec3& from, const std::vector<Vec3>& inner, const Vec3& to) {
-    double sum = 0.0;
-    Vec3 last = from;
-    for (const Vec3& p : inner) {
-        sum += (p - last).squaredNorm();
-        last = p;
-    }
-    sum += (to - last).squaredNorm();
-    return sum * static_cast<double>(inner.size() + 1) / (to - from).squaredNorm();
-}
 
 }  // namespace
 
@@ -74,68 +58,6 @@ void Placement::place(const std::vector<int>& triangles) {
     measure(triangles);
     if (surface_.shapes.order() > 2) {
         improve_faces(triangles);
-    }
-}
-
-void Placement::set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes) {
-    std::vector<Vec3> all{surface_.shapes.vertices[static_cast<std::size_t>(a)].point};
-    all.insert(all.end(), nodes.begin(), nodes.end());
-    all.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
-    const std::vector<Vec3> control = nodes_to_bezier(Lattice::of(1, surface_.shapes.order()), all);
-    surface_.shapes.set_edge(a, b, {control.begin() + 1, control.end() - 1});
-}
-
-void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
-    const int q = surface_.shapes.order();
-    std::vector<Query> points;
-    for (const EdgeTask& task : tasks) {
-        const Segment& s = *surface_.segment(task.a, task.b);
-        for (int k = 1; k < q; ++k) {
-            points.push_back(Query::edge_point(s.edge, s.t_low + (s.t_high - s.t_low) * k / q));  // equation (5)
-        }
-    }
-    auto at = session_.ask(points);
-    for (int round = 0; round < kArcRounds; ++round) {
-        std::vector<Query> lengths;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
-            const Segment& s = *surface_.segment(task.a, task.b);
-            lengths.push_back(Query::edge_length(s.edge, s.t_low, points[i].t));
-            lengths.push_back(Query::edge_length(s.edge, points[i].t, s.t_high));
-        }
-        const auto length = session_.ask(std::move(lengths));
-        double worst = 0.0;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
-            const Segment& s = *surface_.segment(task.a, task.b);
-            const double whole = length[2 * i].distance + length[2 * i + 1].distance;
-            const double wanted = whole * static_cast<double>(i % static_cast<std::size_t>(q - 1) + 1) / q;
-            const double speed = at[i].normal.norm();
-            const double sense = s.t_high > s.t_low ? 1.0 : -1.0;
-            const double t = points[i].t + (speed > 0.0 ? sense * (wanted - length[2 * i].distance) / speed : 0.0);
-            // Where the curve stands nearly still a step may leave the segment: the parameter as it is serves too.
-            if ((t - s.t_low) * sense > 0.0 && (s.t_high - t) * sense > 0.0) {
-                worst = std::max(worst, std::abs(t - points[i].t) / std::abs(s.t_high - s.t_low));
-                points[i].t = t;
-            }
-        }
-        if (worst < 1e-9) {
-            break;
-        }
-        at = session_.ask(points);
-    }
-    std::vector<Vec3> nodes;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
-        if (!at[i].found()) {
-            throw GeometryError("no point on " + geometry::name_of({1, points[i].index}) + " at parameter " +
-                                std::to_string(points[i].t) + ": repair the edge");
-        }
-        nodes.push_back(at[i].point);
-        if (nodes.size() == static_cast<std::size_t>(q - 1)) {
-            set_edge_nodes(task.a, task.b, nodes);
-            nodes.clear();
-        }
     }
 }
 
@@ -179,107 +101,6 @@ std::array<Vec2, 3> Placement::corner_uv(const SurfaceTriangle& triangle) const 
         resolve_free(triangle.corners[k], triangle.face, other, uv[k]);
     }
     return uv;
-}
-
-/// The nodes of a mesh edge inside a face, on the way to their places.
-struct Placement::InnerEdge {
-    EdgeTask task;
-    Vec2 from;  ///< (u, v) at a
-    Vec2 to;
-    bool project = true;    ///< the points of the straight edge; otherwise those between the (u, v)
-    std::vector<double> s;  ///< of the nodes along the edge, 0 to 1
-    std::vector<Vec3> nodes;
-};
-
-Query Placement::node_query(const InnerEdge& edge, double s, bool project) const {
-    const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.a)].point;
-    const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.b)].point;
-    const Vec2 uv = edge.from + s * (edge.to - edge.from);
-    return project ? Query::face_nearest(edge.task.face, a + s * (b - a), uv.x(), uv.y())
-                   : Query::face_point(edge.task.face, uv.x(), uv.y());
-}
-
-void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
-    const int q = surface_.shapes.order();
-    std::vector<InnerEdge> edges;
-    std::vector<Query> batch;
-    for (const EdgeTask& task : tasks) {
-        InnerEdge edge{task, *surface_.uv_of(task.a, task.face), Vec2::Zero(), true, {}, {}};
-        edge.to = unwrapped(task.b, task.face, edge.from);
-        resolve_free(task.a, task.face, edge.to, edge.from);
-        resolve_free(task.b, task.face, edge.from, edge.to);
-        for (int k = 1; k < q; ++k) {
-            edge.s.push_back(static_cast<double>(k) / q);
-            batch.push_back(node_query(edge, edge.s.back(), true));
-            batch.push_back(node_query(edge, edge.s.back(), false));
-        }
-        edges.push_back(std::move(edge));
-    }
-    const auto answers = session_.ask(std::move(batch));
-    std::size_t next = 0;
-    for (InnerEdge& edge : edges) {
-        std::array<std::vector<Vec3>, 2> ways;
-        std::array<bool, 2> found{true, true};
-        for (int k = 1; k < q; ++k) {
-            for (std::size_t way = 0; way < 2; ++way, ++next) {
-                ways[way].push_back(answers[next].point);
-                found[way] = found[way] && answers[next].found();
-            }
-        }
-        const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.a)].point;
-        const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.b)].point;
-        if (!found[0] && !found[1]) {
-            throw GeometryError("no points of " + geometry::name_of({2, edge.task.face}) + " for a mesh edge on it");
-        }
-        edge.project = found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
-        edge.nodes = ways[edge.project ? 0 : 1];
-    }
-    for (int round = 0; round < kEvenRounds && q > 2; ++round) {
-        space_evenly(edges);
-    }
-    for (const InnerEdge& edge : edges) {
-        set_edge_nodes(edge.task.a, edge.task.b, edge.nodes);
-    }
-}
-
-/// One step of Newton's method towards nodes at even distances in space. Of an arc, nodes projected from even places on
-/// the chord deviate several times as much between them.
-void Placement::space_evenly(std::vector<InnerEdge>& edges) {
-    const int q = surface_.shapes.order();
-    std::vector<Query> batch;
-    std::vector<std::vector<double>> moved;
-    for (const InnerEdge& edge : edges) {
-        std::vector<double> s{0.0};
-        std::vector<double> length{0.0};
-        Vec3 last = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.a)].point;
-        const auto go_on = [&](double at, const Vec3& point) {
-            s.push_back(at);
-            length.push_back(length.back() + (point - last).norm());
-            last = point;
-        };
-        for (std::size_t i = 0; i < edge.nodes.size(); ++i) {
-            go_on(edge.s[i], edge.nodes[i]);
-        }
-        go_on(1.0, surface_.shapes.vertices[static_cast<std::size_t>(edge.task.b)].point);
-        std::vector<double>& to = moved.emplace_back();
-        for (std::size_t k = 1; k + 1 < s.size(); ++k) {
-            const double wanted = length.back() * static_cast<double>(k) / q;
-            const double slope = (s[k + 1] - s[k - 1]) / (length[k + 1] - length[k - 1]);
-            const double at = s[k] + slope * (wanted - length[k]);
-            to.push_back(at > s[k - 1] && at < s[k + 1] ? at : s[k]);
-            batch.push_back(node_query(edge, to.back(), edge.project));
-        }
-    }
-    const auto answers = session_.ask(std::move(batch));
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        for (std::size_t k = 0; k < edges[i].nodes.size(); ++k, ++next) {
-            if (answers[next].found()) {
-                edges[i].s[k] = moved[i][k];
-                edges[i].nodes[k] = answers[next].point;
-            }
-        }
-    }
 }
 
 void Placement::place_faces(const std::vector<int>& triangles, bool by_parameters) {
@@ -447,66 +268,6 @@ std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
         }
     }
     return result;
-}
-
-void Placement::set_warped(int a, int b, double by, int degree) {
-    const Segment& segment = *surface_.segment(a, b);
-    const double t_a = surface_.t_of(a, b);
-    const double t_b = surface_.t_of(b, a);
-    std::vector<Vec3> nodes;
-    for (int k = 1; k < degree; ++k) {
-        const double s = static_cast<double>(k) / degree;
-        const double t = t_a + (s + 4.0 * by * s * (1.0 - s)) * (t_b - t_a);
-        const Answer answer = session_.ask(Query::edge_point(segment.edge, t));
-        if (!answer.found()) {
-            return;
-        }
-        nodes.push_back(answer.point);
-    }
-    // The polynomial of the lower degree at the nodes of the mesh's order.
-    nodes.insert(nodes.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
-    nodes.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
-    const Lattice& lower = Lattice::of(1, degree);
-    const std::vector<Vec3> control = nodes_to_bezier(lower, nodes);
-    const int q = surface_.shapes.order();
-    std::vector<Vec3> raised;
-    for (int k = 1; k < q; ++k) {
-        const double s = static_cast<double>(k) / q;
-        raised.push_back(value(lower, control, {1.0 - s, s, 0.0, 0.0}));
-    }
-    set_edge_nodes(a, b, raised);
-}
-
-bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
-    const int q = surface_.shapes.order();
-    std::vector<Vec3> control = surface_.shapes.edge_inner(a, b);
-    control.insert(control.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
-    control.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
-    std::vector<Vec3> nodes = bezier_to_nodes(Lattice::of(1, q), control);
-    nodes = {nodes.begin() + 1, nodes.end() - 1};
-    Vec2 from = *surface_.uv_of(a, face);
-    Vec2 to = unwrapped(b, face, from);
-    resolve_free(a, face, to, from);
-    resolve_free(b, face, from, to);
-    std::vector<Query> batch;
-    for (int k = 1; k < q; ++k) {
-        const double s = static_cast<double>(k) / q;
-        Vec3& node = nodes[static_cast<std::size_t>(k - 1)];
-        node += 4.0 * s * (1.0 - s) * by;
-        const Vec2 uv = from + s * (to - from);
-        batch.push_back(Query::face_nearest(face, node, uv.x(), uv.y()));
-    }
-    if (!planar(face)) {
-        const auto answers = session_.ask(std::move(batch));
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            if (!answers[i].found()) {
-                return false;
-            }
-            nodes[i] = answers[i].point;
-        }
-    }
-    set_edge_nodes(a, b, nodes);
-    return true;
 }
 
 bool Placement::on_edge(int vertex, int edge, double t_from, double t_to, double allowed, double& t, Vec3& point) {
