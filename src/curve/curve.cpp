@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <map>
 #include <set>
 
 #include "base/error.h"
@@ -75,6 +77,21 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
     add("vertices of faces put on CAD edges", repairs.snapped);
     add("surface cavities filled anew", repairs.regrown);
     add("surface edges split in repair", repairs.splits);
+}
+
+/// Names the worst of the vertices and edges that lie off what meets them.
+void note(const std::map<mesh::VertexEntity, double>& gaps, CurveReport& report) {
+    const auto worst =
+        std::max_element(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (worst == gaps.end()) {
+        return;
+    }
+    char distance[32];
+    std::snprintf(distance, sizeof distance, "%.3g", worst->second);
+    const std::string more = gaps.size() == 1 ? "" : ", and " + std::to_string(gaps.size() - 1) + " more likewise";
+    report.notes.push_back(geometry::name_of({worst->first[0], worst->first[1]}) + " lies " + distance +
+                           " mm off the edges or faces at it, within its tolerance" + more +
+                           ": the elements there leave the CAD to reach it");
 }
 
 void note(const FilledVolume& filled, CurveReport& report) {
@@ -209,6 +226,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     } else {
         measure_surface(editor, straight_triangles, report);
     }
+    note(editor.placement.gaps_met(), report);
     report.repairs.emplace_back("elements made straight", report.straightened.size());
     report.volume = enclosed_volume(surface, session.topology());
     CurvedMesh result = assemble(surface, regions);

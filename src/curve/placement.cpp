@@ -103,6 +103,22 @@ std::array<Vec2, 3> Placement::corner_uv(const SurfaceTriangle& triangle) const 
     return uv;
 }
 
+bool Placement::may_gape(const SurfaceTriangle& triangle) const {
+    const auto& v = triangle.corners;
+    return may_gape(v[0], v[1]) || may_gape(v[1], v[2]) || may_gape(v[2], v[0]);
+}
+
+/// Whether corners of the triangle lie off its face, or off where their (u, v) are.
+bool Placement::gapes(const SurfaceTriangle& triangle, const std::array<Vec2, 3>& uv) {
+    const auto corner = [&](std::size_t k) { return Query::face_point(triangle.face, uv[k].x(), uv[k].y()); };
+    bool none = true;
+    for (std::size_t k = 0; k < 3 && none; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        none = gaps(triangle.corners[k], triangle.corners[next], corner(k), corner(next)).none;
+    }
+    return !none;
+}
+
 void Placement::place_faces(const std::vector<int>& triangles, bool by_parameters) {
     const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
     std::vector<Query> batch;
@@ -114,11 +130,14 @@ void Placement::place_faces(const std::vector<int>& triangles, bool by_parameter
             continue;  // blended from its edges it lies in the plane
         }
         surface_.shapes.forget_face(triangle.corners);
+        const std::array<Vec2, 3> uv = corner_uv(triangle);
+        if (gapes(triangle, uv)) {
+            continue;  // blended from its edges, which leave the face
+        }
         std::vector<Vec3> control;
         surface_.shapes.triangle(triangle.corners, control);
         all.push_back(bezier_to_nodes(lattice, control));
         tasks.push_back(t);
-        const std::array<Vec2, 3> uv = corner_uv(triangle);
         for (int i = 0; i < lattice.size(); ++i) {
             if (lattice.carriers(i) < 3) {
                 continue;
@@ -205,11 +224,12 @@ void Placement::measure(const std::vector<int>& triangles) {
         if (!planar(triangle.face)) {
             const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
             const std::array<Vec2, 3> uv = corner_uv(triangle);
+            const bool loose = may_gape(triangle);
             for (int i = 0; i < lattice.size(); ++i) {
                 const Barycentric b = lattice.node(i);
                 const Vec2 guess = b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];
                 batch.push_back(
-                    lattice.carriers(i) == 1
+                    lattice.carriers(i) == 1 && !loose
                         ? Query::face_point(triangle.face, guess.x(), guess.y())
                         : Query::face_nearest(triangle.face, nodes[static_cast<std::size_t>(i)], guess.x(), guess.y()));
             }

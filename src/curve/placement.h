@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "curve/surface.h"
@@ -14,6 +15,10 @@ namespace mq::curve {
 /// that is nearer; at a pole the free parameter taken from the other end); kept is what is shorter and more even in
 /// space. Nodes inside triangles: blended from the edges and projected, or at even (u, v); kept is the better triangle.
 /// Edges inside planes stay straight.
+///
+/// Booleans leave vertices, and edges on faces, that lie off what they should lie on by far more than rounding, though
+/// within their tolerance. Where that is much against a mesh edge or triangle there, its nodes leave the CAD evenly
+/// towards the vertex: nodes on the CAD would fold it.
 class Placement {
   public:
     Placement(geometry::Session& session, Surface& surface);
@@ -49,6 +54,9 @@ class Placement {
 
     bool planar(int face) const;
 
+    /// How far vertices and edges of the part, dimension and index, lie off what meets them, where that was met.
+    const std::map<mesh::VertexEntity, double>& gaps_met() const { return gaps_met_; }
+
     /// Distances of points on the triangles from their CAD faces: 33 points each, none of them a node.
     std::vector<double> deviations(const std::vector<int>& triangles);
 
@@ -59,6 +67,25 @@ class Placement {
         int face;
     };
     struct InnerEdge;
+    /// An end so far off the CAD, as a part of the mesh edge, is a gap: nodes on the CAD would turn a cubic by a tenth.
+    static constexpr double kGap = 0.02;
+    /// How far the ends of a mesh edge lie off the points of the CAD that its nodes start from.
+    struct Gaps {
+        Vec3 at_a = Vec3::Zero();
+        Vec3 at_b = Vec3::Zero();
+        bool none = true;
+        Vec3 closed(const Vec3& point, double s) const {
+            return none ? point : Vec3(point + (1.0 - s) * at_a + s * at_b);
+        }
+        void close(std::vector<Vec3>& inner_nodes) const;
+    };
+    bool may_gape(int a, int b) const;
+    bool may_gape(const SurfaceTriangle& triangle) const;
+    bool gapes(const SurfaceTriangle& triangle, const std::array<Vec2, 3>& uv);
+    Gaps gaps(int a, int b, const geometry::Query& at_a, const geometry::Query& at_b);
+    void note_gap(int vertex, double distance);
+    Gaps inner_gaps(const InnerEdge& edge, bool project);
+    const Vec3& point(int v) const { return surface_.shapes.vertices[static_cast<std::size_t>(v)].point; }
     geometry::Query node_query(const InnerEdge& edge, double s, bool project) const;
     void space_evenly(std::vector<InnerEdge>& edges);
     void place_segments(const std::vector<EdgeTask>& tasks);
@@ -75,6 +102,7 @@ class Placement {
     geometry::Session& session_;
     Surface& surface_;
     std::vector<Vec3> plane_normals_;  // by face; zero: not asked yet
+    std::map<mesh::VertexEntity, double> gaps_met_;
 };
 
 }  // namespace mq::curve

@@ -29,6 +29,52 @@ double unevenness(const Vec3& from, const std::vector<Vec3>& inner, const Vec3& 
 
 }  // namespace
 
+void Placement::Gaps::close(std::vector<Vec3>& inner_nodes) const {
+    for (std::size_t i = 0; i < inner_nodes.size(); ++i) {
+        inner_nodes[i] =
+            closed(inner_nodes[i], static_cast<double>(i + 1) / static_cast<double>(inner_nodes.size() + 1));
+    }
+}
+
+/// Whether the tolerances of the CAD at the ends of a mesh edge leave room for a gap.
+bool Placement::may_gape(int a, int b) const {
+    const geometry::Topology& topology = session_.topology();
+    double most = 0.0;
+    for (const int v : {a, b}) {
+        const mesh::VertexEntity& entity = surface_.shapes.vertices[static_cast<std::size_t>(v)].entity;
+        const auto index = static_cast<std::size_t>(entity[1]);
+        most = std::max(most, entity[0] == 0   ? topology.nodes[index].tolerance
+                              : entity[0] == 1 ? topology.edges[index].tolerance
+                                               : 0.0);
+    }
+    return most > kGap * (point(b) - point(a)).norm();
+}
+
+/// @param at_a, at_b the points of the CAD that stand for the ends.
+Placement::Gaps Placement::gaps(int a, int b, const Query& at_a, const Query& at_b) {
+    Gaps found;
+    if (may_gape(a, b)) {
+        const Answer from = session_.ask(at_a);
+        const Answer to = session_.ask(at_b);
+        found.at_a = from.found() ? Vec3(point(a) - from.point) : Vec3::Zero();
+        found.at_b = to.found() ? Vec3(point(b) - to.point) : Vec3::Zero();
+        found.none = std::max(found.at_a.norm(), found.at_b.norm()) <= kGap * (point(b) - point(a)).norm();
+        if (!found.none) {
+            note_gap(a, found.at_a.norm());
+            note_gap(b, found.at_b.norm());
+        }
+    }
+    return found;
+}
+
+void Placement::note_gap(int vertex, double distance) {
+    const mesh::VertexEntity& entity = surface_.shapes.vertices[static_cast<std::size_t>(vertex)].entity;
+    if (entity[0] < 2) {
+        double& most = gaps_met_[entity];
+        most = std::max(most, distance);
+    }
+}
+
 void Placement::set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes) {
     std::vector<Vec3> all{surface_.shapes.vertices[static_cast<std::size_t>(a)].point};
     all.insert(all.end(), nodes.begin(), nodes.end());
@@ -85,6 +131,8 @@ void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
         }
         nodes.push_back(at[i].point);
         if (nodes.size() == static_cast<std::size_t>(q - 1)) {
+            const Segment& s = *surface_.segment(task.a, task.b);
+            gaps(task.a, task.b, Query::edge_point(s.edge, s.t_low), Query::edge_point(s.edge, s.t_high)).close(nodes);
             set_edge_nodes(task.a, task.b, nodes);
             nodes.clear();
         }
@@ -99,6 +147,7 @@ struct Placement::InnerEdge {
     bool project = true;    ///< the points of the straight edge; otherwise those between the (u, v)
     std::vector<double> s;  ///< of the nodes along the edge, 0 to 1
     std::vector<Vec3> nodes;
+    Gaps gaps{};
 };
 
 Query Placement::node_query(const InnerEdge& edge, double s, bool project) const {
@@ -107,6 +156,10 @@ Query Placement::node_query(const InnerEdge& edge, double s, bool project) const
     const Vec2 uv = edge.from + s * (edge.to - edge.from);
     return project ? Query::face_nearest(edge.task.face, a + s * (b - a), uv.x(), uv.y())
                    : Query::face_point(edge.task.face, uv.x(), uv.y());
+}
+
+Placement::Gaps Placement::inner_gaps(const InnerEdge& edge, bool project) {
+    return gaps(edge.task.a, edge.task.b, node_query(edge, 0.0, project), node_query(edge, 1.0, project));
 }
 
 void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
@@ -136,13 +189,19 @@ void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
                 found[way] = found[way] && answers[next].found();
             }
         }
-        const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.a)].point;
-        const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.b)].point;
+        const Vec3& a = point(edge.task.a);
+        const Vec3& b = point(edge.task.b);
+        std::array<Gaps, 2> open;
+        for (std::size_t way = 0; way < 2; ++way) {
+            open[way] = inner_gaps(edge, way == 0);
+            open[way].close(ways[way]);
+        }
         if (!found[0] && !found[1]) {
             throw GeometryError("no points of " + geometry::name_of({2, edge.task.face}) + " for a mesh edge on it");
         }
         edge.project = found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
         edge.nodes = ways[edge.project ? 0 : 1];
+        edge.gaps = open[edge.project ? 0 : 1];
     }
     for (int round = 0; round < kEvenRounds && q > 2; ++round) {
         space_evenly(edges);
@@ -186,7 +245,8 @@ void Placement::space_evenly(std::vector<InnerEdge>& edges) {
         for (std::size_t k = 0; k < edges[i].nodes.size(); ++k, ++next) {
             if (answers[next].found()) {
                 edges[i].s[k] = moved[i][k];
-                edges[i].nodes[k] = answers[next].point;
+                const double along = static_cast<double>(k + 1) / q;
+                edges[i].nodes[k] = edges[i].gaps.closed(answers[next].point, along);
             }
         }
     }
@@ -206,6 +266,7 @@ void Placement::set_warped(int a, int b, double by, int degree) {
         }
         nodes.push_back(answer.point);
     }
+    gaps(a, b, Query::edge_point(segment.edge, t_a), Query::edge_point(segment.edge, t_b)).close(nodes);
     // The polynomial of the lower degree at the nodes of the mesh's order.
     nodes.insert(nodes.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
     nodes.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
@@ -247,6 +308,7 @@ bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
             }
             nodes[i] = answers[i].point;
         }
+        inner_gaps({{a, b, face}, from, to, true, {}, {}, {}}, true).close(nodes);
     }
     set_edge_nodes(a, b, nodes);
     return true;
