@@ -10,6 +10,7 @@ import unittest
 
 import helpers
 
+import FreeCAD
 import numpy as np
 import Part
 
@@ -45,6 +46,22 @@ class Curve(helpers.DocumentTest):
             self.assertEqual(report.invalid, 0, f"{name}: {report}")
             self.assertAlmostEqual(report.volume / shape.Volume, 1.0, delta=5e-3, msg=name)
             self.assertAlmostEqual(report.volume_error, abs(report.volume / shape.Volume - 1), 9)
+
+    def test_a_vertex_of_a_boolean_far_off_its_edges(self):
+        """OpenCASCADE 7.6 joins two vertices 0.43 mm apart, within a tolerance of 0.28 mm."""
+        box = Part.makeBox(6.73, 7.142, 6.995, FreeCAD.Vector(2.623, 0.428, -0.239))
+        torus = Part.makeTorus(9.234, 2.534, FreeCAD.Vector(2.906, 2.84, -1.959))
+        shape = torus.cut(box.makeFillet(0.455, box.Edges))
+        tolerance = max(vertex.Tolerance for vertex in shape.Vertexes)
+        straight = mq.triangulate(shape, min_angle=20, chord_height_relative=0.02)
+        for order in range(2, 6):
+            report = mq.curve(straight, order=order, shape=shape).report
+            self.assertEqual(report.invalid, 0, str(report))
+            self.assertGreater(report.min_distortion, 0.2)
+            self.assertLess(report.max_deviation, max(tolerance, 0.05))
+            self.assertTrue(math.isfinite(report.max_shape_distortion))
+            self.assertEqual(any(" off the edges or faces at it" in note for note in report.notes),
+                             tolerance > 0.1, report.notes)
 
     def test_what_has_no_volume_has_no_volume_error(self):
         report = mq.curve(Part.makePlane(10, 10)).report
