@@ -12,47 +12,68 @@ namespace {
 
 using mesh::SurfaceMesh;
 
-// A spoke leaves the plane of the two sides where the surface is bent: the angles beside it are together more than the
-// one between the sides then, of which this part is counted on.
+// On saddles the angles around an apex are more than 360 degrees together: this part of what fits is counted.
 constexpr double kBent = 0.8;
+// How far apexes lie out of the planes of sides is estimated by the other corners.
+constexpr double kEstimated = 0.95;
+constexpr double kRounding = 1.0 - 1e-9;
 
 // Radians, between the side that ends there and the one that begins.
-double inner_angle(const SurfaceMesh& mesh, int ends, int begins, const Vec3& normal) {
-    const Vec3& corner = mesh.point_of(begins);
-    const Vec3 to = mesh.point_of(SurfaceMesh::next(begins)) - corner;
-    const Vec3 from = mesh.point_of(ends) - corner;
+double inner_angle(const Vec3& to, const Vec3& from, const Vec3& normal) {
     const double angle = angle_between(to, from);
     return to.cross(from).dot(normal) > 0.0 ? angle : 2.0 * M_PI - angle;
+}
+
+// Squared cosine of the angle by which other corners of the rim, as seen from one, lie out of the plane of its sides.
+double squared_cosine_out_of_plane(const SurfaceMesh& mesh, const Disc& disc, const Vec3& corner, const Vec3& plane) {
+    double largest = 0.0;
+    for (const int side : disc.rim) {
+        const Vec3 way = mesh.point_of(side) - corner;
+        const double out = way.dot(plane);
+        largest = std::max(largest, out * out / std::max(way.squaredNorm() * plane.squaredNorm(), 1e-300));
+    }
+    return std::max(0.0, 1.0 - largest);
+}
+
+// The least angle between two sides that a spoke, which lies so far out of their plane, can part into two of `angle`:
+// the half of it, the spoke, and the way out of the plane are the sides of a right spherical triangle.
+double least_to_part(double angle, double squared_cosine) {
+    const double cosine = std::cos(angle);
+    return squared_cosine > cosine * cosine ? 2.0 * std::acos(cosine / std::sqrt(squared_cosine)) : 0.0;
 }
 
 }  // namespace
 
 RimCorners::RimCorners(const SurfaceMesh& mesh, const Disc& disc, double angle)
-    : least_(kBent * angle), angles_(disc.rim.size()), next_(disc.rim.size()), before_(disc.rim.size()) {
+    : angle_(kRounding * angle), angles_(disc.rim.size()), next_(disc.rim.size()), before_(disc.rim.size()) {
     for (std::size_t k = 0; k < disc.rim.size(); ++k) {
         const int end = mesh.site_of(SurfaceMesh::next(disc.rim[k]));
         const auto begins = [&](int side) { return mesh.site_of(side) == end; };
-        next_[k] = static_cast<std::size_t>(std::find_if(disc.rim.begin(), disc.rim.end(), begins) - disc.rim.begin());
+        const auto next = std::find_if(disc.rim.begin(), disc.rim.end(), begins);
+        next_[k] = static_cast<std::size_t>(next - disc.rim.begin());
         before_[next_[k]] = k;
-        angles_[next_[k]] = inner_angle(mesh, disc.rim[k], disc.rim[next_[k]], disc.normal);
-    }
-    for (std::size_t k = 0; k < angles_.size(); ++k) {
-        if (angles_[k] < 2.0 * least_) {
-            narrow_.push_back(k);
+        const Vec3& corner = mesh.point_of(*next);
+        const Vec3 to = mesh.point_of(SurfaceMesh::next(*next)) - corner;
+        const Vec3 from = mesh.point_of(disc.rim[k]) - corner;
+        angles_[next_[k]] = inner_angle(to, from, disc.normal);
+        if (angles_[next_[k]] < 2.0 * angle &&
+            angles_[next_[k]] <
+                kEstimated * least_to_part(angle, squared_cosine_out_of_plane(mesh, disc, corner, to.cross(from)))) {
+            narrow_.push_back(next_[k]);
         }
     }
 }
 
 bool RimCorners::allow_inner_apex() const {
-    return narrow_.empty() && static_cast<double>(angles_.size()) * least_ <= 2.0 * M_PI;
+    return narrow_.empty() && kBent * static_cast<double>(angles_.size()) * angle_ <= 2.0 * M_PI;
 }
 
 bool RimCorners::allow_apex(std::size_t k) const {
     const auto without_spoke = [&](std::size_t corner) {
         return corner == k || corner == next_[k] || corner == before_[k];
     };
-    return angles_[k] >= static_cast<double>(angles_.size() - 2) * least_ && angles_[next_[k]] >= least_ &&
-           angles_[before_[k]] >= least_ && std::all_of(narrow_.begin(), narrow_.end(), without_spoke);
+    return angles_[next_[k]] >= angle_ && angles_[before_[k]] >= angle_ &&
+           std::all_of(narrow_.begin(), narrow_.end(), without_spoke);
 }
 
 }  // namespace mq::triangulate

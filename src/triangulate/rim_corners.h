@@ -21,7 +21,7 @@ class RimCorners {
     bool allow_apex(std::size_t k) const;
 
   private:
-    double least_;                     // radians, of an angle between sides that a triangle fills
+    double angle_;                     // radians
     std::vector<double> angles_;       // inside the disc, where the rim's sides begin, radians
     std::vector<std::size_t> next_;    // the side that begins where one ends
     std::vector<std::size_t> before_;  // and that ends where one begins

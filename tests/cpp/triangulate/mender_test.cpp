@@ -6,6 +6,7 @@
 #include "mesh/surface_samples.h"
 #include "triangulate/checks.h"
 #include "triangulate/corner_angle.h"
+#include "triangulate/ring_mesh.h"
 
 /// Local improvement: discs of triangles that give way to fans.
 namespace mq::triangulate {
@@ -15,27 +16,12 @@ using mesh::SurfaceMesh;
 
 /// A regular polygon with its corners joined to a point inside.
 SurfaceMesh polygon(int corners, const Vec3& inside) {
-    SurfaceMesh mesh;
-    const Vec3 up(0, 0, 1);
-    std::vector<int> sites;
-    std::vector<int> vertices;
+    std::vector<Vec3> ring;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2.0 * M_PI * i / corners;
-        const Vec3 p(std::cos(angle), std::sin(angle), 0.0);
-        vertices.push_back(mesh.add_vertex(p, {1, i}));
-        sites.push_back(mesh.add_site({vertices.back(), p.head<2>(), up}));
+        ring.emplace_back(std::cos(angle), std::sin(angle), 0.0);
     }
-    const int middle = mesh.add_site({mesh.add_vertex(inside, {2, 0}), inside.head<2>(), up});
-    for (int i = 0; i < corners; ++i) {
-        const int next = (i + 1) % corners;
-        const int t = mesh.add_triangle({sites[i], sites[next], middle}, 0);
-        mesh.bind(3 * t, mesh.add_segment(i, {vertices[i], vertices[next]}, {0.0, 1.0}), i);
-    }
-    for (int i = 0; i < corners; ++i) {
-        mesh.link(3 * i + 1, 3 * ((i + 1) % corners) + 2);
-    }
-    EXPECT_EQ(mesh.inconsistency(), "");
-    return mesh;
+    return ring_mesh(ring, inside);
 }
 
 TEST(Disc, OfAllTrianglesAroundAVertexHasTheRingAsItsRim) {
