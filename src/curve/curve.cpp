@@ -68,6 +68,7 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
         report.repairs.emplace_back(name, static_cast<std::size_t>(count));
     };
     add("surface edges split for turning too far", repairs.bulge_splits);
+    add("surface vertices off the CAD reached", repairs.reached);
     add("surface edge swaps", repairs.swaps);
     add("surface edge collapses", repairs.collapses);
     add("edges curved on model faces", repairs.curved_edges);
@@ -80,7 +81,14 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
 }
 
 /// Names the worst of the vertices and edges that lie off what meets them.
-void note(const std::map<mesh::VertexEntity, double>& gaps, CurveReport& report) {
+void note_gaps(SurfaceEditor& editor, CurveReport& report) {
+    std::map<mesh::VertexEntity, double> gaps;
+    for (const int v : editor.surface.off_cad) {
+        const mesh::VertexEntity& entity = editor.surface.shapes.vertices[static_cast<std::size_t>(v)].entity;
+        if (!editor.surface.triangles_of_vertex(v).empty()) {
+            gaps[entity] = std::max(gaps[entity], editor.placement.distance_off(v));
+        }
+    }
     const auto worst =
         std::max_element(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     if (worst == gaps.end()) {
@@ -91,7 +99,7 @@ void note(const std::map<mesh::VertexEntity, double>& gaps, CurveReport& report)
     const std::string more = gaps.size() == 1 ? "" : ", and " + std::to_string(gaps.size() - 1) + " more likewise";
     report.notes.push_back(geometry::name_of({worst->first[0], worst->first[1]}) + " lies " + distance +
                            " mm off the edges or faces at it, within its tolerance" + more +
-                           ": the elements there leave the CAD to reach it");
+                           ": elements there leave the CAD to reach it");
 }
 
 void note(const FilledVolume& filled, CurveReport& report) {
@@ -226,7 +234,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     } else {
         measure_surface(editor, straight_triangles, report);
     }
-    note(editor.placement.gaps_met(), report);
+    note_gaps(editor, report);
     report.repairs.emplace_back("elements made straight", report.straightened.size());
     report.volume = enclosed_volume(surface, session.topology());
     CurvedMesh result = assemble(surface, regions);

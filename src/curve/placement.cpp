@@ -103,11 +103,6 @@ std::array<Vec2, 3> Placement::corner_uv(const SurfaceTriangle& triangle) const 
     return uv;
 }
 
-bool Placement::may_gape(const SurfaceTriangle& triangle) const {
-    const auto& v = triangle.corners;
-    return may_gape(v[0], v[1]) || may_gape(v[1], v[2]) || may_gape(v[2], v[0]);
-}
-
 /// Whether corners of the triangle lie off its face, or off where their (u, v) are.
 bool Placement::gapes(const SurfaceTriangle& triangle, const std::array<Vec2, 3>& uv) {
     const auto corner = [&](std::size_t k) { return Query::face_point(triangle.face, uv[k].x(), uv[k].y()); };
@@ -224,7 +219,8 @@ void Placement::measure(const std::vector<int>& triangles) {
         if (!planar(triangle.face)) {
             const std::vector<Vec3> nodes = bezier_to_nodes(lattice, control);
             const std::array<Vec2, 3> uv = corner_uv(triangle);
-            const bool loose = may_gape(triangle);
+            const auto off = [&](int v) { return surface_.off_cad.count(v) > 0; };
+            const bool loose = std::any_of(triangle.corners.begin(), triangle.corners.end(), off);
             for (int i = 0; i < lattice.size(); ++i) {
                 const Barycentric b = lattice.node(i);
                 const Vec2 guess = b[0] * uv[0] + b[1] * uv[1] + b[2] * uv[2];

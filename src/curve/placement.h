@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "curve/surface.h"
@@ -17,8 +16,8 @@ namespace mq::curve {
 /// Edges inside planes stay straight.
 ///
 /// Booleans leave vertices, and edges on faces, that lie off what they should lie on by far more than rounding, though
-/// within their tolerance. Where that is much against a mesh edge or triangle there, its nodes leave the CAD evenly
-/// towards the vertex: nodes on the CAD would fold it.
+/// within their tolerance. Nodes on the CAD may fold what is there: at vertices in Surface::off_cad nodes of mesh edges
+/// leave the CAD evenly towards the vertex, and triangles are blended from their edges.
 class Placement {
   public:
     Placement(geometry::Session& session, Surface& surface);
@@ -54,8 +53,10 @@ class Placement {
 
     bool planar(int face) const;
 
-    /// How far vertices and edges of the part, dimension and index, lie off what meets them, where that was met.
-    const std::map<mesh::VertexEntity, double>& gaps_met() const { return gaps_met_; }
+    /// Whether tolerances of the CAD leave room for a vertex to lie off it, by a part of its shortest mesh edge.
+    bool may_be_off(int vertex) const;
+    /// How far it lies off the edges and faces at it.
+    double distance_off(int vertex);
 
     /// Distances of points on the triangles from their CAD faces: 33 points each, none of them a node.
     std::vector<double> deviations(const std::vector<int>& triangles);
@@ -79,11 +80,8 @@ class Placement {
         }
         void close(std::vector<Vec3>& inner_nodes) const;
     };
-    bool may_gape(int a, int b) const;
-    bool may_gape(const SurfaceTriangle& triangle) const;
     bool gapes(const SurfaceTriangle& triangle, const std::array<Vec2, 3>& uv);
     Gaps gaps(int a, int b, const geometry::Query& at_a, const geometry::Query& at_b);
-    void note_gap(int vertex, double distance);
     Gaps inner_gaps(const InnerEdge& edge, bool project);
     const Vec3& point(int v) const { return surface_.shapes.vertices[static_cast<std::size_t>(v)].point; }
     geometry::Query node_query(const InnerEdge& edge, double s, bool project) const;
@@ -102,7 +100,6 @@ class Placement {
     geometry::Session& session_;
     Surface& surface_;
     std::vector<Vec3> plane_normals_;  // by face; zero: not asked yet
-    std::map<mesh::VertexEntity, double> gaps_met_;
 };
 
 }  // namespace mq::curve

@@ -36,43 +36,52 @@ void Placement::Gaps::close(std::vector<Vec3>& inner_nodes) const {
     }
 }
 
-/// Whether the tolerances of the CAD at the ends of a mesh edge leave room for a gap.
-bool Placement::may_gape(int a, int b) const {
-    const geometry::Topology& topology = session_.topology();
-    double most = 0.0;
-    for (const int v : {a, b}) {
-        const mesh::VertexEntity& entity = surface_.shapes.vertices[static_cast<std::size_t>(v)].entity;
-        const auto index = static_cast<std::size_t>(entity[1]);
-        most = std::max(most, entity[0] == 0   ? topology.nodes[index].tolerance
-                              : entity[0] == 1 ? topology.edges[index].tolerance
-                                               : 0.0);
-    }
-    return most > kGap * (point(b) - point(a)).norm();
-}
-
 /// @param at_a, at_b the points of the CAD that stand for the ends.
 Placement::Gaps Placement::gaps(int a, int b, const Query& at_a, const Query& at_b) {
-    Gaps found;
-    if (may_gape(a, b)) {
-        const Answer from = session_.ask(at_a);
-        const Answer to = session_.ask(at_b);
-        found.at_a = from.found() ? Vec3(point(a) - from.point) : Vec3::Zero();
-        found.at_b = to.found() ? Vec3(point(b) - to.point) : Vec3::Zero();
-        found.none = std::max(found.at_a.norm(), found.at_b.norm()) <= kGap * (point(b) - point(a)).norm();
-        if (!found.none) {
-            note_gap(a, found.at_a.norm());
-            note_gap(b, found.at_b.norm());
-        }
-    }
+    const auto gap_at = [&](int v, const Query& at) -> Vec3 {
+        const Answer answer = surface_.off_cad.count(v) > 0 ? session_.ask(at) : Answer();
+        return answer.found() ? Vec3(point(v) - answer.point) : Vec3::Zero();
+    };
+    Gaps found{gap_at(a, at_a), gap_at(b, at_b)};
+    found.none = std::max(found.at_a.norm(), found.at_b.norm()) <= kGap * (point(b) - point(a)).norm();
     return found;
 }
 
-void Placement::note_gap(int vertex, double distance) {
+bool Placement::may_be_off(int vertex) const {
+    const geometry::Topology& topology = session_.topology();
     const mesh::VertexEntity& entity = surface_.shapes.vertices[static_cast<std::size_t>(vertex)].entity;
-    if (entity[0] < 2) {
-        double& most = gaps_met_[entity];
-        most = std::max(most, distance);
+    const auto index = static_cast<std::size_t>(entity[1]);
+    const double tolerance = entity[0] == 0   ? topology.nodes[index].tolerance
+                             : entity[0] == 1 ? topology.edges[index].tolerance
+                                              : 0.0;
+    for (const int t : surface_.triangles_of_vertex(vertex)) {
+        for (const int other : surface_.triangles[static_cast<std::size_t>(t)].corners) {
+            if (other != vertex && tolerance > kGap * (point(other) - point(vertex)).norm()) {
+                return true;
+            }
+        }
     }
+    return false;
+}
+
+double Placement::distance_off(int vertex) {
+    double most = 0.0;
+    const auto ask = [&](const Query& query) {
+        const Answer answer = session_.ask(query);
+        most = std::max(most, answer.found() ? (point(vertex) - answer.point).norm() : 0.0);
+    };
+    for (const int t : surface_.triangles_of_vertex(vertex)) {
+        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+        const Vec2& uv = *surface_.uv_of(vertex, triangle.face);
+        ask(Query::face_point(triangle.face, uv.x(), uv.y()));
+        for (const int other : triangle.corners) {
+            const Segment* segment = other != vertex ? surface_.segment(vertex, other) : nullptr;
+            if (segment != nullptr) {
+                ask(Query::edge_point(segment->edge, surface_.t_of(vertex, other)));
+            }
+        }
+    }
+    return most;
 }
 
 void Placement::set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -42,6 +43,8 @@ class Surface {
     std::unordered_map<std::uint64_t, Vec2> uv;
     /// At poles and apexes: which of u and v (0, 1) means nothing there.
     std::unordered_map<std::uint64_t, int> free_parameter;
+    /// Vertices that lie off the CAD at them: nodes of elements there leave it evenly (see Placement).
+    std::set<int> off_cad;
     /// +1 or -1 by CAD face: how the triangles are oriented against its outward normal.
     std::vector<double> face_sign;
     /// By volume of the part: which faces bound it, seen from the triangles' side or from behind.

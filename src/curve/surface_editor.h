@@ -57,6 +57,12 @@ bool collapse_surface_edge(SurfaceEditor& editor, int a, int b, SurfaceEditor::R
 /// Its nodes stay on the face.
 bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c);
 
+/// Vertices of the CAD may lie off the edges and faces at them, and its edges off their faces, by much of a mesh edge:
+/// nodes on the CAD fold the triangles there. Lets the nodes at such corners of `triangle`, or of the bad triangles
+/// around it too, leave the CAD towards them (see Placement), where that makes triangles valid or the worst better.
+/// @return how many vertices.
+int reach_off_vertices(SurfaceEditor& editor, int triangle);
+
 enum class CuspRepair { None, Opened, Refined };
 
 /// Where two CAD edges leave vertex a in one direction, and the triangle between (a, b) and (a, c) has no angle at a:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace mq::curve {
 
@@ -25,10 +26,15 @@ constexpr int kPasses = 3;
 
 class Repair {
   public:
-    Repair(SurfaceEditor& editor, const Progress& progress) : editor_(editor), progress_(progress) {}
+    /// @param reach whether elements may leave the CAD towards vertices that lie off it.
+    Repair(SurfaceEditor& editor, const Progress& progress, bool reach)
+        : editor_(editor), progress_(progress), reach_(reach) {}
 
     SurfaceRepairs run() {
         done_.invalid_before = invalid();
+        if (reach_) {
+            reach_all();
+        }
         for (int round = 0; round < kBulgeRounds && split_bulging(); ++round) {
         }
         for (int round = 0; round < kRepairRounds && snap_all(); ++round) {
@@ -117,6 +123,17 @@ class Repair {
                                               [](const SurfaceTriangle& t) { return t.alive && !(t.quality > 0.0); }));
     }
 
+    /// Before edges are split that bend only since they jump to a vertex off the CAD.
+    void reach_all() {
+        const std::size_t count = editor_.surface.triangles.size();
+        for (std::size_t t = 0; t < count; ++t) {
+            if (editor_.surface.triangles[t].alive && editor_.surface.triangles[t].quality < kGoodTriangle) {
+                progress_.check();
+                done_.reached += reach_off_vertices(editor_, static_cast<int>(t));
+            }
+        }
+    }
+
     bool split_bulging() {
         std::vector<std::pair<int, int>> edges;
         for (const SurfaceTriangle& t : editor_.surface.triangles) {
@@ -175,6 +192,11 @@ class Repair {
 
     bool repair(int t, int round) {
         const std::array<int, 3> v = editor_.triangle(t).corners;
+        const int reached = reach_ ? reach_off_vertices(editor_, t) : 0;
+        if (reached > 0) {
+            done_.reached += reached;
+            return true;
+        }
         const int snapped =
             editor_.triangle(t).quality > kHardlyValid ? 0 : snap_to_border(editor_, t, SurfaceEditor::Rule::Refine);
         if (snapped > 0) {
@@ -315,13 +337,33 @@ class Repair {
 
     SurfaceEditor& editor_;
     const Progress& progress_;
+    bool reach_;
     SurfaceRepairs done_;
 };
 
 }  // namespace
 
 SurfaceRepairs repair_surface(SurfaceEditor& editor, const Progress& progress) {
-    return Repair(editor, progress).run();
+    bool any_off = false;
+    for (std::size_t v = 0; v < editor.surface.shapes.vertices.size() && !any_off; ++v) {
+        any_off = editor.placement.may_be_off(static_cast<int>(v));
+    }
+    if (!any_off) {
+        return Repair(editor, progress, false).run();
+    }
+    const Surface before = editor.surface;
+    const SurfaceRepairs reached = Repair(editor, progress, true).run();
+    if (reached.reached == 0 || reached.invalid_after == 0) {
+        return reached;
+    }
+    // What is mended at one place by leaving the CAD may stand in the way at another.
+    const Surface kept = std::exchange(editor.surface, before);
+    const SurfaceRepairs plain = Repair(editor, progress, false).run();
+    if (plain.invalid_after < reached.invalid_after) {
+        return plain;
+    }
+    editor.surface = kept;
+    return reached;
 }
 
 }  // namespace mq::curve

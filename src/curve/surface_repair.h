@@ -11,6 +11,7 @@ struct SurfaceRepairs {
     int invalid_before = 0;
     int invalid_after = 0;
     int bulge_splits = 0;  ///< edges split because they turn too far
+    int reached = 0;       ///< vertices that lie off the CAD, towards which nodes leave it
     int swaps = 0;
     int collapses = 0;
     int curved_edges = 0;
