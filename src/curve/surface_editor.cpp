@@ -70,6 +70,22 @@ bool SurfaceEditor::straight_sound(const std::vector<int>& removed, const std::v
     });
 }
 
+/// Two faces may have the same vertices on their common border: an edge between them inside both would be one.
+bool SurfaceEditor::inner_edges_sound(const std::vector<int>& triangles) const {
+    return std::all_of(triangles.begin(), triangles.end(), [&](int t) {
+        const auto& v = triangle(t).corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::vector<int> beside = surface.triangles_of_edge(v[k], v[(k + 1) % 3]);
+            const auto on_face = [&](int other) { return triangle(other).face == triangle(t).face; };
+            if (surface.segment(v[k], v[(k + 1) % 3]) == nullptr &&
+                (beside.size() > 2 || !std::all_of(beside.begin(), beside.end(), on_face))) {
+                return false;
+            }
+        }
+        return true;
+    });
+}
+
 bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<Corners>& added, Rule rule) {
     // Of folded triangles the sum of the areas says nothing.
     const bool sound_before =
@@ -102,6 +118,10 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
     std::vector<int> indices;
     for (const Corners& corners : added) {
         indices.push_back(surface.add_triangle(corners.corners, corners.face));
+    }
+    if (!inner_edges_sound(indices)) {
+        take_back(removed, indices, fresh);
+        return false;
     }
     placement.place(indices);
     double worst_after = 1.0;

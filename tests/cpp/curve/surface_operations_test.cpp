@@ -77,6 +77,20 @@ TEST(SurfaceOperations, AnEdgeOnACurvedFaceGivesWay) {
     }
 }
 
+TEST(SurfaceOperations, NoEdgeComesToLieInsideTwoFaces) {
+    PlacedSurface placed(cylinder(), 3, 0.6);
+    std::array<int, 3> side{};
+    std::array<int, 3> cap{};
+    placed.find("cylinder", false, side);
+    const int on_cap = placed.find("plane", false, cap);
+    const int face = placed.editor.triangle(on_cap).face;
+    const std::vector<SurfaceEditor::Corners> added{{{side[1], side[0], cap[2]}, face}};
+    EXPECT_FALSE(placed.editor.replace({on_cap}, added, SurfaceEditor::Rule::Try));
+    EXPECT_TRUE(placed.editor.triangle(on_cap).alive);
+    EXPECT_EQ(placed.surface.triangles_of_edge(side[0], side[1]).size(), 2u);
+    placed.expect_closed();
+}
+
 TEST(SurfaceOperations, CavitiesAreFilledAnew) {
     for (const char* type : {"cylinder", "plane"}) {
         for (int order = 2; order <= 4; ++order) {
