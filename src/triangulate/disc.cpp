@@ -58,6 +58,24 @@ std::vector<int> triangles_around(const SurfaceMesh& mesh, int h) {
     return result;
 }
 
+namespace {
+
+// Of these, each once, two are of one vertex: the parameter domain has a side or two places for a point of space. What
+// goes around such a vertex is no disc, however its corners are counted.
+bool share_a_vertex(const SurfaceMesh& mesh, const std::vector<int>& sites) {
+    std::vector<int> vertices;
+    for (const int site : sites) {
+        const int vertex = mesh.site(site).vertex;
+        if (mesh.vertex(vertex).entity[0] < 2) {
+            vertices.push_back(vertex);
+        }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    return std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
+}
+
+}  // namespace
+
 std::optional<Disc> disc_of(const SurfaceMesh& mesh, std::vector<int> triangles) {
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
@@ -78,12 +96,14 @@ std::optional<Disc> disc_of(const SurfaceMesh& mesh, std::vector<int> triangles)
         }
     }
     std::sort(sites.begin(), sites.end());
-    const std::size_t corners = static_cast<std::size_t>(std::unique(sites.begin(), sites.end()) - sites.begin());
+    sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+    const std::size_t corners = sites.size();
     std::sort(rim_vertices.begin(), rim_vertices.end());
     const bool simple = std::adjacent_find(rim_vertices.begin(), rim_vertices.end()) == rim_vertices.end();
     // Euler: triangles = sides of the rim + 2 inner corners - 2.
     const std::size_t inner = corners - disc.rim.size();
-    if (!simple || corners < disc.rim.size() || disc.triangles.size() + 2 != disc.rim.size() + 2 * inner) {
+    if (!simple || corners < disc.rim.size() || disc.triangles.size() + 2 != disc.rim.size() + 2 * inner ||
+        share_a_vertex(mesh, sites)) {
         return std::nullopt;
     }
     return disc;

@@ -18,8 +18,8 @@ struct Disc {
     Vec3 normal;           ///< sum of the triangles' normals, each as long as twice its area
 };
 
-/// No value when the triangles are no disc, a vertex is twice on the rim, or one of them fills a narrow corner of the
-/// part (see narrow_corner_of).
+/// No value when the triangles are no disc, a vertex is twice on the rim or has two sites, or one of them fills a
+/// narrow corner of the part (see narrow_corner_of).
 std::optional<Disc> disc_of(const mesh::SurfaceMesh& mesh, std::vector<int> triangles);
 
 /// All triangles of the face around the origin of `h`.

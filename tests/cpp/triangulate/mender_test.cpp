@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/mender.h"
 
+#include <array>
 #include <set>
 
 #include "mesh/surface_samples.h"
@@ -38,6 +39,35 @@ TEST(Disc, IsNoneWhereTrianglesDoNotHangTogether) {
     const SurfaceMesh mesh = polygon(8, Vec3(0, 0, 0));
     EXPECT_TRUE(disc_of(mesh, {0, 1, 2}));
     EXPECT_FALSE(disc_of(mesh, {0, 4}));  // they share one vertex, which would be on the rim twice
+}
+
+/// By numbers of corners, sides and triangles a ring is a disc where one of its vertices has two sites.
+TEST(Disc, IsNoneWhereAVertexHasTwoSites) {
+    for (const bool two_sites : {false, true}) {
+        SurfaceMesh mesh;
+        const Vec3 up(0, 0, 1);
+        std::array<std::vector<int>, 2> sites;
+        for (std::size_t ring = 0; ring < 2; ++ring) {
+            for (int i = 0; i < 4; ++i) {
+                const double angle = 0.5 * M_PI * (i + 0.5 * static_cast<double>(ring));
+                const Vec3 p = (ring == 0 ? 2.0 : 1.0) * Vec3(std::cos(angle), std::sin(angle), 0.0);
+                sites[ring].push_back(mesh.add_site({mesh.add_vertex(p, {1, i}), p.head<2>(), up}));
+            }
+        }
+        const SurfaceMesh::Site& first = mesh.site(sites[0][0]);
+        const int last = two_sites ? mesh.add_site({first.vertex, Vec2(9, 9), up}) : sites[0][0];
+        std::vector<int> triangles;
+        for (int i = 0; i < 4; ++i) {
+            const int next = i < 3 ? sites[0][i + 1] : last;
+            triangles.push_back(mesh.add_triangle({sites[0][i], next, sites[1][i]}, 0));
+            triangles.push_back(mesh.add_triangle({sites[1][i], next, sites[1][(i + 1) % 4]}, 0));
+        }
+        for (int i = 0; i < 8; ++i) {
+            mesh.link(3 * i + 1, 3 * ((i + 1) % 8) + (i % 2 == 0 ? 0 : 2));
+        }
+        EXPECT_FALSE(disc_of(mesh, triangles)) << two_sites;
+        EXPECT_TRUE(disc_of(mesh, {triangles[0], triangles[1]}));
+    }
 }
 
 TEST(Disc, BestApexOfARegularPolygonIsItsMiddle) {
