@@ -122,8 +122,8 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
     }
     const std::vector<Distance> distances =
         sizing_.tolerance > 0.0 ? measure_.of_edges(edges, sizing_.tolerance) : std::vector<Distance>(edges.size());
-    auto foot = measure_.feet_of_far_middles().begin();
     const auto last_foot = measure_.feet_of_far_middles().end();
+    auto foot = sizing_.tolerance > 0.0 ? measure_.feet_of_far_middles().begin() : last_foot;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         pace.step();
         const int h = edges[i];

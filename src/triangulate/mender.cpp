@@ -436,13 +436,9 @@ struct State {
     }
 };
 
-}  // namespace
-
-namespace {
-
-// Mends with simple escapes; where something is left, it begins anew with all of them, and the better end stays. Either
-// can end in a place that the other finds a way around.
-bool escape(Workspace& work, double min_angle_degrees, const Sizing& sizing, double missing) {
+// By simple ones; where something is left, it begins anew with all of them, and the better end stays. Either can end in
+// a place that the other finds a way around.
+bool mend_by_escapes(Workspace& work, double min_angle_degrees, const Sizing& sizing, double missing) {
     using Escape = Mender::Escape;
     const State before(work);
     Mender simple(work, min_angle_degrees, sizing);
@@ -469,7 +465,7 @@ bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing) {
     const double missing = mender.missing();
     if (missing > 0.0) {
         changed = mender.make_room_and_change() || changed;
-        changed = escape(work, min_angle_degrees, sizing, missing) || changed;
+        changed = mend_by_escapes(work, min_angle_degrees, sizing, missing) || changed;
     }
     close_gaps(work);
     return changed;

@@ -143,6 +143,7 @@ class Mender {
     KeySet exhausted_;  // discs that nothing better was found for, by key
 };
 
+/// By single changes, and by escapes where these leave something.
 /// @return whether anything was changed. Leaves no triangle that is gone.
 bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing);
 
