@@ -14,8 +14,8 @@ namespace mq::triangulate {
 /// the rim and one apex, which is a new vertex or one of the rim.
 struct Disc {
     std::vector<int> triangles;
-    std::vector<int> rim;  ///< half-edges of these triangles on the border of the disc
-    Vec3 normal;           ///< sum of the triangles' normals, each as long as twice its area
+    std::vector<int> rim;        ///< half-edges of these triangles on the border of the disc
+    Vec3 normal = Vec3::Zero();  ///< sum of the triangles' normals, each as long as twice its area
 };
 
 /// No value when the triangles are no disc, a vertex is twice on the rim or has two sites, or one of them fills a

@@ -35,6 +35,7 @@ constexpr int kMaxGrowth = 3;
 constexpr double kRoom = 3.0 * kDegree;
 constexpr int kMaxRounds = 6;
 constexpr double kLeftAfterRound = 0.95;  // of what was missing, or it is the last
+constexpr int kMostWorse = 2;             // rounds, one after the other: another one may find a way out
 constexpr double kMaxLift = 0.5;
 // A fan of more triangles has no angle worth the search; where a surface shrinks to a point, thousands meet in a
 // vertex.
@@ -119,6 +120,7 @@ bool Mender::make_room_and_change() {
 
 bool Mender::run(const std::vector<Escape>& escapes, double missing_before) {
     bool changed = false;
+    int worse = 0;
     double left = missing_before;
     for (int round = 0; round < kMaxRounds && left > 0.0; ++round) {
         changed = (round > 0 && make_room_and_change()) || changed;
@@ -126,10 +128,11 @@ bool Mender::run(const std::vector<Escape>& escapes, double missing_before) {
             changed = escape_all(kinds) || changed;
         }
         const double now = missing();
-        if (now > kLeftAfterRound * left) {
+        worse = now > left ? worse + 1 : 0;
+        if (worse == kMostWorse || (worse == 0 && now > kLeftAfterRound * left)) {
             break;
         }
-        left = now;
+        left = std::min(left, now);
     }
     return changed;
 }
@@ -278,7 +281,7 @@ bool Mender::mend(int triangle) {
             discs = grown(discs, worst_sides);
         }
     }
-    if ((undo_.empty() && slide(triangle)) || try_best(proposals, 0.0)) {
+    if (((undo_.empty() || kinds_ != Escape::Fans) && slide(triangle)) || try_best(proposals, 0.0)) {
         return true;
     }
     if (undo_.empty()) {
@@ -402,7 +405,9 @@ std::vector<int> Mender::replace(const Disc& disc, int apex_site) {
 }
 
 bool Mender::slide(int triangle) {
-    const auto changed = slider_.improve(triangle, bound_, [&](double before) { return enough_after(before); });
+    const auto changed = slider_.improve(
+        triangle, bound_, [&](double before) { return enough_after(before); }, undo_);
+    undo_.added(changed);
     look_again_around(changed);
     return !changed.empty();
 }

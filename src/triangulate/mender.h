@@ -28,11 +28,12 @@ namespace mq::triangulate {
 /// Every change lifts the smallest angle of its disc by a least amount, and the number of attempts is limited.
 ///
 /// Where no single change does, a disc is changed for the worse, with a vertex more or less (a fan around a vertex of a
-/// CAD edge gets another spoke, a corner loses one), or a segment is split, what is around is mended, and all of it is
-/// undone unless it ends better. Where that does not help either, another such change follows upon the first.
+/// CAD edge gets another spoke, a corner loses one), a segment is split, or a vertex moves along its CAD edge, what is
+/// around is mended, and all of it is undone unless it ends better. Where that does not help either, another such
+/// change follows upon the first.
 class Mender {
   public:
-    /// What is tried where no single change helps: other fans; ears and splits, too; two of all these in a row.
+    /// What is tried where no single change helps: other fans; ears, splits and moves, too; two of all these in a row.
     enum class Escape { Fans, All, TwoInARow };
 
     Mender(Workspace& work, double min_angle_degrees, const Sizing& sizing);
@@ -84,11 +85,14 @@ class Mender {
     std::vector<int> replace(const Disc& disc, int apex_site);
     bool slide(int triangle);
 
-    /// A change for the worse: of a disc, or of a segment.
+    /// A change for the worse, to no less than this part of the bound: of a disc, of a segment, or of a vertex's place.
+    static constexpr double kLeastOfKick = 0.2;
     struct Kick {
         Proposal fan;
         int segment = -1;
         double fraction = 0.0;  ///< of its parameters, where it is split
+        int vertex = -1;        ///< on a CAD edge
+        double step = 0.0;      ///< that it moves by, see Slider::angle_after
     };
 
     // mender_escape.cpp
@@ -110,7 +114,9 @@ class Mender {
     void add_fans(const Disc& disc, std::vector<Kick>& kicks) const;
     void add_eared_fans(const Disc& disc, std::vector<Kick>& kicks) const;
 
-    // mender_split.cpp
+    // mender_kicks.cpp
+    void add_moves(int triangle, std::vector<Kick>& kicks) const;
+    bool move(int vertex, double step);
     void add_splits(int triangle, std::vector<Kick>& kicks) const;
     double angle_of_halves(int segment, double fraction) const;
     std::vector<int> segments_around(int triangle) const;

@@ -18,9 +18,8 @@ namespace {
 
 using mesh::SurfaceMesh;
 
-// Changes for the worse: to no less than so much of the bound, so many at a triangle, with so many attempts to mend
-// what is around, of each kind and in all, and to be kept only if so much at most is left of what was missing.
-constexpr double kLeastOfKick = 0.2;
+// Changes for the worse: so many at a triangle, with so many attempts to mend what is around, of each kind and in all,
+// and to be kept only if so much at most is left of what was missing.
 constexpr std::size_t kMaxKicks = 60;
 constexpr std::size_t kMaxKicksInside = 12;
 constexpr int kAttemptsAfterKick = 150;
@@ -137,7 +136,9 @@ bool Mender::escape(int triangle, std::size_t depth) {
 bool Mender::try_kick(const Kick& kick) {
     queue_ = {};
     least_aligned_ = kAlignedForNow;
-    const bool done = kick.segment >= 0 ? split(kick.segment, kick.fraction) : carry_out(kick.fan);
+    const bool done = kick.vertex >= 0    ? move(kick.vertex, kick.step)
+                      : kick.segment >= 0 ? split(kick.segment, kick.fraction)
+                                          : carry_out(kick.fan);
     least_aligned_ = kAlignedSwap;
     if (done) {
         follow([&](int t) { return move_corner(t); });
@@ -216,6 +217,7 @@ std::vector<Mender::Kick> Mender::kicks(int triangle) const {
     }
     if (kinds_ != Escape::Fans) {
         add_splits(triangle, result);
+        add_moves(triangle, result);
     }
     std::stable_sort(result.begin(), result.end(),
                      [](const Kick& a, const Kick& b) { return a.fan.angle > b.fan.angle; });

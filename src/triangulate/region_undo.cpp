@@ -36,6 +36,26 @@ void RegionUndo::about_to_split(int segment) {
     }
 }
 
+void RegionUndo::about_to_slide(int near, int far) {
+    const SurfaceMesh::Segment& segment = work_.mesh.segment(near);
+    Slide slide{near, far, segment.vertices[1], segment.t[1], {}};
+    for (const SurfaceMesh::SegmentUse& use : segment.uses) {
+        slide.sites[use.use] = work_.mesh.site_of(work_.mesh.leaving(use, slide.vertex));
+    }
+    slides_.push_back(std::move(slide));
+}
+
+void RegionUndo::slide_back(const Slide& slide) {
+    const SurfaceMesh::Segment& segment = work_.mesh.segment(slide.near);
+    std::vector<std::vector<int>> spokes;
+    std::vector<int> sites;
+    for (const SurfaceMesh::SegmentUse& use : segment.uses) {
+        spokes.push_back(work_.mesh.star(work_.mesh.leaving(use, segment.vertices[1])));
+        sites.push_back(slide.sites.at(use.use));
+    }
+    work_.maxmin.put_between(slide.near, slide.far, slide.vertex, slide.t, spokes, sites);
+}
+
 std::vector<double> RegionUndo::angles_before() const {
     std::vector<double> angles;
     for (const Before& before : before_) {
@@ -60,7 +80,9 @@ SurfaceMesh::Refill RegionUndo::refill_of(int face) const {
     return refill;
 }
 
+// First to where the vertices were, so that what comes back fits between the segments.
 std::map<int, int> RegionUndo::undo() {
+    std::for_each(slides_.rbegin(), slides_.rend(), [&](const Slide& slide) { slide_back(slide); });
     std::set<int> faces;
     for (const Before& before : before_) {
         faces.insert(before.face);
@@ -113,6 +135,13 @@ void UndoStack::about_to_split(int segment) {
     }
     if (!open_.empty()) {
         open_.back().about_to_split(segment);
+    }
+}
+
+void UndoStack::about_to_slide(int near, int far, const std::vector<int>& around) {
+    about_to_remove(around);
+    if (!open_.empty()) {
+        open_.back().about_to_slide(near, far);
     }
 }
 

@@ -24,6 +24,10 @@ class RegionUndo {
     /// told to `about_to_remove` first, and their halves to `added`.
     void about_to_split(int segment);
 
+    /// Before the vertex between two segments gives way to another one; the triangles around it are told to
+    /// `about_to_remove` first, and to `added` afterwards. None of the segments is split later on.
+    void about_to_slide(int near, int far);
+
     /// The triangles in the place of those that were there.
     const std::set<int>& now() const { return now_; }
     /// The smallest angles, radians, of those that were there.
@@ -48,13 +52,22 @@ class RegionUndo {
         std::vector<std::array<int, 2>> bases;  ///< by use: sites at the ends of the segment
         std::vector<int> faces;
     };
+    struct Slide {
+        int near = -1;
+        int far = -1;
+        int vertex = -1;
+        double t = 0.0;
+        std::map<int, int> sites;  ///< of the vertex, by use
+    };
     mesh::SurfaceMesh::Refill refill_of(int face) const;
+    void slide_back(const Slide& slide);
 
     Workspace& work_;
     std::set<int> now_;
     std::vector<Before> before_;
     double alignment_ = 1.0;
     std::optional<Split> split_;
+    std::vector<Slide> slides_;
 };
 
 /// Trials within trials, of which the last can be undone, or all be kept.
@@ -72,6 +85,7 @@ class UndoStack {
     /// As RegionUndo's; without an open trial nothing happens.
     void about_to_remove(const std::vector<int>& triangles);
     void about_to_split(int segment);
+    void about_to_slide(int near, int far, const std::vector<int>& around);
     void added(const std::vector<int>& triangles);
 
     /// @return as RegionUndo::undo

@@ -56,8 +56,9 @@ std::optional<Slider::Bead> Slider::bead_at(int vertex, double bound) const {
     Bead bead;
     bead.near = segments_at_[static_cast<std::size_t>(vertex)][0];
     bead.far = segments_at_[static_cast<std::size_t>(vertex)][1];
-    if (bead.near < 0 || bead.far < 0 || bead.near == bead.far) {
-        return std::nullopt;
+    if (bead.near < 0 || bead.far < 0 || bead.near == bead.far || mesh.segment(bead.near).vertices[1] != vertex ||
+        mesh.segment(bead.far).vertices[0] != vertex) {
+        return std::nullopt;  // the latter beside segments that are split on trial
     }
     for (const SurfaceMesh::SegmentUse& use : mesh.segment(bead.near).uses) {
         bead.spokes.push_back(mesh.star(mesh.leaving(use, vertex)));
@@ -214,7 +215,7 @@ bool Slider::aligned(const Bead& bead, const std::vector<SurfaceMesh::Site>& sit
     return after >= before;
 }
 
-bool Slider::put(const Bead& bead, const Place& place, double bound) {
+bool Slider::put(const Bead& bead, const Place& place, double bound, UndoStack& undo) {
     if (!lengths_allowed(bead, place.point)) {
         return false;
     }
@@ -233,6 +234,7 @@ bool Slider::put(const Bead& bead, const Place& place, double bound) {
     if (!aligned(bead, sites) || (sizing_.tolerance > 0.0 && !near_part(bead, place, sites))) {
         return false;
     }
+    undo.about_to_slide(bead.near, bead.far, triangles_around(bead));
     const int vertex = mesh.add_vertex(place.point, {1, mesh.segment(bead.near).edge});
     std::vector<int> indices;
     for (SurfaceMesh::Site& site : sites) {
@@ -264,6 +266,25 @@ bool Slider::put(const Bead& bead, const Place& place, double bound) {
     return true;
 }
 
+std::optional<Slider::Place> Slider::place_at(const Bead& bead, double step) const {
+    const double t = work_.mesh.segment(bead.near).t[1];
+    const double end = step < 0.0 ? work_.mesh.segment(bead.near).t[0] : work_.mesh.segment(bead.far).t[1];
+    const std::vector<Place> places = places_for(bead, {t + std::abs(step) * (end - t)}, {0.0, 0.0});
+    return places.empty() ? std::nullopt : std::optional(places.front());
+}
+
+std::optional<double> Slider::angle_after(int vertex, double step, double bound) const {
+    const auto bead = bead_at(vertex, bound);
+    const auto place = bead ? place_at(*bead, step) : std::nullopt;
+    return place ? std::optional(place->angle) : std::nullopt;
+}
+
+std::vector<int> Slider::move(int vertex, double step, double bound, UndoStack& undo) {
+    const auto bead = bead_at(vertex, bound);
+    const auto place = bead ? place_at(*bead, step) : std::nullopt;
+    return place && put(*bead, *place, bound, undo) ? triangles_around(*bead) : std::vector<int>();
+}
+
 void Slider::was_split(int segment, int far) {
     const std::array<int, 2>& ends = work_.mesh.segment(far).vertices;
     segments_at_.resize(static_cast<std::size_t>(work_.mesh.vertex_count()), {-1, -1});
@@ -271,7 +292,8 @@ void Slider::was_split(int segment, int far) {
     segments_at_[static_cast<std::size_t>(ends[1])][0] = far;
 }
 
-std::vector<int> Slider::improve(int triangle, double bound, const std::function<double(double)>& enough) {
+std::vector<int> Slider::improve(int triangle, double bound, const std::function<double(double)>& enough,
+                                 UndoStack& undo) {
     if (sizing_.turn > 0.0 || sizing_.growth > 0.0) {
         return {};  // longer edges would have to be weighed against all around
     }
@@ -283,7 +305,8 @@ std::vector<int> Slider::improve(int triangle, double bound, const std::function
         const Angles now = angles_with(*bead, work_.mesh.vertex(work_.mesh.vertex_of(h)).point);
         std::vector<Place> places = places_for(*bead, {enough(now.beside), std::min(now.in_corners, bound)});
         places.resize(std::min(places.size(), kMaxTried));
-        if (std::any_of(places.begin(), places.end(), [&](const Place& place) { return put(*bead, place, bound); })) {
+        if (std::any_of(places.begin(), places.end(),
+                        [&](const Place& place) { return put(*bead, place, bound, undo); })) {
             return triangles_around(*bead);
         }
     }

@@ -9,6 +9,7 @@
 
 #include "base/key_set.h"
 #include "triangulate/distance_probes.h"
+#include "triangulate/region_undo.h"
 #include "triangulate/sizing.h"
 #include "triangulate/workspace.h"
 
@@ -22,9 +23,16 @@ class Slider {
     Slider(Workspace& work, const Sizing& sizing);
 
     /// Moves one of the triangle's vertices, if the smallest angle around it becomes at least `enough(before)`
-    /// (radians) and lengths and distances from the part stay within their bounds.
+    /// (radians) and lengths and distances from the part stay within their bounds. What is to be undone by and by is
+    /// told to `undo`.
     /// @return the triangles that have changed; none when there is no such place.
-    std::vector<int> improve(int triangle, double bound, const std::function<double(double)>& enough);
+    std::vector<int> improve(int triangle, double bound, const std::function<double(double)>& enough, UndoStack& undo);
+
+    /// The smallest angle, radians, around a vertex on a CAD edge after it has moved by a part of the way to the next
+    /// one (below 0: the one before); no value where it cannot.
+    std::optional<double> angle_after(int vertex, double step, double bound) const;
+    /// Moves it there, whatever its angles. @return as `improve`
+    std::vector<int> move(int vertex, double step, double bound, UndoStack& undo);
 
     /// After a segment was split into itself and `far`.
     void was_split(int segment, int far);
@@ -62,7 +70,8 @@ class Slider {
                                   double where_none) const;
     bool near_part(const Bead& bead, const Place& place, const std::vector<mesh::SurfaceMesh::Site>& sites) const;
     bool aligned(const Bead& bead, const std::vector<mesh::SurfaceMesh::Site>& sites) const;
-    bool put(const Bead& bead, const Place& place, double bound);
+    std::optional<Place> place_at(const Bead& bead, double step) const;
+    bool put(const Bead& bead, const Place& place, double bound, UndoStack& undo);
 
     Workspace& work_;
     const Sizing& sizing_;

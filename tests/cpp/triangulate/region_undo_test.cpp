@@ -6,6 +6,7 @@
 
 #include "triangulate/checks.h"
 #include "triangulate/disc_change.h"
+#include "triangulate/slider.h"
 
 /// Changes that are taken back.
 namespace mq::triangulate {
@@ -126,14 +127,25 @@ void random_split(Pipeline& pipeline, std::mt19937& random, UndoStack& undo) {
     }
 }
 
-/// Fans and splits of segments in trials within trials: each comes back to what it began with, on all faces.
+// Along its CAD edge, if it is on one. @return whether it has moved
+bool random_move(Pipeline& pipeline, std::mt19937& random, const Sizing& sizing, UndoStack& undo) {
+    const int vertex = static_cast<int>(random() % static_cast<unsigned>(pipeline.surface.vertex_count()));
+    const double step = random() % 2 == 0 ? 0.3 : -0.3;
+    const std::vector<int> changed = Slider(pipeline.work, sizing).move(vertex, step, 0.4, undo);
+    undo.added(changed);
+    return !changed.empty();
+}
+
+/// Fans, splits of segments and moves in trials within trials: each comes back to what it began with, on all faces.
 TEST(UndoStack, BringsBackWhatWasThereTrialByTrial) {
     std::mt19937 random(11);
+    int moves = 0;
     for (const geometry::Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);
         Pipeline pipeline(part.model);
         pipeline.refine(25.0);
         mesh::SurfaceMesh& mesh = pipeline.surface;
+        const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
         for (int round = 0; round < 10; ++round) {
             UndoStack undo(pipeline.work);
             std::vector<std::pair<std::set<std::array<int, 3>>, std::set<Ends>>> before;
@@ -142,6 +154,9 @@ TEST(UndoStack, BringsBackWhatWasThereTrialByTrial) {
                 undo.begin();
                 random_fan(pipeline, random, undo);
                 random_split(pipeline, random, undo);
+                for (int k = 0; k < 5; ++k) {
+                    moves += random_move(pipeline, random, sizing, undo) ? 1 : 0;
+                }
                 random_fan(pipeline, random, undo);
                 EXPECT_EQ(mesh.inconsistency(), "");
             }
@@ -156,6 +171,7 @@ TEST(UndoStack, BringsBackWhatWasThereTrialByTrial) {
             EXPECT_TRUE(pipeline.maxmin.doubled_edges().empty());
         }
     }
+    EXPECT_GT(moves, 100);
 }
 
 }  // namespace

@@ -31,13 +31,14 @@ TEST(Slider, MovesVerticesAlongTheirEdges) {
         pipeline.refine(25.0);
         const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
         Slider slider(pipeline.work, sizing);
+        UndoStack undo(pipeline.work);
         for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
             double before = 0.0;
             const auto enough = [&](double angle) {
                 before = angle;
                 return angle + kGain;
             };
-            const std::vector<int> changed = slider.improve(t, 0.5, enough);
+            const std::vector<int> changed = slider.improve(t, 0.5, enough, undo);
             if (!changed.empty()) {
                 EXPECT_GE(smallest_around(pipeline.surface, changed), before + kGain - 1e-9);
                 ++moves;
@@ -48,6 +49,32 @@ TEST(Slider, MovesVerticesAlongTheirEdges) {
         expect_on_curves(pipeline);
     }
     EXPECT_GT(moves, 10);
+}
+
+/// Whatever becomes of the angles, it is what was told.
+TEST(Slider, MovesAVertexToAPlace) {
+    int moves = 0;
+    for (const geometry::Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        pipeline.refine(25.0);
+        const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
+        Slider slider(pipeline.work, sizing);
+        UndoStack undo(pipeline.work);
+        for (int v = 0; v < pipeline.surface.vertex_count() && moves < 500; ++v) {
+            const double step = v % 2 == 0 ? 0.15 : -0.3;
+            const std::optional<double> told = slider.angle_after(v, step, 25.0 * M_PI / 180.0);
+            const std::vector<int> changed = slider.move(v, step, 25.0 * M_PI / 180.0, undo);
+            if (!changed.empty()) {
+                ASSERT_TRUE(told);
+                EXPECT_NEAR(smallest_around(pipeline.surface, changed), *told, 1e-9);
+                ++moves;
+            }
+        }
+        EXPECT_EQ(pipeline.surface.inconsistency(), "");
+        expect_on_curves(pipeline);
+    }
+    EXPECT_GT(moves, 100);
 }
 
 /// A tolerance that the mesh just keeps holds the vertices where they are on curved edges, or lets them move as far as
@@ -61,8 +88,10 @@ TEST(Slider, KeepsTheDistanceFromThePart) {
         const double tolerance = measure_chord_height(pipeline.work, measure, 0.0).distance;
         const Sizing sizing{tolerance, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
         Slider slider(pipeline.work, sizing);
+        UndoStack undo(pipeline.work);
         for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
-            slider.improve(t, 0.5, [](double angle) { return angle + 0.01; });
+            slider.improve(
+                t, 0.5, [](double angle) { return angle + 0.01; }, undo);
         }
         ChordMeasure again(pipeline.work);
         EXPECT_LE(measure_chord_height(pipeline.work, again, 0.0).distance, tolerance + 1e-9);
@@ -75,8 +104,10 @@ TEST(Slider, ExemptionsStay) {
     pipeline.refine(25.0);
     const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
     Slider slider(pipeline.work, sizing);
+    UndoStack undo(pipeline.work);
     for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
-        slider.improve(t, 25.0 * M_PI / 180.0, [](double angle) { return angle + 0.01; });
+        slider.improve(
+            t, 25.0 * M_PI / 180.0, [](double angle) { return angle + 0.01; }, undo);
     }
     for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
         EXPECT_EQ(pipeline.work.exemption_of(t) != nullptr,

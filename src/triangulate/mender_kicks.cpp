@@ -20,6 +20,8 @@ using mesh::SurfaceMesh;
 // Where on the segment, of its parameters; and so many segments at a triangle.
 constexpr std::array<double, 3> kFractions{0.5, 0.36, 0.64};
 constexpr std::size_t kMostSegments = 8;
+// By how much vertices move along their CAD edges, of the way to the next one either way.
+constexpr std::array<double, 4> kMoves{-0.3, -0.15, 0.15, 0.3};
 
 }  // namespace
 
@@ -87,6 +89,37 @@ void Mender::add_splits(int triangle, std::vector<Kick>& kicks) const {
             kicks.push_back(kick);
         }
     }
+}
+
+// What a single move gains is done already: these make room for another vertex, beside it or opposite.
+void Mender::add_moves(int triangle, std::vector<Kick>& kicks) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    std::set<int> vertices;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        for (const int spoke : mesh.star(h)) {
+            vertices.insert({mesh.vertex_of(spoke), mesh.vertex_of(SurfaceMesh::next(spoke)),
+                             mesh.vertex_of(SurfaceMesh::prev(spoke))});
+        }
+    }
+    for (const int v : vertices) {
+        for (const double step : kMoves) {
+            const std::optional<double> angle = slider_.angle_after(v, step, bound_);
+            if (angle && *angle > kLeastOfKick * bound_) {
+                Kick kick;
+                kick.fan.angle = *angle;
+                kick.vertex = v;
+                kick.step = step;
+                kicks.push_back(kick);
+            }
+        }
+    }
+}
+
+bool Mender::move(int vertex, double step) {
+    const std::vector<int> changed = slider_.move(vertex, step, bound_, undo_);
+    undo_.added(changed);
+    look_again_around(changed);
+    return !changed.empty();
 }
 
 // At that fraction of its parameters.
