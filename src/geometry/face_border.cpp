@@ -75,7 +75,7 @@ std::vector<Run> collect_runs(Session& session, const EdgeChains& chains, const 
         for (Site& site : run.points) {
             const Answer& answer = answers[a++];
             if (!answer.found()) {
-                failure = name_of({1, topology.uses[run.use].edge}) + " has no curve on it (" +
+                failure = topology.name_of({1, topology.uses[run.use].edge}) + " has no curve on it (" +
                           to_string(answer.status) + ")";
             }
             site.uv = Vec2(answer.u, answer.v);

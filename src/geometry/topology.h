@@ -9,7 +9,8 @@
 
 /// The CAD-neutral entities (Aftosmis 1999, figure 1): volumes, faces, loops, edges, nodes.
 ///
-/// All indices count from 0 and map one to one to FreeCAD's sub-elements: face 6 is "Face7".
+/// All indices count from 0 and map one to one to FreeCAD's sub-elements: face 6 is "Face7". Where surfaces are cut
+/// along their creases (Topology::parts_of), the pieces beyond the first come after all of the shape's own entities.
 namespace mq::geometry {
 
 /// What a vertex or a message refers to: dimension 0 node, 1 edge, 2 face.
@@ -81,6 +82,18 @@ struct Topology {
     std::vector<Volume> volumes;
     Box box;                          ///< of the whole part, mm; never smaller than the part
     std::vector<std::string> faults;  ///< what is wrong with the part by the kernel's own checks, naming entities
+    /// By dimension, for the entities after the shape's own: what of the shape each belongs to. A piece of an edge or a
+    /// face to the whole one, a crease to its face, the end of a crease to the edge or face that it lies on.
+    std::array<std::vector<Entity>, 3> parts_of;
+
+    /// How many of the entities are the shape's own.
+    std::size_t own_count(int dimension) const;
+    /// Itself, but for what is in `parts_of`.
+    Entity of_shape(Entity entity) const;
+    /// The indices of all pieces of an entity of the shape; only its own where it was not cut.
+    std::vector<int> pieces_of(Entity entity) const;
+    /// As mq::geometry::name_of, by the shape's own entities.
+    std::string name_of(Entity entity) const;
 };
 
 }  // namespace mq::geometry

@@ -41,7 +41,7 @@ std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& 
         const Stopwatch watch_all;
         std::shared_ptr<geometry::Model> model;
         handle.stage("reading the shape", 0.0, 0.0);
-        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle); });
+        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle, geometry::Creases::Cut); });
         const double reading = watch_all.wall();
         auto result = std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle, memory));
         result->report.seconds.insert(result->report.seconds.begin(), {"read the shape", reading});

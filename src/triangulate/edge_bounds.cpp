@@ -15,12 +15,11 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, const std::vector<LocalSize>& local)
-    : everywhere_(max_edge > 0.0 ? max_edge : kNone), any_(max_edge > 0.0 || !local.empty()) {
-    const std::size_t counts[3] = {topology.nodes.size(), topology.edges.size(), topology.faces.size()};
+std::vector<LocalSize> sizes_of_pieces(const std::vector<LocalSize>& local, const geometry::Topology& topology) {
     const char* const kinds[3] = {"vertices", "edges", "faces"};
+    std::vector<LocalSize> all;
     for (const LocalSize& size : local) {
-        const std::size_t count = counts[size.dimension];
+        const std::size_t count = topology.own_count(size.dimension);
         const std::string name = geometry::name_of({size.dimension, size.index});
         if (size.index < 0 || static_cast<std::size_t>(size.index) >= count) {
             throw InvalidInput("a local size is given for " + name + ", but the shape has " + std::to_string(count) +
@@ -29,8 +28,20 @@ EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, cons
         if (!(size.max_edge > 0.0)) {
             throw InvalidInput("the local size of " + name + " must be greater than 0 mm");
         }
+        for (const int index : topology.pieces_of({size.dimension, size.index})) {
+            all.push_back(size);
+            all.back().index = index;
+        }
+    }
+    return all;
+}
+
+EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, const std::vector<LocalSize>& local)
+    : everywhere_(max_edge > 0.0 ? max_edge : kNone), any_(max_edge > 0.0 || !local.empty()) {
+    const std::size_t counts[3] = {topology.nodes.size(), topology.edges.size(), topology.faces.size()};
+    for (const LocalSize& size : local) {
         std::vector<double>& bounds = of_entity_[size.dimension];
-        bounds.resize(count, kNone);
+        bounds.resize(counts[size.dimension], kNone);
         bounds[static_cast<std::size_t>(size.index)] = size.max_edge;
     }
 }

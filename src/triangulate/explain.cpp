@@ -13,12 +13,13 @@ namespace {
 
 using mesh::SurfaceMesh;
 
-std::string entity_name(const mesh::VertexEntity& e) {
-    return geometry::name_of({e[0], e[1]});
+std::string entity_name(const Workspace& work, int vertex) {
+    const mesh::VertexEntity& e = work.mesh.vertex(vertex).entity;
+    return work.session.topology().name_of({e[0], e[1]});
 }
 
 std::string edge_name(const Workspace& work, int segment) {
-    return geometry::name_of({1, work.mesh.segment(segment).edge});
+    return work.session.topology().name_of({1, work.mesh.segment(segment).edge});
 }
 
 std::string degrees(double radians) {
@@ -32,22 +33,22 @@ std::string narrow_corner(const Workspace& work, int triangle) {
     const int a = work.mesh.segment_of(smallest.half_edge);
     const int b = work.mesh.segment_of(SurfaceMesh::prev(smallest.half_edge));
     return "corner of " + degrees(smallest.angle) + " between " + edge_name(work, a) + " and " + edge_name(work, b) +
-           " at " + entity_name(work.mesh.vertex(work.mesh.vertex_of(smallest.half_edge)).entity);
+           " at " + entity_name(work, work.mesh.vertex_of(smallest.half_edge));
 }
 
 }  // namespace
 
 std::string explain(const Workspace& work, int triangle, const Exemption& exemption) {
-    const std::string where = " on " + geometry::name_of({2, work.mesh.face_of(triangle)});
+    const std::string where = " on " + work.session.topology().name_of({2, work.mesh.face_of(triangle)});
     const std::string at_edge = exemption.segment >= 0 ? " at " + edge_name(work, exemption.segment) : "";
     switch (exemption.cause) {
         case Cause::NarrowCorner:
             return narrow_corner(work, triangle) + where;
         case Cause::Apex:
-            return "the surface comes to a point at " + entity_name(work.mesh.vertex(exemption.vertex).entity) +
+            return "the surface comes to a point at " + entity_name(work, exemption.vertex) +
                    " with too little angle around it" + where;
         case Cause::NarrowCluster:
-            return "edges near the narrow corner at " + entity_name(work.mesh.vertex(exemption.vertex).entity) +
+            return "edges near the narrow corner at " + entity_name(work, exemption.vertex) +
                    " would shrink without end" + at_edge + where;
         case Cause::Resolution:
             return "a further vertex would lie closer than single precision tells apart" + at_edge + where;

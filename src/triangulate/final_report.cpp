@@ -41,10 +41,19 @@ void report_spanning(const Workspace& work, const Output& out, mesh::MeshReport&
         if (found == work.spanning.end() || found->second.faces.size() < 2) {
             continue;
         }
+        std::vector<std::string> names;
+        for (const int face : found->second.faces) {
+            const std::string name = work.session.topology().name_of({2, face});
+            if (std::find(names.begin(), names.end(), name) == names.end()) {
+                names.push_back(name);
+            }
+        }
+        if (names.size() < 2) {
+            continue;  // pieces of one face
+        }
         std::string text = "spans ";
-        const std::vector<int>& faces = found->second.faces;
-        for (std::size_t k = 0; k < faces.size(); ++k) {
-            text += (k == 0 ? "" : k + 1 == faces.size() ? " and " : ", ") + geometry::name_of({2, faces[k]});
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
         }
         report.spanning.emplace_back(static_cast<std::int32_t>(i), std::move(text));
     }
@@ -62,7 +71,7 @@ void report_chord_height(Workspace& work, ChordMeasure& measure, const Output& o
     report.max_chord_triangle = static_cast<std::int32_t>(found - out.source.begin());
     report.max_chord_point = worst.point;
     if (asked > 0.0 && worst.distance > asked) {
-        const std::string face = geometry::name_of({2, work.mesh.face_of(worst.triangle)});
+        const std::string face = work.session.topology().name_of({2, work.mesh.face_of(worst.triangle)});
         report.notes.push_back("chord height " + std::to_string(worst.distance) + " mm instead of the " +
                                std::to_string(asked) + " mm asked for: " +
                                (!keeps_bounds ? "without polish the samples alone decide"
@@ -72,14 +81,14 @@ void report_chord_height(Workspace& work, ChordMeasure& measure, const Output& o
     }
 }
 
-void report_crossings(CrossingFinder& finder, mesh::MeshReport& report) {
+void report_crossings(CrossingFinder& finder, const geometry::Topology& topology, mesh::MeshReport& report) {
     report.self_intersections = 0;
     for (const auto& [faces, count] : finder.by_faces(finder.pairs())) {
         report.self_intersections += static_cast<std::int64_t>(count);
-        const std::string first = geometry::name_of({2, faces.first});
-        const std::string what = faces.first == faces.second
-                                     ? first + " crosses itself"
-                                     : first + " and " + geometry::name_of({2, faces.second}) + " cross";
+        const std::string first = topology.name_of({2, faces.first});
+        const bool same = topology.of_shape({2, faces.first}) == topology.of_shape({2, faces.second});
+        const std::string what =
+            same ? first + " crosses itself" : first + " and " + topology.name_of({2, faces.second}) + " cross";
         report.notes.push_back(what + " in " + std::to_string(count) + " pairs of triangles");
     }
 }
@@ -94,7 +103,7 @@ mesh::MeshReport final_report(Workspace& work, Findings& findings, const Output&
     report_exemptions(work, out, report.min_angle_asked, report);
     report_spanning(work, out, report);
     report.notes = work.session.topology().faults;
-    report_crossings(findings.crossings, report);
+    report_crossings(findings.crossings, work.session.topology(), report);
     report_chord_height(work, findings.chords, out, options.keeps_bounds(), report);
     report.complete = !work.over_budget();
     if (work.over_budget()) {

@@ -14,10 +14,11 @@ using mesh::SurfaceMesh;
 // One volume on its way out: its triangles, and which corners (half-edges) are one vertex.
 class VolumeWriter {
   public:
-    VolumeWriter(const SurfaceMesh& mesh, const geometry::Volume& volume, std::vector<char>& flipped,
-                 std::vector<char>& present, DisjointSets<int>& corners, std::vector<int>& vertex_of_root,
-                 const Progress& progress)
+    VolumeWriter(const SurfaceMesh& mesh, const geometry::Topology& topology, const geometry::Volume& volume,
+                 std::vector<char>& flipped, std::vector<char>& present, DisjointSets<int>& corners,
+                 std::vector<int>& vertex_of_root, const Progress& progress)
         : mesh_(mesh),
+          topology_(topology),
           volume_(volume),
           flipped_(flipped),
           present_(present),
@@ -140,7 +141,8 @@ class VolumeWriter {
                     vertex_of_root_[root] = static_cast<int>(out.mesh.vertices.size());
                     const SurfaceMesh::Vertex& v = mesh_.vertex(mesh_.vertex_of(3 * t + i));
                     out.mesh.vertices.push_back(v.point);
-                    out.mesh.vertex_entity.push_back(v.entity);
+                    const geometry::Entity of = topology_.of_shape({v.entity[0], v.entity[1]});
+                    out.mesh.vertex_entity.push_back({of.dimension, of.index});
                 }
                 corners[i] = vertex_of_root_[root];
             }
@@ -148,12 +150,13 @@ class VolumeWriter {
                 std::swap(corners[1], corners[2]);
             }
             out.mesh.triangles.push_back(corners);
-            out.mesh.triangle_face.push_back(mesh_.face_of(t));
+            out.mesh.triangle_face.push_back(topology_.of_shape({2, mesh_.face_of(t)}).index);
             out.source.push_back(t);
         }
     }
 
     const SurfaceMesh& mesh_;
+    const geometry::Topology& topology_;
     const geometry::Volume& volume_;
     std::vector<char>& flipped_;  // by face, of this volume
     std::vector<char>& present_;
@@ -174,7 +177,8 @@ Output write_out(const SurfaceMesh& mesh, const geometry::Topology& topology, co
     DisjointSets<int> corners(mesh.half_edge_count());
     std::vector<int> vertex_of_root(mesh.half_edge_count());
     for (const geometry::Volume& volume : topology.volumes) {
-        VolumeWriter(mesh, volume, flipped, present, corners, vertex_of_root, progress).run(triangles_of_face, out);
+        VolumeWriter(mesh, topology, volume, flipped, present, corners, vertex_of_root, progress)
+            .run(triangles_of_face, out);
     }
     return out;
 }

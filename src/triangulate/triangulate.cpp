@@ -122,10 +122,10 @@ void separate_doubled_segments(Workspace& work, SegmentSplitter& splitter, std::
     splitter.run(touched);
 }
 
-std::string failed_faces(const geometry::InitialTriangulation& initial) {
+std::string failed_faces(const geometry::InitialTriangulation& initial, const geometry::Topology& topology) {
     std::string text;
     for (const auto& [face, why] : initial.failures) {
-        text += (text.empty() ? "" : "; ") + geometry::name_of({2, face}) + ": " + why;
+        text += (text.empty() ? "" : "; ") + topology.name_of({2, face}) + ": " + why;
     }
     return text;
 }
@@ -227,9 +227,10 @@ void add_note(mesh::MeshReport& report, const std::string& note) {
     }
 }
 
-void check_failures(const geometry::InitialTriangulation& faces, const Options& options) {
+void check_failures(const geometry::InitialTriangulation& faces, const geometry::Topology& topology,
+                    const Options& options) {
     if (!faces.failures.empty() && (!options.allow_missing_faces || faces.failures.size() == faces.faces.size())) {
-        throw TopologyError("no triangulation of " + failed_faces(faces) +
+        throw TopologyError("no triangulation of " + failed_faces(faces, topology) +
                             ". Repair the shape, or allow missing faces to mesh the rest");
     }
 }
@@ -240,16 +241,19 @@ bool can_be_recalled(const Options& options) {
 }
 
 // What the faces were before any refinement.
-void report_first(const SampledTriangulation& first, const Options& options, mesh::MeshReport& report) {
+void report_first(const SampledTriangulation& first, const geometry::Topology& topology, const Options& options,
+                  mesh::MeshReport& report) {
     for (const auto& failure : first.faces.failures) {
-        report.notes.push_back(geometry::name_of({2, failure.first}) + " is missing: " + failure.second);
+        report.notes.push_back(topology.name_of({2, failure.first}) + " is missing: " + failure.second);
     }
     for (int face = 0; face < static_cast<int>(first.faces.faces.size()); ++face) {
         if (first.faces.chains.is_a_point(face)) {
-            report.notes.push_back(geometry::name_of({2, face}) + " is a point in single precision: left out");
+            report.notes.push_back(topology.name_of({2, face}) + " is a point in single precision: left out");
         }
     }
-    report.fallback.assign(first.fallbacks.begin(), first.fallbacks.end());
+    for (const auto& [face, why] : first.fallbacks) {
+        report.fallback.emplace_back(topology.of_shape({2, face}).index, why);
+    }
     if (!first.complete && report.complete) {
         report.complete = false;
         report.notes.push_back("sampling ended at max_triangles = " + std::to_string(options.budget()) +
@@ -257,9 +261,15 @@ void report_first(const SampledTriangulation& first, const Options& options, mes
     }
 }
 
-std::size_t count(const std::vector<std::shared_ptr<const RememberedFace>>& faces) {
-    const auto none = std::count(faces.begin(), faces.end(), nullptr);
-    return faces.size() - static_cast<std::size_t>(none);
+// Faces of the shape, any piece of which is there.
+std::size_t count(const std::vector<std::shared_ptr<const RememberedFace>>& faces, const geometry::Topology& topology) {
+    std::set<int> found;
+    for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
+        if (faces[f] != nullptr) {
+            found.insert(topology.of_shape({2, f}).index);
+        }
+    }
+    return found.size();
 }
 
 /// What a run costs, from its construction on.
@@ -324,6 +334,7 @@ Workspace workspace_of(const Task& task, mesh::SurfaceMesh& surface, Maxmin& max
 Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& keys,
                  const std::shared_ptr<const Run>& run, Run* left) {
     const Options& options = task.options;
+    const geometry::Topology& topology = task.session.topology();
     StageClock& clock = task.costs.clock();
     std::optional<Recall> recall;
     if (run != nullptr) {
@@ -331,8 +342,8 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     }
     const SampledTriangulation first = first_triangulation(task.session, task.grid, options, task.chord,
                                                            recall ? &*recall : nullptr, task.progress, clock);
-    check_failures(first.faces, options);
-    mesh::SurfaceMesh surface = assemble(first.faces, task.session.topology());
+    check_failures(first.faces, topology, options);
+    mesh::SurfaceMesh surface = assemble(first.faces, topology);
     Maxmin maxmin(surface);
     Workspace work = workspace_of(task, surface, maxmin);
     Findings findings(work);
@@ -349,14 +360,14 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
 
     task.progress.stage("checking", 0.9, 1.0);
     task.progress.check();
-    Output out = write_out(surface, task.session.topology(), task.grid.origin(), task.progress);
+    Output out = write_out(surface, topology, task.grid.origin(), task.progress);
     task.progress.check();
     Result result;
     result.report = final_report(work, findings, out, options, task.chord);
     result.mesh = std::move(out.mesh);
-    result.report.reused_faces = recall ? count(recall->kept(surface)) : 0;
+    result.report.reused_faces = recall ? count(recall->kept(surface), topology) : 0;
     add_note(result.report, released);
-    report_first(first, options, result.report);
+    report_first(first, topology, options, result.report);
     if (left != nullptr && can_be_recalled(options) && result.report.complete) {
         left->faces =
             remember(work, findings.chords, first.faces.chains, keys, task.chord, recall ? &*recall : nullptr);
@@ -376,13 +387,15 @@ bool misses_more(const mesh::MeshReport& now, const mesh::MeshReport& before) {
 
 }  // namespace
 
-Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& options,
+Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& asked,
                    Progress* progress, Memory* memory) {
-    options.validate();
+    asked.validate();
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
     Costs costs(engine);
     geometry::Session session(engine, model, &watched);
+    Options options = asked;
+    options.local_sizes = sizes_of_pieces(asked.local_sizes, session.topology());
     const SingleGrid grid(session.topology().box);
     check_against_part(options, session.topology(), grid);
     const double chord = chord_height(options, session.topology().box);

@@ -19,6 +19,8 @@ constexpr double kTwoPi = 6.283185307179586476925286766559;
 /// `point` is in the curve's own coordinates. @returns whether t is a minimum of the distance in [low, high].
 bool EdgeEvaluator::newton(const Vec3& point, double low, double high, double& t) const {
     constexpr int kSteps = 20;
+    // Where a curve hardly moves, as at ends with two poles in one place, steps in t say nothing.
+    const double still = 1e-9 * size_ / std::max(t1_ - t0_, 1e-300);
     double best = -1.0;
     for (int i = 0; i < kSteps; ++i) {
         const CurvePoint c = second(t);
@@ -31,7 +33,7 @@ bool EdgeEvaluator::newton(const Vec3& point, double low, double high, double& t
         const double gradient = r.dot(c.first);
         const double speed2 = c.first.squaredNorm();
         const double curvature = speed2 + r.dot(c.second);
-        if (!(speed2 > 0.0)) {
+        if (!(speed2 > still * still)) {
             return false;
         }
         const double step = -gradient / (curvature > 0.1 * speed2 ? curvature : speed2);

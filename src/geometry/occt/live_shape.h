@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "geometry/occt/creases.h"
 #include "geometry/topology.h"
 
 namespace mq::geometry {
@@ -35,7 +36,7 @@ struct LiveShape {
 
 /// Fills `live` and returns the entities of `shape`, with what is wrong with the way they hang together in `faults`.
 /// @throws Cancelled
-Topology build_topology(const TopoDS_Shape& shape, LiveShape& live, const Progress* progress);
+Topology build_topology(const OrderedShape& shape, LiveShape& live, const Progress* progress);
 
 /// Periods of a surface in u and v, 0 where it is open. A surface that is closed within `tolerance` without being
 /// periodic counts with its whole range.

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "base/error.h"
+#include "geometry/occt/collapsed_pieces.h"
 #include "geometry/occt/conversion.h"
+#include "geometry/occt/creases.h"
 #include "geometry/occt/definitions.h"
 #include "geometry/occt/edge_evaluator.h"
 #include "geometry/occt/face_evaluator.h"
@@ -35,7 +37,7 @@ bool finite(const Query& query) {
 
 class ShapeModel final : public Model {
   public:
-    ShapeModel(const TopoDS_Shape& shape, const Progress* progress);
+    ShapeModel(const TopoDS_Shape& shape, Creases creases, const Progress* progress);
     Answer answer(const Query& query) noexcept override;
     void add_definition(Entity entity, Fingerprint& key) override;
     void add_definition_of_use(int use, Fingerprint& key) override;
@@ -56,9 +58,13 @@ class ShapeModel final : public Model {
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
 };
 
-ShapeModel::ShapeModel(const TopoDS_Shape& shape, const Progress* progress) : definitions_(shape) {
+ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const Progress* progress) : definitions_(shape) {
     place_ = definitions_.place();
-    topology_ = build_topology(shape, live_, progress);
+    std::vector<std::string> failures;
+    const OrderedShape entities = creases == Creases::Cut ? cut_at_creases(shape, failures, progress) : ordered(shape);
+    topology_ = build_topology(entities, live_, progress);
+    sew_collapsed_pieces(entities, topology_, live_);
+    topology_.faults.insert(topology_.faults.end(), failures.begin(), failures.end());
     edges_.resize(live_.edges.size());
     faces_.resize(live_.faces.size());
     classifiers_.resize(live_.volumes.size());
@@ -227,12 +233,12 @@ Answer ShapeModel::volume_contains(int index, const Vec3& point) {
 
 }  // namespace
 
-std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress) {
+std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress, Creases creases) {
     if (shape.IsNull()) {
         throw InvalidInput("The shape is null. Recompute the object, or select one that has a shape.");
     }
     try {
-        auto model = std::make_shared<ShapeModel>(shape, progress);
+        auto model = std::make_shared<ShapeModel>(shape, creases, progress);
         if (model->topology().faces.empty()) {
             throw InvalidInput(std::string("The shape is a ") + TopAbs::ShapeTypeToString(shape.ShapeType()) +
                                " without faces. Select a part that has at least one face.");

@@ -10,12 +10,19 @@ class TopoDS_Shape;
 
 namespace mq::geometry {
 
+/// What becomes of lines inside a face across which its normal jumps.
+enum class Creases {
+    Keep,  ///< they stay inside: all entities are the shape's own
+    Cut,   ///< they become edges, and the face is cut along them (Topology::parts_of)
+};
+
 /// The live OpenCASCADE shape as a model. The shape is only read: neither its topology, nor its geometry, nor its
 /// display triangulation changes. Call it on the engine's thread (Engine::run).
 /// @throws InvalidInput for a null shape or one without faces, naming what was given.
 /// @throws GeometryError for a face without a surface, naming the face.
 /// @throws Cancelled when `progress` says so.
-std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress = nullptr);
+std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress = nullptr,
+                                        Creases creases = Creases::Keep);
 
 /// The version of OpenCASCADE that this was built with, "7.6.3".
 const char* occt_version();

@@ -17,6 +17,7 @@
 
 #include "base/error.h"
 #include "geometry/occt/conversion.h"
+#include "geometry/occt/creases.h"
 #include "geometry/occt/live_shape.h"
 
 namespace mq::geometry {
@@ -91,11 +92,14 @@ bool bounds_a_face(const TopoDS_Shape& edge) {
 
 class TopologyBuilder {
   public:
-    TopologyBuilder(const TopoDS_Shape& shape, LiveShape& live, const Progress* progress)
-        : shape_(shape), live_(live), progress_(progress) {
-        TopExp::MapShapes(shape, TopAbs_VERTEX, vertices_);
-        TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
-        TopExp::MapShapes(shape, TopAbs_FACE, faces_);
+    TopologyBuilder(const OrderedShape& ordered, LiveShape& live, const Progress* progress)
+        : ordered_(ordered),
+          live_(live),
+          progress_(progress),
+          vertices_(ordered.vertices),
+          edges_(ordered.edges),
+          faces_(ordered.faces) {
+        topology_.parts_of = ordered.parts_of;
     }
 
     Topology build() {
@@ -105,7 +109,7 @@ class TopologyBuilder {
         add_faces();
         add_volumes();
         for (std::size_t i = 0; i < topology_.edges.size(); ++i) {
-            if (topology_.edges[i].uses.empty()) {
+            if (topology_.edges[i].uses.empty() && !ordered_.replaced.Contains(live_.edges[i])) {
                 fault(Entity{1, static_cast<int>(i)}, "belongs to no face");
             }
         }
@@ -113,7 +117,9 @@ class TopologyBuilder {
     }
 
   private:
-    void fault(Entity entity, const std::string& what) { topology_.faults.push_back(name_of(entity) + ": " + what); }
+    void fault(Entity entity, const std::string& what) {
+        topology_.faults.push_back(topology_.name_of(entity) + ": " + what);
+    }
     void add_nodes();
     void add_edges();
     void set_range(int index, Edge& edge) const;
@@ -125,12 +131,12 @@ class TopologyBuilder {
     void add_volumes();
     void add_volume(const TopoDS_Shape& part, Volume::Kind kind, std::vector<bool>& met);
 
-    const TopoDS_Shape& shape_;
+    const OrderedShape& ordered_;
     LiveShape& live_;
     const Progress* progress_;
-    TopTools_IndexedMapOfShape vertices_;
-    TopTools_IndexedMapOfShape edges_;
-    TopTools_IndexedMapOfShape faces_;
+    const TopTools_IndexedMapOfShape& vertices_;
+    const TopTools_IndexedMapOfShape& edges_;
+    const TopTools_IndexedMapOfShape& faces_;
     Topology topology_;
     double least_width_ = 0.0;
 };
@@ -196,7 +202,7 @@ void TopologyBuilder::add_face(int index) {
     TopLoc_Location location;
     const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
     if (surface.IsNull()) {
-        throw GeometryError(name_of(Entity{2, index}) +
+        throw GeometryError(topology_.name_of(Entity{2, index}) +
                             " has no surface. Remove it, or repair the part with Part > Check geometry.");
     }
     Face& data = topology_.faces[static_cast<std::size_t>(index)];
@@ -216,7 +222,9 @@ void TopologyBuilder::add_face(int index) {
         fault(Entity{2, index}, "has no wire");
     }
     data.no_area = has_no_area(adaptor, data, least_width_);
-    if (data.no_area) {
+    const int whole = topology_.of_shape({2, index}).index;
+    const bool cut = std::binary_search(ordered_.cut_faces.begin(), ordered_.cut_faces.end(), whole);
+    if (data.no_area && !cut) {
         fault(Entity{2, index}, "has no area");
     }
     const double bounds = std::max(std::max(std::abs(data.low[0]), std::abs(data.high[0])),
@@ -272,7 +280,7 @@ UseCurve TopologyBuilder::use_curve(int edge_index, int face_index, const TopoDS
     UseCurve result;
     result.curve = BRep_Tool::CurveOnSurface(edge, face, result.first, result.last);
     if (result.curve.IsNull()) {
-        fault(Entity{1, edge_index}, "has no curve on " + name_of(Entity{2, face_index}));
+        fault(Entity{1, edge_index}, "has no curve on " + topology_.name_of(Entity{2, face_index}));
     }
     return result;
 }
@@ -280,12 +288,12 @@ UseCurve TopologyBuilder::use_curve(int edge_index, int face_index, const TopoDS
 void TopologyBuilder::add_volumes() {
     std::vector<bool> met(topology_.faces.size(), false);
     TopTools_IndexedMapOfShape parts;
-    for (TopExp_Explorer it(shape_, TopAbs_SOLID); it.More(); it.Next()) {
+    for (TopExp_Explorer it(ordered_.shape, TopAbs_SOLID); it.More(); it.Next()) {
         if (parts.Add(it.Current()) > static_cast<int>(topology_.volumes.size())) {
             add_volume(it.Current(), Volume::Kind::Solid, met);
         }
     }
-    for (TopExp_Explorer it(shape_, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next()) {
+    for (TopExp_Explorer it(ordered_.shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next()) {
         if (parts.Add(it.Current()) > static_cast<int>(topology_.volumes.size())) {
             add_volume(it.Current(), Volume::Kind::Shell, met);
         }
@@ -366,7 +374,7 @@ std::array<double, 2> periods_of(const GeomAdaptor_Surface& surface, double tole
     return periods;
 }
 
-Topology build_topology(const TopoDS_Shape& shape, LiveShape& live, const Progress* progress) {
+Topology build_topology(const OrderedShape& shape, LiveShape& live, const Progress* progress) {
     return TopologyBuilder(shape, live, progress).build();
 }
 

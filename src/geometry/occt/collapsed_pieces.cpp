@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/collapsed_pieces.h"
+
+#include <Precision.hxx>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/disjoint_sets.h"
+#include "geometry/occt/edge_evaluator.h"
+
+namespace mq::geometry {
+
+namespace {
+
+class CollapsedPieces {
+  public:
+    CollapsedPieces(const OrderedShape& shape, Topology& topology, LiveShape& live)
+        : shape_(shape), topology_(topology), live_(live), nodes_(topology.nodes.size()) {}
+
+    void run() {
+        for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
+            if (topology_.faces[static_cast<std::size_t>(f)].no_area && is_piece(f)) {
+                take_out(f);
+            }
+        }
+        join_folded_edges();
+        for (Edge& edge : topology_.edges) {
+            for (int& node : edge.nodes) {
+                node = node < 0 ? node : nodes_.find(node);
+            }
+        }
+    }
+
+  private:
+    static constexpr int kSamples = 8;
+
+    Edge& edge(int e) { return topology_.edges[static_cast<std::size_t>(e)]; }
+
+    bool is_piece(int face) const {
+        const int whole = topology_.of_shape({2, face}).index;
+        return std::binary_search(shape_.cut_faces.begin(), shape_.cut_faces.end(), whole);
+    }
+
+    void take_out(int face) {
+        std::set<int> around;
+        for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
+            for (const int use : loop.uses) {
+                around.insert(topology_.uses[static_cast<std::size_t>(use)].edge);
+            }
+        }
+        topology_.faces[static_cast<std::size_t>(face)].loops.clear();
+        std::vector<int> sides;
+        for (const int e : around) {
+            std::vector<int>& uses = edge(e).uses;
+            const auto on_face = [&](int use) { return topology_.uses[static_cast<std::size_t>(use)].face == face; };
+            uses.erase(std::remove_if(uses.begin(), uses.end(), on_face), uses.end());
+            if (is_a_point(e)) {
+                unite(edge(e).nodes[0], edge(e).nodes[1]);
+            } else {
+                sides.push_back(e);
+            }
+        }
+        if (sides.size() == 2) {
+            join(sides[0], sides[1]);
+        }
+    }
+
+    void unite(int a, int b) {
+        if (a >= 0 && b >= 0) {
+            nodes_.unite(a, b);
+        }
+    }
+    bool same_node(int a, int b) { return a >= 0 && b >= 0 && nodes_.find(a) == nodes_.find(b); }
+
+    double tolerance(int e) const {
+        return 2.0 * std::max(topology_.edges[static_cast<std::size_t>(e)].tolerance, Precision::Confusion());
+    }
+    EdgeEvaluator curve(int e) { return EdgeEvaluator(live_.edges[static_cast<std::size_t>(e)], edge(e)); }
+    double parameter(int e, double share) { return edge(e).t0 + share * (edge(e).t1 - edge(e).t0); }
+
+    bool is_a_point(int e) {
+        if (edge(e).degenerate) {
+            return true;
+        }
+        const EdgeEvaluator along = curve(e);
+        const Vec3 start = along.point(edge(e).t0).point;
+        for (int i = 1; i <= kSamples; ++i) {
+            if ((along.point(parameter(e, double(i) / kSamples)).point - start).norm() > tolerance(e)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// Whether t grows the same way on both edges; none where they are not in one place.
+    std::optional<bool> run_alike(int a, int b) {
+        const EdgeEvaluator first = curve(a);
+        const EdgeEvaluator second = curve(b);
+        double before = 0.0;
+        double after = 0.0;
+        for (int i = 0; i <= kSamples; ++i) {
+            const Answer there = first.point(parameter(a, double(i) / kSamples));
+            const Answer here = second.nearest(there.point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
+            if (!there.found() || !here.found() || here.distance > tolerance(a) + tolerance(b)) {
+                return std::nullopt;
+            }
+            before = i == 1 ? here.t : before;
+            after = i == kSamples - 1 ? here.t : after;
+        }
+        return after > before;
+    }
+
+    /// All uses of `b` become uses of `a`.
+    void join(int a, int b) {
+        const std::optional<bool> alike = run_alike(a, b);
+        if (!alike || !run_alike(b, a)) {
+            return;
+        }
+        unite(edge(a).nodes[0], edge(b).nodes[*alike ? 0 : 1]);
+        unite(edge(a).nodes[1], edge(b).nodes[*alike ? 1 : 0]);
+        for (const int u : edge(b).uses) {
+            EdgeUse& use = topology_.uses[static_cast<std::size_t>(u)];
+            use.edge = a;
+            if (!*alike) {
+                use.forward = !use.forward;
+                UseCurve& on_face = live_.uses[static_cast<std::size_t>(u)];
+                std::swap(on_face.first, on_face.last);
+            }
+            edge(a).uses.push_back(u);
+        }
+        edge(a).tolerance = std::max(edge(a).tolerance, edge(b).tolerance);
+        edge(b).uses.clear();
+    }
+
+    void join_folded_edges() {
+        const int all = static_cast<int>(topology_.edges.size());
+        const int own = static_cast<int>(topology_.own_count(1));
+        for (int b = own; b < all; ++b) {
+            const Entity whole = topology_.of_shape({1, b});
+            for (const int a : topology_.pieces_of(whole)) {
+                const bool halves = whole.dimension == 1 && a != b && edge(a).uses.size() == 1 &&
+                                    edge(b).uses.size() == 1 && share_a_node(a, b);
+                if (halves && !is_a_point(a) && !is_a_point(b)) {
+                    join(a, b);
+                }
+            }
+        }
+    }
+
+    bool share_a_node(int a, int b) {
+        for (const int n : edge(a).nodes) {
+            if (same_node(n, edge(b).nodes[0]) || same_node(n, edge(b).nodes[1])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const OrderedShape& shape_;
+    Topology& topology_;
+    LiveShape& live_;
+    DisjointSets<int> nodes_;
+};
+
+}  // namespace
+
+void sew_collapsed_pieces(const OrderedShape& shape, Topology& topology, LiveShape& live) {
+    if (!shape.cut_faces.empty()) {
+        CollapsedPieces(shape, topology, live).run();
+    }
+}
+
+}  // namespace mq::geometry

@@ -1,0 +1,426 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/creases.h"
+
+#include <BRepTools.hxx>
+#include <BRepTopAdaptor_FClass2d.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom2d_Curve.hxx>
+#include <GeomAdaptor_Surface.hxx>
+#include <Precision.hxx>
+#include <ShapeBuild_ReShape.hxx>
+#include <ShapeExtend.hxx>
+#include <ShapeUpgrade_FaceDivide.hxx>
+#include <ShapeUpgrade_ShapeDivide.hxx>
+#include <ShapeUpgrade_SplitSurface.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_HSequenceOfReal.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "base/angle.h"
+
+namespace mq::geometry {
+
+namespace {
+
+// Less is left to the refinement, which follows it like a curved surface.
+constexpr double kLeastJump = 10.0 * kDegree;
+
+class CreaseSearch {
+  public:
+    explicit CreaseSearch(const TopoDS_Face& face)
+        : face_(face), surface_(BRep_Tool::Surface(face)), tolerance_(BRep_Tool::Tolerance(face)) {
+        BRepTools::UVBounds(face, low_[0], high_[0], low_[1], high_[1]);
+    }
+
+    /// Values of u (direction 0) or v along which the face is to be cut.
+    std::vector<double> lines(int direction) {
+        std::vector<double> found;
+        for (const double at : inner_kinks(direction)) {
+            if (apart_from_border(direction, at) && (jumps(direction, at) || shrinks_to_a_point(direction, at))) {
+                found.push_back(at);
+            }
+        }
+        return found;
+    }
+
+  private:
+    static constexpr int kSamples = 16;
+
+    // Where the surface is not continuously differentiable: most surfaces have no such place.
+    std::vector<double> inner_kinks(int direction) const {
+        const int intervals = direction == 0 ? surface_.NbUIntervals(GeomAbs_C1) : surface_.NbVIntervals(GeomAbs_C1);
+        TColStd_Array1OfReal values(1, intervals + 1);
+        direction == 0 ? surface_.UIntervals(values, GeomAbs_C1) : surface_.VIntervals(values, GeomAbs_C1);
+        const double least = 1e-9 * (high_[direction] - low_[direction]);
+        std::vector<double> kinks;
+        for (int i = 2; i <= intervals; ++i) {
+            if (values(i) > low_[direction] + least && values(i) < high_[direction] - least) {
+                kinks.push_back(values(i));
+            }
+        }
+        return kinks;
+    }
+
+    double across(int direction, int sample) const {
+        const double share = (sample + 0.5) / kSamples;
+        return low_[1 - direction] + share * (high_[1 - direction] - low_[1 - direction]);
+    }
+    static gp_Pnt2d place(int direction, double at, double other) {
+        return direction == 0 ? gp_Pnt2d(at, other) : gp_Pnt2d(other, at);
+    }
+    gp_Pnt2d uv(int direction, double at, int sample) const { return place(direction, at, across(direction, sample)); }
+    gp_Pnt value(const gp_Pnt2d& p) const { return surface_.Value(p.X(), p.Y()); }
+    gp_Pnt point(int direction, double at, int sample) const { return value(uv(direction, at, sample)); }
+
+    // Pieces as narrow as the tolerance are none.
+    bool apart_from_border(int direction, double at) const {
+        for (const double border : {low_[direction], high_[direction]}) {
+            double width = 0.0;
+            for (int i = 0; i < kSamples; ++i) {
+                width = std::max(width, point(direction, at, i).Distance(point(direction, border, i)));
+            }
+            if (width <= 10.0 * std::max(tolerance_, Precision::Confusion())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    bool normal(int direction, double at, int sample, gp_Vec& n) const {
+        const gp_Pnt2d where = uv(direction, at, sample);
+        gp_Pnt p;
+        gp_Vec su;
+        gp_Vec sv;
+        surface_.D1(where.X(), where.Y(), p, su, sv);
+        n = su.Crossed(sv);
+        const double size = n.Magnitude();
+        if (size <= 1e-9 * su.Magnitude() * sv.Magnitude() || size <= gp::Resolution()) {
+            return false;
+        }
+        n /= size;
+        return true;
+    }
+
+    // Somewhere within the face; or there is a normal on one side only.
+    bool jumps(int direction, double at) {
+        const double beside = 1e-6 * (high_[direction] - low_[direction]);
+        for (int i = 0; i < kSamples; ++i) {
+            gp_Vec before;
+            gp_Vec after;
+            const bool one = normal(direction, at - beside, i, before);
+            const bool other = normal(direction, at + beside, i, after);
+            const bool differ = one != other || (one && before.Angle(after) > kLeastJump);
+            if (differ && within_face(uv(direction, at, i))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // Somewhere between two kinks of the other direction.
+    bool shrinks_to_a_point(int direction, double at) {
+        std::vector<double> ends = inner_kinks(1 - direction);
+        ends.push_back(high_[1 - direction]);
+        double from = low_[1 - direction];
+        for (const double to : ends) {
+            if (is_a_point(direction, at, from, to)) {
+                return true;
+            }
+            from = to;
+        }
+        return false;
+    }
+
+    bool is_a_point(int direction, double at, double from, double to) {
+        const double most = std::max(tolerance_, Precision::Confusion());
+        const gp_Pnt start = value(place(direction, at, from));
+        for (int i = 1; i <= kSamples; ++i) {
+            if (value(place(direction, at, from + (to - from) * i / kSamples)).Distance(start) > most) {
+                return false;
+            }
+        }
+        return within_face(place(direction, at, 0.5 * (from + to)));
+    }
+
+    bool within_face(const gp_Pnt2d& where) {
+        if (!classifier_) {
+            classifier_ = std::make_unique<BRepTopAdaptor_FClass2d>(face_, Precision::PConfusion());
+        }
+        return classifier_->Perform(where) == TopAbs_IN;
+    }
+
+    TopoDS_Face face_;
+    GeomAdaptor_Surface surface_;
+    double tolerance_;
+    double low_[2]{};
+    double high_[2]{};
+    std::unique_ptr<BRepTopAdaptor_FClass2d> classifier_;
+};
+
+/// Splits a surface at given parameters.
+class SplitAtLines final : public ShapeUpgrade_SplitSurface {
+  public:
+    explicit SplitAtLines(int direction) : direction_(direction) {}
+    void set(const std::vector<double>& lines) { lines_ = lines; }
+    void Compute(const Standard_Boolean) override {
+        const Handle(TColStd_HSequenceOfReal)& values = direction_ == 0 ? myUSplitValues : myVSplitValues;
+        for (const double at : lines_) {
+            values->InsertBefore(values->Length(), at);
+            myStatus |= ShapeExtend::EncodeStatus(ShapeExtend_DONE1);
+        }
+    }
+
+  private:
+    int direction_;
+    std::vector<double> lines_;
+};
+
+/// Divides the faces that have creases and leaves all else as it is.
+class DivideAtCreases final : public ShapeUpgrade_FaceDivide {
+  public:
+    explicit DivideAtCreases(int direction) : direction_(direction), split_(new SplitAtLines(direction)) {
+        SetSplitSurfaceTool(split_);
+    }
+    Standard_Boolean SplitSurface() override {
+        const std::vector<double> lines = CreaseSearch(TopoDS::Face(myResult)).lines(direction_);
+        split_->set(lines);
+        return !lines.empty() && ShapeUpgrade_FaceDivide::SplitSurface();
+    }
+    Standard_Boolean SplitCurves() override { return Standard_False; }
+
+  private:
+    int direction_;
+    Handle(SplitAtLines) split_;
+};
+
+/// The shape after cuts one after the other, and what became of its parts.
+class Cuts {
+  public:
+    explicit Cuts(const TopoDS_Shape& shape) : result_(shape) {}
+
+    void divide(int direction) {
+        ShapeUpgrade_ShapeDivide divide(result_);
+        divide.SetSplitFaceTool(new DivideAtCreases(direction));
+        divide.Perform();
+        result_ = divide.Result();
+        changes_.push_back(divide.GetContext());
+    }
+    const TopoDS_Shape& result() const { return result_; }
+    TopoDS_Shape pieces_of(TopoDS_Shape part) const {
+        for (const Handle(ShapeBuild_ReShape) & change : changes_) {
+            part = change->Apply(part);
+        }
+        return part;
+    }
+
+  private:
+    TopoDS_Shape result_;
+    std::vector<Handle(ShapeBuild_ReShape)> changes_;
+};
+
+/// Enclosed by the borders of the faces of `shape` in their (u, v).
+double parameter_area(const TopoDS_Shape& shape) {
+    constexpr int kPieces = 256;
+    double area = 0.0;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+        const TopoDS_Face face = TopoDS::Face(faces.Current().Oriented(TopAbs_FORWARD));
+        for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+            const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+            double first = 0.0;
+            double last = 0.0;
+            const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, first, last);
+            const bool bounds = edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
+            for (int i = 0; !curve.IsNull() && bounds && i < kPieces; ++i) {
+                const gp_Pnt2d a = curve->Value(first + (last - first) * i / kPieces);
+                const gp_Pnt2d b = curve->Value(first + (last - first) * (i + 1) / kPieces);
+                const double under = 0.5 * (a.X() + b.X()) * (b.Y() - a.Y());
+                area += edge.Orientation() == TopAbs_FORWARD ? under : -under;
+            }
+        }
+    }
+    return area;
+}
+
+bool has_crease(const TopoDS_Face& face) {
+    CreaseSearch search(face);
+    return !search.lines(0).empty() || !search.lines(1).empty();
+}
+
+bool has_creases(const TopoDS_Shape& shape, const Progress* progress) {
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(shape, TopAbs_FACE, faces);
+    Pace pace(progress);
+    for (int i = 1; i <= faces.Extent(); ++i) {
+        pace.step();
+        const TopoDS_Face& face = TopoDS::Face(faces(i));
+        TopLoc_Location location;
+        if (!BRep_Tool::Surface(face, location).IsNull() && has_crease(face)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Numbers the pieces: the first one as what was cut, the others after all that the shape has.
+class Numbering {
+  public:
+    Numbering(const OrderedShape& whole, const Cuts& cuts) : whole_(whole), cuts_(cuts) { cut_.shape = cuts.result(); }
+
+    OrderedShape run() {
+        number(whole_.faces, TopAbs_FACE, 2, cut_.faces);
+        number(whole_.edges, TopAbs_EDGE, 1, cut_.edges);
+        number(whole_.vertices, TopAbs_VERTEX, 0, cut_.vertices);
+        add_creases();
+        add_ends();
+        return std::move(cut_);
+    }
+
+  private:
+    void number(const TopTools_IndexedMapOfShape& own, TopAbs_ShapeEnum kind, int dimension,
+                TopTools_IndexedMapOfShape& numbered) {
+        std::vector<std::pair<int, TopoDS_Shape>> further;
+        for (int i = 1; i <= own.Extent(); ++i) {
+            TopTools_IndexedMapOfShape pieces;
+            TopExp::MapShapes(cuts_.pieces_of(own(i)), kind, pieces);
+            const bool taken = pieces.IsEmpty() || numbered.Contains(pieces(1));
+            if (taken) {
+                cut_.replaced.Add(own(i));
+            }
+            numbered.Add(taken ? own(i) : pieces(1));
+            for (int k = 2; k <= pieces.Extent(); ++k) {
+                further.emplace_back(i - 1, pieces(k));
+            }
+            if (dimension == 2 && pieces.Extent() > 1) {
+                cut_.cut_faces.push_back(i - 1);
+            }
+        }
+        for (const auto& [of, piece] : further) {
+            add(piece, dimension, Entity{dimension, of}, numbered);
+        }
+    }
+
+    void add(const TopoDS_Shape& piece, int dimension, Entity of, TopTools_IndexedMapOfShape& numbered) {
+        if (!numbered.Contains(piece)) {
+            numbered.Add(piece);
+            cut_.parts_of[static_cast<std::size_t>(dimension)].push_back(of);
+        }
+    }
+
+    int own_index(int index, int dimension, std::size_t own) const {
+        const auto i = static_cast<std::size_t>(index);
+        return i < own ? index : cut_.parts_of[static_cast<std::size_t>(dimension)][i - own].index;
+    }
+
+    // Edges that are no piece of an edge.
+    void add_creases() {
+        for (int f = 1; f <= cut_.faces.Extent(); ++f) {
+            const int face = own_index(f - 1, 2, static_cast<std::size_t>(whole_.faces.Extent()));
+            for (TopExp_Explorer it(cut_.faces(f), TopAbs_EDGE); it.More(); it.Next()) {
+                add(it.Current(), 1, Entity{2, face}, cut_.edges);
+            }
+        }
+    }
+
+    // Ends of creases lie on an edge that was cut, or inside a face.
+    void add_ends() {
+        const auto own = static_cast<std::size_t>(whole_.edges.Extent());
+        for (const bool of_edges : {true, false}) {
+            for (int e = 1; e <= cut_.edges.Extent(); ++e) {
+                const auto i = static_cast<std::size_t>(e - 1);
+                const Entity of = i < own ? Entity{1, e - 1} : cut_.parts_of[1][i - own];
+                if ((of.dimension == 1) != of_edges) {
+                    continue;
+                }
+                for (TopExp_Explorer it(cut_.edges(e), TopAbs_VERTEX); it.More(); it.Next()) {
+                    add(it.Current(), 0, of, cut_.vertices);
+                }
+            }
+        }
+    }
+
+    const OrderedShape& whole_;
+    const Cuts& cuts_;
+    OrderedShape cut_;
+};
+
+void move(TopTools_IndexedMapOfShape& entities, const TopLoc_Location& place) {
+    TopTools_IndexedMapOfShape moved;
+    for (int i = 1; i <= entities.Extent(); ++i) {
+        moved.Add(entities(i).Moved(place, Standard_False));
+    }
+    entities = moved;
+}
+
+/// @return names of faces that lost area
+std::string lost_area(const OrderedShape& whole, const Cuts& cuts) {
+    constexpr double kOfArea = 1e-3;
+    std::string lost;
+    for (int i = 1; i <= whole.faces.Extent(); ++i) {
+        const TopoDS_Shape pieces = cuts.pieces_of(whole.faces(i));
+        if (!pieces.IsSame(whole.faces(i))) {
+            const double area = parameter_area(whole.faces(i));
+            if (!(std::abs(parameter_area(pieces) - area) <= kOfArea * std::abs(area))) {
+                lost += (lost.empty() ? "" : ", ") + name_of(Entity{2, i - 1});
+            }
+        }
+    }
+    return lost;
+}
+
+}  // namespace
+
+OrderedShape ordered(const TopoDS_Shape& shape) {
+    OrderedShape result;
+    result.shape = shape;
+    TopExp::MapShapes(shape, TopAbs_VERTEX, result.vertices);
+    TopExp::MapShapes(shape, TopAbs_EDGE, result.edges);
+    TopExp::MapShapes(shape, TopAbs_FACE, result.faces);
+    return result;
+}
+
+OrderedShape cut_at_creases(const TopoDS_Shape& shape, std::vector<std::string>& faults, const Progress* progress) {
+    if (!has_creases(shape, progress)) {
+        return ordered(shape);
+    }
+    // In the part's own frame, so that what the pieces are made of does not depend on where it stands.
+    const TopLoc_Location place = shape.Location();
+    const TopoDS_Shape own = shape.Located(TopLoc_Location());
+    std::string failure;
+    try {
+        // Both at once goes wrong where lines cross in a line that is a point.
+        Cuts cuts(own);
+        cuts.divide(0);
+        cuts.divide(1);
+        const OrderedShape whole = ordered(own);
+        failure = lost_area(whole, cuts);
+        if (failure.empty()) {
+            OrderedShape cut = Numbering(whole, cuts).run();
+            cut.shape = cut.shape.Moved(place, Standard_False);
+            move(cut.vertices, place);
+            move(cut.edges, place);
+            move(cut.faces, place);
+            TopTools_MapOfShape replaced;
+            for (TopTools_MapOfShape::Iterator it(cut.replaced); it.More(); it.Next()) {
+                replaced.Add(it.Value().Moved(place, Standard_False));
+            }
+            cut.replaced = replaced;
+            return cut;
+        }
+    } catch (const Standard_Failure& raised) {
+        failure = raised.DynamicType()->Name();
+    }
+    faults.push_back("creases inside faces are not followed: OpenCASCADE cannot cut along them (" + failure + ")");
+    return ordered(shape);
+}
+
+}  // namespace mq::geometry

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cmath>
+#include <gp_Ax1.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
+#include <set>
+
+#include "geometry/creased_shapes.h"
+#include "geometry/shapes.h"
+
+namespace mq::geometry {
+namespace {
+
+std::shared_ptr<Model> cut(const TopoDS_Shape& shape) {
+    return make_shape_model(shape, nullptr, Creases::Cut);
+}
+
+TEST(Creases, BecomeEdgesOfPieces) {
+    const TopoDS_Shape block = block_with_one_side();
+    ASSERT_EQ(make_shape_model(block)->topology().faces.size(), 3u);
+    const auto model = cut(block);
+    const Topology& topology = model->topology();
+    EXPECT_TRUE(topology.faults.empty()) << topology.faults.front();
+    EXPECT_EQ(topology.faces.size(), 6u);
+    EXPECT_EQ(topology.own_count(2), 3u);
+    EXPECT_EQ(topology.own_count(1), 3u);
+    EXPECT_EQ(topology.own_count(0), 2u);
+    std::size_t used = 0;
+    for (const Edge& edge : topology.edges) {
+        used += edge.uses.empty() ? 0 : 1;
+        EXPECT_TRUE(edge.uses.empty() || edge.uses.size() == 2);
+    }
+    EXPECT_EQ(used, 12u);
+    expect_uses_run_left(*model);
+    EXPECT_NEAR(flux_of_rectangles(*model), 24.0, 1e-9);
+}
+
+TEST(Creases, AreKnownByTheWhole) {
+    const auto model = cut(block_with_one_side());
+    const Topology& topology = model->topology();
+    std::set<std::string> names;
+    for (int e = 0; e < static_cast<int>(topology.edges.size()); ++e) {
+        names.insert(topology.name_of({1, e}));
+    }
+    EXPECT_EQ(names, (std::set<std::string>{"Edge1", "Edge2", "Edge3", "a crease of Face1"}));
+    for (int f = 0; f < static_cast<int>(topology.faces.size()); ++f) {
+        const Entity whole = topology.of_shape({2, f});
+        EXPECT_EQ(whole.dimension, 2);
+        EXPECT_LT(whole.index, 3);
+        EXPECT_EQ(topology.name_of({2, f}), name_of(whole));
+    }
+    EXPECT_EQ(topology.pieces_of({2, 0}).size(), 4u);
+    EXPECT_EQ(topology.pieces_of({2, 1}), std::vector<int>{1});
+    EXPECT_EQ(topology.name_of({0, 2}).rfind("the end of a crease on Edge", 0), 0u);
+}
+
+TEST(Creases, FollowTheShapesPlace) {
+    const TopoDS_Shape block = block_with_one_side();
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1(gp_Pnt(1.0, 0.0, 2.0), gp_Dir(1.0, 2.0, -1.0)), 0.7);
+    gp_Trsf mirror;
+    mirror.SetMirror(gp_Ax2(gp_Pnt(3.0, 1.0, 0.0), gp_Dir(1.0, 1.0, 0.3)));
+    const auto here = cut(block);
+    for (const gp_Trsf& trsf : {turn, mirror}) {
+        const auto there = cut(block.Located(TopLoc_Location(trsf), Standard_False));
+        const Topology& topology = there->topology();
+        ASSERT_EQ(topology.nodes.size(), here->topology().nodes.size());
+        for (std::size_t i = 0; i < topology.nodes.size(); ++i) {
+            const Vec3& p = here->topology().nodes[i].point;
+            const gp_Pnt moved = gp_Pnt(p.x(), p.y(), p.z()).Transformed(trsf);
+            EXPECT_LT((topology.nodes[i].point - Vec3(moved.X(), moved.Y(), moved.Z())).norm(), 1e-12);
+        }
+        EXPECT_TRUE(topology.faults.empty());
+        EXPECT_NEAR(flux_of_rectangles(*there), 24.0, 1e-9);
+    }
+    // What a face is made of does not depend on where it stands.
+    const auto there = cut(block.Located(TopLoc_Location(turn)));
+    for (int f = 0; f < static_cast<int>(here->topology().faces.size()); ++f) {
+        Fingerprint one{};
+        Fingerprint other{};
+        here->add_definition({2, f}, one);
+        there->add_definition({2, f}, other);
+        EXPECT_EQ(one, other) << "face " << f;
+    }
+}
+
+TEST(Creases, PiecesWithoutAreaAreSewnUp) {
+    const auto model = cut(wing_with_flat_ends());
+    const Topology& topology = model->topology();
+    EXPECT_TRUE(topology.faults.empty()) << topology.faults.front();
+    EXPECT_EQ(topology.own_count(2), 1u);
+    std::size_t empty = 0;
+    for (const Face& face : topology.faces) {
+        empty += face.no_area ? 1 : 0;
+        EXPECT_EQ(face.no_area, face.loops.empty());
+    }
+    EXPECT_EQ(empty, 4u);
+    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+        const std::size_t uses = topology.edges[e].uses.size();
+        EXPECT_TRUE(uses == 0 || uses == 2) << "edge " << e << " has " << uses;
+    }
+}
+
+TEST(Creases, SmoothPartsStayAsTheyAre) {
+    for (const TopoDS_Shape& shape :
+         {BRepPrimAPI_MakeBox(1.0, 2.0, 3.0).Shape(), BRepPrimAPI_MakeSphere(2.0).Shape(),
+          BRepPrimAPI_MakeCone(1.0, 0.0, 3.0).Shape(), BRepPrimAPI_MakeTorus(5.0, 1.0).Shape()}) {
+        const auto whole = make_shape_model(shape);
+        const auto same = cut(shape);
+        EXPECT_EQ(same->topology().faces.size(), whole->topology().faces.size());
+        EXPECT_EQ(same->topology().edges.size(), whole->topology().edges.size());
+        EXPECT_EQ(same->topology().own_count(2), whole->topology().faces.size());
+    }
+}
+
+/// A curve whose speed is 0 at its end but for rounding: x = t * t.
+TEST(EdgeNearest, FindsAnEndWhereTheCurveStandsStill) {
+    for (const double rounding : {0.0, 1e-14, -1e-14, 1e-12}) {
+        TColgp_Array1OfPnt poles(1, 3);
+        poles(1) = gp_Pnt(0.0, 0.0, 0.0);
+        poles(2) = gp_Pnt(rounding, 0.0, 0.0);
+        poles(3) = gp_Pnt(1.0, 0.0, 0.0);
+        TColStd_Array1OfReal knots(1, 2);
+        knots(1) = 0.0;
+        knots(2) = 1.0;
+        TColStd_Array1OfInteger multiplicities(1, 2);
+        multiplicities.Init(3);
+        const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, multiplicities, 2)).Edge();
+        const auto model = make_shape_model(BRepPrimAPI_MakePrism(edge, gp_Vec(0.0, 1.0, 0.0)).Shape());
+        int found = -1;
+        for (int e = 0; e < 4; ++e) {
+            const Answer middle = model->answer(Query::edge_point(e, 0.5));
+            found = middle.found() && std::abs(middle.point.x() - 0.25) < 1e-9 ? e : found;
+        }
+        ASSERT_GE(found, 0);
+        const double y = model->answer(Query::edge_point(found, 0.5)).point.y();
+        for (const double off : {0.0, 1e-13, -1e-13, 1e-6, -1e-6}) {
+            for (const double guess : {0.0, 1e-9, 0.1, 0.5, 1.0}) {
+                const Answer end = model->answer(Query::edge_nearest(found, Vec3(off, y, 0.0), guess, 0.0, 1.0));
+                EXPECT_LT(end.distance, 1.001e-6) << off << " from " << guess << " with " << rounding;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace mq::geometry
