@@ -22,11 +22,16 @@ constexpr int kMostStarts = 256;
 class Classifier {
   public:
     Classifier(geometry::Session& session, const mesh::TriangleMesh& mesh, int order)
-        : session_(session), topology_(session.topology()), mesh_(mesh), surface_(order) {}
+        : session_(session),
+          topology_(session.topology()),
+          mesh_(mesh),
+          vertex_entity_(mesh.vertex_piece.empty() ? mesh.vertex_entity : mesh.vertex_piece),
+          triangle_face_(mesh.triangle_piece.empty() ? mesh.triangle_face : mesh.triangle_piece),
+          surface_(order) {}
 
     Surface run() {
-        if (mesh_.vertex_entity.size() != mesh_.vertices.size() ||
-            mesh_.triangle_face.size() != mesh_.triangles.size()) {
+        if (vertex_entity_.size() != mesh_.vertices.size() ||
+            triangle_face_.size() != mesh_.triangles.size()) {
             throw InvalidInput("the mesh does not say which CAD entities it lies on: curve one made by triangulate()");
         }
         join_vertices();
@@ -43,7 +48,7 @@ class Classifier {
         std::map<std::tuple<int, int, double, double, double>, int> known;
         for (std::size_t i = 0; i < mesh_.vertices.size(); ++i) {
             const Vec3 p = mesh_.vertices[i] + mesh_.origin;
-            const mesh::VertexEntity& entity = mesh_.vertex_entity[i];
+            const mesh::VertexEntity& entity = vertex_entity_[i];
             const auto [found, fresh] = known.emplace(std::make_tuple(entity[0], entity[1], p.x(), p.y(), p.z()), -1);
             if (fresh) {
                 found->second = surface_.add_vertex({p, entity});
@@ -65,7 +70,7 @@ class Classifier {
                 // The side after this one may be of the same face, of another volume or of this one: a triangle that
                 // comes again belongs to it.
                 std::set<FaceKey> run;
-                for (; next < mesh_.triangles.size() && mesh_.triangle_face[next] == side.face; ++next) {
+                for (; next < mesh_.triangles.size() && triangle_face_[next] == side.face; ++next) {
                     const std::array<int, 3> corners = joined(mesh_.triangles[next]);
                     if (!run.insert(face_key(corners[0], corners[1], corners[2])).second) {
                         break;
@@ -149,7 +154,7 @@ class Classifier {
         std::vector<std::pair<double, int>> sorted;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             if (!best[i].found()) {
-                throw GeometryError("no point of " + geometry::name_of({1, e}) + " near a vertex of its mesh");
+                throw GeometryError("no point of " + topology_.name_of({1, e}) + " near a vertex of its mesh");
             }
             sorted.emplace_back(best[i].t, vertices[i]);
             surface_.shapes.vertices[static_cast<std::size_t>(vertices[i])].point = best[i].point;
@@ -200,7 +205,7 @@ class Classifier {
             if (a != b && surface_.has_edge(a, b)) {
                 surface_.set_segment(a, b, e, chain[i].first, chain[i + 1].first);
             } else if (meshed(edge)) {
-                throw TopologyError("the mesh does not follow " + geometry::name_of({1, e}));
+                throw TopologyError("the mesh does not follow " + topology_.name_of({1, e}));
             }
         }
     }
@@ -208,7 +213,7 @@ class Classifier {
     bool meshed(const geometry::Edge& edge) const {
         return std::any_of(edge.uses.begin(), edge.uses.end(), [&](int use) {
             const int face = topology_.uses[static_cast<std::size_t>(use)].face;
-            return std::find(mesh_.triangle_face.begin(), mesh_.triangle_face.end(), face) != mesh_.triangle_face.end();
+            return std::find(triangle_face_.begin(), triangle_face_.end(), face) != triangle_face_.end();
         });
     }
 
@@ -262,7 +267,7 @@ class Classifier {
         for (const auto& [v, face] : needed) {
             const Answer& answer = answers[i++];
             if (!answer.found()) {
-                throw GeometryError("no point of " + geometry::name_of({2, face}) + " near a vertex of its mesh");
+                throw GeometryError("no point of " + topology_.name_of({2, face}) + " near a vertex of its mesh");
             }
             surface_.uv[Surface::key(v, face)] = Vec2(answer.u, answer.v);
             Vertex& vertex = surface_.shapes.vertices[static_cast<std::size_t>(v)];
@@ -297,6 +302,8 @@ class Classifier {
     geometry::Session& session_;
     const geometry::Topology& topology_;
     const mesh::TriangleMesh& mesh_;
+    const std::vector<mesh::VertexEntity>& vertex_entity_;
+    const std::vector<std::int32_t>& triangle_face_;
     Surface surface_;
     std::vector<int> joined_;
     geometry::Engine::Batch uv_batch_;

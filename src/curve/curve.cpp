@@ -33,13 +33,14 @@ std::vector<int> living(const Surface& surface) {
 
 /// Surface figures. `invalid` counts on in what is there already.
 /// @param straightened triangles by their index.
-void measure_surface(SurfaceEditor& editor, const std::set<int>& straightened, CurveReport& report) {
+void measure_surface(SurfaceEditor& editor, const geometry::Topology& topology, const std::set<int>& straightened,
+                     CurveReport& report) {
     const std::vector<int> triangles = living(editor.surface);
     double sum = 0.0;
     report.min_distortion = 1.0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const SurfaceTriangle& triangle = editor.triangle(triangles[i]);
-        const std::string name = "triangle " + std::to_string(i) + " on " + geometry::name_of({2, triangle.face});
+        const std::string name = "triangle " + std::to_string(i) + " on " + topology.name_of({2, triangle.face});
         if (straightened.count(triangles[i]) > 0) {
             report.straightened.push_back(name);
         }
@@ -81,7 +82,7 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
 }
 
 /// Names the worst of the vertices and edges that lie off what meets them.
-void note_gaps(SurfaceEditor& editor, CurveReport& report) {
+void note_gaps(SurfaceEditor& editor, const geometry::Topology& topology, CurveReport& report) {
     std::map<mesh::VertexEntity, double> gaps;
     for (const int v : editor.surface.off_cad) {
         const mesh::VertexEntity& entity = editor.surface.shapes.vertices[static_cast<std::size_t>(v)].entity;
@@ -97,7 +98,7 @@ void note_gaps(SurfaceEditor& editor, CurveReport& report) {
     char distance[32];
     std::snprintf(distance, sizeof distance, "%.3g", worst->second);
     const std::string more = gaps.size() == 1 ? "" : ", and " + std::to_string(gaps.size() - 1) + " more likewise";
-    report.notes.push_back(geometry::name_of({worst->first[0], worst->first[1]}) + " lies " + distance +
+    report.notes.push_back(topology.name_of({worst->first[0], worst->first[1]}) + " lies " + distance +
                            " mm off the edges or faces at it, within its tolerance" + more +
                            ": elements there leave the CAD to reach it");
 }
@@ -225,16 +226,16 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
         Volume& volume = filled.volume;
         const std::set<int> straight_tetrahedra =
             options.straighten ? straighten_tetrahedra(volume, editor) : std::set<int>();
-        measure_surface(editor, straight_triangles, report);
+        measure_surface(editor, session.topology(), straight_triangles, report);
         qualities = measure_volume(volume, straight_tetrahedra, report);
         for (const int t : volume.living()) {
             const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
             regions.push_back({tetrahedron.corners, tetrahedron.volume});
         }
     } else {
-        measure_surface(editor, straight_triangles, report);
+        measure_surface(editor, session.topology(), straight_triangles, report);
     }
-    note_gaps(editor, report);
+    note_gaps(editor, session.topology(), report);
     report.repairs.emplace_back("elements made straight", report.straightened.size());
     report.volume = enclosed_volume(surface, session.topology());
     CurvedMesh result = assemble(surface, regions);
@@ -243,6 +244,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
         result.triangle_quality.push_back(editor.triangle(t).quality);
     }
     report.max_shape_distortion = largest_distortion(result, options.volume, watched);
+    put_on_whole_entities(result, session.topology());
     clock.end("measuring");
     report.vertices = result.vertices;
     report.cpu_seconds = cpu_seconds() - start;

@@ -188,6 +188,31 @@ CurvedMesh assemble(const Surface& surface, const std::vector<Region>& regions) 
     return Assembler(surface, regions).run();
 }
 
+void put_on_whole_entities(CurvedMesh& mesh, const geometry::Topology& topology) {
+    if (!topology.has_pieces()) {
+        return;
+    }
+    for (std::int32_t& face : mesh.triangle_face) {
+        face = topology.of_shape({2, face}).index;
+    }
+    for (mesh::VertexEntity& entity : mesh.node_entity) {
+        const geometry::Entity whole = topology.of_shape({entity[0], entity[1]});
+        entity = {whole.dimension, whole.index};
+    }
+    const auto width = static_cast<std::ptrdiff_t>(mesh.nodes_per_edge());
+    CurvedMesh kept;
+    for (std::size_t e = 0; e < mesh.edge_entity.size(); ++e) {
+        const geometry::Entity whole = topology.of_shape({1, mesh.edge_entity[e]});
+        if (whole.dimension == 1) {
+            const auto first = mesh.edges.begin() + static_cast<std::ptrdiff_t>(e) * width;
+            kept.edges.insert(kept.edges.end(), first, first + width);
+            kept.edge_entity.push_back(whole.index);
+        }
+    }
+    mesh.edges = std::move(kept.edges);
+    mesh.edge_entity = std::move(kept.edge_entity);
+}
+
 std::vector<std::int32_t> tetrahedra_behind(const CurvedMesh& mesh) {
     std::unordered_map<FaceKey, std::int32_t, FaceKeyHash> faces;
     const auto width = static_cast<std::size_t>(mesh.nodes_per_tetrahedron());

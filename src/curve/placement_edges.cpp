@@ -135,7 +135,7 @@ void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
         if (!at[i].found()) {
-            throw GeometryError("no point on " + geometry::name_of({1, points[i].index}) + " at parameter " +
+            throw GeometryError("no point on " + session_.topology().name_of({1, points[i].index}) + " at parameter " +
                                 std::to_string(points[i].t) + ": repair the edge");
         }
         nodes.push_back(at[i].point);
@@ -206,7 +206,7 @@ void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
             open[way].close(ways[way]);
         }
         if (!found[0] && !found[1]) {
-            throw GeometryError("no points of " + geometry::name_of({2, edge.task.face}) + " for a mesh edge on it");
+            throw GeometryError("no points of " + session_.topology().name_of({2, edge.task.face}) + " for a mesh edge on it");
         }
         edge.project = found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
         edge.nodes = ways[edge.project ? 0 : 1];

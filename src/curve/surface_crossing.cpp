@@ -111,9 +111,10 @@ int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, 
     return halved;
 }
 
-std::string trouble_spot(const Surface& surface, std::size_t volume, const Progress& progress) {
+std::string trouble_spot(const Surface& surface, const geometry::Topology& topology, std::size_t volume,
+                         const Progress& progress) {
     const auto face = [&](int t) {
-        return geometry::name_of({2, surface.triangles[static_cast<std::size_t>(t)].face});
+        return topology.name_of({2, surface.triangles[static_cast<std::size_t>(t)].face});
     };
     const std::vector<Crossing> crossing = crossings(surface, volume, progress);
     if (!crossing.empty()) {

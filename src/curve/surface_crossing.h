@@ -22,6 +22,7 @@ std::vector<Crossing> crossings(const Surface& surface, std::size_t volume, cons
 int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, const Progress& progress);
 
 /// Where the surface around a volume is hardest to fill: the faces that cross, or the flattest triangle. For messages.
-std::string trouble_spot(const Surface& surface, std::size_t volume, const Progress& progress);
+std::string trouble_spot(const Surface& surface, const geometry::Topology& topology, std::size_t volume,
+                         const Progress& progress);
 
 }  // namespace mq::curve

@@ -206,10 +206,10 @@ Volume fill_solids(Surface& surface, const geometry::Topology& topology, double 
             filling = fill(shell.points, shell.triangles, grading_part, progress);
         } catch (const CannotFill& error) {
             throw CannotFill("Solid" + std::to_string(i + 1) + ": " + error.what() + " (" +
-                             trouble_spot(surface, i, progress) + ")");
+                             trouble_spot(surface, topology, i, progress) + ")");
         } catch (const GeometryError& error) {
             throw GeometryError("Solid" + std::to_string(i + 1) + ": " + error.what() + " (" +
-                                trouble_spot(surface, i, progress) + ")");
+                                trouble_spot(surface, topology, i, progress) + ")");
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {

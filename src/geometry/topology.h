@@ -86,6 +86,7 @@ struct Topology {
     /// face to the whole one, a crease to its face, the end of a crease to the edge or face that it lies on.
     std::array<std::vector<Entity>, 3> parts_of;
 
+    bool has_pieces() const { return !parts_of[0].empty() || !parts_of[1].empty() || !parts_of[2].empty(); }
     /// How many of the entities are the shape's own.
     std::size_t own_count(int dimension) const;
     /// Itself, but for what is in `parts_of`.

@@ -30,7 +30,8 @@ std::size_t bytes_of(const std::vector<std::vector<T>>& v) {
 }
 
 std::size_t bytes_of(const mesh::TriangleMesh& m) {
-    return bytes_of(m.vertices) + bytes_of(m.triangles) + bytes_of(m.triangle_face) + bytes_of(m.vertex_entity);
+    return bytes_of(m.vertices) + bytes_of(m.triangles) + bytes_of(m.triangle_face) + bytes_of(m.vertex_entity) +
+           bytes_of(m.triangle_piece) + bytes_of(m.vertex_piece);
 }
 
 // From the run used last on: those whose bytes are at most so many. Faces that several runs have count once.

@@ -143,6 +143,9 @@ class VolumeWriter {
                     out.mesh.vertices.push_back(v.point);
                     const geometry::Entity of = topology_.of_shape({v.entity[0], v.entity[1]});
                     out.mesh.vertex_entity.push_back({of.dimension, of.index});
+                    if (topology_.has_pieces()) {
+                        out.mesh.vertex_piece.push_back(v.entity);
+                    }
                 }
                 corners[i] = vertex_of_root_[root];
             }
@@ -151,6 +154,9 @@ class VolumeWriter {
             }
             out.mesh.triangles.push_back(corners);
             out.mesh.triangle_face.push_back(topology_.of_shape({2, mesh_.face_of(t)}).index);
+            if (topology_.has_pieces()) {
+                out.mesh.triangle_piece.push_back(mesh_.face_of(t));
+            }
             out.source.push_back(t);
         }
     }
