@@ -25,6 +25,7 @@ constexpr double kMinDeviations = 20.0;
 constexpr double kMinHeights = 3.0;  // times the deviation
 constexpr double kTurnThatCounts = 10.0 * kDegree;
 constexpr double kMinPart = 1e-4;
+constexpr double kMuchLonger = 1.5;
 // A surface with a kink keeps its turn however often the sides across it are halved.
 constexpr int kMaxLevel = 8;
 constexpr int kMaxRounds = 40;
@@ -50,11 +51,15 @@ class FaceMesher {
     bool insert_border();
     bool add_constraint(int piece);
     void mark_piece(int piece);
+    void mark_crossing(int piece, int other);
     void mark_around(int planar_vertex);
+    double length_of(int piece) const;
+    bool much_longer(int a, int b) const { return length_of(a) > kMuchLonger * length_of(b); }
     bool wish_halved(int piece);
     void find_inside();
     void insert_inner();
     void check_halving();
+    void wish_past(int piece, int side);
     bool refine_round();
     int side_to_split(int t, Fault fault) const;
     Fault fault(int t, const Answer& at_centroid) const;
@@ -136,22 +141,33 @@ bool FaceMesher::long_enough() {
 
 void FaceMesher::mark_piece(int piece) {
     const FaceBorder::Piece& p = border_.pieces[piece];
-    if (p.collapsed()) {
-        return;
-    }
-    const double length = (result_.sites[p.to].point - result_.sites[p.from].point).norm();
-    if (length > 2.0 * reach()) {
+    if (!p.collapsed() && length_of(piece) > 2.0 * reach()) {
         result_.marks.insert({session_.topology().uses[p.use].edge, p.index});
     }
 }
 
+// The longer one alone: pieces of one length part at a narrow corner as their curves do, while a long chord cuts off
+// short ones however short they get, since both are halved in turn. Once only the crossing counts, both.
+void FaceMesher::mark_crossing(int piece, int other) {
+    if (other < 0 || !border_may_change_ || !much_longer(other, piece)) {
+        mark_piece(piece);
+    }
+    if (other >= 0 && (!border_may_change_ || !much_longer(piece, other))) {
+        mark_piece(other);
+    }
+}
+
+double FaceMesher::length_of(int piece) const {
+    const FaceBorder::Piece& p = border_.pieces[piece];
+    return (result_.sites[p.to].point - result_.sites[p.from].point).norm();
+}
+
 // Where the curves of an edge differ within its tolerance, shorter pieces follow the surface no better.
 bool FaceMesher::wish_halved(int piece) {
-    const FaceBorder::Piece& p = border_.pieces[piece];
-    if (!border_may_change_ || p.collapsed()) {
+    if (!border_may_change_ || border_.pieces[piece].collapsed()) {
         return false;
     }
-    const double length = (result_.sites[p.to].point - result_.sites[p.from].point).norm();
+    const double length = length_of(piece);
     if (length <= kMinDeviations * border_.deviation || length <= 2.0 * reach()) {
         return false;
     }
@@ -217,10 +233,7 @@ bool FaceMesher::add_constraint(int piece) {
         return true;
     }
     if (const auto obstacle = tri_->insert_constraint(a, b, piece)) {
-        mark_piece(piece);
-        if (obstacle->constraint >= 0) {
-            mark_piece(obstacle->constraint);
-        }
+        mark_crossing(piece, obstacle->constraint);
         if (obstacle->vertex >= 0) {
             mark_around(obstacle->vertex);
         }
@@ -290,6 +303,17 @@ void FaceMesher::insert_inner() {
     }
 }
 
+// By the piece, or by that on the side beyond which its middle lies, where that is far longer (see mark_crossing).
+// Where both are as long and meet in a corner, the other is split first: curves that touch look the same at any length.
+void FaceMesher::wish_past(int piece, int side) {
+    const int other = tri_->label(side);
+    if (other < 0 || much_longer(piece, other)) {
+        wish_halved(piece);
+    } else if (much_longer(other, piece)) {
+        wish_halved(other);
+    }
+}
+
 // A piece whose middle on the curve lies beyond the apex of its triangle would fold that triangle when it is split.
 void FaceMesher::check_halving() {
     const Topology& topology = session_.topology();
@@ -320,8 +344,10 @@ void FaceMesher::check_halving() {
             const Vec2& from = tri_->point(tri_->corner(side));
             const Vec2& to = tri_->point(tri_->corner(PlanarTriangulation::next(side)));
             const Vec2& apex = tri_->point(tri_->corner(PlanarTriangulation::prev(side)));
-            if (orient2d(apex, from, middle) <= 0 || orient2d(to, apex, middle) <= 0) {
-                wish_halved(pieces[i]);
+            if (orient2d(apex, from, middle) <= 0) {
+                wish_past(pieces[i], PlanarTriangulation::prev(side));
+            } else if (orient2d(to, apex, middle) <= 0) {
+                wish_past(pieces[i], PlanarTriangulation::next(side));
             }
         }
     }

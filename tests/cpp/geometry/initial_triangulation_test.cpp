@@ -178,6 +178,23 @@ TEST(InitialTriangulation, FollowsNarrowStripsThatTurnAcross) {
     }
 }
 
+/// One arc is sampled in longer pieces than the other, and its chord cuts the other's off. Were both halved in turn,
+/// that would go on where the arcs are so near that no good triangles fit beside them.
+TEST(InitialTriangulation, HalvesTheLongerOfTwoPiecesThatCross) {
+    for (const double outer_turn : {27.0, 29.0, 40.0, 44.0}) {
+        for (const double ratio : {1.05, 1.1, 1.2}) {
+            SCOPED_TRACE(testing::Message() << outer_turn << " degrees, radii " << ratio);
+            const double inner_turn = ratio * outer_turn;
+            const Case c(solid("crescent", extruded(crescent(10.0, 10.0 * ratio, inner_turn, outer_turn), 5.0)));
+            ASSERT_TRUE(c.initial.failures.empty());
+            for (int e = 0; e < static_cast<int>(c.topology().edges.size()); ++e) {
+                const EdgeChain& chain = c.initial.chains.chain(e);
+                EXPECT_LE(chain.t.size(), 5u) << "edge " << e;
+            }
+        }
+    }
+}
+
 TEST(InitialTriangulation, IsTheSameEveryTime) {
     for (const Part& part : shape_parts()) {
         const Case a(part);

@@ -76,6 +76,21 @@ inline TopoDS_Face cusp() {
                         arc(circle_about(0.0, 4.0, 4.0), 1.5 * M_PI, 2.0 * M_PI)});
 }
 
+/// Between two arcs that touch in the origin and turn by so many degrees from there.
+inline TopoDS_Face crescent(double inner_radius, double outer_radius, double inner_turn, double outer_turn) {
+    const gp_Circ inner = circle_about(0.0, inner_radius, inner_radius);
+    const gp_Circ outer = circle_about(0.0, outer_radius, outer_radius);
+    const auto to = [](double turn) { return -M_PI / 2.0 + turn * M_PI / 180.0; };
+    const TopoDS_Edge first = arc(outer, to(0.0), to(outer_turn));
+    const TopoDS_Edge second = arc(inner, to(0.0), to(inner_turn));
+    const auto end_of = [&](const gp_Circ& circle, double turn) {
+        return Vec2(circle.Radius() * std::cos(to(turn)), circle.Radius() * (1.0 + std::sin(to(turn))));
+    };
+    const Vec2 a = end_of(outer, outer_turn);
+    const Vec2 b = end_of(inner, inner_turn);
+    return planar_face({first, line(a.x(), a.y(), b.x(), b.y()), second});
+}
+
 /// Two arcs about one centre, close together against their length.
 inline TopoDS_Shape curved_plate() {
     const double from = -1.2;

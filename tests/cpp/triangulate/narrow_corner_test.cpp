@@ -110,6 +110,27 @@ TEST(Cusp, ASickleEndsToo) {
     }
 }
 
+/// Arcs that turn the same way touch for long. Beside short pieces of them no good triangles fit, and the way to these
+/// takes thousands; beside long pieces there is room.
+TEST(Cusp, BetweenArcsThatTurnTheSameWayHasLongPieces) {
+    for (const double ratio : {1.05, 1.1, 1.3, 1.5}) {
+        for (const double turn : {29.0, 60.0}) {
+            const auto model = geometry::make_shape_model(geometry::crescent(10.0, 10.0 * ratio, turn, turn / ratio));
+            for (const double chord : {0.0, 0.1, 0.01}) {
+                SCOPED_TRACE(testing::Message() << ratio << ", " << turn << " degrees, " << chord);
+                Options options;
+                options.chord_height = chord;
+                const Result result = mesh_of(model, options);
+                expect_sound(result, 1, false);
+                expect_angles(result, 25.0);
+                EXPECT_LT(result.mesh.triangles.size(), 2000u);
+                ASSERT_EQ(result.report.exempt.size(), 1u);
+                EXPECT_TRUE(mentions(result.report.exempt.front().second, "corner of "));
+            }
+        }
+    }
+}
+
 /// The trailing edge of a blade is no corner of a face, but as thin as one.
 TEST(Blade, EndsAndNamesWhatItExempts) {
     const auto model = geometry::make_shape_model(geometry::stored("blade"));
