@@ -187,16 +187,23 @@ class Rim {
         return points;
     }
 
-    // Of the smallest angle of the fan: -1 where one is turned over; any less than `enough` where it is less than that.
+    // Of the smallest angle of the fan: -1 where a triangle is turned over, or the angle less than `enough`.
     // The side that failed last is the first to be looked at: mostly it fails again.
     double squared_sine(const Vec3& apex, double enough) {
         double least = 1.0;
         for (Side& side : sides_) {
-            least = std::min(least, squared_sine_over(side.a, side.b, side.length, apex, normal_));
-            if (least < enough) {
+            const Vec3 a = side.a - apex;
+            const Vec3 b = side.b - apex;
+            const Vec3 area = a.cross(b);
+            const double to_a = a.squaredNorm();
+            const double to_b = b.squaredNorm();
+            const double product = to_a * to_b * side.length;
+            const double part = area.squaredNorm() * std::min({to_a, to_b, side.length});
+            if (!(area.dot(normal_) > 0.0) || part < enough * product) {  // most are told without a division
                 std::swap(side, sides_.front());
-                break;
+                return -1.0;
             }
+            least = product > 0.0 ? std::min(least, part / product) : 0.0;
         }
         return least;
     }

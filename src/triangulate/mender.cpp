@@ -37,6 +37,7 @@ constexpr int kMaxRounds = 6;
 constexpr double kLeftAfterRound = 0.95;  // of what was missing, or it is the last
 constexpr int kMostWorse = 2;             // rounds, one after the other: another one may find a way out
 constexpr double kMaxLift = 0.5;
+constexpr std::size_t kMostFound = 200'000;  // discs that are remembered
 // A fan of more triangles has no angle worth the search; where a surface shrinks to a point, thousands meet in a
 // vertex.
 constexpr std::size_t kMostTriangles = 64;
@@ -74,6 +75,7 @@ bool Mender::at_resolution(int triangle) const {
 }
 
 void Mender::want(double angle) {
+    found_.clear();
     wanted_ = angle;
     surely_enough_ = surely_beyond(angle);
 }
@@ -218,15 +220,28 @@ std::vector<Disc> Mender::discs_around(int triangle) const {
     return discs;
 }
 
-// @return the worst side, over which a larger disc may do better; -1: none is needed, or there is none.
-int Mender::propose(const Disc& disc, std::vector<Proposal>& proposals) const {
-    const double before = smallest_angle(work_.mesh, disc);
+// Most discs are met again, beside another bad triangle or in another trial.
+const Mender::Found& Mender::fans_of(const Disc& disc) {
+    if (found_.size() > kMostFound) {
+        found_.clear();
+    }
+    const auto [place, fresh] = found_.try_emplace(state_key(work_.mesh, disc.triangles));
+    if (fresh) {
+        place.value() = search_fans(disc);
+    }
+    return place->second;
+}
+
+Mender::Found Mender::search_fans(const Disc& disc) const {
+    Found found;
+    found.before = smallest_angle(work_.mesh, disc);
+    const double enough = enough_after(found.before);
     const auto keep = [&](int apex_site, const Vec3& apex, double angle) {
-        if (angle >= enough_after(before) && !reopens_ear(disc, apex_site)) {
-            proposals.push_back({disc, apex_site, apex, angle, before});
+        if (angle >= enough) {
+            found.fans.push_back({apex_site, apex, angle});
         }
     };
-    const RimCorners corners(work_.mesh, disc, enough_after(before));
+    const RimCorners corners(work_.mesh, disc, enough);
     for (std::size_t k = 0; k < disc.rim.size(); ++k) {
         if (corners.allow_apex(k)) {
             const int site = work_.mesh.site_of(disc.rim[k]);
@@ -234,12 +249,22 @@ int Mender::propose(const Disc& disc, std::vector<Proposal>& proposals) const {
             keep(site, apex, fan_angle(work_.mesh, disc, apex, site));
         }
     }
-    const bool worth_searching = corners.allow_inner_apex();
-    const Vec3 apex =
-        worth_searching ? best_apex(work_.mesh, disc, enough_after(before)) : rough_apex(work_.mesh, disc);
+    const Vec3 apex = corners.allow_inner_apex() ? best_apex(work_.mesh, disc, enough) : rough_apex(work_.mesh, disc);
     const double angle = fan_angle(work_.mesh, disc, apex);
     keep(-1, apex, angle);
-    return angle >= wanted_ ? -1 : worst_side(work_.mesh, disc, apex);
+    found.over = angle >= wanted_ ? -1 : worst_side(work_.mesh, disc, apex);
+    return found;
+}
+
+// @return the worst side, over which a larger disc may do better; -1: none is needed, or there is none.
+int Mender::propose(const Disc& disc, std::vector<Proposal>& proposals) {
+    const Found& found = fans_of(disc);
+    for (const Fan& fan : found.fans) {
+        if (!reopens_ear(disc, fan.apex_site)) {
+            proposals.push_back({disc, fan.apex_site, fan.apex, fan.angle, found.before});
+        }
+    }
+    return found.over;
 }
 
 // With the neighbours over these sides, of each disc the one with the same index; -1: none of it.

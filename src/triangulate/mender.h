@@ -66,6 +66,18 @@ class Mender {
         int ear_site = -1;  ///< of the rim, to be cut off; -1: none
     };
 
+    /// Fans for a disc that are good enough, and the side over which a larger disc may do better, or -1.
+    struct Fan {
+        int apex_site = -1;
+        Vec3 apex = Vec3::Zero();
+        double angle = 0.0;
+    };
+    struct Found {
+        std::vector<Fan> fans;
+        double before = 0.0;  ///< the smallest angle of the disc
+        int over = -1;
+    };
+
     void want(double angle);
     void push_if_bad(int triangle);
     bool near(int triangle) const;
@@ -77,7 +89,9 @@ class Mender {
     bool at_resolution(int triangle) const;
     bool mend(int triangle);
     std::vector<Disc> discs_around(int triangle) const;
-    int propose(const Disc& disc, std::vector<Proposal>& proposals) const;
+    const Found& fans_of(const Disc& disc);
+    Found search_fans(const Disc& disc) const;
+    int propose(const Disc& disc, std::vector<Proposal>& proposals);
     std::vector<Disc> grown(const std::vector<Disc>& discs, const std::vector<int>& over) const;
     bool try_best(std::vector<Proposal>& proposals, double at_least);
     std::optional<SurfacePoint> apex_near(const Disc& disc, const Vec3& p) const;
@@ -146,7 +160,8 @@ class Mender {
     Escape kinds_ = Escape::Fans;
     std::size_t attempts_left_ = 0;
     double least_aligned_ = kAlignedSwap;
-    KeySet exhausted_;  // discs that nothing better was found for, by key
+    KeyMap<Found> found_;  // by disc, for what is wanted
+    KeySet exhausted_;     // discs that nothing better was found for, by key
 };
 
 /// By single changes, and by escapes where these leave something.
