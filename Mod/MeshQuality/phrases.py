@@ -39,6 +39,7 @@ REASONS = (
     "corner of {number} degrees between {edge} and {edge2} at {vertex}",
     "the surface comes to a point at {vertex} with too little angle around it",
     "edges near the narrow corner at {vertex} would shrink without end",
+    "no such angles fit beside edges that part by {number} degrees at {vertex}",
     "a further vertex would lie closer than single precision tells apart",
     "a further vertex would make an edge shorter than min_edge",
     "a further vertex would lie closer to its neighbours than they do to each other",

@@ -1354,6 +1354,10 @@
         <source>Then start FreeCAD again. Meshes that documents hold are shown meanwhile as they were saved.</source>
         <translation>Danach FreeCAD neu starten. Netze in Dokumenten werden bis dahin so gezeigt, wie sie gespeichert wurden.</translation>
     </message>
+    <message>
+        <source>no such angles fit beside edges that part by {number} degrees at {vertex}</source>
+        <translation>neben Kanten, die bei {vertex} um {number} Grad auseinanderlaufen, passen keine solchen Winkel</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

@@ -13,6 +13,8 @@ namespace {
 
 using mesh::SurfaceMesh;
 
+constexpr double kAsNarrow = 1.08;
+
 std::string entity_name(const Workspace& work, int vertex) {
     const mesh::VertexEntity& e = work.mesh.vertex(vertex).entity;
     return work.session.topology().name_of({e[0], e[1]});
@@ -36,9 +38,45 @@ std::string narrow_corner(const Workspace& work, int triangle) {
            " at " + entity_name(work, work.mesh.vertex_of(smallest.half_edge));
 }
 
+// The direction in which a segment's edge leaves a node; zero where it has none.
+Vec3 way_from(const Workspace& work, int segment, int vertex) {
+    const SurfaceMesh::Segment& s = work.mesh.segment(segment);
+    const int end = s.vertices[0] == vertex ? 0 : 1;
+    const geometry::Answer there = work.session.ask(geometry::Query::edge_point(s.edge, s.t[end]));
+    const double forward = s.t[1 - end] > s.t[end] ? 1.0 : -1.0;
+    return there.status == geometry::Status::Ok ? Vec3(forward * there.normal) : Vec3::Zero();
+}
+
+// It fills a corner that the edges themselves enclose, not their chords alone. Mending can come to that.
+bool fills_corner(const Workspace& work, int triangle) {
+    const SmallestAngle smallest = smallest_angle(work.mesh, triangle);
+    const int vertex = work.mesh.vertex_of(smallest.half_edge);
+    const int a = work.mesh.segment_of(smallest.half_edge);
+    const int b = work.mesh.segment_of(SurfaceMesh::prev(smallest.half_edge));
+    if (a < 0 || b < 0 || work.mesh.vertex(vertex).entity[0] != 0) {
+        return false;
+    }
+    const Vec3 along_a = way_from(work, a, vertex);
+    const Vec3 along_b = way_from(work, b, vertex);
+    return along_a.squaredNorm() > 0.0 && along_b.squaredNorm() > 0.0 &&
+           angle_between(along_a, along_b) < kAsNarrow * smallest.angle;
+}
+
+std::string narrow_cluster(const Workspace& work, CornerForce& forces, int triangle, int vertex,
+                           const std::string& at_edge) {
+    if (fills_corner(work, triangle)) {
+        return narrow_corner(work, triangle);
+    }
+    const std::string node = entity_name(work, vertex);
+    if (const auto angle = forces.at(vertex)) {
+        return "no such angles fit beside edges that part by " + degrees(*angle) + " at " + node;
+    }
+    return "edges near the narrow corner at " + node + " would shrink without end" + at_edge;
+}
+
 }  // namespace
 
-std::string explain(const Workspace& work, int triangle, const Exemption& exemption) {
+std::string explain(const Workspace& work, CornerForce& forces, int triangle, const Exemption& exemption) {
     const std::string where = " on " + work.session.topology().name_of({2, work.mesh.face_of(triangle)});
     const std::string at_edge = exemption.segment >= 0 ? " at " + edge_name(work, exemption.segment) : "";
     switch (exemption.cause) {
@@ -48,8 +86,7 @@ std::string explain(const Workspace& work, int triangle, const Exemption& exempt
             return "the surface comes to a point at " + entity_name(work, exemption.vertex) +
                    " with too little angle around it" + where;
         case Cause::NarrowCluster:
-            return "edges near the narrow corner at " + entity_name(work, exemption.vertex) +
-                   " would shrink without end" + at_edge + where;
+            return narrow_cluster(work, forces, triangle, exemption.vertex, at_edge) + where;
         case Cause::Resolution:
             return "a further vertex would lie closer than single precision tells apart" + at_edge + where;
         case Cause::MinEdge:

@@ -3,11 +3,12 @@
 
 #include <string>
 
+#include "triangulate/corner_force.h"
 #include "triangulate/workspace.h"
 
 namespace mq::triangulate {
 
 /// The sentence for the report: why a triangle keeps a small angle, and which CAD entities are the reason.
-std::string explain(const Workspace& work, int triangle, const Exemption& exemption);
+std::string explain(const Workspace& work, CornerForce& forces, int triangle, const Exemption& exemption);
 
 }  // namespace mq::triangulate

@@ -17,6 +17,7 @@ namespace {
 void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
     report.min_angle_unexempted = 180.0;
     double beyond = 2.0;  // squared sine: neither below the bound nor the smallest so far
+    CornerForce forces(work, bound * kDegree);
     Pace pace(work.progress);
     for (std::size_t i = 0; i < out.source.size(); ++i) {
         pace.step();
@@ -27,7 +28,7 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
         const double angle = smallest_angle(work.mesh, t).angle / kDegree;
         const Exemption* exemption = work.exemption_of(t);
         if (angle < bound && exemption != nullptr) {
-            report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, t, *exemption));
+            report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, forces, t, *exemption));
         } else {
             report.min_angle_unexempted = std::min(report.min_angle_unexempted, angle);
             beyond = surely_beyond(std::max(report.min_angle_unexempted, bound) * kDegree);

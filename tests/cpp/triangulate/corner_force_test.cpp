@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <string>
+
+#include "triangulate/checks.h"
+
+/// What the report says of corners that force smaller angles beside them than are asked for.
+namespace mq::triangulate {
+namespace {
+
+int told(const Result& result, const std::string& text) {
+    return static_cast<int>(
+        std::count_if(result.report.exempt.begin(), result.report.exempt.end(),
+                      [&](const auto& exempt) { return exempt.second.find(text) != std::string::npos; }));
+}
+
+Result mesh_wedge(double degrees, double bound) {
+    Options options;
+    options.min_angle = bound;
+    return mesh_of(geometry::make_shape_model(geometry::wedge(degrees, 10.0, 3.0)), options);
+}
+
+/// Six triangles of 30 degrees fit into half a turn: sides become 27 times longer there at most. Edges that part by 0.3
+/// degrees need 55.
+TEST(CornerForce, IsNamedWhereNoFanFits) {
+    const Result result = mesh_wedge(0.3, 30.0);
+    expect_angles(result, 30.0);
+    EXPECT_GT(told(result, "no such angles fit beside edges that part by 0.30 degrees at Vertex"), 0);
+    EXPECT_EQ(told(result, "would shrink without end"), 0);
+}
+
+TEST(CornerForce, IsNotBlamedWhereAFanFits) {
+    for (const double degrees : {1.0, 5.0, 15.0}) {
+        SCOPED_TRACE(degrees);
+        EXPECT_EQ(told(mesh_wedge(degrees, 25.0), "no such angles fit"), 0);
+    }
+    // Curves that touch part faster and faster.
+    const Result crescent = mesh_of(geometry::make_shape_model(geometry::crescent(10.0, 11.0, 60.0, 55.0)));
+    EXPECT_EQ(told(crescent, "no such angles fit"), 0);
+}
+
+}  // namespace
+}  // namespace mq::triangulate
