@@ -7,6 +7,7 @@
 
 #include "base/angle.h"
 #include "base/predicates.h"
+#include "geometry/apex_sites.h"
 #include "geometry/face_border.h"
 #include "geometry/space_flips.h"
 #include "geometry/triangle_fault.h"
@@ -73,6 +74,10 @@ class FaceMesher {
 
     const Site& site_at(int corner_vertex) const { return result_.sites[site_of_[corner_vertex]]; }
     const Site& corner_site(int h) const { return site_at(tri_->corner(h)); }
+    int kept_site(int h) const {
+        const auto s = static_cast<std::size_t>(site_of_[tri_->corner(h)]);
+        return s < stands_for_.size() ? stands_for_[s] : static_cast<int>(s);
+    }
     bool same_vertex(const Site& a, const Site& b) const { return a.vertex >= 0 && a.vertex == b.vertex; }
     int level(int planar_vertex) const { return level_[site_of_[planar_vertex]]; }
     double reach() const { return grid_.shortest_side(); }
@@ -84,6 +89,7 @@ class FaceMesher {
     bool border_may_change_;  // to make triangles follow the surface, not only to keep the border from crossing itself
     const std::vector<Site>& inner_;
     FaceBorder border_;
+    std::vector<int> stands_for_;  // see divide_apexes
     std::unique_ptr<PlanarTriangulation> tri_;
     std::vector<int> planar_of_;              // site -> vertex of the planar triangulation
     std::vector<int> site_of_;                // and back
@@ -98,6 +104,9 @@ class FaceMesher {
 
 FaceTriangulation FaceMesher::run() {
     border_ = face_border(session_, chains_, grid_, face_, result_.failure);
+    if (result_.failure.empty()) {
+        stands_for_ = divide_apexes(session_, face_, border_);
+    }
     result_.sites = border_.sites;
     if (!result_.failure.empty() || !long_enough() || !insert_border()) {
         return result_;
@@ -521,8 +530,7 @@ void FaceMesher::assemble() {
     std::vector<Corners> triangles;
     std::vector<std::array<Link, 3>> links;
     for (const int t : kept) {
-        triangles.push_back(
-            {site_of_[tri_->corner(3 * t)], site_of_[tri_->corner(3 * t + 1)], site_of_[tri_->corner(3 * t + 2)]});
+        triangles.push_back({kept_site(3 * t), kept_site(3 * t + 1), kept_site(3 * t + 2)});
         links.push_back({link_of(3 * t, number), link_of(3 * t + 1, number), link_of(3 * t + 2, number)});
     }
     for (const FaceBorder::Piece& p : border_.pieces) {

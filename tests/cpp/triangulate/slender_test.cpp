@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepBuilderAPI_GTransform.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <gp_GTrsf.hxx>
+
+#include "mesh/self_intersection.h"
 #include "triangulate/checks.h"
 
 /// Wires, rods and needles: smooth surfaces that are far longer than they are wide. Nothing about them is narrow but
@@ -52,6 +57,24 @@ TEST(Slender, NeedlesAreExemptAtTheirApexOnly) {
             }
             EXPECT_GT(highest, 0.5 * length) << why;
         }
+    }
+}
+
+/// All but a slit of a cone, stretched: from the ends of the side of the parameter domain that is its apex, triangles
+/// reached round the tip and through the slit.
+TEST(Slender, TipsWithASlitDoNotReachRoundIt) {
+    gp_GTrsf stretch;
+    stretch.SetValue(1, 1, 0.37);
+    stretch.SetValue(2, 2, 0.17);
+    stretch.SetValue(3, 3, 0.65);
+    for (const double slit : {0.1, 0.7}) {
+        SCOPED_TRACE(slit);
+        const TopoDS_Shape round = BRepPrimAPI_MakeCone(1.0, 0.0, 1.0, 2.0 * M_PI - slit).Shape();
+        const Result result =
+            mesh_of(geometry::make_shape_model(BRepBuilderAPI_GTransform(round, stretch, true).Shape()));
+        expect_sound(result, 2, true);
+        expect_angles(result, 25.0);
+        EXPECT_TRUE(mesh::self_intersections(result.mesh.vertices, result.mesh.triangles).empty());
     }
 }
 

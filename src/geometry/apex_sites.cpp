@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/apex_sites.h"
+
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "base/angle.h"
+
+namespace mq::geometry {
+
+namespace {
+
+using Piece = FaceBorder::Piece;
+using Site = FaceTriangulation::Site;
+
+constexpr int kSteps = 64;
+constexpr double kMostTurn = 60.0 * kDegree;
+// How far inside the surface is looked at, of the size of the domain.
+constexpr double kInside = 1e-3;
+constexpr double kRounding = 1e-9;  // of that
+
+// Along which parameter the side runs; -1: aslant, where points between its ends would not lie on it exactly. Its ends
+// may differ by rounding, which is taken away.
+int direction_of(const Face& face, const Site& from, Site& to) {
+    int direction = -1;
+    for (int i = 0; i < 2; ++i) {
+        const double range = face.high[i] - face.low[i];
+        if (std::abs(to.uv[1 - i] - from.uv[1 - i]) <= kRounding * (face.high[1 - i] - face.low[1 - i]) &&
+            std::abs(to.uv[i] - from.uv[i]) > kRounding * range) {
+            direction = i;
+            to.uv[1 - i] = from.uv[1 - i];
+        }
+    }
+    return direction;
+}
+
+Vec2 between(const Site& from, const Site& to, double share) {
+    return from.uv + share * (to.uv - from.uv);
+}
+
+// Shares of the side's length.
+std::vector<double> places(Session& session, int face, const Site& from, const Site& to, int direction) {
+    const Face& data = session.topology().faces[face];
+    const int across = 1 - direction;
+    const double range = data.high[across] - data.low[across];
+    const double inwards = from.uv[across] < 0.5 * (data.low[across] + data.high[across]) ? kInside : -kInside;
+    Engine::Batch batch;
+    for (int i = 0; i <= kSteps; ++i) {
+        Vec2 uv = between(from, to, static_cast<double>(i) / kSteps);
+        uv[across] += inwards * range;
+        batch.push_back(Query::face_point(face, uv.x(), uv.y()));
+    }
+    const Engine::Answers answers = session.ask(std::move(batch));
+    std::vector<double> result;
+    double turn = 0.0;
+    for (int i = 1; i < kSteps; ++i) {
+        if (!answers[i].found() || !answers[i - 1].found() || !answers[i + 1].found()) {
+            continue;
+        }
+        turn += angle_between(answers[i - 1].normal, answers[i].normal);
+        if (turn + angle_between(answers[i].normal, answers[i + 1].normal) > kMostTurn) {
+            result.push_back(static_cast<double>(i) / kSteps);
+            turn = 0.0;
+        }
+    }
+    return result;
+}
+
+int add_site(FaceBorder& border, Site site, const Vec2& uv) {
+    site.uv = uv;
+    border.sites.push_back(site);
+    return static_cast<int>(border.sites.size()) - 1;
+}
+
+}  // namespace
+
+std::vector<int> divide_apexes(Session& session, int face, FaceBorder& border) {
+    std::map<int, int> apex_of;  // by site on a side that is divided
+    std::vector<Piece> pieces;
+    for (const Piece& piece : border.pieces) {
+        const Site from = border.sites[piece.from];
+        Site to = border.sites[piece.to];
+        const bool apex = piece.collapsed() && from.vertex == to.vertex;
+        const int direction = apex ? direction_of(session.topology().faces[face], from, to) : -1;
+        const std::vector<double> shares =
+            direction < 0 ? std::vector<double>() : places(session, face, from, to, direction);
+        Piece rest = piece;
+        std::vector<int> on_side{piece.from, piece.to};
+        for (const double share : shares) {
+            on_side.push_back(add_site(border, from, between(from, to, share)));
+            Piece part = rest;
+            part.to = rest.from = on_side.back();
+            pieces.push_back(part);
+        }
+        if (!shares.empty()) {
+            border.sites[piece.to] = to;
+            const int middle = on_side[2 + shares.size() / 2];
+            border.sites[middle].normal = Vec3::Zero();
+            for (const int site : on_side) {
+                apex_of[site] = middle;
+            }
+        }
+        pieces.push_back(rest);
+    }
+    border.pieces = std::move(pieces);
+    std::vector<int> stands_for(border.sites.size());
+    std::iota(stands_for.begin(), stands_for.end(), 0);
+    for (const auto& [site, one] : apex_of) {
+        stands_for[site] = one;
+    }
+    return stands_for;
+}
+
+}  // namespace mq::geometry
