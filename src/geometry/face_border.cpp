@@ -227,4 +227,23 @@ FaceBorder face_border(Session& session, const EdgeChains& chains, const SingleG
     return border;
 }
 
+std::vector<Site> sites_of_points(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face,
+                                  const FaceBorder& border) {
+    std::vector<Site> result;
+    for (const int node : session.topology().faces[face].points) {
+        Site site;
+        site.vertex = chains.vertex_of_node(node);
+        site.point = chains.vertices()[site.vertex].point;
+        const bool on_border = std::any_of(border.sites.begin(), border.sites.end(),
+                                           [&](const Site& s) { return s.vertex == site.vertex; });
+        const Answer foot = session.ask(Query::face_nearest_global(face, grid.to_part(site.point)));
+        if (!on_border && foot.found()) {
+            site.uv = Vec2(foot.u, foot.v);
+            site.normal = foot.normal;
+            result.push_back(site);
+        }
+    }
+    return result;
+}
+
 }  // namespace mq::geometry

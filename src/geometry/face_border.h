@@ -33,4 +33,8 @@ struct FaceBorder {
 FaceBorder face_border(Session& session, const EdgeChains& chains, const SingleGrid& grid, int face,
                        std::string& failure);
 
+/// Of the nodes inside the face, with which what touches it there shares a vertex. Those on its border have sites.
+std::vector<FaceTriangulation::Site> sites_of_points(Session& session, const EdgeChains& chains, const SingleGrid& grid,
+                                                     int face, const FaceBorder& border);
+
 }  // namespace mq::geometry

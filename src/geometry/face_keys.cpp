@@ -35,6 +35,10 @@ Fingerprint key_of_face(Model& model, int f) {
         add_to(key, face.period[k]);
     }
     model.add_definition({2, f}, key);
+    add_to(key, static_cast<int>(face.points.size()));
+    for (const int n : face.points) {
+        model.add_definition({0, n}, key);
+    }
     std::map<int, int> edges;
     std::map<int, int> nodes;
     for (const Loop& loop : face.loops) {

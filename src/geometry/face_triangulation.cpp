@@ -58,6 +58,7 @@ class FaceMesher {
     bool much_longer(int a, int b) const { return length_of(a) > kMuchLonger * length_of(b); }
     bool wish_halved(int piece);
     void find_inside();
+    void insert_inside(const Site& site);
     void insert_inner();
     void check_halving();
     void wish_past(int piece, int side);
@@ -299,15 +300,20 @@ void FaceMesher::find_inside() {
     }
 }
 
-void FaceMesher::insert_inner() {
-    for (const Site& site : inner_) {
-        if (tri_->insert_off_constraints(border_.scaled(site.uv)) == static_cast<int>(site_of_.size())) {
-            site_of_.push_back(static_cast<int>(result_.sites.size()));
-            result_.sites.push_back(site);
-            level_.push_back(0);
-        }
+void FaceMesher::insert_inside(const Site& site) {
+    if (tri_->insert_off_constraints(border_.scaled(site.uv)) == static_cast<int>(site_of_.size())) {
+        site_of_.push_back(static_cast<int>(result_.sites.size()));
+        result_.sites.push_back(site);
+        level_.push_back(0);
     }
-    if (!inner_.empty()) {
+}
+
+void FaceMesher::insert_inner() {
+    const std::vector<Site> points = sites_of_points(session_, chains_, grid_, face_, border_);
+    for (const std::vector<Site>* sites : {&points, &inner_}) {
+        std::for_each(sites->begin(), sites->end(), [&](const Site& site) { insert_inside(site); });
+    }
+    if (!points.empty() || !inner_.empty()) {
         find_inside();
     }
 }

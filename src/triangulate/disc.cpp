@@ -102,8 +102,13 @@ std::optional<Disc> disc_of(const SurfaceMesh& mesh, std::vector<int> triangles)
     const bool simple = std::adjacent_find(rim_vertices.begin(), rim_vertices.end()) == rim_vertices.end();
     // Euler: triangles = sides of the rim + 2 inner corners - 2.
     const std::size_t inner = corners - disc.rim.size();
-    if (!simple || corners < disc.rim.size() || disc.triangles.size() + 2 != disc.rim.size() + 2 * inner ||
-        share_a_vertex(mesh, sites)) {
+    const bool nodes_inside = std::any_of(sites.begin(), sites.end(), [&](int site) {
+        const int vertex = mesh.site(site).vertex;
+        return mesh.vertex(vertex).entity[0] == 0 &&
+               !std::binary_search(rim_vertices.begin(), rim_vertices.end(), vertex);
+    });
+    if (!simple || nodes_inside || corners < disc.rim.size() ||
+        disc.triangles.size() + 2 != disc.rim.size() + 2 * inner || share_a_vertex(mesh, sites)) {
         return std::nullopt;
     }
     return disc;

@@ -216,6 +216,8 @@ void TopologyBuilder::add_face(int index) {
     for (TopoDS_Iterator it(face); it.More(); it.Next()) {
         if (it.Value().ShapeType() == TopAbs_WIRE) {
             add_wire(index, face, TopoDS::Wire(it.Value()));
+        } else if (it.Value().ShapeType() == TopAbs_VERTEX) {
+            data.points.push_back(vertices_.FindIndex(it.Value()) - 1);
         }
     }
     if (data.loops.empty()) {

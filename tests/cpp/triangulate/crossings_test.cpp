@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Solid.hxx>
+#include <map>
 
 #include "mesh/self_intersection.h"
 #include "triangulate/checks.h"
@@ -22,6 +26,18 @@ TopoDS_Shape two_spheres(double radius, double other, double apart) {
 
 std::size_t self_intersections(const mesh::TriangleMesh& mesh) {
     return mesh::self_intersections(mesh.vertices, mesh.triangles).size();
+}
+
+/// Where the part touches itself the mesh has a vertex of each side: here they are one.
+mesh::TriangleMesh welded(mesh::TriangleMesh mesh) {
+    std::map<std::array<double, 3>, int> first;
+    for (mesh::Triangle& t : mesh.triangles) {
+        for (auto& v : t) {
+            const Vec3& p = mesh.vertices[v];
+            v = first.emplace(std::array<double, 3>{p.x(), p.y(), p.z()}, v).first->second;
+        }
+    }
+    return mesh;
 }
 
 TEST(Crossings, ThinWallsAreRefinedUntilTheirSidesAreApart) {
@@ -59,6 +75,29 @@ TEST(Crossings, OfDifferentVolumesAreNotLookedAt) {
     const Result result = mesh_of(geometry::make_shape_model(both));
     EXPECT_EQ(result.report.self_intersections, 0);
     EXPECT_LT(result.mesh.triangles.size(), 3 * alone.mesh.triangles.size());
+}
+
+/// A hollow whose tip ends in the middle of a face: the kernel puts a vertex into that face.
+TEST(Crossings, WhatTouchesAFaceInAPointSharesAVertexWithIt) {
+    const gp_Ax2 below(gp_Pnt(5.0, 4.0, 2.0), gp::DZ());
+    const TopoDS_Shape part = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(10.0, 10.0, 10.0).Shape(),
+                                              BRepPrimAPI_MakeCone(below, 3.0, 0.0, 8.0).Shape())
+                                  .Shape();
+    const auto model = geometry::make_shape_model(part);
+    int inside = 0;
+    for (const geometry::Face& face : model->topology().faces) {
+        inside += static_cast<int>(face.points.size());
+    }
+    ASSERT_EQ(inside, 1);
+    for (const double chord : {0.0, 0.05}) {
+        Options options;
+        options.chord_height = chord;
+        const Result result = mesh_of(model, options);
+        EXPECT_TRUE(result.report.closed);
+        expect_angles(result, 25.0);
+        EXPECT_EQ(result.report.self_intersections, 0);
+        EXPECT_EQ(self_intersections(welded(result.mesh)), 0u);
+    }
 }
 
 }  // namespace
