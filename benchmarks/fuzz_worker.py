@@ -84,7 +84,7 @@ def angle_faults(mesh, asked):
         faults.append(f"angle {report.min_angle_unexempted:.3f} not exempted")
     if [t for t in below.tolist() if t not in exempt]:
         faults.append("a triangle below the bound is not in the list")
-    crowded = sum(bool(re.search("closer|fold", why)) for why in exempt.values())
+    crowded = sum(bool(re.search("closer|fold|no finer", why)) for why in exempt.values())
     if crowded > RUN_AWAY:
         faults.append(f"run-away: {crowded} triangles without room")
     if [why for why in exempt.values() if not re.search(r"(Vertex|Edge|Face|min_edge)", why)]:

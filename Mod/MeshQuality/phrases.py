@@ -41,6 +41,7 @@ REASONS = (
     "edges near the narrow corner at {vertex} would shrink without end",
     "no such angles fit beside edges that part by {number} degrees at {vertex}",
     "a further vertex would lie closer than single precision tells apart",
+    "so many triangles there had no room for a further vertex that it is refined no finer",
     "a further vertex would make an edge shorter than min_edge",
     "a further vertex would lie closer to its neighbours than they do to each other",
     "a further vertex would fold the mesh",
@@ -158,6 +159,8 @@ _SHOWN = {
         "The shortest edge of {number} mm is longer than the longest edge of {number2} mm",
     "a further vertex would lie closer than single precision tells apart":
         "a further point would lie too near to be told apart in the numbers that FreeCAD keeps",
+    "so many triangles there had no room for a further vertex that it is refined no finer":
+        "so many triangles there had no room for a further point that it was not divided any finer",
     "a further vertex would make an edge shorter than min_edge":
         "a further point would make an edge shorter than the shortest that is allowed",
     "a further vertex would lie closer to its neighbours than they do to each other":

@@ -1358,6 +1358,10 @@
         <source>no such angles fit beside edges that part by {number} degrees at {vertex}</source>
         <translation>neben Kanten, die bei {vertex} um {number} Grad auseinanderlaufen, passen keine solchen Winkel</translation>
     </message>
+    <message>
+        <source>so many triangles there had no room for a further point that it was not divided any finer</source>
+        <translation>so viele Dreiecke hatten dort keinen Platz für einen weiteren Punkt, dass nicht feiner unterteilt wurde</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

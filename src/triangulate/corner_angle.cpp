@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/corner_angle.h"
 
+#include <set>
+
 #include "base/angle.h"
 #include "triangulate/side_length.h"
 
@@ -70,6 +72,26 @@ NarrowCorner narrowest_corner(const SurfaceMesh& mesh, int segment, int end) {
         best = corner.angle < best.angle ? corner : best;
     }
     return best;
+}
+
+// An apex has no normal, or several sites: one for each of its images in the parameter domain.
+std::optional<ApexFan> apex_fan(const SurfaceMesh& mesh, int h) {
+    const int site = mesh.site_of(h);
+    bool apex = !(mesh.site(site).normal.squaredNorm() > 0.0);
+    if (!apex && mesh.vertex(mesh.vertex_of(h)).entity[0] == 2) {
+        return std::nullopt;  // inside a face a vertex has one site
+    }
+    ApexFan fan;
+    std::set<int> segments;
+    for (const int spoke : mesh.star(h)) {
+        apex = apex || mesh.site_of(spoke) != site;
+        fan.sum += angle_at(mesh, spoke);
+        ++fan.triangles;
+        segments.insert({mesh.segment_of(spoke), mesh.segment_of(SurfaceMesh::prev(spoke))});
+    }
+    segments.erase(-1);
+    fan.closed = segments.size() < 2;
+    return apex ? std::optional(fan) : std::nullopt;
 }
 
 }  // namespace mq::triangulate

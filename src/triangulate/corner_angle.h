@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "mesh/surface_mesh.h"
@@ -25,6 +26,15 @@ NarrowCorner narrowest_corner(const mesh::SurfaceMesh& mesh, int segment, int en
 
 /// The angle at the origin of `h` in its triangle, radians.
 double angle_at(const mesh::SurfaceMesh& mesh, int h);
+
+/// The triangles of a face around a vertex where its surface comes to a point.
+struct ApexFan {
+    std::size_t triangles = 0;
+    double sum = 0.0;     ///< of their angles there, radians
+    bool closed = false;  ///< they go round it, whether or not a seam ends there
+};
+/// Around the origin of `h`; no value where that is no such point: it has a normal there, and one place in (u, v).
+std::optional<ApexFan> apex_fan(const mesh::SurfaceMesh& mesh, int h);
 
 /// The corner of a triangle that fills a narrow corner of the part: two segments meet in it at less than 34 degrees,
 /// the largest bound there is. A vertex in such a triangle would cut the angle into smaller ones. -1: there is none.

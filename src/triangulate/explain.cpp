@@ -62,11 +62,7 @@ bool fills_corner(const Workspace& work, int triangle) {
            angle_between(along_a, along_b) < kAsNarrow * smallest.angle;
 }
 
-std::string narrow_cluster(const Workspace& work, CornerForce& forces, int triangle, int vertex,
-                           const std::string& at_edge) {
-    if (fills_corner(work, triangle)) {
-        return narrow_corner(work, triangle);
-    }
+std::string narrow_cluster(const Workspace& work, CornerForce& forces, int vertex, const std::string& at_edge) {
     const std::string node = entity_name(work, vertex);
     if (const auto angle = forces.at(vertex)) {
         return "no such angles fit beside edges that part by " + degrees(*angle) + " at " + node;
@@ -74,21 +70,46 @@ std::string narrow_cluster(const Workspace& work, CornerForce& forces, int trian
     return "edges near the narrow corner at " + node + " would shrink without end" + at_edge;
 }
 
+// However three triangles share what is there, one misses the bound.
+bool too_little_around(const SurfaceMesh& mesh, int half_edge, double bound) {
+    const auto fan = apex_fan(mesh, half_edge);
+    return fan && fan->closed && fan->sum < 3.0 * bound;
+}
+
+std::string point_of_surface(const Workspace& work, int vertex) {
+    return "the surface comes to a point at " + entity_name(work, vertex) + " with too little angle around it";
+}
+
+// What holds for the triangle as it is now, whatever kept others in its place from becoming better.
+std::string explain_final(const Workspace& work, int triangle, double bound) {
+    if (fills_corner(work, triangle)) {
+        return narrow_corner(work, triangle);
+    }
+    const int corner = smallest_angle(work.mesh, triangle).half_edge;
+    return too_little_around(work.mesh, corner, bound) ? point_of_surface(work, work.mesh.vertex_of(corner)) : "";
+}
+
 }  // namespace
 
-std::string explain(const Workspace& work, CornerForce& forces, int triangle, const Exemption& exemption) {
+std::string explain(const Workspace& work, CornerForce& forces, int triangle, const Exemption& exemption,
+                    double bound) {
     const std::string where = " on " + work.session.topology().name_of({2, work.mesh.face_of(triangle)});
     const std::string at_edge = exemption.segment >= 0 ? " at " + edge_name(work, exemption.segment) : "";
+    if (const std::string now = explain_final(work, triangle, bound); !now.empty()) {
+        return now + where;
+    }
     switch (exemption.cause) {
         case Cause::NarrowCorner:
             return narrow_corner(work, triangle) + where;
         case Cause::Apex:
-            return "the surface comes to a point at " + entity_name(work, exemption.vertex) +
-                   " with too little angle around it" + where;
+            return point_of_surface(work, exemption.vertex) + where;
         case Cause::NarrowCluster:
-            return narrow_cluster(work, forces, triangle, exemption.vertex, at_edge) + where;
+            return narrow_cluster(work, forces, exemption.vertex, at_edge) + where;
         case Cause::Resolution:
             return "a further vertex would lie closer than single precision tells apart" + at_edge + where;
+        case Cause::Abandoned:
+            return "so many triangles there had no room for a further vertex that it is refined no finer" + at_edge +
+                   where;
         case Cause::MinEdge:
             return "a further vertex would make an edge shorter than min_edge" + at_edge + where;
         case Cause::Crowded:

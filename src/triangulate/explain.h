@@ -9,6 +9,7 @@
 namespace mq::triangulate {
 
 /// The sentence for the report: why a triangle keeps a small angle, and which CAD entities are the reason.
-std::string explain(const Workspace& work, CornerForce& forces, int triangle, const Exemption& exemption);
+/// `bound` radians.
+std::string explain(const Workspace& work, CornerForce& forces, int triangle, const Exemption& exemption, double bound);
 
 }  // namespace mq::triangulate

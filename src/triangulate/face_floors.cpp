@@ -10,11 +10,13 @@ namespace {
 // Tips of wings and other places that are worth their triangles have up to some ten of them.
 constexpr std::size_t kFirst = 128;
 constexpr std::size_t kMore = 32;
+// Additions between two looks: so many, and so many times fewer than there are exempt triangles to be looked at.
 constexpr std::size_t kBetweenLooks = 32;
+constexpr std::size_t kLooked = 32;
 constexpr double kRise = 2.0;
 
 bool for_want_of_room(Cause cause) {
-    return cause == Cause::Resolution || cause == Cause::Crowded || cause == Cause::Fold;
+    return cause == Cause::Resolution || cause == Cause::Abandoned || cause == Cause::Crowded || cause == Cause::Fold;
 }
 
 }  // namespace
@@ -39,7 +41,7 @@ bool FaceFloors::too_short_to_split(int segment, double length) const {
 
 void FaceFloors::look(std::size_t added) {
     added_ += added;
-    if (added_ < kBetweenLooks) {
+    if (added_ < std::max(kBetweenLooks, work_.exempt.size() / kLooked)) {
         return;
     }
     added_ = 0;

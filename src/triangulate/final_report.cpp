@@ -28,7 +28,8 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
         const double angle = smallest_angle(work.mesh, t).angle / kDegree;
         const Exemption* exemption = work.exemption_of(t);
         if (angle < bound && exemption != nullptr) {
-            report.exempt.emplace_back(static_cast<std::int32_t>(i), explain(work, forces, t, *exemption));
+            report.exempt.emplace_back(static_cast<std::int32_t>(i),
+                                       explain(work, forces, t, *exemption, bound * kDegree));
         } else {
             report.min_angle_unexempted = std::min(report.min_angle_unexempted, angle);
             beyond = surely_beyond(std::max(report.min_angle_unexempted, bound) * kDegree);

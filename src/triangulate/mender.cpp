@@ -71,7 +71,7 @@ double Mender::enough_after(double before) const {
 // Tips that end within nothing are tried once.
 bool Mender::at_resolution(int triangle) const {
     const Exemption* exemption = work_.exemption_of(triangle);
-    return exemption != nullptr && exemption->cause == Cause::Resolution;
+    return exemption != nullptr && (exemption->cause == Cause::Resolution || exemption->cause == Cause::Abandoned);
 }
 
 void Mender::want(double angle) {

@@ -247,26 +247,15 @@ bool Refiner::narrowed_by_chords(int a, int b, int vertex) {
 }
 
 // At the apex of a slender cone three triangles are the least there can be, and share less than three times the bound.
-// An apex has no normal, or several sites: one for each of its images in the parameter domain.
 bool Refiner::slender_apex(int h) const {
-    const int site = work_.mesh.site_of(h);
-    bool apex = !(work_.mesh.site(site).normal.squaredNorm() > 0.0);
-    if (!apex && work_.mesh.vertex(work_.mesh.vertex_of(h)).entity[0] == 2) {
-        return false;  // inside a face a vertex has one site
-    }
-    double sum = 0.0;
-    const std::vector<int> star = work_.mesh.star(h);
-    for (const int spoke : star) {
-        apex = apex || work_.mesh.site_of(spoke) != site;
-        sum += angle_at(work_.mesh, spoke);
-    }
-    return apex && star.size() <= 3 && sum < 3.0 * bound_;
+    const auto fan = apex_fan(work_.mesh, h);
+    return fan && fan->triangles <= 3 && fan->sum < 3.0 * bound_;
 }
 
 // The obtuse angle faces a segment, so its corner encroaches upon it. The triangle changes when the segment is split.
 void Refiner::handle_blocked(const Bad& bad, int segment) {
     if (!split_instead(bad, {segment})) {
-        give_up({bad, {}, kLastAttempt}, Cause::Fold);
+        give_up({bad, {}, kLastAttempt}, Cause::Crowded, {segment});
     }
 }
 
@@ -298,7 +287,7 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
     const Location place = locate(work_.mesh, job.candidate.triangle, *p);
     if (place.segment >= 0) {
         if (!split_instead(job.bad, {place.segment})) {
-            give_up(job, work_.too_short());
+            give_up(job, Cause::Crowded, {place.segment});
         }
         return;
     }
@@ -319,7 +308,7 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
         return;
     }
     if (around.nearest < segments_.floors().of(work_.mesh.face_of(place.triangle))) {
-        give_up(job, work_.too_short());
+        give_up(job, around.nearest < work_.shortest_allowed() ? work_.too_short() : Cause::Abandoned);
         return;
     }
     int shrinks = 0;
@@ -384,13 +373,13 @@ void Refiner::exempt_for(const Bad& bad, Cause cause, const std::vector<int>& se
             exempt(bad, Cause::NarrowCluster, corner, s);
             return;
         }
-        if (segments_.refused(s)) {
-            exempt(bad, work_.too_short(), -1, s);
+        if (const auto obstacle = segments_.obstacle(s)) {
+            exempt(bad, *obstacle, -1, s);
             return;
         }
     }
     const int corner = segments_.narrow_corner_near(work_.mesh.point_of(3 * bad.triangle));
-    if (corner >= 0 && cause != work_.too_short()) {
+    if (corner >= 0 && cause != work_.too_short() && cause != Cause::Abandoned) {
         exempt(bad, Cause::NarrowCluster, corner, segments.empty() ? -1 : segments.front());
         return;
     }

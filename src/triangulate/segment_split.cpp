@@ -116,7 +116,17 @@ bool SegmentSplitter::in_lens(int segment, const Vec3& p) const {
 }
 
 bool SegmentSplitter::may_split(int segment) const {
-    return !refused(segment) && !frozen(segment) && !floors_.too_short_to_split(segment, chord(segment));
+    return !obstacle(segment);
+}
+
+std::optional<Cause> SegmentSplitter::obstacle(int segment) const {
+    if (const auto found = refusals_.find(segment); found != refusals_.end()) {
+        return found->second;
+    }
+    if (frozen(segment)) {
+        return Cause::NarrowCluster;
+    }
+    return floors_.too_short_to_split(segment, chord(segment)) ? std::optional(Cause::Abandoned) : std::nullopt;
 }
 
 void SegmentSplitter::request(int segment, bool force) {
@@ -125,11 +135,6 @@ void SegmentSplitter::request(int segment, bool force) {
         waiting_[segment] = 1;
         pending_.push_back(segment);
     }
-}
-
-void SegmentSplitter::refuse(int segment) {
-    refused_.resize(std::max<std::size_t>(refused_.size(), work_.mesh.segment_count()), 0);
-    refused_[segment] = 1;
 }
 
 void SegmentSplitter::run(std::vector<int>& touched) {
@@ -188,10 +193,12 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const std::size_t uses = work_.mesh.segment(segments[i]).uses.size();
         const Outcome outcome = split(segments[i], places[i], next, touched);
-        if (outcome == Outcome::Refused) {
-            refuse(segments[i]);
-        } else if (outcome == Outcome::Split) {
+        if (outcome == Outcome::Split) {
             halves.insert(halves.end(), {segments[i], work_.mesh.segment_count() - 1});
+        } else if (outcome != Outcome::Later) {
+            refusals_[segments[i]] = outcome == Outcome::TooShort  ? work_.too_short()
+                                     : outcome == Outcome::NoPoint ? Cause::NoSurfacePoint
+                                                                   : Cause::Fold;
         }
         next += uses;
     }
@@ -215,11 +222,15 @@ void SegmentSplitter::force_mates(int segment) {
     }
 }
 
-bool SegmentSplitter::good_place(int segment, const Answer& place, const Vec3& point) const {
+bool SegmentSplitter::on_curve(int segment, const Answer& place) const {
+    const SurfaceMesh::Segment& s = work_.mesh.segment(segment);
+    return place.found() && place.t > std::min(s.t[0], s.t[1]) && place.t < std::max(s.t[0], s.t[1]);
+}
+
+bool SegmentSplitter::far_enough(int segment, const Vec3& point) const {
     const SurfaceMesh::Segment& s = work_.mesh.segment(segment);
     const double least = work_.shortest_allowed();
-    return place.found() && place.t > std::min(s.t[0], s.t[1]) && place.t < std::max(s.t[0], s.t[1]) &&
-           (point - work_.mesh.vertex(s.vertices[0]).point).norm() >= least &&
+    return (point - work_.mesh.vertex(s.vertices[0]).point).norm() >= least &&
            (point - work_.mesh.vertex(s.vertices[1]).point).norm() >= least;
 }
 
@@ -227,11 +238,11 @@ bool SegmentSplitter::good_place(int segment, const Answer& place, const Vec3& p
 // to be split before the other.
 SegmentSplitter::Outcome SegmentSplitter::wait_for(int segment, int other) {
     if (other < 0 || other == segment || refused(other) || ++postponed_[segment] > kMaxPostponed) {
-        return Outcome::Refused;
+        return Outcome::Folds;
     }
     request(other, frozen(segment));
     request(segment, frozen(segment));
-    return waiting_[other] != 0 ? Outcome::Later : Outcome::Refused;
+    return waiting_[other] != 0 ? Outcome::Later : Outcome::Folds;
 }
 
 // Room for the new vertex on the face of one use. Where the surface turns over beside its border there is none, until
@@ -256,19 +267,22 @@ Cavity SegmentSplitter::cavity_for(int half_edge, const Vec3& point, Answer& on_
 SegmentSplitter::Outcome SegmentSplitter::split(int segment, const Answer& place, Answer* on_faces,
                                                 std::vector<int>& touched) {
     const Vec3 point = work_.grid.snap(place.point);
-    if (!good_place(segment, place, point)) {
-        return Outcome::Refused;
+    if (!far_enough(segment, point)) {
+        return Outcome::TooShort;
+    }
+    if (!on_curve(segment, place)) {
+        return Outcome::NoPoint;
     }
     std::vector<Cavity> cavities;
     std::set<int> taken;
     for (std::size_t k = 0; k < work_.mesh.segment(segment).uses.size(); ++k) {
         cavities.push_back(cavity_for(work_.mesh.segment(segment).uses[k].half_edge, point, on_faces[k]));
         if (!on_faces[k].found() || !cavities.back().complete) {
-            return wait_for(segment, cavities.back().segment);
+            return on_faces[k].found() ? wait_for(segment, cavities.back().segment) : Outcome::NoPoint;
         }
         for (const int t : cavities.back().triangles) {
             if (!taken.insert(t).second) {
-                return Outcome::Refused;  // both sides of a seam want the same triangle
+                return Outcome::Folds;  // both sides of a seam want the same triangle
             }
         }
     }

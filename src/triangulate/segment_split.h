@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "triangulate/cavity.h"
@@ -42,7 +43,9 @@ class SegmentSplitter {
     /// Splits all that were requested and all that become encroached by it, in batches. Changed triangles are
     /// appended to `touched`.
     void run(std::vector<int>& touched);
-    bool refused(int segment) const { return segment < static_cast<int>(refused_.size()) && refused_[segment] != 0; }
+    bool refused(int segment) const { return refusals_.count(segment) > 0; }
+    /// Why it may not be split for the sake of angles; nothing: it may.
+    std::optional<Cause> obstacle(int segment) const;
     /// For the sake of angles.
     bool may_split(int segment) const;
     FaceFloors& floors() { return floors_; }
@@ -57,15 +60,15 @@ class SegmentSplitter {
     double chord(int segment) const;
     geometry::Query place_query(int segment) const;
     void split_batch(const std::vector<int>& segments, std::vector<int>& touched);
-    enum class Outcome { Split, Refused, Later };
+    enum class Outcome { Split, TooShort, NoPoint, Folds, Later };
     Cavity cavity_for(int half_edge, const Vec3& point, geometry::Answer& on_face) const;
     Outcome split(int segment, const geometry::Answer& place, geometry::Answer* on_faces, std::vector<int>& touched);
-    bool good_place(int segment, const geometry::Answer& place, const Vec3& point) const;
+    bool on_curve(int segment, const geometry::Answer& place) const;
+    bool far_enough(int segment, const Vec3& point) const;
     Outcome wait_for(int segment, int other);
     void insert(int segment, double t, const Vec3& point, const geometry::Answer* on_faces,
                 const std::vector<Cavity>& cavities, std::vector<int>& touched);
     void request_encroached_around(const std::vector<int>& triangles);
-    void refuse(int segment);
 
     void force_mates(int segment);
 
@@ -74,7 +77,7 @@ class SegmentSplitter {
     CornerRoom room_;  // as it was before anything was refined
     std::vector<int> pending_;
     std::vector<char> waiting_;  // per segment
-    std::vector<char> refused_;
+    std::map<int, Cause> refusals_;
     std::map<int, int> postponed_;  // how often a segment had to wait for another
 };
 

@@ -23,6 +23,7 @@ enum class Cause {
     Apex,            ///< the surface comes to a point there, with too little angle around it for three triangles
     NarrowCluster,   ///< splitting further would shrink edges towards a narrow corner for ever
     Resolution,      ///< a further vertex would lie closer than single precision tells apart
+    Abandoned,       ///< so much of the face was given up for want of room that it is refined no finer
     MinEdge,         ///< a further vertex would make an edge shorter than min_edge
     Crowded,         ///< a further vertex would lie closer to another one than the triangle's shortest edge
     Fold,            ///< a further vertex would fold the mesh over the surface

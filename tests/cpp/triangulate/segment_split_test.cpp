@@ -66,6 +66,35 @@ TEST(SegmentSplitter, LeavesNoSegmentEncroachedThatItCouldSplit) {
     }
 }
 
+/// What keeps the first segment of a part from being split at all.
+std::optional<Cause> obstacle_of_the_first(Pipeline& pipeline) {
+    SegmentSplitter segments(pipeline.work);
+    EXPECT_FALSE(segments.obstacle(0));
+    segments.request(0, true);
+    std::vector<int> touched;
+    segments.run(touched);
+    EXPECT_EQ(segments.refused(0), segments.obstacle(0).has_value());
+    return segments.obstacle(0);
+}
+
+TEST(SegmentSplitter, TellsWhyASegmentIsNotSplit) {
+    const auto box = geometry::make_box(1.0, 1.0, 1.0);
+    Pipeline possible(box);
+    EXPECT_FALSE(obstacle_of_the_first(possible));
+    Pipeline fine(box);
+    fine.work.floor = 10.0;
+    EXPECT_EQ(obstacle_of_the_first(fine), Cause::Resolution);
+    Pipeline wide(box);
+    wide.work.min_edge = 10.0;
+    EXPECT_EQ(obstacle_of_the_first(wide), Cause::MinEdge);
+    Pipeline folded(box);
+    for (int h = 0; h < folded.surface.half_edge_count(); ++h) {
+        const Vec3 outward = doubled_area(folded.surface, h / 3).normalized();
+        folded.surface.set_normal(folded.surface.site_of(h), -outward);
+    }
+    EXPECT_EQ(obstacle_of_the_first(folded), Cause::Fold);
+}
+
 /// The innermost pieces at an acute corner end on spheres about its node whose radii are powers of two, in mm.
 TEST(SegmentSplitter, SplitsOnShellsNearAcuteCorners) {
     for (const double angle : {5.0, 15.0, 40.0, 80.0}) {
