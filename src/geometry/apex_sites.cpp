@@ -96,9 +96,11 @@ std::vector<int> divide_apexes(Session& session, int face, FaceBorder& border) {
         if (!shares.empty()) {
             border.sites[piece.to] = to;
             const int middle = on_side[2 + shares.size() / 2];
+            const bool pointed = !(from.normal.squaredNorm() > 0.0) || !(to.normal.squaredNorm() > 0.0);
             border.sites[middle].normal = Vec3::Zero();
-            for (const int site : on_side) {
-                apex_of[site] = middle;
+            for (std::size_t i = 0; i < on_side.size(); ++i) {
+                const bool near_start = i == 0 || (i > 1 && shares[i - 2] < 0.5);
+                apex_of[on_side[i]] = pointed ? middle : near_start ? piece.from : piece.to;
             }
         }
         pieces.push_back(rest);
