@@ -30,8 +30,7 @@ class Classifier {
           surface_(order) {}
 
     Surface run() {
-        if (vertex_entity_.size() != mesh_.vertices.size() ||
-            triangle_face_.size() != mesh_.triangles.size()) {
+        if (vertex_entity_.size() != mesh_.vertices.size() || triangle_face_.size() != mesh_.triangles.size()) {
             throw InvalidInput("the mesh does not say which CAD entities it lies on: curve one made by triangulate()");
         }
         join_vertices();
@@ -119,6 +118,7 @@ class Classifier {
                 on_edge[index].push_back(static_cast<int>(v));
             }
         }
+        share_collapsed_nodes(at_node);
         for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
             const geometry::Edge& edge = topology_.edges[e];
             if (edge.degenerate) {
@@ -131,6 +131,29 @@ class Classifier {
             }
         }
         set_uv();
+    }
+
+    /// Where a short edge is one vertex of the mesh, that is the vertex of both its nodes.
+    void share_collapsed_nodes(std::vector<int>& at_node) const {
+        const double step = kOnCurve * topology_.box.largest_side();
+        bool any = true;
+        while (any) {
+            any = false;
+            for (const geometry::Edge& edge : topology_.edges) {
+                for (const std::size_t end : {0U, 1U}) {
+                    if (edge.uses.empty() || node_vertex(edge, end, at_node) < 0 || edge.nodes[1 - end] < 0 ||
+                        node_vertex(edge, 1 - end, at_node) >= 0) {
+                        continue;
+                    }
+                    const geometry::Node& met = topology_.nodes[static_cast<std::size_t>(edge.nodes[end])];
+                    const geometry::Node& open = topology_.nodes[static_cast<std::size_t>(edge.nodes[1 - end])];
+                    if ((met.point - open.point).norm() <= std::max({10.0 * step, met.tolerance, open.tolerance})) {
+                        at_node[static_cast<std::size_t>(edge.nodes[1 - end])] = node_vertex(edge, end, at_node);
+                        any = true;
+                    }
+                }
+            }
+        }
     }
 
     static int node_vertex(const geometry::Edge& edge, std::size_t end, const std::vector<int>& at_node) {
@@ -202,7 +225,10 @@ class Classifier {
         for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
             const int a = chain[i].second;
             const int b = chain[i + 1].second;
-            if (a != b && surface_.has_edge(a, b)) {
+            if (a == b) {
+                continue;  // an edge that is a vertex of the mesh
+            }
+            if (surface_.has_edge(a, b)) {
                 surface_.set_segment(a, b, e, chain[i].first, chain[i + 1].first);
             } else if (meshed(edge)) {
                 throw TopologyError("the mesh does not follow " + topology_.name_of({1, e}));

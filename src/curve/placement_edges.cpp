@@ -206,7 +206,8 @@ void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
             open[way].close(ways[way]);
         }
         if (!found[0] && !found[1]) {
-            throw GeometryError("no points of " + session_.topology().name_of({2, edge.task.face}) + " for a mesh edge on it");
+            throw GeometryError("no points of " + session_.topology().name_of({2, edge.task.face}) +
+                                " for a mesh edge on it");
         }
         edge.project = found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
         edge.nodes = ways[edge.project ? 0 : 1];

@@ -61,7 +61,8 @@ std::vector<int> bad_ones_around(const SurfaceEditor& editor, int seed) {
                 continue;
             }
             for (const int t : editor.surface.triangles_of_edge(v[k], v[(k + 1) % 3])) {
-                if (editor.triangle(t).quality < kBad && std::find(result.begin(), result.end(), t) == result.end()) {
+                if (editor.triangle(t).quality < kBad && editor.triangle(t).face == editor.triangle(seed).face &&
+                    std::find(result.begin(), result.end(), t) == result.end()) {
                     result.push_back(t);
                 }
             }
