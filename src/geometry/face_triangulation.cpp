@@ -8,6 +8,7 @@
 #include "base/angle.h"
 #include "base/predicates.h"
 #include "geometry/apex_sites.h"
+#include "geometry/collapsed_triangles.h"
 #include "geometry/face_border.h"
 #include "geometry/space_flips.h"
 #include "geometry/triangle_fault.h"
@@ -70,8 +71,7 @@ class FaceMesher {
     bool insert_midpoints(const std::set<std::array<int, 2>>& sides);
     void assemble();
     Link link_of(int h, const std::vector<int>& number) const;
-    bool drop_collapsed(std::vector<Corners>& triangles, std::vector<std::array<Link, 3>>& links);
-    void join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b);
+    bool close(const std::vector<Corners>& triangles, std::vector<std::array<Link, 3>> links);
 
     const Site& site_at(int corner_vertex) const { return result_.sites[site_of_[corner_vertex]]; }
     const Site& corner_site(int h) const { return site_at(tri_->corner(h)); }
@@ -542,63 +542,24 @@ void FaceMesher::assemble() {
     for (const FaceBorder::Piece& p : border_.pieces) {
         result_.borders.push_back({p.use, p.index});
     }
-    if (drop_collapsed(triangles, links) && session_.topology().faces[face_].reversed) {
+    if (close(triangles, std::move(links)) && session_.topology().faces[face_].reversed) {
         turn_over(result_);
     }
 }
 
-void FaceMesher::join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b) {
-    if (a.half_edge >= 0) {
-        links[a.half_edge / 3][a.half_edge % 3] = b;
+// @return whether there is a triangulation
+bool FaceMesher::close(const std::vector<Corners>& triangles, std::vector<std::array<Link, 3>> links) {
+    const auto closing = add_but_collapsed(triangles, std::move(links), result_);
+    if (!closing) {
+        return true;
     }
-    if (b.half_edge >= 0) {
-        links[b.half_edge / 3][b.half_edge % 3] = a;
+    for (const int piece : *closing) {
+        mark_piece(piece);
     }
-}
-
-// Triangles with a side that is one vertex in space (at a pole) vanish; their two other sides become one.
-bool FaceMesher::drop_collapsed(std::vector<Corners>& triangles, std::vector<std::array<Link, 3>>& links) {
-    std::vector<char> dropped(triangles.size(), 0);
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        int side = -1;
-        for (int i = 0; i < 3; ++i) {
-            if (same_vertex(result_.sites[triangles[t][i]], result_.sites[triangles[t][(i + 1) % 3]])) {
-                side = i;
-            }
-        }
-        if (side < 0) {
-            continue;
-        }
-        const Link a = links[t][(side + 1) % 3];
-        const Link b = links[t][(side + 2) % 3];
-        dropped[t] = 1;
-        if (a.half_edge < 0 && b.half_edge < 0) {
-            for (const Link& link : {a, b}) {
-                mark_piece(link.border);
-            }
-            if (result_.marks.empty()) {
-                result_.failure = "it closes on itself at a collapsed edge";
-            }
-            return false;
-        }
-        join(links, a, b);
+    if (result_.marks.empty()) {
+        result_.failure = "it closes on itself at a collapsed edge";
     }
-    std::vector<int> number(triangles.size(), -1);
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        if (!dropped[t]) {
-            number[t] = static_cast<int>(result_.triangles.size());
-            result_.triangles.push_back(triangles[t]);
-            result_.links.push_back(links[t]);
-        }
-    }
-    for (auto& sides : result_.links) {
-        for (Link& link : sides) {
-            if (link.half_edge >= 0) {
-                link.half_edge = 3 * number[link.half_edge / 3] + link.half_edge % 3;
-            }
-        }
-    }
-    return true;
+    return false;
 }
 
 }  // namespace

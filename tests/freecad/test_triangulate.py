@@ -271,6 +271,37 @@ class Options(unittest.TestCase):
         self.refused("min_angle", "20", min_angle=FreeCAD.Units.Quantity("20 mm"))
 
 
+class CreasesInsideFaces(unittest.TestCase):
+    def setUp(self):
+        corners = [FreeCAD.Vector(x, y, 0) for x, y in ((0, 0), (4, 0), (4, 3), (0, 3), (0, 0))]
+        spline = Part.BSplineCurve()
+        spline.buildFromPolesMultsKnots(corners, [2, 1, 1, 1, 2], [0, 1, 2, 3, 4], False, 1)
+        self.block = Part.Face(Part.Wire(spline.toShape())).extrude(FreeCAD.Vector(0, 0, 2))
+
+    def test_they_are_followed_exactly_and_keep_the_faces_numbers(self):
+        self.assertEqual(len(self.block.Faces), 3)
+        for method in ("refine", "star", "sprinkle"):
+            with self.subTest(method):
+                mesh = mq.triangulate(self.block, method=method, chord_height=0.01, max_edge=0.5)
+                self.assertTrue(mesh.report.closed and mesh.report.oriented and mesh.report.manifold)
+                self.assertAlmostEqual(mesh.report.volume, 24.0, places=6)
+                self.assertEqual(set(mesh.triangle_face.tolist()), {0, 1, 2})
+                self.assertEqual(mesh.report.notes, [])
+
+    def test_local_sizes_reach_all_pieces(self):
+        mesh = mq.triangulate(self.block, local_sizes={"Face1": 0.4})
+        corners = mesh.vertices[mesh.triangles[mesh.triangle_face == 0]]
+        lengths = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+        self.assertLessEqual(lengths.max(), 0.4 + 1e-6)
+        with self.assertRaisesRegex(mq.InvalidInput, "Face4, but the shape has 3 faces"):
+            mq.triangulate(self.block, local_sizes={"Face4": 0.4})
+
+    def test_curved_meshes_follow_them(self):
+        report = mq.curve(self.block, order=3).report
+        self.assertEqual(report.invalid, 0)
+        self.assertLess(report.max_deviation, 1e-9)
+
+
 class ProgressAndCancel(unittest.TestCase):
     LONG = {"min_angle": 30.0, "chord_height": 1e-5}
 

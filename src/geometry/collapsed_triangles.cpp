@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/collapsed_triangles.h"
+
+namespace mq::geometry {
+
+namespace {
+
+using Link = FaceTriangulation::Link;
+using Site = FaceTriangulation::Site;
+
+void join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b) {
+    if (a.half_edge >= 0) {
+        links[a.half_edge / 3][a.half_edge % 3] = b;
+    }
+    if (b.half_edge >= 0) {
+        links[b.half_edge / 3][b.half_edge % 3] = a;
+    }
+}
+
+// The last one, as a side of the triangle; -1: none.
+int collapsed_side(const std::array<int, 3>& triangle, const std::vector<Site>& sites) {
+    int side = -1;
+    for (int i = 0; i < 3; ++i) {
+        const Site& a = sites[triangle[i]];
+        if (a.vertex >= 0 && a.vertex == sites[triangle[(i + 1) % 3]].vertex) {
+            side = i;
+        }
+    }
+    return side;
+}
+
+}  // namespace
+
+std::optional<std::array<int, 2>> add_but_collapsed(const std::vector<std::array<int, 3>>& triangles,
+                                                    std::vector<std::array<Link, 3>> links, FaceTriangulation& result) {
+    std::vector<char> dropped(triangles.size(), 0);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const int side = collapsed_side(triangles[t], result.sites);
+        if (side < 0) {
+            continue;
+        }
+        const Link a = links[t][(side + 1) % 3];
+        const Link b = links[t][(side + 2) % 3];
+        dropped[t] = 1;
+        if (a.half_edge < 0 && b.half_edge < 0) {
+            return std::array<int, 2>{a.border, b.border};
+        }
+        join(links, a, b);
+    }
+    std::vector<int> number(triangles.size(), -1);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (!dropped[t]) {
+            number[t] = static_cast<int>(result.triangles.size());
+            result.triangles.push_back(triangles[t]);
+            result.links.push_back(links[t]);
+        }
+    }
+    for (auto& sides : result.links) {
+        for (Link& link : sides) {
+            if (link.half_edge >= 0) {
+                link.half_edge = 3 * number[link.half_edge / 3] + link.half_edge % 3;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace mq::geometry
