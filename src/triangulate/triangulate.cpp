@@ -394,10 +394,10 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     Progress& watched = progress != nullptr ? *progress : unwatched;
     Costs costs(engine);
     geometry::Session session(engine, model, &watched);
+    const SingleGrid grid(session.topology().box);
+    check_against_part(asked, session.topology(), grid);
     Options options = asked;
     options.local_sizes = sizes_of_pieces(asked.local_sizes, session.topology());
-    const SingleGrid grid(session.topology().box);
-    check_against_part(options, session.topology(), grid);
     const double chord = chord_height(options, session.topology().box);
     const Task task{session, grid, options, chord, watched, costs};
     if (memory == nullptr) {
