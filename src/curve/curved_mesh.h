@@ -76,8 +76,8 @@ std::vector<std::int32_t> tetrahedra_behind(const CurvedMesh& mesh);
 /// left out.
 CurvedMesh assemble(const Surface& surface, const std::vector<Region>& regions);
 
-/// From the pieces of faces that are cut along creases to what of the shape they belong to (Topology::of_shape). Creases
-/// are no elements then.
+/// From the pieces of faces that are cut along creases to what of the shape they belong to (Topology::of_shape).
+/// Creases are no elements then.
 void put_on_whole_entities(CurvedMesh& mesh, const geometry::Topology& topology);
 
 /// Writes .msh or .vtu by extension. @throws IoError naming the path.

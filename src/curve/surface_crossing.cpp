@@ -113,9 +113,7 @@ int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, 
 
 std::string trouble_spot(const Surface& surface, const geometry::Topology& topology, std::size_t volume,
                          const Progress& progress) {
-    const auto face = [&](int t) {
-        return topology.name_of({2, surface.triangles[static_cast<std::size_t>(t)].face});
-    };
+    const auto face = [&](int t) { return topology.name_of({2, surface.triangles[static_cast<std::size_t>(t)].face}); };
     const std::vector<Crossing> crossing = crossings(surface, volume, progress);
     if (!crossing.empty()) {
         const auto& [a, b] = crossing.front();

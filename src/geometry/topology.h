@@ -55,8 +55,8 @@ struct Loop {
 struct Face {
     std::vector<Loop> loops;
     std::vector<int> points;  ///< nodes inside: something else touches the face there
-    bool reversed = false;  ///< the outward normal is -(Su x Sv)
-    bool no_area = false;   ///< the surface is collapsed to a curve: there is nothing to mesh
+    bool reversed = false;    ///< the outward normal is -(Su x Sv)
+    bool no_area = false;     ///< the surface is collapsed to a curve: there is nothing to mesh
     double tolerance = 0.0;
     std::array<double, 2> low{0.0, 0.0};  ///< bounds of (u, v) on the trimmed face
     std::array<double, 2> high{0.0, 0.0};

@@ -21,7 +21,8 @@ struct TriangleMesh {
     std::vector<Triangle> triangles;          ///< outward orientation
     std::vector<std::int32_t> triangle_face;  ///< CAD face of each triangle; empty when the mesh has no CAD
     std::vector<VertexEntity> vertex_entity;  ///< empty when the mesh has no CAD
-    /// The same two by the pieces of faces that are cut along creases (geometry::Topology::parts_of); empty where none is.
+    /// The same two by the pieces of faces that are cut along creases (geometry::Topology::parts_of); empty where none
+    /// is.
     std::vector<std::int32_t> triangle_piece;
     std::vector<VertexEntity> vertex_piece;
 };
