@@ -21,8 +21,7 @@ void join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b)
 int collapsed_side(const std::array<int, 3>& triangle, const std::vector<Site>& sites) {
     int side = -1;
     for (int i = 0; i < 3; ++i) {
-        const Site& a = sites[triangle[i]];
-        if (a.vertex >= 0 && a.vertex == sites[triangle[(i + 1) % 3]].vertex) {
+        if (same_vertex(sites[triangle[i]], sites[triangle[(i + 1) % 3]])) {
             side = i;
         }
     }

@@ -79,7 +79,6 @@ class FaceMesher {
         const auto s = static_cast<std::size_t>(site_of_[tri_->corner(h)]);
         return s < stands_for_.size() ? stands_for_[s] : static_cast<int>(s);
     }
-    bool same_vertex(const Site& a, const Site& b) const { return a.vertex >= 0 && a.vertex == b.vertex; }
     int level(int planar_vertex) const { return level_[site_of_[planar_vertex]]; }
     double reach() const { return grid_.shortest_side(); }
 

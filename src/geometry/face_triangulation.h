@@ -40,6 +40,11 @@ struct FaceTriangulation {
     int unresolved = 0;                ///< triangles that still turn away from the surface
 };
 
+/// In space: a pole is one vertex with many sites in (u, v).
+inline bool same_vertex(const FaceTriangulation::Site& a, const FaceTriangulation::Site& b) {
+    return a.vertex >= 0 && a.vertex == b.vertex;
+}
+
 /// Triangulates a face over the present chains. When `marks` is not empty in the result, halve them and call again.
 /// With `border_may_change` pieces are marked also where triangles turn away from the surface; without it only where
 /// the border cannot be triangulated otherwise. `inner` sites become vertices too, unless they lie on the border or

@@ -13,6 +13,7 @@ namespace {
 
 using mesh::SurfaceMesh;
 
+// Times the smallest angle: chords turn the two edges of a corner that little where it is filled by one triangle.
 constexpr double kAsNarrow = 1.08;
 
 std::string entity_name(const Workspace& work, int vertex) {

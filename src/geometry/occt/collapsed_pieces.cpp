@@ -40,10 +40,7 @@ class CollapsedPieces {
 
     Edge& edge(int e) { return topology_.edges[static_cast<std::size_t>(e)]; }
 
-    bool is_piece(int face) const {
-        const int whole = topology_.of_shape({2, face}).index;
-        return std::binary_search(shape_.cut_faces.begin(), shape_.cut_faces.end(), whole);
-    }
+    bool is_piece(int face) const { return shape_.is_cut(topology_.of_shape({2, face}).index); }
 
     void take_out(int face) {
         std::set<int> around;

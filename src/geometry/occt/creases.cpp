@@ -251,7 +251,18 @@ double parameter_area(const TopoDS_Shape& shape) {
     return area;
 }
 
+// Most surfaces have no such place at all: neither their borders nor their points are looked at.
+bool may_have_creases(const Handle(Geom_Surface) & surface) {
+    const GeomAdaptor_Surface adaptor(surface);
+    return adaptor.NbUIntervals(GeomAbs_C1) > 1 || adaptor.NbVIntervals(GeomAbs_C1) > 1;
+}
+
 bool has_crease(const TopoDS_Face& face) {
+    TopLoc_Location location;
+    const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
+    if (surface.IsNull() || !may_have_creases(surface)) {
+        return false;
+    }
     CreaseSearch search(face);
     return !search.lines(0).empty() || !search.lines(1).empty();
 }
@@ -262,9 +273,7 @@ bool has_creases(const TopoDS_Shape& shape, const Progress* progress) {
     Pace pace(progress);
     for (int i = 1; i <= faces.Extent(); ++i) {
         pace.step();
-        const TopoDS_Face& face = TopoDS::Face(faces(i));
-        TopLoc_Location location;
-        if (!BRep_Tool::Surface(face, location).IsNull() && has_crease(face)) {
+        if (has_crease(TopoDS::Face(faces(i)))) {
             return true;
         }
     }
@@ -316,28 +325,27 @@ class Numbering {
         }
     }
 
-    int own_index(int index, int dimension, std::size_t own) const {
-        const auto i = static_cast<std::size_t>(index);
-        return i < own ? index : cut_.parts_of[static_cast<std::size_t>(dimension)][i - own].index;
+    // `own`: how many of them the shape itself has.
+    Entity of_shape(Entity entity, int own) const {
+        const std::vector<Entity>& parts = cut_.parts_of[static_cast<std::size_t>(entity.dimension)];
+        return entity.index < own ? entity : parts[static_cast<std::size_t>(entity.index - own)];
     }
 
     // Edges that are no piece of an edge.
     void add_creases() {
         for (int f = 1; f <= cut_.faces.Extent(); ++f) {
-            const int face = own_index(f - 1, 2, static_cast<std::size_t>(whole_.faces.Extent()));
+            const Entity face = of_shape({2, f - 1}, whole_.faces.Extent());
             for (TopExp_Explorer it(cut_.faces(f), TopAbs_EDGE); it.More(); it.Next()) {
-                add(it.Current(), 1, Entity{2, face}, cut_.edges);
+                add(it.Current(), 1, face, cut_.edges);
             }
         }
     }
 
     // Ends of creases lie on an edge that was cut, or inside a face.
     void add_ends() {
-        const auto own = static_cast<std::size_t>(whole_.edges.Extent());
         for (const bool of_edges : {true, false}) {
             for (int e = 1; e <= cut_.edges.Extent(); ++e) {
-                const auto i = static_cast<std::size_t>(e - 1);
-                const Entity of = i < own ? Entity{1, e - 1} : cut_.parts_of[1][i - own];
+                const Entity of = of_shape({1, e - 1}, whole_.edges.Extent());
                 if ((of.dimension == 1) != of_edges) {
                     continue;
                 }
@@ -409,11 +417,7 @@ OrderedShape cut_at_creases(const TopoDS_Shape& shape, std::vector<std::string>&
             move(cut.vertices, place);
             move(cut.edges, place);
             move(cut.faces, place);
-            TopTools_MapOfShape replaced;
-            for (TopTools_MapOfShape::Iterator it(cut.replaced); it.More(); it.Next()) {
-                replaced.Add(it.Value().Moved(place, Standard_False));
-            }
-            cut.replaced = replaced;
+            move(cut.replaced, place);
             return cut;
         }
     } catch (const Standard_Failure& raised) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -21,7 +21,10 @@ struct OrderedShape {
     TopTools_IndexedMapOfShape faces;
     std::array<std::vector<Entity>, 3> parts_of;  ///< as in Topology
     std::vector<int> cut_faces;                   ///< that have more than one piece, ascending
-    TopTools_MapOfShape replaced;                 ///< entities that only keep their number: their pieces count
+    TopTools_IndexedMapOfShape replaced;          ///< entities that only keep their number: their pieces count
+
+    /// Whether a face of the shape, by its own number, has more than one piece.
+    bool is_cut(int face) const { return std::binary_search(cut_faces.begin(), cut_faces.end(), face); }
 };
 
 /// The shape as it is.

@@ -224,9 +224,7 @@ void TopologyBuilder::add_face(int index) {
         fault(Entity{2, index}, "has no wire");
     }
     data.no_area = has_no_area(adaptor, data, least_width_);
-    const int whole = topology_.of_shape({2, index}).index;
-    const bool cut = std::binary_search(ordered_.cut_faces.begin(), ordered_.cut_faces.end(), whole);
-    if (data.no_area && !cut) {
+    if (data.no_area && !ordered_.is_cut(topology_.of_shape({2, index}).index)) {
         fault(Entity{2, index}, "has no area");
     }
     const double bounds = std::max(std::max(std::abs(data.low[0]), std::abs(data.high[0])),

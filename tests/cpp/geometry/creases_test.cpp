@@ -113,35 +113,5 @@ TEST(Creases, SmoothPartsStayAsTheyAre) {
     }
 }
 
-/// A curve whose speed is 0 at its end but for rounding: x = t * t.
-TEST(EdgeNearest, FindsAnEndWhereTheCurveStandsStill) {
-    for (const double rounding : {0.0, 1e-14, -1e-14, 1e-12}) {
-        TColgp_Array1OfPnt poles(1, 3);
-        poles(1) = gp_Pnt(0.0, 0.0, 0.0);
-        poles(2) = gp_Pnt(rounding, 0.0, 0.0);
-        poles(3) = gp_Pnt(1.0, 0.0, 0.0);
-        TColStd_Array1OfReal knots(1, 2);
-        knots(1) = 0.0;
-        knots(2) = 1.0;
-        TColStd_Array1OfInteger multiplicities(1, 2);
-        multiplicities.Init(3);
-        const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, multiplicities, 2)).Edge();
-        const auto model = make_shape_model(BRepPrimAPI_MakePrism(edge, gp_Vec(0.0, 1.0, 0.0)).Shape());
-        int found = -1;
-        for (int e = 0; e < 4; ++e) {
-            const Answer middle = model->answer(Query::edge_point(e, 0.5));
-            found = middle.found() && std::abs(middle.point.x() - 0.25) < 1e-9 ? e : found;
-        }
-        ASSERT_GE(found, 0);
-        const double y = model->answer(Query::edge_point(found, 0.5)).point.y();
-        for (const double off : {0.0, 1e-13, -1e-13, 1e-6, -1e-6}) {
-            for (const double guess : {0.0, 1e-9, 0.1, 0.5, 1.0}) {
-                const Answer end = model->answer(Query::edge_nearest(found, Vec3(off, y, 0.0), guess, 0.0, 1.0));
-                EXPECT_LT(end.distance, 1.001e-6) << off << " from " << guess << " with " << rounding;
-            }
-        }
-    }
-}
-
 }  // namespace
 }  // namespace mq::geometry

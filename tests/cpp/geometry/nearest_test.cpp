@@ -2,6 +2,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -154,23 +155,28 @@ TEST(FaceContains, ReturnsForAHugeU) {
     EXPECT_EQ(model->answer(Query::face_contains(0, 0.5, 0.0)).side, 0);
 }
 
-/// A spline that runs back on itself: the guess decides which branch is answered.
-TEST(EdgeNearest, FollowsTheGuess) {
-    TColgp_Array1OfPnt poles(1, 4);
-    poles(1) = gp_Pnt(0.0, 0.0, 0.0);
-    poles(2) = gp_Pnt(4.0, 0.0, 0.0);
-    poles(3) = gp_Pnt(4.0, 1.0, 0.0);
-    poles(4) = gp_Pnt(0.0, 1.0, 0.0);
+/// A spline over [0, 1] without inner knots: a Bezier curve.
+TopoDS_Edge clamped_edge(const std::vector<gp_Pnt>& points) {
+    const int degree = static_cast<int>(points.size()) - 1;
+    TColgp_Array1OfPnt poles(1, degree + 1);
+    for (int i = 0; i <= degree; ++i) {
+        poles(i + 1) = points[static_cast<std::size_t>(i)];
+    }
     TColStd_Array1OfReal knots(1, 2);
     knots(1) = 0.0;
     knots(2) = 1.0;
     TColStd_Array1OfInteger multiplicities(1, 2);
-    multiplicities.Init(4);
+    multiplicities.Init(degree + 1);
+    return BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, multiplicities, degree)).Edge();
+}
+
+/// A spline that runs back on itself: the guess decides which branch is answered.
+TEST(EdgeNearest, FollowsTheGuess) {
     BRep_Builder builder;
     TopoDS_Compound both;
     builder.MakeCompound(both);
     builder.Add(both, BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape());
-    builder.Add(both, BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, multiplicities, 3)).Shape());
+    builder.Add(both, clamped_edge({{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {4.0, 1.0, 0.0}, {0.0, 1.0, 0.0}}));
     const auto model = make_shape_model(both);
     constexpr int kEdge = 12;
     ASSERT_EQ(model->topology().edges.size(), 13u);
@@ -195,6 +201,27 @@ TEST(EdgeNearest, FollowsTheGuess) {
     EXPECT_NEAR(model->answer(Query::edge_length(kEdge, 0.0, middle.t)).distance,
                 model->answer(Query::edge_length(kEdge, 0.6, middle.t)).distance, 1e-8);
     EXPECT_NEAR(model->answer(Query::edge_middle(kEdge, 0.6, 0.0)).t, middle.t, 1e-8);
+}
+
+/// A curve whose speed is 0 at its end but for rounding: x = t * t.
+TEST(EdgeNearest, FindsAnEndWhereTheCurveStandsStill) {
+    for (const double rounding : {0.0, 1e-14, -1e-14, 1e-12}) {
+        const TopoDS_Edge edge = clamped_edge({{0.0, 0.0, 0.0}, {rounding, 0.0, 0.0}, {1.0, 0.0, 0.0}});
+        const auto model = make_shape_model(BRepPrimAPI_MakePrism(edge, gp_Vec(0.0, 1.0, 0.0)).Shape());
+        int found = -1;
+        for (int e = 0; e < 4; ++e) {
+            const Answer middle = model->answer(Query::edge_point(e, 0.5));
+            found = middle.found() && std::abs(middle.point.x() - 0.25) < 1e-9 ? e : found;
+        }
+        ASSERT_GE(found, 0);
+        const double y = model->answer(Query::edge_point(found, 0.5)).point.y();
+        for (const double off : {0.0, 1e-13, -1e-13, 1e-6, -1e-6}) {
+            for (const double guess : {0.0, 1e-9, 0.1, 0.5, 1.0}) {
+                const Answer end = model->answer(Query::edge_nearest(found, Vec3(off, y, 0.0), guess, 0.0, 1.0));
+                EXPECT_LT(end.distance, 1.001e-6) << off << " from " << guess << " with " << rounding;
+            }
+        }
+    }
 }
 
 }  // namespace

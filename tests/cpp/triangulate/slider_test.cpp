@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/slider.h"
 
+#include <memory>
+#include <utility>
+
 #include "triangulate/checks.h"
 #include "triangulate/chord_height.h"
 #include "triangulate/corner_angle.h"
@@ -20,6 +23,16 @@ double smallest_around(const mesh::SurfaceMesh& mesh, const std::vector<int>& tr
     return least;
 }
 
+/// A part refined to 25 degrees, whose vertices may move as far as they like.
+struct RefinedPart {
+    explicit RefinedPart(std::shared_ptr<geometry::Model> model) : pipeline(std::move(model)) { pipeline.refine(25.0); }
+
+    Pipeline pipeline;
+    Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
+    Slider slider{pipeline.work, sizing};
+    UndoStack undo{pipeline.work};
+};
+
 /// Every move makes the smallest angle around the vertex larger, by what was asked, and leaves it on its edge; the ends
 /// of the innermost pieces at narrow corners move, too.
 TEST(Slider, MovesVerticesAlongTheirEdges) {
@@ -27,18 +40,15 @@ TEST(Slider, MovesVerticesAlongTheirEdges) {
     int moves = 0;
     for (const geometry::Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);
-        Pipeline pipeline(part.model);
-        pipeline.refine(25.0);
-        const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
-        Slider slider(pipeline.work, sizing);
-        UndoStack undo(pipeline.work);
+        RefinedPart refined(part.model);
+        Pipeline& pipeline = refined.pipeline;
         for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
             double before = 0.0;
             const auto enough = [&](double angle) {
                 before = angle;
                 return angle + kGain;
             };
-            const std::vector<int> changed = slider.improve(t, 0.5, enough, undo);
+            const std::vector<int> changed = refined.slider.improve(t, 0.5, enough, refined.undo);
             if (!changed.empty()) {
                 EXPECT_GE(smallest_around(pipeline.surface, changed), before + kGain - 1e-9);
                 ++moves;
@@ -56,15 +66,12 @@ TEST(Slider, MovesAVertexToAPlace) {
     int moves = 0;
     for (const geometry::Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);
-        Pipeline pipeline(part.model);
-        pipeline.refine(25.0);
-        const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
-        Slider slider(pipeline.work, sizing);
-        UndoStack undo(pipeline.work);
+        RefinedPart refined(part.model);
+        Pipeline& pipeline = refined.pipeline;
         for (int v = 0; v < pipeline.surface.vertex_count() && moves < 500; ++v) {
             const double step = v % 2 == 0 ? 0.15 : -0.3;
-            const std::optional<double> told = slider.angle_after(v, step, 25.0 * M_PI / 180.0);
-            const std::vector<int> changed = slider.move(v, step, 25.0 * M_PI / 180.0, undo);
+            const std::optional<double> told = refined.slider.angle_after(v, step, 25.0 * M_PI / 180.0);
+            const std::vector<int> changed = refined.slider.move(v, step, 25.0 * M_PI / 180.0, refined.undo);
             if (!changed.empty()) {
                 ASSERT_TRUE(told);
                 EXPECT_NEAR(smallest_around(pipeline.surface, changed), *told, 1e-9);
@@ -100,14 +107,11 @@ TEST(Slider, KeepsTheDistanceFromThePart) {
 
 /// What an angle below the bound was exempt for goes to the triangles that have one afterwards.
 TEST(Slider, ExemptionsStay) {
-    Pipeline pipeline(geometry::make_shape_model(geometry::wedge(5.0, 10.0, 3.0)));
-    pipeline.refine(25.0);
-    const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
-    Slider slider(pipeline.work, sizing);
-    UndoStack undo(pipeline.work);
+    RefinedPart refined(geometry::make_shape_model(geometry::wedge(5.0, 10.0, 3.0)));
+    Pipeline& pipeline = refined.pipeline;
     for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
-        slider.improve(
-            t, 25.0 * M_PI / 180.0, [](double angle) { return angle + 0.01; }, undo);
+        refined.slider.improve(
+            t, 25.0 * M_PI / 180.0, [](double angle) { return angle + 0.01; }, refined.undo);
     }
     for (int t = 0; t < pipeline.surface.triangle_count(); ++t) {
         EXPECT_EQ(pipeline.work.exemption_of(t) != nullptr,
