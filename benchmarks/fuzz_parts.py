@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes random parts and checks every promise of the mesher; not part of the test suite.
 
-    benchmarks/fuzz_parts.py [--first 0] [--parts 300] [--jobs 1] [--reduce]
+    benchmarks/fuzz_parts.py [--first 0] [--parts 300] [--jobs 1] [--creased] [--reduce]
     benchmarks/fuzz_parts.py --first 17 --parts 1 --brep part.brep
 
 Parts are modelled from a seed by FreeCAD (fuzz_shapes.py), each meshed in a process of its own with
@@ -33,6 +33,8 @@ def parse_arguments():
     parser.add_argument("--parts", type=int, default=300, help="how many seeds")
     parser.add_argument("--skip", default="", help="steps of the part to leave out: 1,3")
     parser.add_argument("--plain", default="", help="options to leave out: max_edge,method")
+    parser.add_argument("--creased", action="store_true",
+                        help="faces of parts have creases: see fuzz_shapes.random_part")
     parser.add_argument("--reduce", action="store_true", help="make failing parts smaller")
     parser.add_argument("--brep", help="file for the part (of the last seed)")
     parser.add_argument("--jobs", type=int, default=1, help="parts meshed at the same time")
@@ -50,6 +52,7 @@ def mesh_one(seed, skip, plain, arguments):
     with tempfile.TemporaryDirectory() as scratch:
         file = Path(scratch) / "result.json"
         job = {"seed": seed, "skip": skip, "plain": plain, "result": str(file),
+               "creased": arguments.creased,
                "brep": arguments.brep and str(Path(arguments.brep).resolve())}
         status, output = limits.run(
             ["freecadcmd", "-P", str(arguments.mod), "-P", str(HERE), str(HERE / "fuzz_worker.py")],
@@ -63,7 +66,7 @@ def mesh_one(seed, skip, plain, arguments):
     elif result["state"] == "crash":
         result["state"] = "crash" if found else "no part"
         result["faults"] = [f"crash: {crash_cause(status, output)}"] if found else []
-    return result
+    return {**result, "creased": arguments.creased}
 
 
 def kinds(result):
@@ -94,6 +97,7 @@ def line(result):
     for name in ("skip", "plain"):
         if result[name]:
             repeat += f" --{name} {','.join(map(str, result[name]))}"
+    repeat += " --creased" if result["creased"] else ""
     crossing = " (the part crosses itself)" if result.get("crossing") else ""
     return f"{repeat}: {'; '.join(result['faults'])}{crossing} | {steps} | {options}"
 

@@ -15,8 +15,17 @@ Z = Vector(0, 0, 1)
 TRIES = 5
 
 
-def random_part(seed, skip=()):
-    """(solid, [(number, what)] of the steps in it); the steps in `skip` are not done."""
+class Dice(random.Random):
+    """Random numbers of one step."""
+
+    creased = False
+
+
+def random_part(seed, skip=(), *, creased=False):
+    """(solid, [(number, what)] of the steps in it); the steps in `skip` are not done.
+
+    With `creased` every ring with corners is a single edge through them, whose faces have creases.
+    """
     plan = random.Random(f"{seed}:plan")
     steps = [_solid] + [_boolean] * plan.choice((0, 1, 1, 2, 2, 3, 4))
     steps += [_dress] * plan.choice((0, 1, 1, 2)) + [_boolean] * plan.choice((0, 0, 1))
@@ -25,7 +34,9 @@ def random_part(seed, skip=()):
     for number, step in enumerate(steps):
         if number in skip and number > 0:
             continue
-        shape, what = _try(step, random.Random(f"{seed}:{number}"), shape)
+        dice = Dice(f"{seed}:{number}")
+        dice.creased = creased
+        shape, what = _try(step, dice, shape)
         if what:
             done.append((number, what))
     return shape, done
@@ -115,11 +126,27 @@ def _ring(dice, radius, height=0.0):
     turns = sorted(2 * math.pi * (k + dice.uniform(0, 0.7)) / count for k in range(count))
     points = [Vector(math.cos(t), math.sin(t), 0) * radius * dice.uniform(0.5, 1.2) for t in turns]
     points = [p + Vector(0, 0, height) for p in points]
+    if dice.creased:
+        return Part.Wire(_with_corners([*points, points[0]], kind == "spline").toShape())
     if kind == "polygon":
         return Part.makePolygon([*points, points[0]])
     curve = Part.BSplineCurve()
     curve.interpolate(points, PeriodicFlag=True)
     return Part.Wire(curve.toShape())
+
+
+def _with_corners(points, curved):
+    """One spline: of straight lines, or of curves with a corner where two of them meet."""
+    curve = Part.BSplineCurve()
+    if not curved:
+        curve.buildFromPolesMultsKnots(points, [2] + [1] * (len(points) - 2) + [2], degree=1)
+        return curve
+    corner = len(points) // 2
+    curve.interpolate(points[:corner + 1])
+    rest = Part.BSplineCurve()
+    rest.interpolate(points[corner:])
+    curve.join(rest)
+    return curve
 
 
 def _prism(dice):

@@ -66,9 +66,11 @@ void check_against_part(const Options& options, const geometry::Topology& topolo
     }
 }
 
-// Edges that join the same vertices on two faces get a vertex of their own in the middle.
+// Edges that join the same vertices on two faces get a vertex of their own in the middle, however short they are: with
+// min_edge, too, the mesh is first of all a surface.
 // @return whether there were any that did
 bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
+    const double asked = std::exchange(work.min_edge, 0.0);
     bool any = false;
     for (int round = 0; round < 8; ++round) {
         const std::vector<int> doubled = work.maxmin.doubled_edges();
@@ -89,6 +91,7 @@ bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
         }
         any = true;
     }
+    work.min_edge = asked;
     return any;
 }
 

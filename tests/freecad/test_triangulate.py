@@ -126,6 +126,8 @@ class SimpleParts(unittest.TestCase):
         for insertion in ("off-centre", "paper"):
             self.check(shape, min_angle=16.526594861165, chord_height_relative=0.003368443955734472,
                        insertion=insertion)
+        for min_edge in (0.03, 1.0):  # which gives way to it
+            self.check(shape, min_edge=min_edge)
 
     def test_open_faces_give_an_open_mesh(self):
         mesh = mq.triangulate(Part.makePlane(10, 10))
