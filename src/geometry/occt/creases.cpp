@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/creases.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomAdaptor_Surface.hxx>
+#include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeExtend.hxx>
@@ -24,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "base/angle.h"
@@ -185,13 +188,24 @@ class SplitAtLines final : public ShapeUpgrade_SplitSurface {
     std::vector<double> lines_;
 };
 
-/// Divides the faces that have creases and leaves all else as it is.
+using Surfaces = std::set<Handle(Geom_Surface)>;
+
+Handle(Geom_Surface) surface_of(const TopoDS_Face& face) {
+    TopLoc_Location place;
+    return BRep_Tool::Surface(face, place);
+}
+
+/// Divides the faces that have creases and leaves all else as it is, and the faces on `uncut`.
 class DivideAtCreases final : public ShapeUpgrade_FaceDivide {
   public:
-    explicit DivideAtCreases(int direction) : direction_(direction), split_(new SplitAtLines(direction)) {
+    DivideAtCreases(int direction, Surfaces uncut)
+        : direction_(direction), uncut_(std::move(uncut)), split_(new SplitAtLines(direction)) {
         SetSplitSurfaceTool(split_);
     }
     Standard_Boolean SplitSurface() override {
+        if (uncut_.count(surface_of(TopoDS::Face(myResult))) > 0) {
+            return false;
+        }
         const std::vector<double> lines = CreaseSearch(TopoDS::Face(myResult)).lines(direction_);
         split_->set(lines);
         return !lines.empty() && ShapeUpgrade_FaceDivide::SplitSurface();
@@ -200,20 +214,17 @@ class DivideAtCreases final : public ShapeUpgrade_FaceDivide {
 
   private:
     int direction_;
+    Surfaces uncut_;
     Handle(SplitAtLines) split_;
 };
 
 /// The shape after cuts one after the other, and what became of its parts.
 class Cuts {
   public:
-    explicit Cuts(const TopoDS_Shape& shape) : result_(shape) {}
-
-    void divide(int direction) {
-        ShapeUpgrade_ShapeDivide divide(result_);
-        divide.SetSplitFaceTool(new DivideAtCreases(direction));
-        divide.Perform();
-        result_ = divide.Result();
-        changes_.push_back(divide.GetContext());
+    Cuts(const TopoDS_Shape& shape, const Surfaces& uncut) : result_(shape) {
+        // Both at once goes wrong where lines cross in a line that is a point.
+        divide(0, uncut);
+        divide(1, uncut);
     }
     const TopoDS_Shape& result() const { return result_; }
     TopoDS_Shape pieces_of(TopoDS_Shape part) const {
@@ -224,6 +235,14 @@ class Cuts {
     }
 
   private:
+    void divide(int direction, const Surfaces& uncut) {
+        ShapeUpgrade_ShapeDivide divide(result_);
+        divide.SetSplitFaceTool(new DivideAtCreases(direction, uncut));
+        divide.Perform();
+        result_ = divide.Result();
+        changes_.push_back(divide.GetContext());
+    }
+
     TopoDS_Shape result_;
     std::vector<Handle(ShapeBuild_ReShape)> changes_;
 };
@@ -369,20 +388,51 @@ void move(TopTools_IndexedMapOfShape& entities, const TopLoc_Location& place) {
     entities = moved;
 }
 
-/// @return names of faces that lost area
-std::string lost_area(const OrderedShape& whole, const Cuts& cuts) {
-    constexpr double kOfArea = 1e-3;
-    std::string lost;
-    for (int i = 1; i <= whole.faces.Extent(); ++i) {
-        const TopoDS_Shape pieces = cuts.pieces_of(whole.faces(i));
-        if (!pieces.IsSame(whole.faces(i))) {
-            const double area = parameter_area(whole.faces(i));
-            if (!(std::abs(parameter_area(pieces) - area) <= kOfArea * std::abs(area))) {
-                lost += (lost.empty() ? "" : ", ") + name_of(Entity{2, i - 1});
-            }
+double largest_tolerance(const TopoDS_Shape& shape) {
+    double most = 0.0;
+    for (TopExp_Explorer it(shape, TopAbs_VERTEX); it.More(); it.Next()) {
+        most = std::max(most, BRep_Tool::Tolerance(TopoDS::Vertex(it.Current())));
+    }
+    return most;
+}
+
+// On surfaces that are closed in both directions OpenCASCADE makes vertices elsewhere than on their edges.
+bool ends_are_on_edges(const TopoDS_Shape& pieces, double tolerance) {
+    for (TopExp_Explorer it(pieces, TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(it.Current().Oriented(TopAbs_FORWARD));
+        if (BRep_Tool::Degenerated(edge)) {
+            continue;
+        }
+        const BRepAdaptor_Curve curve(edge);
+        const double most = 2.0 * std::max(tolerance, BRep_Tool::Tolerance(edge));
+        const TopoDS_Vertex first = TopExp::FirstVertex(edge);
+        const TopoDS_Vertex last = TopExp::LastVertex(edge);
+        if (first.IsNull() || last.IsNull() ||
+            curve.Value(curve.FirstParameter()).Distance(BRep_Tool::Pnt(first)) > most ||
+            curve.Value(curve.LastParameter()).Distance(BRep_Tool::Pnt(last)) > most) {
+            return false;
         }
     }
-    return lost;
+    return true;
+}
+
+bool is_whole(const TopoDS_Shape& face, const TopoDS_Shape& pieces) {
+    constexpr double kOfArea = 1e-3;
+    const double area = parameter_area(face);
+    return std::abs(parameter_area(pieces) - area) <= kOfArea * std::abs(area) &&
+           ends_are_on_edges(pieces, largest_tolerance(face));
+}
+
+/// @return the numbers of faces whose pieces do not make them up
+std::vector<int> badly_cut(const OrderedShape& whole, const Cuts& cuts) {
+    std::vector<int> bad;
+    for (int i = 1; i <= whole.faces.Extent(); ++i) {
+        const TopoDS_Shape pieces = cuts.pieces_of(whole.faces(i));
+        if (!pieces.IsSame(whole.faces(i)) && !is_whole(whole.faces(i), pieces)) {
+            bad.push_back(i);
+        }
+    }
+    return bad;
 }
 
 }  // namespace
@@ -396,35 +446,58 @@ OrderedShape ordered(const TopoDS_Shape& shape) {
     return result;
 }
 
+namespace {
+
+OrderedShape moved(OrderedShape cut, const TopLoc_Location& place) {
+    cut.shape = cut.shape.Moved(place, Standard_False);
+    move(cut.vertices, place);
+    move(cut.edges, place);
+    move(cut.faces, place);
+    move(cut.replaced, place);
+    return cut;
+}
+
+/// Leaves faces whose pieces do not make them up as they are, and names them in `left`.
+OrderedShape cut_where_possible(const OrderedShape& whole, std::string& left) {
+    Surfaces uncut;
+    for (;;) {
+        const Cuts cuts(whole.shape, uncut);
+        const std::vector<int> bad = badly_cut(whole, cuts);
+        if (bad.empty()) {
+            return Numbering(whole, cuts).run();
+        }
+        const std::size_t before = uncut.size();
+        for (const int face : bad) {
+            uncut.insert(surface_of(TopoDS::Face(whole.faces(face))));
+            left += (left.empty() ? "" : ", ") + name_of(Entity{2, face - 1});
+        }
+        if (uncut.size() == before) {
+            return whole;
+        }
+    }
+}
+
+}  // namespace
+
 OrderedShape cut_at_creases(const TopoDS_Shape& shape, std::vector<std::string>& faults, const Progress* progress) {
     if (!has_creases(shape, progress)) {
         return ordered(shape);
     }
     // In the part's own frame, so that what the pieces are made of does not depend on where it stands.
     const TopLoc_Location place = shape.Location();
-    const TopoDS_Shape own = shape.Located(TopLoc_Location());
-    std::string failure;
+    const OrderedShape whole = ordered(shape.Located(TopLoc_Location()));
+    OrderedShape cut;
+    std::string left;
     try {
-        // Both at once goes wrong where lines cross in a line that is a point.
-        Cuts cuts(own);
-        cuts.divide(0);
-        cuts.divide(1);
-        const OrderedShape whole = ordered(own);
-        failure = lost_area(whole, cuts);
-        if (failure.empty()) {
-            OrderedShape cut = Numbering(whole, cuts).run();
-            cut.shape = cut.shape.Moved(place, Standard_False);
-            move(cut.vertices, place);
-            move(cut.edges, place);
-            move(cut.faces, place);
-            move(cut.replaced, place);
-            return cut;
-        }
+        cut = cut_where_possible(whole, left);
     } catch (const Standard_Failure& raised) {
-        failure = raised.DynamicType()->Name();
+        cut = whole;
+        left = raised.DynamicType()->Name();
     }
-    faults.push_back("creases inside faces are not followed: OpenCASCADE cannot cut along them (" + failure + ")");
-    return ordered(shape);
+    if (!left.empty()) {
+        faults.push_back("creases inside faces are not followed: OpenCASCADE cannot cut along them (" + left + ")");
+    }
+    return moved(std::move(cut), place);
 }
 
 }  // namespace mq::geometry

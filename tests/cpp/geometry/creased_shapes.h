@@ -5,13 +5,17 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeRevol.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <gp.hxx>
+#include <gp_Ax1.hxx>
 
 /// Parts with faces that have creases inside.
 namespace mq::geometry {
@@ -25,8 +29,8 @@ inline void linear_knots(TColStd_Array1OfReal& knots, TColStd_Array1OfInteger& m
     }
 }
 
-/// A block of 4 by 3 by 2 whose four sides are one face over one spline: Face1 the sides, Edge1 its seam.
-inline TopoDS_Shape block_with_one_side() {
+/// A rectangle of 4 by 3 in the plane z = 0 that a single spline goes around, from the corner at the origin.
+inline TopoDS_Face rectangle_with_one_edge() {
     TColgp_Array1OfPnt corners(1, 5);
     corners(1) = gp_Pnt(0.0, 0.0, 0.0);
     corners(2) = gp_Pnt(4.0, 0.0, 0.0);
@@ -37,8 +41,17 @@ inline TopoDS_Shape block_with_one_side() {
     TColStd_Array1OfInteger multiplicities(1, 5);
     linear_knots(knots, multiplicities);
     const TopoDS_Edge around = BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(corners, knots, multiplicities, 1)).Edge();
-    const TopoDS_Face bottom = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(around).Wire(), true).Face();
-    return BRepPrimAPI_MakePrism(bottom, gp_Vec(0.0, 0.0, 2.0)).Shape();
+    return BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(around).Wire(), true).Face();
+}
+
+/// A block of 4 by 3 by 2 whose four sides are one face over one spline: Face1 the sides, Edge1 its seam.
+inline TopoDS_Shape block_with_one_side() {
+    return BRepPrimAPI_MakePrism(rectangle_with_one_edge(), gp_Vec(0.0, 0.0, 2.0)).Shape();
+}
+
+/// A ring whose four sides are one face, closed in both directions.
+inline TopoDS_Shape ring_with_one_side() {
+    return BRepPrimAPI_MakeRevol(rectangle_with_one_edge(), gp_Ax1(gp_Pnt(-2.0, 0.0, 0.0), gp::DY())).Shape();
 }
 
 /// A wing with a blunt trailing edge as OpenVSP writes them, one face with one seam: u runs from the middle of the flat

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
@@ -111,6 +113,27 @@ TEST(Creases, SmoothPartsStayAsTheyAre) {
         EXPECT_EQ(same->topology().edges.size(), whole->topology().edges.size());
         EXPECT_EQ(same->topology().own_count(2), whole->topology().faces.size());
     }
+}
+
+/// OpenCASCADE mixes up the seams of what is closed in both directions where it cuts it elsewhere.
+TEST(Creases, OneFaceThatCannotBeCutDoesNotKeepTheOthersFromIt) {
+    const TopoDS_Shape ring = ring_with_one_side();
+    const auto alone = cut(ring);
+    EXPECT_EQ(alone->topology().faces.size(), 1u);
+    ASSERT_EQ(alone->topology().faults.size(), 1u);
+    EXPECT_EQ(alone->topology().faults.front(),
+              "creases inside faces are not followed: OpenCASCADE cannot cut along them (Face1)");
+
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, ring);
+    builder.Add(both, block_with_one_side());
+    const auto model = cut(both);
+    EXPECT_EQ(model->topology().pieces_of({2, 0}).size(), 1u);
+    EXPECT_EQ(model->topology().pieces_of({2, 1}).size(), 4u);
+    EXPECT_EQ(model->topology().faults, alone->topology().faults);
+    expect_uses_run_left(*model);
 }
 
 }  // namespace
