@@ -2,20 +2,15 @@
 #include "geometry/occt/creases.h"
 
 #include <BRepAdaptor_Curve.hxx>
-#include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
-#include <GeomAdaptor_Surface.hxx>
 #include <Geom_Surface.hxx>
-#include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeExtend.hxx>
 #include <ShapeUpgrade_FaceDivide.hxx>
 #include <ShapeUpgrade_ShapeDivide.hxx>
 #include <ShapeUpgrade_SplitSurface.hxx>
 #include <Standard_Failure.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TColStd_HSequenceOfReal.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -25,150 +20,14 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <set>
 #include <string>
 
-#include "base/angle.h"
+#include "geometry/occt/crease_lines.h"
 
 namespace mq::geometry {
 
 namespace {
-
-// Less is left to the refinement, which follows it like a curved surface.
-constexpr double kLeastJump = 10.0 * kDegree;
-
-class CreaseSearch {
-  public:
-    explicit CreaseSearch(const TopoDS_Face& face)
-        : face_(face), surface_(BRep_Tool::Surface(face)), tolerance_(BRep_Tool::Tolerance(face)) {
-        BRepTools::UVBounds(face, low_[0], high_[0], low_[1], high_[1]);
-    }
-
-    /// Values of u (direction 0) or v along which the face is to be cut.
-    std::vector<double> lines(int direction) {
-        std::vector<double> found;
-        for (const double at : inner_kinks(direction)) {
-            if (apart_from_border(direction, at) && (jumps(direction, at) || shrinks_to_a_point(direction, at))) {
-                found.push_back(at);
-            }
-        }
-        return found;
-    }
-
-  private:
-    static constexpr int kSamples = 16;
-
-    // Where the surface is not continuously differentiable: most surfaces have no such place.
-    std::vector<double> inner_kinks(int direction) const {
-        const int intervals = direction == 0 ? surface_.NbUIntervals(GeomAbs_C1) : surface_.NbVIntervals(GeomAbs_C1);
-        TColStd_Array1OfReal values(1, intervals + 1);
-        direction == 0 ? surface_.UIntervals(values, GeomAbs_C1) : surface_.VIntervals(values, GeomAbs_C1);
-        const double least = 1e-9 * (high_[direction] - low_[direction]);
-        std::vector<double> kinks;
-        for (int i = 2; i <= intervals; ++i) {
-            if (values(i) > low_[direction] + least && values(i) < high_[direction] - least) {
-                kinks.push_back(values(i));
-            }
-        }
-        return kinks;
-    }
-
-    double across(int direction, int sample) const {
-        const double share = (sample + 0.5) / kSamples;
-        return low_[1 - direction] + share * (high_[1 - direction] - low_[1 - direction]);
-    }
-    static gp_Pnt2d place(int direction, double at, double other) {
-        return direction == 0 ? gp_Pnt2d(at, other) : gp_Pnt2d(other, at);
-    }
-    gp_Pnt2d uv(int direction, double at, int sample) const { return place(direction, at, across(direction, sample)); }
-    gp_Pnt value(const gp_Pnt2d& p) const { return surface_.Value(p.X(), p.Y()); }
-    gp_Pnt point(int direction, double at, int sample) const { return value(uv(direction, at, sample)); }
-
-    // Pieces as narrow as the tolerance are none.
-    bool apart_from_border(int direction, double at) const {
-        for (const double border : {low_[direction], high_[direction]}) {
-            double width = 0.0;
-            for (int i = 0; i < kSamples; ++i) {
-                width = std::max(width, point(direction, at, i).Distance(point(direction, border, i)));
-            }
-            if (width <= 10.0 * std::max(tolerance_, Precision::Confusion())) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    bool normal(int direction, double at, int sample, gp_Vec& n) const {
-        const gp_Pnt2d where = uv(direction, at, sample);
-        gp_Pnt p;
-        gp_Vec su;
-        gp_Vec sv;
-        surface_.D1(where.X(), where.Y(), p, su, sv);
-        n = su.Crossed(sv);
-        const double size = n.Magnitude();
-        if (size <= 1e-9 * su.Magnitude() * sv.Magnitude() || size <= gp::Resolution()) {
-            return false;
-        }
-        n /= size;
-        return true;
-    }
-
-    // Somewhere within the face; or there is a normal on one side only.
-    bool jumps(int direction, double at) {
-        const double beside = 1e-6 * (high_[direction] - low_[direction]);
-        for (int i = 0; i < kSamples; ++i) {
-            gp_Vec before;
-            gp_Vec after;
-            const bool one = normal(direction, at - beside, i, before);
-            const bool other = normal(direction, at + beside, i, after);
-            const bool differ = one != other || (one && before.Angle(after) > kLeastJump);
-            if (differ && within_face(uv(direction, at, i))) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    // Somewhere between two kinks of the other direction.
-    bool shrinks_to_a_point(int direction, double at) {
-        std::vector<double> ends = inner_kinks(1 - direction);
-        ends.push_back(high_[1 - direction]);
-        double from = low_[1 - direction];
-        for (const double to : ends) {
-            if (is_a_point(direction, at, from, to)) {
-                return true;
-            }
-            from = to;
-        }
-        return false;
-    }
-
-    bool is_a_point(int direction, double at, double from, double to) {
-        const double most = std::max(tolerance_, Precision::Confusion());
-        const gp_Pnt start = value(place(direction, at, from));
-        for (int i = 1; i <= kSamples; ++i) {
-            if (value(place(direction, at, from + (to - from) * i / kSamples)).Distance(start) > most) {
-                return false;
-            }
-        }
-        return within_face(place(direction, at, 0.5 * (from + to)));
-    }
-
-    bool within_face(const gp_Pnt2d& where) {
-        if (!classifier_) {
-            classifier_ = std::make_unique<BRepTopAdaptor_FClass2d>(face_, Precision::PConfusion());
-        }
-        return classifier_->Perform(where) == TopAbs_IN;
-    }
-
-    TopoDS_Face face_;
-    GeomAdaptor_Surface surface_;
-    double tolerance_;
-    double low_[2]{};
-    double high_[2]{};
-    std::unique_ptr<BRepTopAdaptor_FClass2d> classifier_;
-};
 
 /// Splits a surface at given parameters.
 class SplitAtLines final : public ShapeUpgrade_SplitSurface {
@@ -206,7 +65,7 @@ class DivideAtCreases final : public ShapeUpgrade_FaceDivide {
         if (uncut_.count(surface_of(TopoDS::Face(myResult))) > 0) {
             return false;
         }
-        const std::vector<double> lines = CreaseSearch(TopoDS::Face(myResult)).lines(direction_);
+        const std::vector<double> lines = crease_lines(TopoDS::Face(myResult), direction_);
         split_->set(lines);
         return !lines.empty() && ShapeUpgrade_FaceDivide::SplitSurface();
     }
@@ -268,22 +127,6 @@ double parameter_area(const TopoDS_Shape& shape) {
         }
     }
     return area;
-}
-
-// Most surfaces have no such place at all: neither their borders nor their points are looked at.
-bool may_have_creases(const Handle(Geom_Surface) & surface) {
-    const GeomAdaptor_Surface adaptor(surface);
-    return adaptor.NbUIntervals(GeomAbs_C1) > 1 || adaptor.NbVIntervals(GeomAbs_C1) > 1;
-}
-
-bool has_crease(const TopoDS_Face& face) {
-    TopLoc_Location location;
-    const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
-    if (surface.IsNull() || !may_have_creases(surface)) {
-        return false;
-    }
-    CreaseSearch search(face);
-    return !search.lines(0).empty() || !search.lines(1).empty();
 }
 
 bool has_creases(const TopoDS_Shape& shape, const Progress* progress) {
@@ -435,19 +278,6 @@ std::vector<int> badly_cut(const OrderedShape& whole, const Cuts& cuts) {
     return bad;
 }
 
-}  // namespace
-
-OrderedShape ordered(const TopoDS_Shape& shape) {
-    OrderedShape result;
-    result.shape = shape;
-    TopExp::MapShapes(shape, TopAbs_VERTEX, result.vertices);
-    TopExp::MapShapes(shape, TopAbs_EDGE, result.edges);
-    TopExp::MapShapes(shape, TopAbs_FACE, result.faces);
-    return result;
-}
-
-namespace {
-
 OrderedShape moved(OrderedShape cut, const TopLoc_Location& place) {
     cut.shape = cut.shape.Moved(place, Standard_False);
     move(cut.vertices, place);
@@ -478,6 +308,15 @@ OrderedShape cut_where_possible(const OrderedShape& whole, std::string& left) {
 }
 
 }  // namespace
+
+OrderedShape ordered(const TopoDS_Shape& shape) {
+    OrderedShape result;
+    result.shape = shape;
+    TopExp::MapShapes(shape, TopAbs_VERTEX, result.vertices);
+    TopExp::MapShapes(shape, TopAbs_EDGE, result.edges);
+    TopExp::MapShapes(shape, TopAbs_FACE, result.faces);
+    return result;
+}
 
 OrderedShape cut_at_creases(const TopoDS_Shape& shape, std::vector<std::string>& faults, const Progress* progress) {
     if (!has_creases(shape, progress)) {
