@@ -54,20 +54,25 @@ Handle(Geom_Surface) surface_of(const TopoDS_Face& face) {
     return BRep_Tool::Surface(face, place);
 }
 
-/// Divides the faces that have creases and leaves all else as it is, and the faces on `uncut`.
-class DivideAtCreases final : public ShapeUpgrade_FaceDivide {
+template <typename Method>
+class FaceDivide;
+
+/// Divides the faces that have creases and leaves all else as it is, and the faces on `uncut`. OpenCASCADE 7.8 gives
+/// SplitSurface an area, 7.6 nothing.
+template <typename... Area>
+class FaceDivide<Standard_Boolean (ShapeUpgrade_FaceDivide::*)(Area...)> final : public ShapeUpgrade_FaceDivide {
   public:
-    DivideAtCreases(int direction, Surfaces uncut)
+    FaceDivide(int direction, Surfaces uncut)
         : direction_(direction), uncut_(std::move(uncut)), split_(new SplitAtLines(direction)) {
         SetSplitSurfaceTool(split_);
     }
-    Standard_Boolean SplitSurface() override {
+    Standard_Boolean SplitSurface(Area... area) override {
         if (uncut_.count(surface_of(TopoDS::Face(myResult))) > 0) {
             return false;
         }
         const std::vector<double> lines = crease_lines(TopoDS::Face(myResult), direction_);
         split_->set(lines);
-        return !lines.empty() && ShapeUpgrade_FaceDivide::SplitSurface();
+        return !lines.empty() && ShapeUpgrade_FaceDivide::SplitSurface(area...);
     }
     Standard_Boolean SplitCurves() override { return Standard_False; }
 
@@ -76,6 +81,8 @@ class DivideAtCreases final : public ShapeUpgrade_FaceDivide {
     Surfaces uncut_;
     Handle(SplitAtLines) split_;
 };
+
+using DivideAtCreases = FaceDivide<decltype(&ShapeUpgrade_FaceDivide::SplitSurface)>;
 
 /// The shape after cuts one after the other, and what became of its parts.
 class Cuts {
