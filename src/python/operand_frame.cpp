@@ -38,7 +38,9 @@ OperandFrame::OperandFrame(const std::vector<FramedOperand>& operands) {
             meshes_.push_back(&mesh);
             continue;
         }
-        moved_.push_back({origin, {}, mesh.triangles, {}, {}});
+        moved_.emplace_back();
+        moved_.back().origin = origin;
+        moved_.back().triangles = mesh.triangles;
         moved_.back().vertices.reserve(mesh.vertices.size());
         for (const Vec3& p : mesh.vertices) {
             const Vec3 there = p + mesh.origin;
