@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Programs that benchmarks start, with limits, and what became of them."""
 
+import json
 import os
 import resource
 import signal
 import subprocess
+import time
+import traceback
 
 
 class Limits:
@@ -27,6 +30,29 @@ class Limits:
             os.killpg(process.pid, signal.SIGKILL)
             output, _ = process.communicate()
             return None, output
+
+
+def in_child(work, seconds=None):
+    """What `work` returns, by way of JSON, done by a copy of this process; None where that fails, crashes or
+    takes more seconds of the processor.
+    """
+    reading, writing = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            if seconds is not None:
+                most = int(time.process_time() + seconds) + 1
+                resource.setrlimit(resource.RLIMIT_CPU, (most, most))
+            os.write(writing, json.dumps(work()).encode())
+        except Exception:  # the parent's work must not be done here as well
+            traceback.print_exc()
+        finally:
+            os._exit(0)
+    os.close(writing)
+    with os.fdopen(reading, encoding="utf-8") as stream:
+        answer = stream.read()
+    os.waitpid(child, 0)
+    return json.loads(answer) if answer else None
 
 
 def crash_cause(status, output):

@@ -15,6 +15,7 @@ import resource
 import sys
 
 import gmsh
+from child import in_child
 
 # Of the diagonal. Gmsh 4.8 makes no coarser mesh when it is asked to.
 SIZE = 0.1
@@ -73,22 +74,6 @@ def curve(order, steps, path):
     seconds = cpu() - start
     gmsh.write(path)
     return {"seconds": seconds, "said": said}
-
-
-def in_child(work, limit):
-    """What `work` returns, done by a process of its own; None when that crashed or took too long."""
-    read, write = os.pipe()
-    child = os.fork()
-    if child == 0:
-        most = int(cpu() + limit) + 1
-        resource.setrlimit(resource.RLIMIT_CPU, (most, most))
-        os.write(write, json.dumps(work()).encode())
-        os._exit(0)
-    os.close(write)
-    with os.fdopen(read, encoding="utf-8") as stream:
-        answer = stream.read()
-    os.waitpid(child, 0)
-    return json.loads(answer) if answer else None
 
 
 def main():

@@ -18,6 +18,7 @@ from pathlib import Path
 import brep_numbers
 import fuzz_shapes
 import numpy as np
+from child import in_child
 
 JOB = json.loads(os.environ["MESHQUALITY_JOB"])
 DISTANCE_SLACK = 1e-6
@@ -114,29 +115,12 @@ def distance_faults(mesh, shape, options):
     # Two-sided: the volume between surface and mesh.
     room = 1.05 * shape.Area * max(report.max_chord_height, 0.0) + 1e-5 * shape.Volume
     if abs(report.volume - shape.Volume) > room:
-        # The volume of the shape is integrated, and wrong for some splines.
-        by_triangles = apart(tessellated, shape)
+        # The volume of the shape is integrated, and wrong for some splines. OpenCASCADE's mesher and its check
+        # abort on some shapes, which is no fault of the mesh.
+        by_triangles = in_child(lambda: tessellated(shape))
         if by_triangles is None or abs(report.volume - by_triangles) > room:
             faults.append(f"volume off by {report.volume / shape.Volume - 1:.2g}")
     return faults
-
-
-def apart(function, shape):
-    """What the function answers in a process of its own, or None where it dies: OpenCASCADE's mesher and
-    its check abort on some shapes, which is no fault of the mesh.
-    """
-    reading, writing = os.pipe()
-    child = os.fork()
-    if child == 0:
-        try:
-            os.write(writing, json.dumps(function(shape)).encode())
-        finally:
-            os._exit(0)
-    os.close(writing)
-    with os.fdopen(reading, encoding="utf-8") as answer:
-        text = answer.read()
-    os.waitpid(child, 0)
-    return json.loads(text) if text else None
 
 
 def tessellated(shape):
@@ -204,7 +188,7 @@ def work():
     except mq.Error as error:
         result["faults"] = [f"{type(error).__name__}: {error}"]
     if result["faults"]:
-        result["crossing"] = apart(crosses_itself, shape) or ""
+        result["crossing"] = in_child(lambda: crosses_itself(shape)) or ""
         if result["crossing"]:  # then its mesh has to cross itself too
             result["faults"] = [fault for fault in result["faults"] if CROSSING not in fault]
     return result
