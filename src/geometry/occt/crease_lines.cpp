@@ -161,17 +161,14 @@ bool may_have_creases(const Handle(Geom_Surface) & surface) {
 }  // namespace
 
 std::vector<double> crease_lines(const TopoDS_Face& face, int direction) {
-    return CreaseSearch(face).lines(direction);
+    TopLoc_Location location;
+    const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
+    const bool possible = !surface.IsNull() && may_have_creases(surface);
+    return possible ? CreaseSearch(face).lines(direction) : std::vector<double>();
 }
 
 bool has_crease(const TopoDS_Face& face) {
-    TopLoc_Location location;
-    const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
-    if (surface.IsNull() || !may_have_creases(surface)) {
-        return false;
-    }
-    CreaseSearch search(face);
-    return !search.lines(0).empty() || !search.lines(1).empty();
+    return !crease_lines(face, 0).empty() || !crease_lines(face, 1).empty();
 }
 
 }  // namespace mq::geometry

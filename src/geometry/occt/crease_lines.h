@@ -7,10 +7,10 @@
 namespace mq::geometry {
 
 /// Values of u (direction 0) or v inside a face along which it is to be cut: the normal jumps there by more than 10
-/// degrees, or the line is a point in space.
+/// degrees, or the line is a point in space. Takes next to no time where the surface is smooth.
 std::vector<double> crease_lines(const TopoDS_Face& face, int direction);
 
-/// Whether there are any, in either direction. Takes next to no time where the surface is smooth.
+/// Whether there are any, in either direction.
 bool has_crease(const TopoDS_Face& face);
 
 }  // namespace mq::geometry
