@@ -6,15 +6,13 @@
 
 #include "base/angle.h"
 #include "triangulate/corner_angle.h"
+#include "triangulate/edges_angle.h"
 
 namespace mq::triangulate {
 
 namespace {
 
 using mesh::SurfaceMesh;
-
-// Times the smallest angle: chords turn the two edges of a corner that little where it is filled by one triangle.
-constexpr double kAsNarrow = 1.08;
 
 std::string entity_name(const Workspace& work, int vertex) {
     const mesh::VertexEntity& e = work.mesh.vertex(vertex).entity;
@@ -39,15 +37,6 @@ std::string narrow_corner(const Workspace& work, int triangle) {
            " at " + entity_name(work, work.mesh.vertex_of(smallest.half_edge));
 }
 
-// The direction in which a segment's edge leaves a node; zero where it has none.
-Vec3 way_from(const Workspace& work, int segment, int vertex) {
-    const SurfaceMesh::Segment& s = work.mesh.segment(segment);
-    const int end = s.vertices[0] == vertex ? 0 : 1;
-    const geometry::Answer there = work.session.ask(geometry::Query::edge_point(s.edge, s.t[end]));
-    const double forward = s.t[1 - end] > s.t[end] ? 1.0 : -1.0;
-    return there.status == geometry::Status::Ok ? Vec3(forward * there.normal) : Vec3::Zero();
-}
-
 // It fills a corner that the edges themselves enclose, not their chords alone. Mending can come to that.
 bool fills_corner(const Workspace& work, int triangle) {
     const SmallestAngle smallest = smallest_angle(work.mesh, triangle);
@@ -57,10 +46,8 @@ bool fills_corner(const Workspace& work, int triangle) {
     if (a < 0 || b < 0 || work.mesh.vertex(vertex).entity[0] != 0) {
         return false;
     }
-    const Vec3 along_a = way_from(work, a, vertex);
-    const Vec3 along_b = way_from(work, b, vertex);
-    return along_a.squaredNorm() > 0.0 && along_b.squaredNorm() > 0.0 &&
-           angle_between(along_a, along_b) < kAsNarrow * smallest.angle;
+    const auto enclosed = angle_between_edges(work, a, b, vertex);
+    return enclosed && *enclosed < kNarrowed * smallest.angle;
 }
 
 std::string narrow_cluster(const Workspace& work, CornerForce& forces, int vertex, const std::string& at_edge) {

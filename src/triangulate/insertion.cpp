@@ -86,9 +86,9 @@ std::array<double, 3> side_areas(const SurfaceMesh& mesh, int triangle, const Su
     return areas;
 }
 
-bool too_close(const Workspace& work, int triangle, const Vec3& p) {
+bool too_close(const SurfaceMesh& mesh, int triangle, const Vec3& p, double least) {
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        if ((work.mesh.point_of(h) - p).norm() < work.shortest_allowed()) {
+        if ((mesh.point_of(h) - p).norm() < least) {
             return true;
         }
     }
@@ -227,9 +227,9 @@ Surroundings look_around(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
 }
 
 std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfacePoint& p, std::vector<int>& touched,
-                                   double aligned) {
+                                   double aligned, std::optional<double> shortest) {
     SurfaceMesh& mesh = work.mesh;
-    if (too_close(work, triangle, p.point)) {
+    if (too_close(mesh, triangle, p.point, shortest.value_or(work.shortest_allowed()))) {
         return work.too_short();
     }
     const double least = std::min(aligned, alignment(mesh, triangle));

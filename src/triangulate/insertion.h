@@ -61,7 +61,8 @@ Surroundings look_around(const mesh::SurfaceMesh& mesh, int triangle, const Vec3
 /// Puts a vertex into a triangle, takes in the neighbours that it would fold with otherwise, and restores the maxmin
 /// property. Changes nothing, and says why, when it would lie too close to a corner or fold the mesh all the same.
 /// Changed triangles are appended to `touched`. New triangles are at least as aligned as `aligned` or the old one.
+/// Too close is less than `shortest`, mm, or what the workspace allows.
 std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfacePoint& p, std::vector<int>& touched,
-                                   double aligned = kAligned);
+                                   double aligned = kAligned, std::optional<double> shortest = std::nullopt);
 
 }  // namespace mq::triangulate

@@ -6,6 +6,7 @@
 
 #include "base/angle.h"
 #include "triangulate/corner_angle.h"
+#include "triangulate/edges_angle.h"
 #include "triangulate/fold.h"
 #include "triangulate/side_length.h"
 
@@ -22,9 +23,7 @@ constexpr std::size_t kPartOfQueue = 8;
 constexpr int kMaxRetries = 6;
 constexpr int kMaxShrinks = 24;
 constexpr double kMaxShrink = 0.5;
-// How many times larger the angle between two CAD edges is than that between their chords, for these to be halved; and
-// how often at one vertex.
-constexpr double kNarrowed = 1.08;
+// How often the edges at one vertex are halved because their chords enclose less than they do.
 constexpr int kMaxSharpened = 16;
 // Of the part's size: at the tip of a wing a surface turns within nothing, and nobody wants that resolved for its own
 // sake.
@@ -225,21 +224,17 @@ bool Refiner::narrowed_by_chords(int a, int b, int vertex) {
     if (segments_.refused(a) || segments_.refused(b) || sharpened_[vertex] >= kMaxSharpened) {
         return false;
     }
-    Vec3 chords[2];
-    Vec3 tangents[2];
-    for (int i = 0; i < 2; ++i) {
-        const SurfaceMesh::Segment& s = work_.mesh.segment(i == 0 ? a : b);
-        const int end = s.vertices[0] == vertex ? 0 : 1;
-        const geometry::Answer there = work_.session.ask(geometry::Query::edge_point(s.edge, s.t[end]));
-        if (there.status != geometry::Status::Ok) {
-            return false;
-        }
-        tangents[i] = (s.t[1 - end] > s.t[end] ? 1.0 : -1.0) * there.normal;
-        chords[i] = work_.mesh.vertex(s.vertices[1 - end]).point - work_.mesh.vertex(vertex).point;
+    const auto angle = angle_between_edges(work_, a, b, vertex);
+    if (!angle) {
+        return false;
     }
-    const double angle = angle_between(tangents[0], tangents[1]);
-    const double enclosed = angle_between(chords[0], chords[1]);
-    if (angle < kNarrowed * enclosed && (angle < bound_ || enclosed >= bound_)) {
+    const auto chord = [&](int segment) {
+        const auto& ends = work_.mesh.segment(segment).vertices;
+        const int far = ends[0] == vertex ? ends[1] : ends[0];
+        return Vec3(work_.mesh.vertex(far).point - work_.mesh.vertex(vertex).point);
+    };
+    const double enclosed = angle_between(chord(a), chord(b));
+    if (*angle < kNarrowed * enclosed && (*angle < bound_ || enclosed >= bound_)) {
         return false;
     }
     ++sharpened_[vertex];

@@ -70,7 +70,6 @@ void check_against_part(const Options& options, const geometry::Topology& topolo
 // min_edge, too, the mesh is first of all a surface.
 // @return whether there were any that did
 bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
-    const double asked = std::exchange(work.min_edge, 0.0);
     bool any = false;
     for (int round = 0; round < 8; ++round) {
         const std::vector<int> doubled = work.maxmin.doubled_edges();
@@ -81,7 +80,8 @@ bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
         const auto points = surface_points(work, candidates);
         bool changed = false;
         for (std::size_t i = 0; i < doubled.size(); ++i) {
-            changed = (points[i] && !insert_vertex(work, doubled[i] / 3, *points[i], touched)) || changed;
+            changed = (points[i] && !insert_vertex(work, doubled[i] / 3, *points[i], touched, kAligned, work.floor)) ||
+                      changed;
             if (changed) {
                 break;  // swaps may have moved the others
             }
@@ -91,7 +91,6 @@ bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
         }
         any = true;
     }
-    work.min_edge = asked;
     return any;
 }
 
