@@ -10,6 +10,14 @@ namespace mq::triangulate {
 
 using mesh::SurfaceMesh;
 
+namespace {
+
+constexpr double kSlenderCone = 200.0 * kDegree;
+// Triangles that span more of the turn run deep below the cone and have to give way to other vertices.
+constexpr double kWidestShare = 145.0 / 360.0;
+
+}  // namespace
+
 double angle_at(const SurfaceMesh& mesh, int h) {
     const Vec3& o = mesh.point_of(h);
     const Vec3 a = mesh.point_of(SurfaceMesh::next(h)) - o;
@@ -85,13 +93,28 @@ std::optional<ApexFan> apex_fan(const SurfaceMesh& mesh, int h) {
     std::set<int> segments;
     for (const int spoke : mesh.star(h)) {
         apex = apex || mesh.site_of(spoke) != site;
-        fan.sum += angle_at(mesh, spoke);
+        const double angle = angle_at(mesh, spoke);
+        fan.sum += angle;
+        fan.widest = std::max(fan.widest, angle);
         ++fan.triangles;
         segments.insert({mesh.segment_of(spoke), mesh.segment_of(SurfaceMesh::prev(spoke))});
     }
     segments.erase(-1);
     fan.closed = segments.size() < 2;
     return apex ? std::optional(fan) : std::nullopt;
+}
+
+std::optional<ApexFan> cone_fan(const SurfaceMesh& mesh, int h) {
+    if (mesh.site(mesh.site_of(h)).normal.squaredNorm() > 0.0) {
+        return std::nullopt;
+    }
+    const auto fan = apex_fan(mesh, h);
+    return fan && fan->closed && fan->sum < kSlenderCone ? fan : std::nullopt;
+}
+
+bool guarded_apex(const SurfaceMesh& mesh, int h) {
+    const auto fan = cone_fan(mesh, h);
+    return fan && fan->widest <= kWidestShare * fan->sum;
 }
 
 }  // namespace mq::triangulate

@@ -31,10 +31,15 @@ double angle_at(const mesh::SurfaceMesh& mesh, int h);
 struct ApexFan {
     std::size_t triangles = 0;
     double sum = 0.0;     ///< of their angles there, radians
+    double widest = 0.0;  ///< of these angles
     bool closed = false;  ///< they go round it, whether or not a seam ends there
 };
 /// Around the origin of `h`; no value where that is no such point: it has a normal there, and one place in (u, v).
 std::optional<ApexFan> apex_fan(const mesh::SurfaceMesh& mesh, int h);
+/// The same around the apex of a cone so slender that fans there do not come about by themselves: 200 degrees in all.
+std::optional<ApexFan> cone_fan(const mesh::SurfaceMesh& mesh, int h);
+/// Whether the origin of `h` is such an apex with triangles on all sides that are for ApexRings alone to change.
+bool guarded_apex(const mesh::SurfaceMesh& mesh, int h);
 
 /// The corner of a triangle that fills a narrow corner of the part: two segments meet in it at less than 34 degrees,
 /// the largest bound there is. A vertex in such a triangle would cut the angle into smaller ones. -1: there is none.

@@ -223,6 +223,7 @@ Surroundings look_around(const SurfaceMesh& mesh, int triangle, const Vec3& p) {
             }
         }
     }
+    result.triangles = std::move(queue);
     return result;
 }
 

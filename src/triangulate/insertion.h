@@ -55,6 +55,7 @@ Location locate(const mesh::SurfaceMesh& mesh, int triangle, const SurfacePoint&
 struct Surroundings {
     std::vector<int> encroached;  ///< segments with p in their diametral sphere, among those that p can see
     double nearest = 1e300;       ///< distance to the nearest vertex
+    std::vector<int> triangles;   ///< those around `triangle`, with it
 };
 Surroundings look_around(const mesh::SurfaceMesh& mesh, int triangle, const Vec3& p);
 

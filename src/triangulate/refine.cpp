@@ -31,12 +31,14 @@ constexpr double kMinTurned = 1e-3;
 
 }  // namespace
 
-Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion)
+Refiner::Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion,
+                 double chord_height)
     : work_(work),
       segments_(segments),
       bound_(min_angle_degrees * kDegree),
       surely_enough_(surely_beyond(bound_)),
       insertion_(insertion),
+      apex_rings_(work, segments, bound_, chord_height),
       turned_(work.settled),
       looked_at_(work.settled) {}
 
@@ -160,7 +162,7 @@ std::vector<Refiner::Job> Refiner::take_jobs() {
             take_turned(bad, jobs);
             continue;
         }
-        if (narrow_corner(bad)) {
+        if (narrow_corner(bad) || round_apex(bad)) {
             continue;
         }
         int segment = -1;
@@ -247,6 +249,25 @@ bool Refiner::slender_apex(int h) const {
     return fan && fan->triangles <= 3 && fan->sum < 3.0 * bound_;
 }
 
+bool Refiner::round_apex(const Bad& bad) {
+    if (insertion_ == Insertion::Paper ||
+        !apex_rings_.put_around(smallest_angle(work_.mesh, bad.triangle).half_edge, touched_)) {
+        return false;
+    }
+    touched_.push_back(bad.triangle);
+    return true;
+}
+
+// A vertex in such a triangle would become a spoke between angles below the bound.
+bool Refiner::divides_guarded_fan(const std::vector<int>& triangles) const {
+    return insertion_ != Insertion::Paper && std::any_of(triangles.begin(), triangles.end(), [&](int t) {
+               const auto narrow = [&](int h) {
+                   return guarded_apex(work_.mesh, h) && angle_at(work_.mesh, h) < 2.0 * bound_;
+               };
+               return narrow(3 * t) || narrow(3 * t + 1) || narrow(3 * t + 2);
+           });
+}
+
 // The obtuse angle faces a segment, so its corner encroaches upon it. The triangle changes when the segment is split.
 void Refiner::handle_blocked(const Bad& bad, int segment) {
     if (!split_instead(bad, {segment})) {
@@ -295,6 +316,10 @@ void Refiner::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
         return;
     }
     const Surroundings around = look_around(work_.mesh, place.triangle, p->point);
+    if (divides_guarded_fan(around.triangles)) {
+        give_up(job, Cause::Crowded);
+        return;
+    }
     if (split_instead(job.bad, around.encroached)) {
         return;
     }

@@ -7,6 +7,7 @@
 #include <queue>
 #include <vector>
 
+#include "triangulate/apex_rings.h"
 #include "triangulate/insertion.h"
 #include "triangulate/segment_split.h"
 #include "triangulate/triangle_marks.h"
@@ -21,7 +22,9 @@ namespace mq::triangulate {
 /// for a bounded number of them; near narrow corners, see SegmentSplitter::may_split_for.
 class Refiner {
   public:
-    Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion);
+    /// `chord_height` (mm, 0: none) is what the mesh is refined to afterwards: see ApexRings.
+    Refiner(Workspace& work, SegmentSplitter& segments, double min_angle_degrees, Insertion insertion,
+            double chord_height = 0.0);
 
     void run();
 
@@ -61,6 +64,8 @@ class Refiner {
     bool narrow_corner(const Bad& bad);
     bool narrowed_by_chords(int a, int b, int vertex);
     bool slender_apex(int h) const;
+    bool round_apex(const Bad& bad);
+    bool divides_guarded_fan(const std::vector<int>& triangles) const;
     bool retry_exempted();
     void exempt_the_rest();
 
@@ -69,6 +74,7 @@ class Refiner {
     double bound_;          // radians
     double surely_enough_;  // squared sine
     Insertion insertion_;
+    ApexRings apex_rings_;
     std::priority_queue<Bad> queue_;
     std::map<int, int> sharpened_;  // by vertex: how often the chords at a narrow corner were halved
     TriangleMarks turned_;          // those that were refined for their alignment

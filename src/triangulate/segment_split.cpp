@@ -48,7 +48,8 @@ std::vector<int> split_at(Workspace& work, int segment, double t, const Vec3& po
     return halves;
 }
 
-SegmentSplitter::SegmentSplitter(Workspace& work) : work_(work), floors_(work), room_(measure_room(work.mesh)) {
+SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes)
+    : work_(work), floors_(work), guard_apexes_(guard_apexes), room_(measure_room(work.mesh)) {
     for (double& radius : room_.innermost) {
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());
     }
@@ -126,7 +127,22 @@ std::optional<Cause> SegmentSplitter::obstacle(int segment) const {
     if (frozen(segment)) {
         return Cause::NarrowCluster;
     }
+    if (guard_apexes_ && ends_in_guarded_apex(segment)) {
+        return Cause::Crowded;
+    }
     return floors_.too_short_to_split(segment, chord(segment)) ? std::optional(Cause::Abandoned) : std::nullopt;
+}
+
+bool SegmentSplitter::ends_in_guarded_apex(int segment) const {
+    const SurfaceMesh::Segment& s = work_.mesh.segment(segment);
+    return std::any_of(s.uses.begin(), s.uses.end(), [&](const SurfaceMesh::SegmentUse& use) {
+        return guarded_apex(work_.mesh, use.half_edge) || guarded_apex(work_.mesh, SurfaceMesh::next(use.half_edge));
+    });
+}
+
+void SegmentSplitter::request_at(int segment, int end, double distance) {
+    asked_[segment] = {end, distance};
+    request(segment, true);
 }
 
 void SegmentSplitter::request(int segment, bool force) {
@@ -164,7 +180,8 @@ void SegmentSplitter::request_encroached_around(const std::vector<int>& triangle
 
 Query SegmentSplitter::place_query(int segment) const {
     const SurfaceMesh::Segment& s = work_.mesh.segment(segment);
-    const Shell shell = shell_of(segment);
+    const auto asked = asked_.find(segment);
+    const Shell shell = asked != asked_.end() ? asked->second : shell_of(segment);
     if (shell.end < 0) {
         return Query::edge_middle(s.edge, s.t[0], s.t[1]);
     }
@@ -195,10 +212,13 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
         const Outcome outcome = split(segments[i], places[i], next, touched);
         if (outcome == Outcome::Split) {
             halves.insert(halves.end(), {segments[i], work_.mesh.segment_count() - 1});
-        } else if (outcome != Outcome::Later) {
+        } else if (outcome != Outcome::Later && asked_.count(segments[i]) == 0) {
             refusals_[segments[i]] = outcome == Outcome::TooShort  ? work_.too_short()
                                      : outcome == Outcome::NoPoint ? Cause::NoSurfacePoint
                                                                    : Cause::Fold;
+        }
+        if (outcome != Outcome::Later) {
+            asked_.erase(segments[i]);
         }
         next += uses;
     }

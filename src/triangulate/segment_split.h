@@ -22,8 +22,9 @@ std::vector<int> split_at(Workspace& work, int segment, double t, const Vec3& po
 /// encroach on each other.
 class SegmentSplitter {
   public:
-    /// Before anything was refined: measures how much room there is around every CAD node.
-    explicit SegmentSplitter(Workspace& work);
+    /// Before anything was refined: measures how much room there is around every CAD node. With `guard_apexes` seams
+    /// that end in a guarded apex are not split for the sake of angles (see ApexRings).
+    explicit SegmentSplitter(Workspace& work, bool guard_apexes = true);
 
     /// Φ_encroached for the apexes of the triangles beside the segment.
     bool encroached(int segment) const;
@@ -40,6 +41,9 @@ class SegmentSplitter {
     /// With `force` also when it is frozen: for bounds on lengths and chord heights, which end by themselves. The other
     /// edge of its narrow corner follows to the same shell.
     void request(int segment, bool force = false);
+    /// With force, and not in its middle but at this distance (mm) from one of its ends. That this fails says nothing
+    /// about other places.
+    void request_at(int segment, int end, double distance);
     /// Splits all that were requested and all that become encroached by it, in batches. Changed triangles are
     /// appended to `touched`.
     void run(std::vector<int>& touched);
@@ -58,6 +62,7 @@ class SegmentSplitter {
     };
     Shell shell_of(int segment) const;
     double chord(int segment) const;
+    bool ends_in_guarded_apex(int segment) const;
     geometry::Query place_query(int segment) const;
     void split_batch(const std::vector<int>& segments, std::vector<int>& touched);
     enum class Outcome { Split, TooShort, NoPoint, Folds, Later };
@@ -74,9 +79,11 @@ class SegmentSplitter {
 
     Workspace& work_;
     FaceFloors floors_;
+    bool guard_apexes_;
     CornerRoom room_;  // as it was before anything was refined
     std::vector<int> pending_;
-    std::vector<char> waiting_;  // per segment
+    std::vector<char> waiting_;   // per segment
+    std::map<int, Shell> asked_;  // by segment, until it is split
     std::map<int, Cause> refusals_;
     std::map<int, int> postponed_;  // how often a segment had to wait for another
 };

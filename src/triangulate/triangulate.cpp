@@ -148,7 +148,7 @@ bool coarsens(Workspace& work, const Options& options) {
 std::string refine(Workspace& work, Findings& findings, const Options& options, double chord, StageClock& clock) {
     std::string released;
     const int first = work.mesh.vertex_count();
-    SegmentSplitter segments(work);
+    SegmentSplitter segments(work, options.insertion != Insertion::Paper);
     std::vector<int> touched;
     take_normals_from_inside(work);
     separate_doubled_segments(work, segments, touched);
@@ -157,7 +157,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     const Sizing sizing{chord, EdgeBounds(work.session.topology(), options.max_edge, options.local_sizes),
                         options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0, options.growth};
     work.progress.stage("refining angles", from, sizing.any() ? middle : 0.8);
-    Refiner refiner(work, segments, options.min_angle, options.insertion);
+    Refiner refiner(work, segments, options.min_angle, options.insertion, chord);
     refiner.run();
     clock.end("angles");
     ChordRefiner chords(work, segments, findings.chords, sizing);
