@@ -38,11 +38,17 @@ bool ApexRings::put_around(int h, std::vector<int>& touched) {
         return false;
     }
     const std::size_t before = touched.size();
-    for (int k = 0; k < kMaxSwaps && narrow_widest(apex, touched); ++k) {
+    auto fan = cone_fan(work_.mesh, h);
+    for (int k = 0; fan && k < kMaxSwaps && narrow_widest(apex, *fan, touched); ++k) {
+        fan = cone_fan(work_.mesh, apex.half_edge);
     }
-    Ring ring = ring_within(apex);
-    if (split_seam(apex, ring, touched)) {
-        insert(sites_on(apex, ring), touched);
+    if (fan) {
+        Ring ring = ring_within(apex, *fan);
+        const bool begun = split_seam(apex, ring, touched);
+        fan = cone_fan(work_.mesh, apex.half_edge);
+        if (begun && fan) {
+            insert(sites_on(apex, *fan, ring), touched);
+        }
     }
     return touched.size() > before;
 }
@@ -60,9 +66,9 @@ void ApexRings::find_again(Apex& apex, const std::vector<int>& touched, std::siz
 
 // A first triangulation takes chords across the base of a cone for edges: the apex gets the vertices beyond them as
 // neighbours, one by one.
-bool ApexRings::narrow_widest(Apex& apex, std::vector<int>& touched) {
+bool ApexRings::narrow_widest(Apex& apex, const ApexFan& fan, std::vector<int>& touched) {
     const SurfaceMesh& mesh = work_.mesh;
-    const double most = kWidestBelowRing * fan_at(apex).sum;
+    const double most = kWidestBelowRing * fan.sum;
     for (const int h : mesh.star(apex.half_edge)) {
         const int opposite = SurfaceMesh::next(h);
         const int twin = mesh.twin(opposite);
@@ -85,9 +91,8 @@ bool ApexRings::narrow_widest(Apex& apex, std::vector<int>& touched) {
     return false;
 }
 
-ApexRings::Ring ApexRings::ring_within(const Apex& apex) const {
+ApexRings::Ring ApexRings::ring_within(const Apex& apex, const ApexFan& fan) const {
     const SurfaceMesh& mesh = work_.mesh;
-    const ApexFan fan = fan_at(apex);
     const int now = static_cast<int>(fan.triangles);
     const int most = std::max(3, static_cast<int>(fan.sum / (kSlack * bound_)));
     const int count = now > most ? std::max(most, (now + 1) / 2)
@@ -133,7 +138,7 @@ bool ApexRings::split_seam(Apex& apex, Ring& ring, std::vector<int>& touched) {
         find_again(apex, touched, before);
         length = side_length(mesh, mesh.star(apex.half_edge).front());
     }
-    if (!ring.holds(length) || !cone_fan(mesh, apex.half_edge)) {
+    if (!ring.holds(length)) {
         return false;
     }
     ring.away = length;
@@ -141,9 +146,8 @@ bool ApexRings::split_seam(Apex& apex, Ring& ring, std::vector<int>& touched) {
 }
 
 // In the triangles as they lie around the apex, unrolled.
-std::vector<Candidate> ApexRings::sites_on(const Apex& apex, const Ring& ring) const {
+std::vector<Candidate> ApexRings::sites_on(const Apex& apex, const ApexFan& fan, const Ring& ring) const {
     const SurfaceMesh& mesh = work_.mesh;
-    const ApexFan fan = fan_at(apex);
     const std::vector<int> spokes = mesh.star(apex.half_edge);
     const Vec3 top = mesh.point_of(apex.half_edge);
     std::vector<Candidate> sites;

@@ -37,12 +37,11 @@ class ApexRings {
         int face;
         int half_edge;  // one that leaves it on that face
     };
-    ApexFan fan_at(const Apex& apex) const { return *cone_fan(work_.mesh, apex.half_edge); }
     void find_again(Apex& apex, const std::vector<int>& touched, std::size_t first) const;
-    bool narrow_widest(Apex& apex, std::vector<int>& touched);
-    Ring ring_within(const Apex& apex) const;
+    bool narrow_widest(Apex& apex, const ApexFan& fan, std::vector<int>& touched);
+    Ring ring_within(const Apex& apex, const ApexFan& fan) const;
     bool split_seam(Apex& apex, Ring& ring, std::vector<int>& touched);
-    std::vector<Candidate> sites_on(const Apex& apex, const Ring& ring) const;
+    std::vector<Candidate> sites_on(const Apex& apex, const ApexFan& fan, const Ring& ring) const;
     void insert(const std::vector<Candidate>& sites, std::vector<int>& touched);
 
     Workspace& work_;
