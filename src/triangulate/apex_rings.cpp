@@ -21,6 +21,7 @@ constexpr double kHeight = 0.87;
 // Rings that halve the number of triangles, and some for what happens in between.
 constexpr int kMaxTries = 48;
 constexpr int kMaxSwaps = 16;
+constexpr int kMaxMisses = 2;
 // Share in a whole turn: a triangle that spans more runs deep below its cone, and a ring would fold over it.
 constexpr double kWidestBelowRing = 100.0 / 360.0;
 constexpr double kOnRing = 1.05;
@@ -34,7 +35,11 @@ bool ApexRings::put_around(int h, std::vector<int>& touched) {
         return false;
     }
     Apex apex{work_.mesh.vertex_of(h), work_.mesh.face_of(SurfaceMesh::triangle_of(h)), h};
+    if (segments_.is_free(apex.vertex)) {
+        return false;
+    }
     if (++tries_[apex.vertex] > kMaxTries) {
+        segments_.free_apex(apex.vertex);
         return false;
     }
     const std::size_t before = touched.size();
@@ -48,9 +53,20 @@ bool ApexRings::put_around(int h, std::vector<int>& touched) {
         fan = cone_fan(work_.mesh, apex.half_edge);
         if (begun && fan) {
             insert(sites_on(apex, *fan, ring), touched);
+            find_again(apex, touched, before);
+            give_up_if_missed(apex, ring);
         }
     }
     return touched.size() > before;
+}
+
+// Around a sharp turn of the surface, as at the ends of an ellipse, chords of a ring would run deep below it, and old
+// spokes stay.
+void ApexRings::give_up_if_missed(const Apex& apex, const Ring& ring) {
+    const auto fan = cone_fan(work_.mesh, apex.half_edge);
+    if (fan && static_cast<int>(fan->triangles) > ring.count && ++misses_[apex.vertex] >= kMaxMisses) {
+        segments_.free_apex(apex.vertex);
+    }
 }
 
 void ApexRings::find_again(Apex& apex, const std::vector<int>& touched, std::size_t first) const {

@@ -42,13 +42,15 @@ class ApexRings {
     Ring ring_within(const Apex& apex, const ApexFan& fan) const;
     bool split_seam(Apex& apex, Ring& ring, std::vector<int>& touched);
     std::vector<Candidate> sites_on(const Apex& apex, const ApexFan& fan, const Ring& ring) const;
+    void give_up_if_missed(const Apex& apex, const Ring& ring);
     void insert(const std::vector<Candidate>& sites, std::vector<int>& touched);
 
     Workspace& work_;
     SegmentSplitter& segments_;
     double bound_;
     double chord_height_;
-    std::map<int, int> tries_;  // by vertex
+    std::map<int, int> tries_;   // by vertex
+    std::map<int, int> misses_;  // by vertex: rings that left too many triangles there
 };
 
 }  // namespace mq::triangulate

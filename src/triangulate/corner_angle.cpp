@@ -112,7 +112,7 @@ std::optional<ApexFan> cone_fan(const SurfaceMesh& mesh, int h) {
     return fan && fan->closed && fan->sum < kSlenderCone ? fan : std::nullopt;
 }
 
-bool guarded_apex(const SurfaceMesh& mesh, int h) {
+bool ringed_apex(const SurfaceMesh& mesh, int h) {
     const auto fan = cone_fan(mesh, h);
     return fan && fan->widest <= kWidestShare * fan->sum;
 }

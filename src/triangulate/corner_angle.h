@@ -38,8 +38,8 @@ struct ApexFan {
 std::optional<ApexFan> apex_fan(const mesh::SurfaceMesh& mesh, int h);
 /// The same around the apex of a cone so slender that fans there do not come about by themselves: 200 degrees in all.
 std::optional<ApexFan> cone_fan(const mesh::SurfaceMesh& mesh, int h);
-/// Whether the origin of `h` is such an apex with triangles on all sides that are for ApexRings alone to change.
-bool guarded_apex(const mesh::SurfaceMesh& mesh, int h);
+/// Whether the origin of `h` is such an apex with triangles on all sides.
+bool ringed_apex(const mesh::SurfaceMesh& mesh, int h);
 
 /// The corner of a triangle that fills a narrow corner of the part: two segments meet in it at less than 34 degrees,
 /// the largest bound there is. A vertex in such a triangle would cut the angle into smaller ones. -1: there is none.

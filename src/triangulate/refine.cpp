@@ -260,12 +260,10 @@ bool Refiner::round_apex(const Bad& bad) {
 
 // A vertex in such a triangle would become a spoke between angles below the bound.
 bool Refiner::divides_guarded_fan(const std::vector<int>& triangles) const {
-    return insertion_ != Insertion::Paper && std::any_of(triangles.begin(), triangles.end(), [&](int t) {
-               const auto narrow = [&](int h) {
-                   return guarded_apex(work_.mesh, h) && angle_at(work_.mesh, h) < 2.0 * bound_;
-               };
-               return narrow(3 * t) || narrow(3 * t + 1) || narrow(3 * t + 2);
-           });
+    return std::any_of(triangles.begin(), triangles.end(), [&](int t) {
+        const auto narrow = [&](int h) { return segments_.guards(h) && angle_at(work_.mesh, h) < 2.0 * bound_; };
+        return narrow(3 * t) || narrow(3 * t + 1) || narrow(3 * t + 2);
+    });
 }
 
 // The obtuse angle faces a segment, so its corner encroaches upon it. The triangle changes when the segment is split.

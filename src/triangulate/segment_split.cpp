@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "base/predicates.h"
 #include "triangulate/border_normal.h"
@@ -127,17 +126,16 @@ std::optional<Cause> SegmentSplitter::obstacle(int segment) const {
     if (frozen(segment)) {
         return Cause::NarrowCluster;
     }
-    if (guard_apexes_ && ends_in_guarded_apex(segment)) {
-        return Cause::Crowded;
+    for (const SurfaceMesh::SegmentUse& use : work_.mesh.segment(segment).uses) {
+        if (guards(use.half_edge) || guards(SurfaceMesh::next(use.half_edge))) {
+            return Cause::Crowded;
+        }
     }
     return floors_.too_short_to_split(segment, chord(segment)) ? std::optional(Cause::Abandoned) : std::nullopt;
 }
 
-bool SegmentSplitter::ends_in_guarded_apex(int segment) const {
-    const SurfaceMesh::Segment& s = work_.mesh.segment(segment);
-    return std::any_of(s.uses.begin(), s.uses.end(), [&](const SurfaceMesh::SegmentUse& use) {
-        return guarded_apex(work_.mesh, use.half_edge) || guarded_apex(work_.mesh, SurfaceMesh::next(use.half_edge));
-    });
+bool SegmentSplitter::guards(int h) const {
+    return guard_apexes_ && ringed_apex(work_.mesh, h) && !is_free(work_.mesh.vertex_of(h));
 }
 
 void SegmentSplitter::request_at(int segment, int end, double distance) {

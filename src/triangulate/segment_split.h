@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "triangulate/cavity.h"
@@ -48,6 +49,11 @@ class SegmentSplitter {
     /// appended to `touched`.
     void run(std::vector<int>& touched);
     bool refused(int segment) const { return refusals_.count(segment) > 0; }
+    /// Whether triangles around the origin of `h` are for ApexRings alone to change.
+    bool guards(int h) const;
+    /// The vertex is an apex where rings do not help.
+    void free_apex(int vertex) { free_apexes_.insert(vertex); }
+    bool is_free(int vertex) const { return free_apexes_.count(vertex) > 0; }
     /// Why it may not be split for the sake of angles; nothing: it may.
     std::optional<Cause> obstacle(int segment) const;
     /// For the sake of angles.
@@ -62,7 +68,6 @@ class SegmentSplitter {
     };
     Shell shell_of(int segment) const;
     double chord(int segment) const;
-    bool ends_in_guarded_apex(int segment) const;
     geometry::Query place_query(int segment) const;
     void split_batch(const std::vector<int>& segments, std::vector<int>& touched);
     enum class Outcome { Split, TooShort, NoPoint, Folds, Later };
@@ -80,6 +85,7 @@ class SegmentSplitter {
     Workspace& work_;
     FaceFloors floors_;
     bool guard_apexes_;
+    std::set<int> free_apexes_;
     CornerRoom room_;  // as it was before anything was refined
     std::vector<int> pending_;
     std::vector<char> waiting_;   // per segment

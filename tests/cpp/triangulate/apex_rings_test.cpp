@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/apex_rings.h"
 
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_GTrsf.hxx>
 
 #include "base/angle.h"
 #include "triangulate/checks.h"
@@ -124,6 +128,32 @@ TEST(ApexRings, AloneSplitTheSeam) {
     segments.run(touched);
     const int added = mesh.vertex_count() - 1;
     EXPECT_NEAR((mesh.vertex(added).point - mesh.vertex(apex).point).norm(), 3.0, 1e-5);
+}
+
+/// At the sharp ends of a flat ellipse chords of a ring would run deep below the surface. Refinement goes on without.
+TEST(ApexRings, GiveUpWhereTheyDoNotHelp) {
+    for (const double flat : {0.5, 0.3}) {
+        SCOPED_TRACE(flat);
+        gp_GTrsf flatten;
+        flatten.SetValue(2, 2, flat);
+        const TopoDS_Shape round = BRepPrimAPI_MakeCone(1.4, 0.0, kHeight).Shape();
+        const Result result =
+            mesh_of(geometry::make_shape_model(BRepBuilderAPI_GTransform(round, flatten, true).Shape()));
+        expect_sound(result, 2, true);
+        expect_angles(result, 25.0);
+        EXPECT_LT(result.report.exempt.size(), 0.05 * result.mesh.triangles.size());
+    }
+}
+
+/// Two cones on one base.
+TEST(ApexRings, KeepTheirApexesApart) {
+    const TopoDS_Shape up = BRepPrimAPI_MakeCone(3.0, 0.0, kHeight).Shape();
+    const TopoDS_Shape down = BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, -1)), 4.5, 0.0, 20.0).Shape();
+    const Result result = mesh_of(geometry::make_shape_model(BRepAlgoAPI_Fuse(up, down).Shape()));
+    expect_sound(result, 2, true);
+    expect_angles(result, 25.0);
+    EXPECT_LE(result.report.exempt.size(), 6u);
+    EXPECT_LE(result.mesh.triangles.size(), 400u);
 }
 
 }  // namespace
