@@ -57,12 +57,12 @@ bool EdgeEvaluator::in_range(double t) const {
 
 /// In the curve's own coordinates.
 Vec3 EdgeEvaluator::value(double t) const {
-    return arcs_ ? arcs_->at(t).point : to_vec(curve_->Value(t));
+    return arcs_ ? arcs_->first(t).point : to_vec(curve_->Value(t));
 }
 
 CurvePoint EdgeEvaluator::first(double t) const {
     if (arcs_) {
-        return arcs_->at(t);
+        return arcs_->first(t);
     }
     gp_Pnt p;
     gp_Vec d;
@@ -72,7 +72,7 @@ CurvePoint EdgeEvaluator::first(double t) const {
 
 CurvePoint EdgeEvaluator::second(double t) const {
     if (arcs_) {
-        return arcs_->at(t);
+        return arcs_->second(t);
     }
     gp_Pnt p;
     gp_Vec d[2];

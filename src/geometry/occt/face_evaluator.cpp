@@ -42,8 +42,14 @@ FaceEvaluator::FaceEvaluator(const TopoDS_Face& shape, const Face& data)
     inverse_ = location_.Inverted();
     located_ = !location.IsIdentity();
     set_bounds(data);
+    set_search_box();
     if (surface_.GetType() == GeomAbs_BSplineSurface) {
         patches_.emplace(surface_.BSpline());
+        patched_ = patches_->inside();
+        for (std::size_t i = 0; i < 2; ++i) {  // on the bounds the adaptor takes the side that the face is on
+            patched_.low[i] = std::max(patched_.low[i], natural_.low[i]);
+            patched_.high[i] = std::min(patched_.high[i], natural_.high[i]);
+        }
     }
     set_references();
     set_elementary();
@@ -134,15 +140,16 @@ Vec2 FaceEvaluator::brought_in(double u, double v) const {
     return uv;
 }
 
-/// Of a B-spline, and not on the bounds where the adaptor takes the side that the face is on.
-bool FaceEvaluator::in_a_patch(const Vec2& uv) const {
-    return patches_ && patches_->contains(uv.x(), uv.y()) && uv.x() > natural_.low[0] && uv.x() < natural_.high[0] &&
-           uv.y() > natural_.low[1] && uv.y() < natural_.high[1];
+bool FaceEvaluator::in_a_patch(double u, double v) const {
+    return u > patched_.low[0] && u < patched_.high[0] && v > patched_.low[1] && v < patched_.high[1];
 }
 
 SurfacePoint FaceEvaluator::first(double u, double v) const {
+    if (in_a_patch(u, v)) {
+        return patches_->first(u, v);
+    }
     const Vec2 uv = brought_in(u, v);
-    if (in_a_patch(uv)) {
+    if (in_a_patch(uv.x(), uv.y())) {
         return patches_->first(uv.x(), uv.y());
     }
     gp_Pnt p;
@@ -157,8 +164,11 @@ SurfacePoint FaceEvaluator::first(double u, double v) const {
 }
 
 SurfacePoint FaceEvaluator::second(double u, double v) const {
+    if (in_a_patch(u, v)) {
+        return patches_->second(u, v);
+    }
     const Vec2 uv = brought_in(u, v);
-    if (in_a_patch(uv)) {
+    if (in_a_patch(uv.x(), uv.y())) {
         return patches_->second(uv.x(), uv.y());
     }
     gp_Pnt p;

@@ -53,7 +53,7 @@ class FaceEvaluator {
     void set_elementary();
     bool legal(double u, double v) const;
     Vec2 brought_in(double u, double v) const;
-    bool in_a_patch(const Vec2& uv) const;
+    bool in_a_patch(double u, double v) const;
     SurfacePoint first(double u, double v) const;
     SurfacePoint second(double u, double v) const;
     SurfacePoint placed(SurfacePoint s) const;
@@ -68,7 +68,7 @@ class FaceEvaluator {
     Answer foot_at(const Vec3& point, const Foot& foot, const Vec2& guess) const;
 
     ParameterBox elementary_box(const Vec2& guess) const;
-    ParameterBox search_box() const;
+    void set_search_box();
     Step newton_step(const SurfacePoint& s, const Vec3& r, const Vec2& uv, const ParameterBox& box) const;
     Foot newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
     bool collapsed(const SurfacePoint& s) const;
@@ -93,6 +93,8 @@ class FaceEvaluator {
     std::array<double, 2> period_;
     ParameterBox natural_;  ///< of the surface
     ParameterBox trimmed_;  ///< of the face, made finite
+    ParameterBox search_;   ///< the surface's bounds, made finite; free where it closes
+    ParameterBox patched_;  ///< patches answer between these; nowhere without them
     double su_ = 0.0;       ///< usual size of Su, Sv on the face
     double sv_ = 0.0;
     double size_ = 0.0;  ///< of the face in space, in its own coordinates

@@ -63,15 +63,12 @@ ParameterBox FaceEvaluator::elementary_box(const Vec2& guess) const {
     return box;
 }
 
-/// The surface's bounds, made finite; free where it closes.
-ParameterBox FaceEvaluator::search_box() const {
-    ParameterBox box;
+void FaceEvaluator::set_search_box() {
     for (std::size_t i = 0; i < 2; ++i) {
         const double margin = 0.5 * (trimmed_.high[i] - trimmed_.low[i]);
-        box.low[i] = period_[i] > 0.0 ? -kInfinity : std::max(natural_.low[i], trimmed_.low[i] - margin);
-        box.high[i] = period_[i] > 0.0 ? kInfinity : std::min(natural_.high[i], trimmed_.high[i] + margin);
+        search_.low[i] = period_[i] > 0.0 ? -kInfinity : std::max(natural_.low[i], trimmed_.low[i] - margin);
+        search_.high[i] = period_[i] > 0.0 ? kInfinity : std::min(natural_.high[i], trimmed_.high[i] + margin);
     }
-    return box;
 }
 
 /// One step towards the minimum of r^2 / 2, r = S(u, v) - p. A parameter that stands at a bound and would be driven
@@ -341,11 +338,10 @@ Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
         const auto uv = elementary_->nearest(p, elementary_box(guess), guess);
         return uv ? foot_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, guess) : answer;
     }
-    const ParameterBox box = search_box();
-    Foot foot = newton(p, guess, box);
-    const bool local = foot.found && is_foot(p, foot, box);
+    Foot foot = newton(p, guess, search_);
+    const bool local = foot.found && is_foot(p, foot, search_);
     if (!local || collapsed(foot.at)) {
-        const Foot other = search(p, box);
+        const Foot other = search(p, search_);
         foot = local && foot.square <= other.square ? foot : other;
     }
     return foot.found ? foot_at(point, foot, guess) : answer;

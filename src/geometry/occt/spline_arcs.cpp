@@ -8,7 +8,8 @@
 
 namespace mq::geometry {
 
-SplineArcs::SplineArcs(const Handle(Geom_BSplineCurve) & curve, double from, double to) : curve_(curve) {
+SplineArcs::SplineArcs(const Handle(Geom_BSplineCurve) & curve, double from, double to)
+    : curve_(curve), rational_(curve->IsRational()) {
     const double slack = 1e-14 * std::max(std::abs(from), std::abs(to));
     const double period = curve->IsPeriodic() ? curve->Period() : 0.0;
     const double turns = period > 0.0 ? std::floor((from - curve->FirstParameter()) / period) : 0.0;
@@ -45,8 +46,7 @@ void SplineArcs::build(std::size_t i) {
     }
 }
 
-// Horner's scheme, of the derivatives too.
-CurvePoint SplineArcs::at(double t) {
+const SplineArcs::Arc& SplineArcs::arc_at(double t) {
     if (!(t >= breaks_[last_] && t < breaks_[last_ + 1])) {
         const auto next = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t);
         last_ = static_cast<std::size_t>(next - breaks_.begin()) - 1;
@@ -54,27 +54,50 @@ CurvePoint SplineArcs::at(double t) {
     if (arcs_[last_].coefficients.empty()) {
         build(last_);
     }
-    const Arc& arc = arcs_[last_];
+    return arcs_[last_];
+}
+
+// Horner's scheme, of the derivatives too.
+template <bool kSecond>
+CurvePoint SplineArcs::evaluate(double t) {
+    const Arc& arc = arc_at(t);
     const double x = (t - arc.middle) * arc.scale;
     Homogeneous p = Homogeneous::Zero();
     Homogeneous d = Homogeneous::Zero();
     Homogeneous dd = Homogeneous::Zero();
     for (auto c = arc.coefficients.rbegin(); c != arc.coefficients.rend(); ++c) {
-        dd = dd * x + d;
+        if (kSecond) {
+            dd = dd * x + d;
+        }
         d = d * x + p;
         p = p * x + *c;
     }
     d *= arc.scale;
-    dd *= 2.0 * arc.scale * arc.scale;
-    CurvePoint r{p.head<3>(), d.head<3>(), dd.head<3>()};
-    if (curve_->IsRational()) {
+    CurvePoint r;
+    r.point = p.head<3>();
+    r.first = d.head<3>();
+    if (kSecond) {
+        dd *= 2.0 * arc.scale * arc.scale;
+        r.second = dd.head<3>();
+    }
+    if (rational_) {
         // C = P / w: the derivatives of P = C w by the product rule, solved for those of C.
         const double w = 1.0 / p[3];
         r.point *= w;
         r.first = (r.first - r.point * d[3]) * w;
-        r.second = (r.second - r.first * (2.0 * d[3]) - r.point * dd[3]) * w;
+        if (kSecond) {
+            r.second = (r.second - r.first * (2.0 * d[3]) - r.point * dd[3]) * w;
+        }
     }
     return r;
+}
+
+CurvePoint SplineArcs::first(double t) {
+    return evaluate<false>(t);
+}
+
+CurvePoint SplineArcs::second(double t) {
+    return evaluate<true>(t);
 }
 
 }  // namespace mq::geometry

@@ -23,8 +23,10 @@ class SplineArcs {
     /// From `from` < `to`, in any turn of a periodic curve, but no more than a period.
     SplineArcs(const Handle(Geom_BSplineCurve) & curve, double from, double to);
 
-    /// At `t` in the range. On a knot the derivatives are those of the span after it.
-    CurvePoint at(double t);
+    /// The point and the first derivative at `t` in the range. On a knot those of the span after it.
+    CurvePoint first(double t);
+    /// The second derivative too.
+    CurvePoint second(double t);
 
   private:
     // x, y, z times the weight, and the weight; without weights the last is not used.
@@ -35,9 +37,13 @@ class SplineArcs {
         std::vector<Homogeneous> coefficients;  // of powers of x from -1 to 1; none: not made yet
     };
 
+    const Arc& arc_at(double t);
     void build(std::size_t i);
+    template <bool kSecond>
+    CurvePoint evaluate(double t);
 
     Handle(Geom_BSplineCurve) curve_;
+    bool rational_;
     std::vector<double> breaks_;  // the knots in the range, and its ends
     std::vector<Arc> arcs_;
     std::size_t last_ = 0;

@@ -38,10 +38,10 @@ SplinePatches::SplinePatches(const Handle(Geom_BSplineSurface) & surface)
     slots_.resize(std::min(kSlots, (knots_[0].size() - 1) * (knots_[1].size() - 1)));
 }
 
-bool SplinePatches::contains(double u, double v) const {
+ParameterBox SplinePatches::inside() const {
     const double slack = Precision::PConfusion();
-    return u > knots_[0].front() + slack && u < knots_[0].back() - slack && v > knots_[1].front() + slack &&
-           v < knots_[1].back() - slack;
+    return {{knots_[0].front() + slack, knots_[1].front() + slack},
+            {knots_[0].back() - slack, knots_[1].back() - slack}};
 }
 
 const SplinePatches::Patch& SplinePatches::at(double u, double v) {

@@ -16,9 +16,10 @@ class SplinePatches {
   public:
     explicit SplinePatches(const Handle(Geom_BSplineSurface) & surface);
 
-    /// Whether (u, v) is inside of the knots' range by more than rounding: on its border the adaptor knows better.
-    bool contains(double u, double v) const;
-    /// The point and the first derivatives at (u, v), which must be contained. On a knot those of the span after it.
+    /// What lies between these bounds is inside of the knots' range by more than rounding: on its border the adaptor
+    /// knows better.
+    ParameterBox inside() const;
+    /// The point and the first derivatives at (u, v), which must be inside. On a knot those of the span after it.
     SurfacePoint first(double u, double v);
     /// The second derivatives too.
     SurfacePoint second(double u, double v);

@@ -51,10 +51,13 @@ void expect_same(SplineArcs& arcs, const Handle(Geom_BSplineCurve) & curve, doub
     gp_Pnt p;
     gp_Vec d[2];
     curve->D2(t, p, d[0], d[1]);
-    const CurvePoint found = arcs.at(t);
+    const CurvePoint found = arcs.second(t);
     EXPECT_LT((found.point - to_vec(p)).norm(), kRelative * kSize) << t;
     EXPECT_LT((found.first - to_vec(d[0])).norm(), kRelative * 10.0 * kSize) << t;
     EXPECT_LT((found.second - to_vec(d[1])).norm(), kRelative * 100.0 * kSize) << t;
+    const CurvePoint alone = arcs.first(t);
+    EXPECT_EQ(alone.point, found.point) << t;
+    EXPECT_EQ(alone.first, found.first) << t;
 }
 
 TEST(SplineArcs, AnswerAsTheCurveDoes) {
@@ -87,11 +90,12 @@ TEST(SplineArcs, ChooseTheSpanAtACorner) {
     const Handle(Geom_BSplineCurve) curve = wavy_curve({1, false, false});
     const double knots[3] = {curve->Knot(4), curve->Knot(5), curve->Knot(6)};
     SplineArcs arcs(curve, knots[0], knots[2]);
-    const Vec3 slopes[2] = {arcs.at(0.5 * (knots[0] + knots[1])).first, arcs.at(0.5 * (knots[1] + knots[2])).first};
+    const Vec3 slopes[2] = {arcs.first(0.5 * (knots[0] + knots[1])).first,
+                            arcs.first(0.5 * (knots[1] + knots[2])).first};
     ASSERT_GT((slopes[0] - slopes[1]).norm(), 0.1);
-    EXPECT_LT((arcs.at(knots[0]).first - slopes[0]).norm(), 1e-12);
-    EXPECT_LT((arcs.at(knots[1]).first - slopes[1]).norm(), 1e-12);
-    EXPECT_LT((arcs.at(knots[2]).first - slopes[1]).norm(), 1e-12);
+    EXPECT_LT((arcs.first(knots[0]).first - slopes[0]).norm(), 1e-12);
+    EXPECT_LT((arcs.first(knots[1]).first - slopes[1]).norm(), 1e-12);
+    EXPECT_LT((arcs.first(knots[2]).first - slopes[1]).norm(), 1e-12);
 }
 
 }  // namespace
