@@ -46,6 +46,7 @@ class FaceEvaluator {
     struct Step {
         Vec2 move = Vec2::Zero();
         bool minimum = false;  ///< the distance is convex here: a vanishing step means a minimum
+        Vec2 squares;          ///< of the lengths of Su and Sv
     };
 
     void set_bounds(const Face& data);

@@ -86,6 +86,7 @@ FaceEvaluator::Step FaceEvaluator::newton_step(const SurfacePoint& s, const Vec3
                   squares[k] > tiny;
     }
     Step step;
+    step.squares = squares;
     if (free[0] && free[1]) {
         const double full = s.su.dot(s.sv) + r.dot(s.suv);
         const double det = hessian.x() * hessian.y() - full * full;
@@ -129,7 +130,7 @@ FaceEvaluator::Foot FaceEvaluator::newton(const Vec3& p, const Vec2& start, cons
         Vec2 move = step.move.cwiseMin(longest).cwiseMax(-longest);
         const Vec2 next = clamped(foot.uv + move, box);
         move = next - foot.uv;
-        const double square_moved = s.su.squaredNorm() * move.x() * move.x() + s.sv.squaredNorm() * move.y() * move.y();
+        const double square_moved = step.squares.x() * move.x() * move.x() + step.squares.y() * move.y() * move.y();
         const double last = (step.minimum ? kLastStep : kLastSlowStep) * size_;
         if (square_moved <= last * last) {
             foot.uv = next;
