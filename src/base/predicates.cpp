@@ -195,8 +195,12 @@ bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) 
     const Corner pqr{{kPQ, kPR, kQR}, smallest_sine(pq, pr, pq2, pr2, qr2)};
     const Corner qps{{kPQ, kPS, kQS}, smallest_sine(pq, ps, pq2, ps2, qs2)};
     const Corner rsq{{kRS, kQR, kQS}, smallest_sine(rs, qr, rs2, qr2, qs2)};
+    const double now = std::min(pqr.sine, qps.sine);
+    if (now - rsq.sine >= kSineBound) {  // most edges: the other new triangle can only make the swap worse
+        return settled(true);
+    }
     const Corner srp{{kRS, kPR, kPS}, smallest_sine(rs, pr, rs2, pr2, ps2)};
-    const double gain = std::min(pqr.sine, qps.sine) - std::min(rsq.sine, srp.sine);
+    const double gain = now - std::min(rsq.sine, srp.sine);
     if (settled(std::abs(gain) >= kSineBound)) {
         return gain > 0.0;
     }

@@ -250,10 +250,11 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
     tree.set_groups(patch);
     constexpr std::size_t kTasks = 64;
     const std::vector<TriangleTree::Task> tasks = tree.own_pair_tasks(kTasks);
-    // With a limit the tasks come in turns, so that the search can end early.
-    const std::size_t turn = limit == kAllPairs ? tasks.size() : 8;
+    // With a limit the tasks come in turns, so that the search can end early; larger and larger ones, as each starts
+    // threads, where nothing but the first pairs is asked for: these do not depend on the turns.
+    std::size_t turn = limit == kAllPairs ? tasks.size() : 8;
     std::vector<ContactPair> all;
-    for (std::size_t first = 0; first < tasks.size() && all.size() < limit; first += turn) {
+    for (std::size_t first = 0; first < tasks.size() && all.size() < limit;) {
         std::vector<std::vector<ContactPair>> found(std::min(turn, tasks.size() - first));
         std::vector<FlushPairs> near(found.size());
         for_all(static_cast<int>(found.size()), [&](int k) {
@@ -269,6 +270,8 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
                 flush->beside.insert(flush->beside.end(), near[k].beside.begin(), near[k].beside.end());
             }
         }
+        first += found.size();
+        turn *= flush == nullptr ? 2 : 1;
     }
     all.resize(std::min(all.size(), limit));
     return sorted(std::move(all));

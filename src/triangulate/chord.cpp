@@ -110,14 +110,18 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
         if (edges_passed_.marked(work_.mesh, t)) {
             continue;
         }
-        if (all_edges_passed(t)) {
-            edges_passed_.mark(work_.mesh, t);
-            continue;
-        }
+        bool all_passed = true;
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
-            if (work_.mesh.twin(h) > h && !passed_.marked(work_.mesh, h) && !refused(h)) {
+            if (work_.mesh.twin(h) < 0 || passed_.marked(work_.mesh, h)) {
+                continue;
+            }
+            all_passed = false;
+            if (work_.mesh.twin(h) > h && !refused(h)) {
                 edges.push_back(h);
             }
+        }
+        if (all_passed) {
+            edges_passed_.mark(work_.mesh, t);
         }
     }
     const std::vector<Distance> distances =
@@ -138,15 +142,6 @@ void ChordRefiner::measure_edges(std::vector<Site>& found) {
             found.back().surface_point = surface_point(work_, found.back().candidate, foot->nearest);
         }
     }
-}
-
-bool ChordRefiner::all_edges_passed(int triangle) const {
-    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        if (work_.mesh.twin(h) >= 0 && !passed_.marked(work_.mesh, h)) {
-            return false;
-        }
-    }
-    return true;
 }
 
 void ChordRefiner::measure_triangles(std::vector<Site>& found) {

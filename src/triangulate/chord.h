@@ -38,7 +38,6 @@ class ChordRefiner {
     void measure_segments(std::vector<Site>& found);
     void measure_edges(std::vector<Site>& found);
     void measure_triangles(std::vector<Site>& found);
-    bool all_edges_passed(int triangle) const;
     std::optional<int> side_to_split(int triangle) const;
     bool refused(int half_edge) const;
     void refuse(int half_edge);

@@ -41,6 +41,9 @@ class Questions {
 
     // `unavoidable`: mm, by which the point is off the part whatever the mesh does.
     void add(std::size_t piece, const Vec3& point, Query query, double unavoidable = 0.0) {
+        if (batch_.empty()) {
+            batch_.reserve(std::min(kFull + 8, results_.size() - piece));
+        }
         batch_.push_back(query);
         asked_.push_back({piece, point, unavoidable});
     }

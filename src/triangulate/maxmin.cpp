@@ -48,10 +48,10 @@ void Maxmin::forget(int a, int b) {
     if (found == pairs_.end()) {
         return;
     }
-    --found->second;
-    if (found->second == 1) {
+    const int left = --found.value();
+    if (left == 1) {
         --doubled_;
-    } else if (found->second == 0) {
+    } else if (left == 0) {
         pairs_.erase(found);
     }
 }
@@ -191,19 +191,17 @@ void Maxmin::restore(std::vector<int>& stack, std::vector<int>& touched, double 
 
 // Inner edges once, not from either side.
 void Maxmin::restore_around(std::size_t first, std::vector<int>& touched) {
-    constexpr std::size_t kUsual = 64;
-    std::vector<int> stack;
-    stack.reserve(kUsual);
+    around_.clear();
     const auto from = touched.begin() + static_cast<std::ptrdiff_t>(first);
     for (auto it = from; it != touched.end(); ++it) {
         for (int h = 3 * *it; h < 3 * *it + 3; ++h) {
             const int g = mesh_.twin(h);
             if (g >= 0 && std::find(from, it + 1, SurfaceMesh::triangle_of(g)) == it + 1) {
-                stack.push_back(h);
+                around_.push_back(h);
             }
         }
     }
-    restore(stack, touched);
+    restore(around_, touched);
 }
 
 void Maxmin::sweep(std::vector<int>& touched, const TriangleMarks& settled) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "base/key_set.h"
@@ -63,8 +62,9 @@ class Maxmin {
     void book_inner_edges(const std::vector<int>& triangles, void (Maxmin::*book)(int, int));
 
     mesh::SurfaceMesh& mesh_;
+    std::vector<int> around_;  // of restore_around, whose memory is used again
     // Edges between two vertices on CAD edges: only these can meet the same pair on another face.
-    std::unordered_map<std::uint64_t, int> pairs_;
+    KeyMap<int> pairs_;
     int doubled_ = 0;  // pairs that more than one edge joins
 };
 

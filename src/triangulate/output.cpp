@@ -116,6 +116,9 @@ class VolumeWriter {
         if (g < 0) {
             return false;
         }
+        if (mesh_.twin(h) == g && g < h && present_[mesh_.face_of(g / 3)]) {
+            return true;  // from the other side
+        }
         const bool same_way = mesh_.vertex_of(g) == mesh_.vertex_of(h);
         corners_.unite(h, same_way ? g : SurfaceMesh::next(g));
         corners_.unite(SurfaceMesh::next(h), same_way ? SurfaceMesh::next(g) : g);
