@@ -27,6 +27,9 @@ constexpr double kWidestBelowRing = 100.0 / 360.0;
 constexpr double kOnRing = 1.05;
 // Of the chord height: what the middles of a ring's chords may take up.
 constexpr double kShareOfChordHeight = 0.9;
+// Of the distance that a ring would have without a chord height. In a coarse first triangulation chords run so deep
+// below a cone that rings that keep theirs at once would crowd around the apex.
+constexpr double kMostJump = 0.1;
 
 }  // namespace
 
@@ -124,7 +127,7 @@ ApexRings::Ring ApexRings::ring_within(const Apex& apex, const ApexFan& fan) con
     double away = shortest * (1.0 - height / now) / (1.0 + height / count);
     if (chord_height_ > 0.0) {
         const double below = fan.sum / (2.0 * M_PI) * (1.0 - std::cos(M_PI / count));  // a chord's middle, at 1 mm
-        away = std::min(away, kShareOfChordHeight * chord_height_ / below);
+        away = std::max(std::min(away, kShareOfChordHeight * chord_height_ / below), kMostJump * away);
     }
     return {count, away, shortest};
 }

@@ -69,6 +69,20 @@ TEST(ApexRings, KeepTheChordHeight) {
     }
 }
 
+/// The first triangles run deep below the cone: rings that kept the chord height at once crowded around the apex,
+/// 58,014 triangles, 766 of them exempt.
+TEST(ApexRings, StayAwayFromTheApexInACoarseStart) {
+    Options options;
+    options.min_angle = 30.0;
+    options.chord_height = 2e-3 * kHeight;
+    const Result result = mesh_of(geometry::make_cone(4.3, kHeight), options);
+    expect_sound(result, 2, true);
+    expect_angles(result, options.min_angle);
+    EXPECT_LE(result.report.max_chord_height, options.chord_height);
+    EXPECT_LE(result.report.exempt.size(), 3u);
+    EXPECT_LE(result.mesh.triangles.size(), 3000u);
+}
+
 TEST(ApexRings, PutVerticesAtOneDistance) {
     for (const double radius : {1.0, 3.0, 5.0}) {
         SCOPED_TRACE(radius);
