@@ -30,12 +30,21 @@ using CurvedPointer = std::shared_ptr<CurvedMesh>;
 /// How often a finer straight mesh is tried where the first cannot be filled or stays invalid.
 constexpr int kFiner = 3;
 
-/// As `triangulate`, twice as fine each time.
-triangulate::Options finer(triangulate::Options options, int times) {
-    const double part = std::pow(0.5, times);
-    options.chord_height *= part;
-    options.chord_height_relative *= part;
-    return options;
+/// From edges to those beside them: invalid elements mostly lie where long edges meet short ones.
+constexpr double kGrowth = 1.5;
+
+void halve(triangulate::Options& options) {
+    options.chord_height *= 0.5;
+    options.chord_height_relative *= 0.5;
+}
+
+/// Sizes that grow slowly come first: they cost fewer elements than a finer mesh of the whole part.
+void refine_for_validity(triangulate::Options& options) {
+    if (options.growth == 0.0) {
+        options.growth = kGrowth;
+    } else {
+        halve(options);
+    }
 }
 
 CurvedMesh attempt(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
@@ -45,21 +54,23 @@ CurvedMesh attempt(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
 }
 
 CurvedMesh curved(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
-                  const triangulate::Options& straight, const curve::Options& options, Progress& handle) {
+                  triangulate::Options straight, const curve::Options& options, Progress& handle) {
     std::optional<CurvedMesh> best;
     for (int times = 0;; ++times) {
         try {
-            CurvedMesh mesh = attempt(engine, model, finer(straight, times), options, handle);
+            CurvedMesh mesh = attempt(engine, model, straight, options, handle);
             if (times > 0) {
                 mesh.report.notes.push_back("the straight mesh was made finer " + std::to_string(times) + " times");
             }
             if (!best || mesh.report.invalid < best->report.invalid) {
                 best = std::move(mesh);
             }
+            refine_for_validity(straight);
         } catch (const curve::CannotFill&) {
             if (times == kFiner && !best) {
                 throw;
             }
+            halve(straight);
         }
         if (times == kFiner || (best && (best->report.invalid == 0 || !options.repair))) {
             return std::move(*best);
