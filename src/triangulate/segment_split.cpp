@@ -151,6 +151,11 @@ void SegmentSplitter::request(int segment, bool force) {
     }
 }
 
+bool SegmentSplitter::refused(int segment) const {
+    const auto found = refusals_.find(segment);
+    return found != refusals_.end() && (found->second != Cause::MinEdge || work_.too_short() == Cause::MinEdge);
+}
+
 void SegmentSplitter::run(std::vector<int>& touched) {
     while (!pending_.empty() && !work_.over_budget()) {
         work_.progress.check();

@@ -48,7 +48,8 @@ class SegmentSplitter {
     /// Splits all that were requested and all that become encroached by it, in batches. Changed triangles are
     /// appended to `touched`.
     void run(std::vector<int>& touched);
-    bool refused(int segment) const { return refusals_.count(segment) > 0; }
+    /// Where `min_edge` alone forbade it, no longer than that is in force.
+    bool refused(int segment) const;
     /// Whether triangles around the origin of `h` are for ApexRings alone to change.
     bool guards(int h) const;
     /// The vertex is an apex where rings do not help.

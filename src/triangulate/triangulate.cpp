@@ -94,6 +94,14 @@ bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
     return any;
 }
 
+// With min_edge, too, the mesh is first of all one that does not cross itself.
+bool separate(Workspace& work, CrossingRefiner& crossings) {
+    const double asked = std::exchange(work.min_edge, 0.0);
+    const bool any = crossings.run();
+    work.min_edge = asked;
+    return any;
+}
+
 // CAD edges that join the same nodes by one segment each would be one edge of the mesh: all but the straightest of them
 // are split.
 void separate_doubled_segments(Workspace& work, SegmentSplitter& splitter, std::vector<int>& touched) {
@@ -186,7 +194,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     }
     work.progress.stage("separating crossings", 0.82, 0.85);
     CrossingRefiner crossings(work, segments, findings.crossings);
-    for (int round = 0; round < kMaxCrossingRounds && crossings.run(); ++round) {
+    for (int round = 0; round < kMaxCrossingRounds && separate(work, crossings); ++round) {
         refiner.run();
         refine_chords();
     }

@@ -45,7 +45,7 @@ struct Options {
     double chord_height = 0.0;           ///< mm; 0: no bound
     double chord_height_relative = 0.0;  ///< fraction of the part's largest dimension; 0: no bound
     double max_edge = 0.0;               ///< mm; 0: no bound
-    double min_edge = 0.0;               ///< mm; no edge is split into shorter ones than this; 0: no bound
+    double min_edge = 0.0;  ///< mm; no edge is split into shorter ones, but to part what crosses; 0: no bound
     std::vector<LocalSize> local_sizes;  ///< shorter edges in places
     double edges_per_circle = 0.0;  ///< of any curve and surface: by a turn of 360 degrees; at least 3; 0: no bound
     double growth = 0.0;            ///< from edges to those beside them, more than 1; 0: no bound

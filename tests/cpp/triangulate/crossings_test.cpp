@@ -2,10 +2,12 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Solid.hxx>
 #include <map>
+#include <utility>
 
 #include "mesh/self_intersection.h"
 #include "triangulate/checks.h"
@@ -51,6 +53,23 @@ TEST(Crossings, ThinWallsAreRefinedUntilTheirSidesAreApart) {
         EXPECT_EQ(self_intersections(result.mesh), 0u);
         // n triangles of height h over a sphere: about 4 pi r^2 / (0.43 * 8 r h), on both sides.
         EXPECT_LT(static_cast<double>(result.mesh.triangles.size()), 6.0 * 2.0 * 4.0 * M_PI * 10.0 / (3.4 * wall));
+    }
+}
+
+/// It left 128 to 516 pairs of triangles that cross.
+TEST(Crossings, GoBeforeMinEdge) {
+    for (const auto& [wall, min_edge] : {std::pair(0.1, 4.0), {0.05, 4.0}, {0.02, 3.0}}) {
+        SCOPED_TRACE(wall);
+        const TopoDS_Shape tube = BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(10.0, 10.0).Shape(),
+                                                  BRepPrimAPI_MakeCylinder(10.0 - wall, 10.0).Shape());
+        Options options;
+        options.min_edge = min_edge;
+        const Result result = mesh_of(geometry::make_shape_model(tube), options);
+        EXPECT_TRUE(result.report.closed);
+        EXPECT_TRUE(result.report.manifold);
+        EXPECT_EQ(result.report.self_intersections, 0);
+        EXPECT_EQ(self_intersections(result.mesh), 0u);
+        EXPECT_LT(static_cast<double>(result.mesh.triangles.size()), 200.0 / wall);
     }
 }
 
