@@ -152,6 +152,11 @@ bool coarsens(Workspace& work, const Options& options) {
     return std::count(smooth.begin(), smooth.end(), 1) == 0;
 }
 
+Sizing sizing_of(const Options& options, double chord, const geometry::Topology& topology) {
+    return {chord, EdgeBounds(topology, options.max_edge, options.local_sizes),
+            options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0, options.growth};
+}
+
 // @return what was done about smooth edges, for the report
 std::string refine(Workspace& work, Findings& findings, const Options& options, double chord, StageClock& clock) {
     std::string released;
@@ -162,8 +167,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     separate_doubled_segments(work, segments, touched);
     const double from = first_share(options);
     const double middle = from + 0.34 * (0.9 - from);
-    const Sizing sizing{chord, EdgeBounds(work.session.topology(), options.max_edge, options.local_sizes),
-                        options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0, options.growth};
+    const Sizing sizing = sizing_of(options, chord, work.session.topology());
     work.progress.stage("refining angles", from, sizing.any() ? middle : 0.8);
     Refiner refiner(work, segments, options.min_angle, options.insertion, chord);
     refiner.run();
@@ -175,13 +179,16 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
             work.progress.advance((round + 1.0) / kMaxChordRounds);
         }
     };
+    const auto refine_again = [&] {
+        refiner.run();
+        refine_chords();
+    };
     work.progress.stage("refining to the chord height", middle, 0.8);
     refine_chords();
     // Where a segment is split between triangles with the same third corner on either face, there are two such edges.
     const auto separate_doubled = [&] {
         for (int round = 0; round < kMaxDoubledRounds && separate_doubled_edges(work, touched); ++round) {
-            refiner.run();
-            refine_chords();
+            refine_again();
         }
     };
     separate_doubled();
@@ -194,15 +201,18 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     }
     work.progress.stage("separating crossings", 0.82, 0.85);
     CrossingRefiner crossings(work, segments, findings.crossings);
-    for (int round = 0; round < kMaxCrossingRounds && separate(work, crossings); ++round) {
-        refiner.run();
-        refine_chords();
-    }
-    separate_doubled();
+    const auto separate_crossings = [&] {
+        for (int round = 0; round < kMaxCrossingRounds && separate(work, crossings); ++round) {
+            refine_again();
+        }
+        separate_doubled();
+    };
+    separate_crossings();
     clock.end("crossings");
     if (options.insertion != Insertion::Paper) {
         work.progress.stage("mending", 0.85, 0.9);
         mend(work, options.min_angle, sizing);
+        separate_crossings();  // of triangles that were changed for better angles
         clock.end("mending");
     }
     if (options.keep_edges == KeepEdges::Feature) {

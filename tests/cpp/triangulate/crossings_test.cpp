@@ -56,9 +56,10 @@ TEST(Crossings, ThinWallsAreRefinedUntilTheirSidesAreApart) {
     }
 }
 
-/// It left 128 to 516 pairs of triangles that cross.
+/// It left 128 to 516 pairs of triangles that cross, and what was mended for better angles 12 to 116.
 TEST(Crossings, GoBeforeMinEdge) {
-    for (const auto& [wall, min_edge] : {std::pair(0.1, 4.0), {0.05, 4.0}, {0.02, 3.0}}) {
+    for (const auto& [wall, min_edge] :
+         {std::pair(0.1, 4.0), {0.1, 3.0}, {0.1, 1.0}, {0.05, 4.0}, {0.05, 2.0}, {0.03, 1.5}, {0.02, 3.0}}) {
         SCOPED_TRACE(wall);
         const TopoDS_Shape tube = BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(10.0, 10.0).Shape(),
                                                   BRepPrimAPI_MakeCylinder(10.0 - wall, 10.0).Shape());
