@@ -158,8 +158,18 @@ Sizing sizing_of(const Options& options, double chord, const geometry::Topology&
 }
 
 // @return what was done about smooth edges, for the report
+std::string release_smooth_edges(Workspace& work, const Options& options, const Sizing& sizing, StageClock& clock) {
+    if (options.keep_edges != KeepEdges::Feature) {
+        return "";
+    }
+    work.progress.stage("releasing smooth edges", 0.88, 0.9);
+    const std::string released = release_relics(work, options, sizing);
+    clock.end("smooth edges");
+    return released;
+}
+
+// @return what was done about smooth edges, for the report
 std::string refine(Workspace& work, Findings& findings, const Options& options, double chord, StageClock& clock) {
-    std::string released;
     const int first = work.mesh.vertex_count();
     SegmentSplitter segments(work, options.insertion != Insertion::Paper);
     std::vector<int> touched;
@@ -215,12 +225,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
         separate_crossings();  // of triangles that were changed for better angles
         clock.end("mending");
     }
-    if (options.keep_edges == KeepEdges::Feature) {
-        work.progress.stage("releasing smooth edges", 0.88, 0.9);
-        released = release_relics(work, options, sizing);
-        clock.end("smooth edges");
-    }
-    return released;
+    return release_smooth_edges(work, options, sizing, clock);
 }
 
 // The faces over shared edges: coarse, or over samples.
