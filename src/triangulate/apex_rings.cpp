@@ -16,7 +16,7 @@ using mesh::SurfaceMesh;
 // Of a few triangles around an apex: less would not outlast the changes around them, more would waste triangles.
 constexpr double kComfortable = 40.0 * kDegree;
 constexpr double kSlack = 1.15;
-// Height of an equilateral triangle, in halves of its side.
+// Height of an equilateral triangle of side 1.
 constexpr double kHeight = 0.87;
 // Rings that halve the number of triangles, and some for what happens in between.
 constexpr int kMaxTries = 48;

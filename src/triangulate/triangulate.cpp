@@ -94,8 +94,9 @@ bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
     return any;
 }
 
-// With min_edge, too, the mesh is first of all one that does not cross itself.
-bool separate(Workspace& work, CrossingRefiner& crossings) {
+// However short the new edges are: with min_edge, too, the mesh is first of all one that does not cross itself.
+// @return whether anything was split
+bool split_crossings(Workspace& work, CrossingRefiner& crossings) {
     const double asked = std::exchange(work.min_edge, 0.0);
     const bool any = crossings.run();
     work.min_edge = asked;
@@ -212,7 +213,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     work.progress.stage("separating crossings", 0.82, 0.85);
     CrossingRefiner crossings(work, segments, findings.crossings);
     const auto separate_crossings = [&] {
-        for (int round = 0; round < kMaxCrossingRounds && separate(work, crossings); ++round) {
+        for (int round = 0; round < kMaxCrossingRounds && split_crossings(work, crossings); ++round) {
             refine_again();
         }
         separate_doubled();

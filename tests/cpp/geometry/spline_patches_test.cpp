@@ -68,12 +68,12 @@ std::vector<Kind> kinds() {
     return all;
 }
 
-/// To a part of the size of the surface, and of its derivatives on spans of length `step`.
 bool contains(const SplinePatches& patches, double u, double v) {
     const ParameterBox box = patches.inside();
     return u > box.low[0] && u < box.high[0] && v > box.low[1] && v < box.high[1];
 }
 
+// To a part of the size of the surface, and of its derivatives on spans of length `step`.
 void expect_same(SplinePatches& patches, const Handle(Geom_BSplineSurface) & surface, double u, double v) {
     ASSERT_TRUE(contains(patches, u, v));
     gp_Pnt p;
