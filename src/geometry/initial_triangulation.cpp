@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/initial_triangulation.h"
 
-#include <algorithm>
+#include "geometry/face_rounds.h"
 
 namespace mq::geometry {
 
 namespace {
 
-// Every round halves the pieces that stand in some face's way. A gap of 1e-6 of an edge takes twenty rounds.
-constexpr int kMaxRounds = 32;
-// Rounds in which faces may ask for shorter pieces to follow their surface; later ones only untangle borders.
-constexpr int kShapingRounds = 16;
-
-std::vector<int> faces_of(const Topology& topology, const std::set<int>& edges) {
-    std::set<int> faces;
-    for (const int e : edges) {
-        for (const int u : topology.edges[e].uses) {
-            faces.insert(topology.uses[u].face);
-        }
-    }
-    return {faces.begin(), faces.end()};
-}
+constexpr RoundLimits kLimits{32, 16};
 
 }  // namespace
 
@@ -40,35 +27,11 @@ InitialTriangulation triangulate_the_rest(Session& session, const SingleGrid& gr
             open.push_back(f);
         }
     }
-    bool shaping = true;
-    for (int round = 0; round < kMaxRounds && !open.empty(); ++round) {
-        std::set<EdgeChains::Mark> marks;
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            progress.check();
-            FaceTriangulation& face = result.faces[open[i]];
-            face = triangulate_face(session, result.chains, grid, open[i], shaping);
-            marks.insert(face.marks.begin(), face.marks.end());
-            progress.advance((round + static_cast<double>(i) / open.size()) / (round + 2.0));
-        }
-        open = faces_of(topology, result.chains.halve(session, marks));
-        if (shaping && (round + 1 == kShapingRounds || open.empty())) {
-            shaping = false;  // wishes that could not be granted do not count from now on
-            for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
-                if (!result.faces[f].marks.empty() && std::find(open.begin(), open.end(), f) == open.end()) {
-                    open.push_back(f);
-                }
-            }
-        }
-    }
-    for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
-        FaceTriangulation& face = result.faces[f];
-        if (!face.failure.empty()) {
-            result.failures.emplace_back(f, face.failure);
-        } else if (!face.marks.empty()) {
-            result.failures.emplace_back(f,
-                                         "its border cannot be resolved: pieces cross or fold however short they are");
-        }
-    }
+    triangulate_in_rounds(
+        session, result, std::move(open), kLimits, progress, [](int) { return true; },
+        [&](int f, bool border_may_change) {
+            result.faces[f] = triangulate_face(session, result.chains, grid, f, border_may_change);
+        });
     return result;
 }
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "geometry/face_border.h"
+#include "geometry/face_rounds.h"
 #include "triangulate/edge_samples.h"
 #include "triangulate/face_spacing.h"
 #include "triangulate/pseudo_delaunay.h"
@@ -17,9 +17,7 @@ namespace mq::triangulate {
 
 namespace {
 
-using geometry::EdgeChains;
 using geometry::FaceTriangulation;
-using geometry::Topology;
 using Site = FaceTriangulation::Site;
 
 // Of the part's largest dimension, where no bound is asked for: the samples of flat faces, and the finest ones.
@@ -27,9 +25,7 @@ constexpr double kMost = 0.1;
 constexpr double kLeast = 1e-3;
 // On a sphere the centre of an equilateral triangle lies r^2 / (6 R) below, the middles of its sides only r^2 / (8 R).
 constexpr double kCentre = 0.75;
-// Every round halves the pieces that stand in some face's way, as in the initial triangulation.
-constexpr int kMaxRounds = 24;
-constexpr int kShapingRounds = 8;
+constexpr geometry::RoundLimits kLimits{24, 8};
 
 SpacingBounds bounds_of(const Options& options, double chord, double size, double shortest) {
     SpacingBounds bounds;
@@ -85,8 +81,6 @@ class PartSampler {
     std::vector<FaceSampler::Candidate> samples_of(const SamplingContext& context, int face,
                                                    const geometry::FaceBorder& border);
     std::size_t room_for(int face) const;
-    std::vector<int> faces_with(const std::set<int>& edges) const;
-    void name_failures();
 
     geometry::Session& session_;
     const SingleGrid& grid_;
@@ -111,54 +105,12 @@ SampledTriangulation PartSampler::run() {
             faces.faces[f].failure = coarse_.faces[f].failure;
         }
     }
-    for (int round = 0; round < kMaxRounds && !open.empty(); ++round) {
-        std::set<EdgeChains::Mark> marks;
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            progress_.check();
-            sample_face(open[i], round < kShapingRounds);
-            marks.insert(faces.faces[open[i]].marks.begin(), faces.faces[open[i]].marks.end());
-            progress_.advance((round + static_cast<double>(i) / static_cast<double>(open.size())) / (round + 1.5));
-        }
-        open = faces_with(faces.chains.halve(session_, marks));
-        if (round + 1 == kShapingRounds) {  // wishes that could not be granted do not count from now on
-            for (int f = 0; f < static_cast<int>(faces.faces.size()); ++f) {
-                if (!faces.faces[f].marks.empty() && std::find(open.begin(), open.end(), f) == open.end()) {
-                    open.push_back(f);
-                }
-            }
-        }
-    }
-    name_failures();
-    return std::move(result_);
-}
-
-std::vector<int> PartSampler::faces_with(const std::set<int>& edges) const {
-    const Topology& topology = session_.topology();
-    std::set<int> faces;
-    for (const int e : edges) {
-        for (const int u : topology.edges[e].uses) {
-            if (!coarse_.faces[topology.uses[u].face].triangles.empty()) {
-                faces.insert(topology.uses[u].face);
-            }
-        }
-    }
-    return {faces.begin(), faces.end()};
-}
-
-void PartSampler::name_failures() {
-    for (int f = 0; f < static_cast<int>(result_.faces.faces.size()); ++f) {
-        const FaceTriangulation& face = result_.faces.faces[f];
-        if (coarse_.faces[f].triangles.empty()) {
-            continue;
-        }
-        if (!face.failure.empty()) {
-            result_.faces.failures.emplace_back(f, face.failure);
-        } else if (!face.marks.empty()) {
-            result_.faces.failures.emplace_back(
-                f, "its border cannot be resolved: pieces cross or fold however short they are");
-        }
-    }
+    geometry::triangulate_in_rounds(
+        session_, faces, std::move(open), kLimits, progress_,
+        [&](int f) { return !coarse_.faces[f].triangles.empty(); },
+        [&](int f, bool border_may_change) { sample_face(f, border_may_change); });
     result_.fallbacks.assign(fallbacks_.begin(), fallbacks_.end());
+    return std::move(result_);
 }
 
 // Every sample brings two triangles.

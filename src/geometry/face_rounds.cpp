@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/face_rounds.h"
+
+#include <algorithm>
+#include <set>
+
+namespace mq::geometry {
+
+namespace {
+
+std::vector<int> faces_of(const Topology& topology, const std::set<int>& edges,
+                          const std::function<bool(int)>& included) {
+    std::set<int> faces;
+    for (const int e : edges) {
+        for (const int u : topology.edges[e].uses) {
+            if (included(topology.uses[u].face)) {
+                faces.insert(topology.uses[u].face);
+            }
+        }
+    }
+    return {faces.begin(), faces.end()};
+}
+
+void add_refused(const InitialTriangulation& result, std::vector<int>& open) {
+    for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
+        if (!result.faces[f].marks.empty() && std::find(open.begin(), open.end(), f) == open.end()) {
+            open.push_back(f);
+        }
+    }
+}
+
+void name_failures(InitialTriangulation& result, const std::function<bool(int)>& included) {
+    for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
+        const FaceTriangulation& face = result.faces[f];
+        if (!included(f)) {
+            continue;
+        }
+        if (!face.failure.empty()) {
+            result.failures.emplace_back(f, face.failure);
+        } else if (!face.marks.empty()) {
+            result.failures.emplace_back(f,
+                                         "its border cannot be resolved: pieces cross or fold however short they are");
+        }
+    }
+}
+
+}  // namespace
+
+void triangulate_in_rounds(Session& session, InitialTriangulation& result, std::vector<int> open,
+                           const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
+                           const FaceTriangulator& triangulate) {
+    bool shaping = true;
+    for (int round = 0; round < limits.rounds && !open.empty(); ++round) {
+        std::set<EdgeChains::Mark> marks;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            progress.check();
+            triangulate(open[i], shaping);
+            const std::set<EdgeChains::Mark>& wished = result.faces[open[i]].marks;
+            marks.insert(wished.begin(), wished.end());
+            progress.advance((round + static_cast<double>(i) / static_cast<double>(open.size())) / (round + 2.0));
+        }
+        open = faces_of(session.topology(), result.chains.halve(session, marks), included);
+        if (shaping && (round + 1 == limits.shaping || open.empty())) {
+            shaping = false;
+            add_refused(result, open);
+        }
+    }
+    name_failures(result, included);
+}
+
+}  // namespace mq::geometry

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/face_rounds.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/analytic_model.h"
+
+namespace mq::geometry {
+namespace {
+
+constexpr RoundLimits kLimits{64, 48};
+
+/// A cube whose faces are not triangulated, but wish what a test wants.
+class FaceRounds : public testing::Test {
+  protected:
+    FaceRounds() : result_{EdgeChains(session_, grid_), {}, {}} { result_.faces.resize(faces()); }
+
+    std::size_t faces() const { return model_->topology().faces.size(); }
+    std::vector<int> all() const {
+        std::vector<int> open;
+        for (int f = 0; f < static_cast<int>(faces()); ++f) {
+            open.push_back(f);
+        }
+        return open;
+    }
+    /// An edge of the face that does not collapse.
+    int edge_of(int face) const {
+        for (const EdgeUse& use : model_->topology().uses) {
+            if (use.face == face && !result_.chains.chain(use.edge).collapsed) {
+                return use.edge;
+            }
+        }
+        return -1;
+    }
+    std::size_t pieces_of(int edge) const { return result_.chains.chain(edge).t.size() - 1; }
+    void run(std::vector<int> open, const std::function<bool(int)>& included, const FaceTriangulator& triangulate) {
+        triangulate_in_rounds(session_, result_, std::move(open), kLimits, progress_, included, triangulate);
+    }
+
+    std::shared_ptr<Model> model_ = make_box(1.0, 1.0, 1.0);
+    Engine engine_{Engine::Mode::Direct};
+    Session session_{engine_, model_};
+    SingleGrid grid_{model_->topology().box};
+    Progress progress_;
+    InitialTriangulation result_;
+};
+
+bool any_face(int) {
+    return true;
+}
+
+TEST_F(FaceRounds, FacesThatWishNothingAreDoneOnce) {
+    std::vector<int> calls(faces(), 0);
+    run(all(), any_face, [&](int f, bool) { ++calls[f]; });
+    EXPECT_EQ(calls, std::vector<int>(faces(), 1));
+    EXPECT_TRUE(result_.failures.empty());
+}
+
+TEST_F(FaceRounds, PiecesThatAreWishedForAreHalvedForAllFacesBesideThem) {
+    const int edge = edge_of(0);
+    const std::size_t before = pieces_of(edge);
+    std::vector<int> calls(faces(), 0);
+    run({0}, any_face, [&](int f, bool) {
+        result_.faces[f].marks.clear();
+        if (f == 0 && calls[f] < 2) {
+            result_.faces[f].marks.insert({edge, 0});
+        }
+        ++calls[f];
+    });
+    EXPECT_EQ(pieces_of(edge), before + 2);
+    EXPECT_EQ(calls[0], 3);
+    for (const int u : model_->topology().edges[edge].uses) {
+        EXPECT_GE(calls[model_->topology().uses[u].face], 2);
+    }
+    EXPECT_TRUE(result_.failures.empty());
+}
+
+TEST_F(FaceRounds, WishesThatCannotBeGrantedDoNotCount) {
+    const int edge = edge_of(0);
+    bool wished = true;
+    run({0}, any_face, [&](int f, bool border_may_change) {
+        result_.faces[f].marks.clear();
+        if (f == 0 && border_may_change) {
+            result_.faces[f].marks.insert({edge, 0});
+        }
+        wished = f == 0 ? border_may_change : wished;
+    });
+    EXPECT_FALSE(wished);  // done once more without
+    EXPECT_TRUE(result_.failures.empty());
+}
+
+TEST_F(FaceRounds, BordersThatStayInTheWayAreFailures) {
+    const int edge = edge_of(0);
+    run({0}, any_face, [&](int f, bool) {
+        if (f == 0) {
+            result_.faces[f].marks = {{edge, 0}};
+        }
+    });
+    ASSERT_EQ(result_.failures.size(), 1u);
+    EXPECT_EQ(result_.failures[0].first, 0);
+    EXPECT_NE(result_.failures[0].second.find("cannot be resolved"), std::string::npos);
+}
+
+TEST_F(FaceRounds, FacesThatAreNotIncludedAreLeftAlone) {
+    const int edge = edge_of(0);
+    int rounds = 0;
+    run(
+        {0}, [](int f) { return f == 0; },
+        [&](int f, bool) {
+            EXPECT_EQ(f, 0);
+            result_.faces[f].marks.clear();
+            if (++rounds < 4) {
+                result_.faces[f].marks.insert({edge, 0});
+            }
+        });
+    EXPECT_EQ(rounds, 4);
+}
+
+}  // namespace
+}  // namespace mq::geometry
