@@ -16,6 +16,7 @@ struct Run {
     int use;
     bool collapsed;
     bool internal;
+    int loop;
     std::vector<int> index;  // of the piece after point i
     std::vector<Site> points;
 };
@@ -55,7 +56,7 @@ std::vector<Run> collect_runs(Session& session, const EdgeChains& chains, const 
         for (const int u : loop.uses) {
             const EdgeUse& use = topology.uses[u];
             const EdgeChain& chain = chains.chain(use.edge);
-            Run run{u, chain.collapsed, use.internal, {}, {}};
+            Run run{u, chain.collapsed, use.internal, static_cast<int>(loop_end.size()), {}, {}};
             const int n = static_cast<int>(chain.t.size());
             for (int k = 0; k < n; ++k) {
                 const int i = use.forward ? k : n - 1 - k;
@@ -155,7 +156,7 @@ std::array<int, 2> add_run(FaceBorder& border, SiteMerger& merger, const Run& ru
     }
     for (std::size_t i = 0; i + 1 < n; ++i) {
         if (ids[i] != ids[i + 1]) {
-            border.pieces.push_back({ids[i], ids[i + 1], run.use, run.index[i], run.internal});
+            border.pieces.push_back({ids[i], ids[i + 1], run.use, run.index[i], run.internal, run.loop});
         }
     }
     return {ids.front(), ids.back()};
@@ -163,18 +164,18 @@ std::array<int, 2> add_run(FaceBorder& border, SiteMerger& merger, const Run& ru
 
 // A loop may jump between two images of one vertex in (u, v) where the model has no edge for it: at a pole that is not
 // marked as degenerate. The jump is bridged by a collapsed piece.
-void bridge_gaps(FaceBorder& border, const std::vector<std::size_t>& loop_of_piece) {
+void bridge_gaps(FaceBorder& border) {
     const std::size_t n = border.pieces.size();
     for (std::size_t begin = 0; begin < n;) {
         std::size_t end = begin;
-        while (end < n && loop_of_piece[end] == loop_of_piece[begin]) {
+        while (end < n && border.pieces[end].loop == border.pieces[begin].loop) {
             ++end;
         }
         for (std::size_t i = begin; i < end; ++i) {
             const int from = border.pieces[i].to;
             const int to = border.pieces[i + 1 < end ? i + 1 : begin].from;
             if (from != to && border.sites[from].vertex == border.sites[to].vertex) {
-                border.pieces.push_back({from, to, -1, -1, false});
+                border.pieces.push_back({from, to, -1, -1, false, border.pieces[i].loop});
             }
         }
         begin = end;
@@ -208,7 +209,6 @@ FaceBorder face_border(Session& session, const EdgeChains& chains, const SingleG
         tolerance = std::max(tolerance, tolerance_of(run));
     }
     SiteMerger merger(border);
-    std::vector<std::size_t> loop_of_piece;
     for (std::size_t loop = 0, first = 0; loop < loop_end.size(); first = loop_end[loop++]) {
         std::array<int, 2> ends{-1, -1};
         int start = -1;
@@ -221,9 +221,8 @@ FaceBorder face_border(Session& session, const EdgeChains& chains, const SingleG
             ends = add_run(border, merger, runs[r], kTolerances * tolerance, before, after);
             start = r == first ? ends[0] : start;
         }
-        loop_of_piece.resize(border.pieces.size(), loop);
     }
-    bridge_gaps(border, loop_of_piece);
+    bridge_gaps(border);
     return border;
 }
 

@@ -15,6 +15,7 @@ struct FaceBorder {
         int use = -1;    ///< -1: a gap between the (u, v) images of one vertex
         int index = -1;  ///< piece of the chain; -1 on a collapsed edge or a gap
         bool internal = false;
+        int loop = -1;  ///< of the face
 
         bool collapsed() const { return index < 0; }
     };

@@ -10,6 +10,7 @@
 #include "geometry/apex_sites.h"
 #include "geometry/collapsed_triangles.h"
 #include "geometry/face_border.h"
+#include "geometry/inverted_loops.h"
 #include "geometry/space_flips.h"
 #include "geometry/triangle_fault.h"
 #include "geometry/turned_face.h"
@@ -61,6 +62,7 @@ class FaceMesher {
     void find_inside();
     void insert_inside(const Site& site);
     void insert_inner();
+    void check_loops();
     void check_halving();
     void wish_past(int piece, int side);
     bool refine_round();
@@ -116,6 +118,7 @@ FaceTriangulation FaceMesher::run() {
         return result_;
     }
     insert_inner();
+    check_loops();
     check_halving();
     for (int round = 0; round < kMaxRounds && result_.marks.empty(); ++round) {
         late_ = round >= kPatience;
@@ -143,7 +146,7 @@ bool FaceMesher::long_enough() {
         mark_piece(k);
     }
     if (result_.marks.empty()) {
-        result_.failure = "its border is too short to enclose anything";
+        result_.failure = border_.pieces.empty() ? "it has no edges" : "its border is too short to enclose anything";
     }
     return false;
 }
@@ -314,6 +317,12 @@ void FaceMesher::insert_inner() {
     }
     if (!points.empty() || !inner_.empty()) {
         find_inside();
+    }
+}
+
+void FaceMesher::check_loops() {
+    for (const int piece : coarse_pieces_of_inverted_loops(session_, chains_, border_)) {
+        wish_halved(piece);
     }
 }
 

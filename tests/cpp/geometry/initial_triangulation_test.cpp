@@ -3,6 +3,9 @@
 
 #include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <gp_GTrsf.hxx>
 #include <map>
@@ -64,7 +67,7 @@ void expect_chains_follow_curves(const Case& c) {
 }
 
 /// Every side leads to one that leads back, and runs the other way there (by other sites of the same vertex where the
-/// face has a pole); every piece of the border is used once.
+/// face has a pole); every piece of the border is used once, with the face on its left.
 void expect_links(const Case& c, int f) {
     const FaceTriangulation& face = c.initial.faces[f];
     std::map<std::pair<int, int>, int> met;
@@ -87,9 +90,10 @@ void expect_links(const Case& c, int f) {
         const EdgeChain& chain = c.initial.chains.chain(use.edge);
         ASSERT_EQ(use.face, f);
         ++met[{border.use, border.index}];
-        const std::pair<int, int> piece{chain.vertices[border.index], chain.vertices[border.index + 1]};
+        const bool along = use.forward != c.topology().faces[f].reversed;
         const std::pair<int, int> side{face.sites[site(h, 0)].vertex, face.sites[site(h, 1)].vertex};
-        EXPECT_TRUE(side == piece || side == std::make_pair(piece.second, piece.first));
+        EXPECT_EQ(side.first, chain.vertices[border.index + (along ? 0 : 1)]);
+        EXPECT_EQ(side.second, chain.vertices[border.index + (along ? 1 : 0)]);
     }
     for (int u = 0; u < static_cast<int>(c.topology().uses.size()); ++u) {
         const EdgeChain& chain = c.initial.chains.chain(c.topology().uses[u].edge);
@@ -252,6 +256,20 @@ TEST(EdgeChains, StopsWhereTheGridCannotHalve) {
     for (std::size_t i = 1; i < chain.vertices.size(); ++i) {
         EXPECT_NE(chains.vertices()[chain.vertices[i - 1]].point, chains.vertices()[chain.vertices[i]].point);
     }
+}
+
+/// As modelers leave them where they lost the border of an offset surface.
+TEST(InitialTriangulation, FacesWithoutEdgesAreNamed) {
+    BRep_Builder builder;
+    TopoDS_Face bare;
+    builder.MakeFace(bare, new Geom_SphericalSurface(gp_Ax3(), 1.0), 1e-7);
+    TopoDS_Compound both;
+    builder.MakeCompound(both);
+    builder.Add(both, TopExp_Explorer(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape(), TopAbs_FACE).Current());
+    builder.Add(both, bare);
+    const Case c({"bare", make_shape_model(both), 0, false});
+    ASSERT_EQ(c.initial.failures.size(), 1u);
+    EXPECT_EQ(c.initial.failures[0], std::make_pair(1, std::string("it has no edges")));
 }
 
 }  // namespace
