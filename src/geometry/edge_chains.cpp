@@ -42,16 +42,6 @@ bool turns_too_much(const Answer* samples) {
     return worst > kMaxTurn;
 }
 
-std::set<int> edges_of(const Face& face, const Topology& topology) {
-    std::set<int> edges;
-    for (const Loop& loop : face.loops) {
-        for (const int u : loop.uses) {
-            edges.insert(topology.uses[u].edge);
-        }
-    }
-    return edges;
-}
-
 double length_of(const std::vector<Vec3>& points) {
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -145,7 +135,7 @@ void EdgeChains::collapse_small_faces(Session& session) {
         if (face.no_area) {
             continue;
         }
-        const std::set<int> edges = edges_of(face, topology);
+        const std::set<int> edges = topology.edges_of(f);
         const double border = std::accumulate(edges.begin(), edges.end(), 0.0,
                                               [&](double sum, int e) { return sum + length_of(points_[e]); });
         const auto sampled = std::find_if(edges.begin(), edges.end(), [&](int e) { return !points_[e].empty(); });
@@ -191,6 +181,32 @@ void EdgeChains::leave_nodes_alone(const Topology& topology) {
             }
         }
     }
+}
+
+std::set<int> EdgeChains::leave_nodes_alone(const Topology& topology, const std::set<int>& edges, double tolerances) {
+    std::set<int> changed;
+    for (const int e : edges) {
+        EdgeChain& chain = chains_[e];
+        std::vector<Vec3> points;
+        for (const int v : chain.vertices) {
+            points.push_back(grid_.to_part(vertices_[v].point));
+        }
+        const double most = kMostOfEdge * length_of(points);
+        for (int end = 0; end < 2 && !chain.collapsed; ++end) {
+            if (const int n = topology.edges[e].nodes[end]; n >= 0) {
+                double& radius = balls_[e][end].radius;
+                radius = std::max(radius, std::min(tolerances * topology.nodes[n].tolerance, most));
+            }
+            while (points.size() > 2 && at_node(e, end, end == 0 ? points[1] : points[points.size() - 2])) {
+                const auto beside = end == 0 ? 1 : static_cast<std::ptrdiff_t>(points.size()) - 2;
+                points.erase(points.begin() + beside);
+                chain.t.erase(chain.t.begin() + beside);
+                chain.vertices.erase(chain.vertices.begin() + beside);
+                changed.insert(e);
+            }
+        }
+    }
+    return changed;
 }
 
 void EdgeChains::place_nodes(const Topology& topology) {

@@ -42,6 +42,9 @@ class EdgeChains {
     using Mark = std::pair<int, int>;  ///< edge, index of the piece from t[i] to t[i + 1]
     /// Halves the marked pieces by arc length. Pieces that the grid cannot halve stay; @return the edges that changed.
     std::set<int> halve(Session& session, const std::set<Mark>& marks);
+    /// Takes out the vertices of edges that are within so many tolerances of the node at either end, and lets none be
+    /// put there any more. @return the edges that changed.
+    std::set<int> leave_nodes_alone(const Topology& topology, const std::set<int>& edges, double tolerances);
     /// Gives an edge other inner vertices, at the ascending parameters `inner`. Those of a collapsed edge stay; points
     /// that single precision does not hold apart from the one before are left out.
     void resample(Session& session, int edge, const std::vector<double>& inner);

@@ -2,11 +2,16 @@
 #include "geometry/face_rounds.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace mq::geometry {
 
 namespace {
+
+// Modelers leave hooks at the ends of curves on faces, which lie on the curve of the next edge there. Some are longer
+// than the tolerance of the node; so many tolerances are left out where nothing else helps.
+constexpr std::array<double, 2> kHooks{8.0, 32.0};
 
 std::vector<int> faces_of(const Topology& topology, const std::set<int>& edges,
                           const std::function<bool(int)>& included) {
@@ -44,11 +49,27 @@ void name_failures(InitialTriangulation& result, const std::function<bool(int)>&
     }
 }
 
-}  // namespace
+// Of faces that could not be triangulated: those with pieces in the way, or all where none is long enough any more.
+std::set<int> edges_in_the_way(const InitialTriangulation& result, const Topology& topology,
+                               const std::function<bool(int)>& included) {
+    std::set<int> edges;
+    for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
+        const FaceTriangulation& face = result.faces[f];
+        for (const EdgeChains::Mark& mark : face.marks) {
+            if (included(f)) {
+                edges.insert(mark.first);
+            }
+        }
+        if (!face.failure.empty() && included(f)) {
+            const std::set<int> around = topology.edges_of(f);
+            edges.insert(around.begin(), around.end());
+        }
+    }
+    return edges;
+}
 
-void triangulate_in_rounds(Session& session, InitialTriangulation& result, std::vector<int> open,
-                           const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
-                           const FaceTriangulator& triangulate) {
+void run_rounds(Session& session, InitialTriangulation& result, std::vector<int> open, const RoundLimits& limits,
+                Progress& progress, const std::function<bool(int)>& included, const FaceTriangulator& triangulate) {
     bool shaping = true;
     for (int round = 0; round < limits.rounds && !open.empty(); ++round) {
         std::set<EdgeChains::Mark> marks;
@@ -64,6 +85,21 @@ void triangulate_in_rounds(Session& session, InitialTriangulation& result, std::
             shaping = false;
             add_refused(result, open);
         }
+    }
+}
+
+}  // namespace
+
+void triangulate_in_rounds(Session& session, InitialTriangulation& result, std::vector<int> open,
+                           const RoundLimits& limits, Progress& progress, const std::function<bool(int)>& included,
+                           const FaceTriangulator& triangulate) {
+    const Topology& topology = session.topology();
+    run_rounds(session, result, std::move(open), limits, progress, included, triangulate);
+    for (const double tolerances : kHooks) {
+        const std::set<int> changed =
+            result.chains.leave_nodes_alone(topology, edges_in_the_way(result, topology, included), tolerances);
+        open = faces_of(topology, changed, included);
+        run_rounds(session, result, std::move(open), limits, progress, included, triangulate);
     }
     name_failures(result, included);
 }

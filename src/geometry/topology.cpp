@@ -38,6 +38,16 @@ std::vector<int> Topology::pieces_of(Entity entity) const {
     return pieces;
 }
 
+std::set<int> Topology::edges_of(int face) const {
+    std::set<int> around;
+    for (const Loop& loop : faces[static_cast<std::size_t>(face)].loops) {
+        for (const int u : loop.uses) {
+            around.insert(uses[static_cast<std::size_t>(u)].edge);
+        }
+    }
+    return around;
+}
+
 std::string Topology::name_of(Entity entity) const {
     const Entity whole = of_shape(entity);
     const std::string name = geometry::name_of(whole);

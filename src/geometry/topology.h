@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,8 @@ struct Topology {
     Entity of_shape(Entity entity) const;
     /// The indices of all pieces of an entity of the shape; only its own where it was not cut.
     std::vector<int> pieces_of(Entity entity) const;
+    /// Around and inside a face.
+    std::set<int> edges_of(int face) const;
     /// As mq::geometry::name_of, by the shape's own entities.
     std::string name_of(Entity entity) const;
 };

@@ -3,7 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
 #include "geometry/analytic_model.h"
+#include "geometry/shapes.h"
 
 namespace mq::geometry {
 namespace {
@@ -13,7 +19,9 @@ constexpr RoundLimits kLimits{64, 48};
 /// A cube whose faces are not triangulated, but wish what a test wants.
 class FaceRounds : public testing::Test {
   protected:
-    FaceRounds() : result_{EdgeChains(session_, grid_), {}, {}} { result_.faces.resize(faces()); }
+    explicit FaceRounds(std::shared_ptr<Model> model = make_box(1.0, 1.0, 1.0)) : model_(std::move(model)) {
+        result_.faces.resize(faces());
+    }
 
     std::size_t faces() const { return model_->topology().faces.size(); }
     std::vector<int> all() const {
@@ -37,12 +45,12 @@ class FaceRounds : public testing::Test {
         triangulate_in_rounds(session_, result_, std::move(open), kLimits, progress_, included, triangulate);
     }
 
-    std::shared_ptr<Model> model_ = make_box(1.0, 1.0, 1.0);
+    std::shared_ptr<Model> model_;
     Engine engine_{Engine::Mode::Direct};
     Session session_{engine_, model_};
     SingleGrid grid_{model_->topology().box};
     Progress progress_;
-    InitialTriangulation result_;
+    InitialTriangulation result_{EdgeChains(session_, grid_), {}, {}};
 };
 
 bool any_face(int) {
@@ -114,6 +122,52 @@ TEST_F(FaceRounds, FacesThatAreNotIncludedAreLeftAlone) {
             }
         });
     EXPECT_EQ(rounds, 4);
+}
+
+/// A unit cube whose vertices have this tolerance.
+std::shared_ptr<Model> loose_cube(double tolerance) {
+    const TopoDS_Shape cube = BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape();
+    for (TopExp_Explorer it(cube, TopAbs_VERTEX); it.More(); it.Next()) {
+        BRep_Builder().UpdateVertex(TopoDS::Vertex(it.Current()), tolerance);
+    }
+    return make_shape_model(cube);
+}
+
+class LooseFaceRounds : public FaceRounds {
+  protected:
+    static constexpr double kTolerance = 1e-3;
+
+    LooseFaceRounds() : FaceRounds(loose_cube(kTolerance)) {}
+
+    /// Of the vertices inside the edge, from its start.
+    double nearest(int edge) const {
+        const EdgeChain& chain = result_.chains.chain(edge);
+        const auto point = [&](std::size_t i) { return result_.chains.vertices()[chain.vertices[i]].point; };
+        return chain.t.size() > 2 ? (point(1) - point(0)).norm() : 1.0;
+    }
+};
+
+/// As where a curve on the face hooks farther than the tolerance of its node reaches: however short the pieces there
+/// are, they cross.
+TEST_F(LooseFaceRounds, HooksBesideNodesAreLeftOutWhereNothingElseHelps) {
+    const int edge = edge_of(0);
+    bool begun = false;
+    const auto crosses_within = [&](double reach) {
+        return [&, reach](int f, bool) {
+            result_.faces[f].marks.clear();
+            if (f == 0 && (!begun || nearest(edge) < reach)) {
+                result_.faces[f].marks.insert({edge, 0});
+            }
+            begun = begun || pieces_of(edge) > 4;
+        };
+    };
+    run({0}, any_face, crosses_within(5.0 * kTolerance));
+    EXPECT_TRUE(result_.failures.empty());
+    EXPECT_GE(nearest(edge), 8.0 * kTolerance);
+    EXPECT_GE(pieces_of(edge), 4u);
+    begun = false;
+    run({0}, any_face, crosses_within(90.0 * kTolerance));
+    EXPECT_EQ(result_.failures.size(), 1u);  // no farther than 32 tolerances
 }
 
 }  // namespace

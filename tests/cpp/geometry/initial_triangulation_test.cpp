@@ -4,7 +4,9 @@
 #include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <Geom_BezierCurve.hxx>
 #include <Geom_SphericalSurface.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS_Compound.hxx>
 #include <cmath>
 #include <gp_GTrsf.hxx>
@@ -270,6 +272,31 @@ TEST(InitialTriangulation, FacesWithoutEdgesAreNamed) {
     const Case c({"bare", make_shape_model(both), 0, false});
     ASSERT_EQ(c.initial.failures.size(), 1u);
     EXPECT_EQ(c.initial.failures[0], std::make_pair(1, std::string("it has no edges")));
+}
+
+/// A square whose lower side hooks beyond its left side, farther than the tolerance of their vertex reaches.
+TopoDS_Face hooked(double reach) {
+    TColgp_Array1OfPnt poles(1, 6);
+    const std::array<gp_Pnt, 6> at{gp_Pnt(0.0, 0.0, 0.0),      gp_Pnt(-2.0 * reach, 0.0, 0.0),
+                                   gp_Pnt(-reach, reach, 0.0), gp_Pnt(3.0 * reach, reach, 0.0),
+                                   gp_Pnt(0.5, 0.02, 0.0),     gp_Pnt(1.0, 0.0, 0.0)};
+    for (int i = 0; i < 6; ++i) {
+        poles.SetValue(i + 1, at[static_cast<std::size_t>(i)]);
+    }
+    const TopoDS_Edge lower = BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles)).Edge();
+    return planar_face({lower, line(1.0, 0.0, 1.0, 1.0), line(1.0, 1.0, 0.0, 1.0), line(0.0, 1.0, 0.0, 0.0)});
+}
+
+TEST(InitialTriangulation, HooksBeyondTheToleranceOfTheirNodeAreLeftOut) {
+    const TopoDS_Face face = hooked(1e-3);
+    for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More(); it.Next()) {
+        BRep_Builder().UpdateVertex(TopoDS::Vertex(it.Current()), 1e-4);
+    }
+    const Case c({"hooked", make_shape_model(face), 0, false});
+    EXPECT_TRUE(c.initial.failures.empty());
+    ASSERT_EQ(c.initial.faces.size(), 1u);
+    EXPECT_FALSE(c.initial.faces[0].triangles.empty());
+    expect_links(c, 0);
 }
 
 }  // namespace
