@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/collapsed_pieces.h"
 
+#include <BRepAdaptor_Surface.hxx>
 #include <Precision.hxx>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "base/disjoint_sets.h"
+#include "geometry/occt/conversion.h"
 #include "geometry/occt/edge_evaluator.h"
 
 namespace mq::geometry {
@@ -23,7 +25,13 @@ class CollapsedPieces {
 
     void run() {
         for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
-            if (topology_.faces[static_cast<std::size_t>(f)].no_area && is_piece(f)) {
+            Face& face = topology_.faces[static_cast<std::size_t>(f)];
+            if (face.no_area && is_piece(f)) {
+                take_out(f);
+            } else if (!face.no_area && is_sliver(f)) {
+                face.no_area = true;
+                topology_.faults.push_back(topology_.name_of({2, f}) +
+                                           ": is no wider than the tolerance of its edges, which count as one");
                 take_out(f);
             }
         }
@@ -41,6 +49,46 @@ class CollapsedPieces {
     Edge& edge(int e) { return topology_.edges[static_cast<std::size_t>(e)]; }
 
     bool is_piece(int face) const { return shape_.is_cut(topology_.of_shape({2, face}).index); }
+
+    /// Two edges bound the face, between the same nodes, and all of it lies within their tolerances of either.
+    bool is_sliver(int face) {
+        const Face& data = topology_.faces[static_cast<std::size_t>(face)];
+        if (data.loops.size() != 1 || data.loops.front().uses.size() != 2) {
+            return false;
+        }
+        const int a = topology_.uses[static_cast<std::size_t>(data.loops.front().uses[0])].edge;
+        const int b = topology_.uses[static_cast<std::size_t>(data.loops.front().uses[1])].edge;
+        if (a == b || !is_side(a) || !is_side(b)) {
+            return false;
+        }
+        const auto [low_a, high_a] = std::minmax(edge(a).nodes[0], edge(a).nodes[1]);
+        const auto [low_b, high_b] = std::minmax(edge(b).nodes[0], edge(b).nodes[1]);
+        return low_a == low_b && high_a == high_b && run_alike(a, b) && run_alike(b, a) &&
+               lies_along(face, a, tolerance(a) + tolerance(b));
+    }
+
+    /// Of a sliver: another face lies on its other side.
+    bool is_side(int e) {
+        return !edge(e).degenerate && edge(e).uses.size() == 2 && edge(e).nodes[0] >= 0 && edge(e).nodes[1] >= 0 &&
+               edge(e).nodes[0] != edge(e).nodes[1];
+    }
+
+    bool lies_along(int face, int e, double within) {
+        const Face& data = topology_.faces[static_cast<std::size_t>(face)];
+        const EdgeEvaluator along = curve(e);
+        const BRepAdaptor_Surface surface(live_.faces[static_cast<std::size_t>(face)], Standard_False);
+        for (int i = 0; i <= kSamples; ++i) {
+            for (int k = 0; k <= kSamples; ++k) {
+                const Vec3 p = to_vec(surface.Value(data.low[0] + (data.high[0] - data.low[0]) * i / kSamples,
+                                                    data.low[1] + (data.high[1] - data.low[1]) * k / kSamples));
+                const Answer foot = along.nearest(p, parameter(e, 0.5), edge(e).t0, edge(e).t1);
+                if (!foot.found() || foot.distance > within) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
 
     void take_out(int face) {
         std::set<int> around;
@@ -121,10 +169,11 @@ class CollapsedPieces {
         unite(edge(a).nodes[1], edge(b).nodes[*alike ? 1 : 0]);
         for (const int u : edge(b).uses) {
             EdgeUse& use = topology_.uses[static_cast<std::size_t>(u)];
+            UseCurve& on_face = live_.uses[static_cast<std::size_t>(u)];
             use.edge = a;
+            on_face.of_neighbour = true;
             if (!*alike) {
                 use.forward = !use.forward;
-                UseCurve& on_face = live_.uses[static_cast<std::size_t>(u)];
                 std::swap(on_face.first, on_face.last);
             }
             edge(a).uses.push_back(u);
@@ -166,9 +215,7 @@ class CollapsedPieces {
 }  // namespace
 
 void sew_collapsed_pieces(const OrderedShape& shape, Topology& topology, LiveShape& live) {
-    if (!shape.cut_faces.empty()) {
-        CollapsedPieces(shape, topology, live).run();
-    }
+    CollapsedPieces(shape, topology, live).run();
 }
 
 }  // namespace mq::geometry

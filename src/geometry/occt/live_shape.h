@@ -22,6 +22,7 @@ struct UseCurve {
     Handle(Geom2d_Curve) curve;
     double first = 0.0;
     double last = 0.0;
+    bool of_neighbour = false;  ///< of an edge within the tolerance that was joined with this one: t runs differently
 };
 
 /// The shape's own parts behind the entities of the topology, by the same indices. Faces and edges are all turned to

@@ -200,7 +200,7 @@ Answer ShapeModel::use_on_face(int index, double t) {
         const double tolerance =
             std::max(data.tolerance, topology_.faces[static_cast<std::size_t>(use.face)].tolerance);
         answer.distance = (answer.point - target).norm();
-        if (answer.distance > 10.0 * tolerance) {
+        if (answer.distance > 10.0 * tolerance || pcurve.of_neighbour) {
             const Answer better = surface.nearest(target, answer.u, answer.v);
             if (better.found() && better.distance < answer.distance) {
                 answer = better;
