@@ -59,7 +59,10 @@ EdgeChains::EdgeChains(Session& session, const SingleGrid& grid) : grid_(grid) {
     sample(session);
     collapse_short_edges(topology);
     collapse_small_faces(session);
-    leave_nodes_alone(topology);
+    balls_.resize(chains_.size());
+    for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
+        leave_nodes_alone(topology, e, 1.0, points_[e]);
+    }
     place_nodes(topology);
     points_.clear();
 }
@@ -162,48 +165,39 @@ bool EdgeChains::at_node(int edge, int end, const Vec3& point) const {
     return (point - ball.centre).norm() < ball.radius;
 }
 
-void EdgeChains::leave_nodes_alone(const Topology& topology) {
-    balls_.resize(chains_.size());
-    for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
-        std::vector<Vec3>& points = points_[e];
-        std::vector<double>& t = chains_[e].t;
-        const double most = kMostOfEdge * length_of(points);
-        for (int end = 0; end < 2 && !chains_[e].collapsed; ++end) {
-            const int n = topology.edges[e].nodes[end];
-            if (n >= 0) {
-                balls_[e][end] = {topology.nodes[n].point,
-                                  std::min(std::max(topology.nodes[n].tolerance, grid_.shortest_side()), most)};
+// @param points of the chain, which lose those that it loses
+bool EdgeChains::leave_nodes_alone(const Topology& topology, int edge, double tolerances, std::vector<Vec3>& points) {
+    EdgeChain& chain = chains_[edge];
+    const double most = kMostOfEdge * length_of(points);
+    bool changed = false;
+    for (int end = 0; end < 2 && !chain.collapsed; ++end) {
+        if (const int n = topology.edges[edge].nodes[end]; n >= 0) {
+            Ball& ball = balls_[edge][end];
+            const double radius = std::max(tolerances * topology.nodes[n].tolerance, grid_.shortest_side());
+            ball = {topology.nodes[n].point, std::max(ball.radius, std::min(radius, most))};
+        }
+        while (points.size() > 2 && at_node(edge, end, end == 0 ? points[1] : points[points.size() - 2])) {
+            const auto beside = end == 0 ? 1 : static_cast<std::ptrdiff_t>(points.size()) - 2;
+            points.erase(points.begin() + beside);
+            chain.t.erase(chain.t.begin() + beside);
+            if (!chain.vertices.empty()) {
+                chain.vertices.erase(chain.vertices.begin() + beside);
             }
-            while (points.size() > 2 && at_node(e, end, end == 0 ? points[1] : points[points.size() - 2])) {
-                const auto beside = end == 0 ? 1 : static_cast<std::ptrdiff_t>(points.size()) - 2;
-                points.erase(points.begin() + beside);
-                t.erase(t.begin() + beside);
-            }
+            changed = true;
         }
     }
+    return changed;
 }
 
 std::set<int> EdgeChains::leave_nodes_alone(const Topology& topology, const std::set<int>& edges, double tolerances) {
     std::set<int> changed;
     for (const int e : edges) {
-        EdgeChain& chain = chains_[e];
         std::vector<Vec3> points;
-        for (const int v : chain.vertices) {
+        for (const int v : chains_[e].vertices) {
             points.push_back(grid_.to_part(vertices_[v].point));
         }
-        const double most = kMostOfEdge * length_of(points);
-        for (int end = 0; end < 2 && !chain.collapsed; ++end) {
-            if (const int n = topology.edges[e].nodes[end]; n >= 0) {
-                double& radius = balls_[e][end].radius;
-                radius = std::max(radius, std::min(tolerances * topology.nodes[n].tolerance, most));
-            }
-            while (points.size() > 2 && at_node(e, end, end == 0 ? points[1] : points[points.size() - 2])) {
-                const auto beside = end == 0 ? 1 : static_cast<std::ptrdiff_t>(points.size()) - 2;
-                points.erase(points.begin() + beside);
-                chain.t.erase(chain.t.begin() + beside);
-                chain.vertices.erase(chain.vertices.begin() + beside);
-                changed.insert(e);
-            }
+        if (leave_nodes_alone(topology, e, tolerances, points)) {
+            changed.insert(e);
         }
     }
     return changed;

@@ -55,7 +55,7 @@ class EdgeChains {
     void collapse_short_edges(const Topology& topology);
     void collapse_small_faces(Session& session);
     void collapse(int edge, const Edge& data);
-    void leave_nodes_alone(const Topology& topology);
+    bool leave_nodes_alone(const Topology& topology, int edge, double tolerances, std::vector<Vec3>& points);
     bool at_node(int edge, int end, const Vec3& point) const;
 
     const SingleGrid& grid_;
