@@ -33,18 +33,20 @@ namespace mq::geometry {
 
 namespace {
 
-// OpenCASCADE's search for the nearest point takes 1e-7 mm for nothing, and misses points on parts not much larger than
-// that. Parts below this size, in mm, are measured magnified to it.
+// OpenCASCADE's search for the nearest point takes 1e-7 mm for nothing: it misses points on parts not much larger than
+// that, and does not come that near on parts of a kilometre. Parts beyond these sizes, in mm, are measured scaled to
+// them.
 constexpr double kLeastSize = 10.0;
+constexpr double kMostSize = 1e4;
 
-double magnification(const TopoDS_Shape& shape) {
+double scale_to_measure(const TopoDS_Shape& shape) {
     Bnd_Box box;
     BRepBndLib::Add(shape, box, false);
     const double size = box.IsVoid() || box.IsOpen() ? 0.0 : std::sqrt(box.SquareExtent());
-    return size > 0.0 && size < kLeastSize ? kLeastSize / size : 1.0;
+    return size > 0.0 ? std::clamp(size, kLeastSize, kMostSize) / size : 1.0;
 }
 
-TopoDS_Shape magnified(const TopoDS_Shape& shape, double factor) {
+TopoDS_Shape scaled(const TopoDS_Shape& shape, double factor) {
     gp_Trsf scaling;
     scaling.SetScaleFactor(factor);
     return factor == 1.0 ? shape : BRepBuilderAPI_Transform(shape, scaling, true).Shape();
@@ -155,9 +157,9 @@ double nearest(std::vector<std::unique_ptr<FaceDistance>>& faces, const Vec3& po
 
 std::vector<double> distances_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points, Progress* progress) {
     try {
-        const double factor = magnification(shape);
+        const double factor = scale_to_measure(shape);
         TopTools_IndexedMapOfShape map;
-        TopExp::MapShapes(magnified(shape, factor), TopAbs_FACE, map);
+        TopExp::MapShapes(scaled(shape, factor), TopAbs_FACE, map);
         std::vector<std::unique_ptr<FaceDistance>> faces;
         for (int i = 1; i <= map.Extent(); ++i) {
             faces.push_back(std::make_unique<FaceDistance>(TopoDS::Face(map(i))));

@@ -9,14 +9,17 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <ElCLib.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
 #include <cmath>
 #include <gp_Circ.hxx>
+#include <gp_Elips.hxx>
 #include <gp_Pln.hxx>
 #include <utility>
 
@@ -79,6 +82,24 @@ TEST(ShapeDistance, PartsOfAThousandthOfAMillimetreAreMeasuredAsLargeOnes) {
         points.push_back(0.99 * kRadius * Vec3(r * std::cos(turn), r * std::sin(turn), z));
     }
     EXPECT_NEAR(largest(sphere, points), 0.01 * kRadius, 1e-9 * kRadius);
+}
+
+/// On an extruded ellipse, whose nearest points are searched for, too.
+TEST(ShapeDistance, PartsOfAKilometreAreMeasuredAsSmallOnes) {
+    for (const double size : {1.0, 1e3, 1e6}) {
+        const gp_Elips ellipse(gp_Ax2(gp_Pnt(0.122 * size, 0.061 * size, -0.081 * size), gp_Dir(0.0, 0.0, 1.0)),
+                               0.0603 * size, 0.0342 * size);
+        const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(ellipse).Edge();
+        const gp_Vec along = -0.4337 * size * gp_Vec(0.395, -0.31, -0.865);
+        const TopoDS_Shape tube = BRepPrimAPI_MakePrism(edge, along).Shape();
+        std::vector<Vec3> points;
+        for (int i = 0; i < 2000; ++i) {
+            gp_Pnt p = ElCLib::Value(2.4 * i, ellipse).Translated((i + 0.5) / 2000.0 * along);
+            p.BaryCenter(0.99, ellipse.Location().Translated((i + 0.5) / 2000.0 * along), 0.01);
+            points.emplace_back(p.X(), p.Y(), p.Z());
+        }
+        EXPECT_LT(largest(tube, points), 0.01 * 0.0604 * size) << size;
+    }
 }
 
 TEST(ShapeDistance, StopsWhenCancelledAndRefusesAShapeWithoutFaces) {
