@@ -25,13 +25,10 @@ constexpr double kWorthAskingCurve = 0.6;
 constexpr double kAvoidable = 0.25;
 constexpr std::array<double, 2> kBesideMiddle{0.35, 0.65};
 // Where an edge or a triangle is as near to the tolerance as this, its farthest place may lie a little aside and beyond
-// it: there it is measured, too, at these parts of the way of an edge, and so much of the way to each corner.
+// it: there it is measured, too, this part of an edge away, and so much of the way to each corner.
 constexpr double kClose = 0.95;
-constexpr std::array<double, 2> kAside{0.44, 0.56};
+constexpr double kAside = 0.06;
 constexpr double kAsideOfPeak = 0.1;
-// What the sides of a triangle tell of its inside is not exact: it is measured no nearer to a side than this part of
-// the height over it.
-constexpr double kFromSide = 0.125;
 
 // Questions about distances, each for one of the pieces that are measured.
 class Questions {
@@ -93,28 +90,14 @@ double unavoidable(double a, double b, double at, double tolerance) {
     return std::max(a, b) > tolerance ? (1.0 - at) * a + at * b : 0.0;
 }
 
-// Where to measure a triangle, with the height that is expected there or, where it is largest over a side, over that.
-TrianglePeak place_inside(const std::array<double, 3>& heights) {
-    TrianglePeak peak = triangle_peak(heights[0], heights[1], heights[2]);
-    if (!(peak.height > 0.0)) {
-        const auto lower = [](double a, double b) { return std::abs(a) < std::abs(b); };
-        const auto highest = std::max_element(heights.begin(), heights.end(), lower) - heights.begin();
-        peak = {{0.5, 0.5, 0.5}, std::abs(heights[static_cast<std::size_t>(highest)])};
-        peak.weights[static_cast<std::size_t>(highest + 2) % 3] = 0.0;
-    }
-    double sum = 0.0;
-    for (double& w : peak.weights) {
-        w = std::max(w, kFromSide);
-        sum += w;
-    }
-    for (double& w : peak.weights) {
-        w /= sum;
-    }
-    return peak;
-}
-
 Vec3 between(const Vec3& a, const Vec3& b, double at) {
     return (1.0 - at) * a + at * b;
+}
+
+// Of an edge, to where it was found farthest from the surface.
+double part_of_the_way(const SurfaceMesh& mesh, int half_edge, const Distance& measured) {
+    const Vec3 along = mesh.point_of(SurfaceMesh::next(half_edge)) - mesh.point_of(half_edge);
+    return measured.recalled ? 0.5 : (measured.point - mesh.point_of(half_edge)).dot(along) / along.squaredNorm();
 }
 
 }  // namespace
@@ -251,9 +234,9 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
     questions.ask(remember);
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
         if (!settled(half_edges[i], tolerance) && close(results[i], tolerance)) {
-            for (const double at : kAside) {
-                add(i, at);
-            }
+            const double farthest = part_of_the_way(mesh, half_edges[i], results[i]);
+            add(i, farthest - kAside);
+            add(i, farthest + kAside);
         }
         if (questions.full()) {
             questions.ask(remember);
@@ -334,6 +317,18 @@ double ChordMeasure::height(int half_edge) const {
     return Vec3(way[0], way[1], way[2]).dot((a + b).normalized());
 }
 
+// Of the surface over a triangle.
+TriangleHeights ChordMeasure::heights(int first_half_edge) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    TriangleHeights result;
+    for (int k = 0; k < 3; ++k) {
+        const int h = first_half_edge + k;
+        result.middles[k] = -height(h);
+        result.skews[k] = side_skew(mesh.site(mesh.site_of(h)), mesh.site(mesh.site_of(SurfaceMesh::next(h))));
+    }
+    return result;
+}
+
 std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangles, double tolerance) {
     std::vector<Distance> results(triangles.size());
     const SurfaceMesh& mesh = work_.mesh;
@@ -365,7 +360,7 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
     };
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int h = 3 * triangles[i];
-        peaks.push_back(place_inside({height(h), height(h + 1), height(h + 2)}));
+        peaks.push_back(triangle_peak(heights(h)));
         if (peaks[i].height > kWorthAsking * tolerance) {
             add(i, peaks[i].weights);
         }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/key_set.h"
+#include "triangulate/deviation.h"
 #include "triangulate/workspace.h"
 
 namespace mq::triangulate {
@@ -75,6 +76,7 @@ class ChordMeasure {
     int half_edge_of(int segment) const { return work_.mesh.segment(segment).uses.front().half_edge; }
     std::uint64_t ends_key(int half_edge) const;
     double height(int half_edge) const;
+    TriangleHeights heights(int first_half_edge) const;
     void measure_sites(const std::vector<int>& half_edges);
     double offset(int half_edge) const { return site_offsets_[work_.mesh.site_of(half_edge)]; }
 

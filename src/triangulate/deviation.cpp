@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/deviation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mq::triangulate {
@@ -30,6 +31,50 @@ Cubic cubic_between(const SurfaceMesh::Site& from, const SurfaceMesh::Site& to) 
     return {length, slope, last_slope};
 }
 
+// Places inside a triangle that are looked at: whole numbers of this part for every corner, at least one.
+constexpr int kParts = 8;
+constexpr double kPart = 1.0 / kParts;
+
+TrianglePeak highest_of_lattice(const TriangleHeights& heights) {
+    constexpr double kThird = 1.0 / 3.0;
+    TrianglePeak peak{{kThird, kThird, kThird}, 0.0};
+    for (int i = 1; i < kParts - 1; ++i) {
+        for (int j = 1; i + j < kParts; ++j) {
+            const std::array<double, 3> weights{kPart * i, kPart * j, 1.0 - kPart * (i + j)};
+            const double height = std::abs(heights.at(weights));
+            if (height > peak.height) {
+                peak = {weights, height};
+            }
+        }
+    }
+    return peak;
+}
+
+// To the top of the quadratic through the places around it, if that is one of the places to look at.
+std::array<double, 3> climbed(const TriangleHeights& heights, const std::array<double, 3>& weights) {
+    const auto moved = [&](int to, int from, double way) {
+        std::array<double, 3> w = weights;
+        w[to] += way;
+        w[from] -= way;
+        return heights.at(w);
+    };
+    const double here = heights.at(weights);
+    const auto bend = [&](int to, int from) { return moved(to, from, kPart) + moved(to, from, -kPart) - 2.0 * here; };
+    const double a = bend(0, 2);
+    const double c = bend(1, 2);
+    const double b = 0.5 * (a + c - bend(0, 1));
+    const double determinant = a * c - b * b;
+    if (!(determinant > 0.0) || a * here > 0.0) {
+        return weights;  // no top
+    }
+    const double u = 0.5 * (moved(0, 2, kPart) - moved(0, 2, -kPart));
+    const double v = 0.5 * (moved(1, 2, kPart) - moved(1, 2, -kPart));
+    const double x = (b * v - c * u) / determinant;
+    const double y = (b * u - a * v) / determinant;
+    const std::array<double, 3> top{weights[0] + kPart * x, weights[1] + kPart * y, weights[2] - kPart * (x + y)};
+    return *std::min_element(top.begin(), top.end()) < kPart ? weights : top;
+}
+
 }  // namespace
 
 EdgePeak edge_peak(const SurfaceMesh& mesh, int half_edge) {
@@ -51,24 +96,31 @@ EdgePeak edge_peak(const SurfaceMesh::Site& from, const SurfaceMesh::Site& to) {
     return peak;
 }
 
-TrianglePeak triangle_peak(double ab, double bc, double ca) {
-    const bool same_side = (ab > 0.0 && bc > 0.0 && ca > 0.0) || (ab < 0.0 && bc < 0.0 && ca < 0.0);
-    const double a = bc * (ab + ca - bc);
-    const double b = ca * (ab + bc - ca);
-    const double c = ab * (bc + ca - ab);
-    if (!same_side || !(a > 0.0) || !(b > 0.0) || !(c > 0.0)) {
-        return {};
+double side_skew(const SurfaceMesh::Site& from, const SurfaceMesh::Site& to) {
+    const Cubic cubic = cubic_between(from, to);
+    return 0.5 * cubic.length * (cubic.slope + cubic.last_slope);
+}
+
+double TriangleHeights::at(const std::array<double, 3>& weights) const {
+    double height = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double a = weights[k];
+        const double b = weights[(k + 1) % 3];
+        height += a * b * (4.0 * middles[k] + skews[k] * (a - b));
     }
-    const double sum = a + b + c;
-    const std::array<double, 3> w{a / sum, b / sum, c / sum};
-    return {w, 4.0 * std::abs(w[0] * w[1] * ab + w[1] * w[2] * bc + w[2] * w[0] * ca)};
+    return height;
+}
+
+TrianglePeak triangle_peak(const TriangleHeights& heights) {
+    TrianglePeak peak = highest_of_lattice(heights);
+    const std::array<double, 3> weights = climbed(heights, peak.weights);
+    const double height = std::abs(heights.at(weights));
+    return height > peak.height ? TrianglePeak{weights, height} : peak;
 }
 
 TrianglePeak expected_peak(const SurfaceMesh::Site& a, const SurfaceMesh::Site& b, const SurfaceMesh::Site& c) {
-    const TrianglePeak peak =
-        triangle_peak(cubic_between(a, b).at(0.5), cubic_between(b, c).at(0.5), cubic_between(c, a).at(0.5));
-    constexpr double kThird = 1.0 / 3.0;
-    return peak.height > 0.0 ? peak : TrianglePeak{{kThird, kThird, kThird}, 0.0};
+    return triangle_peak({{cubic_between(a, b).at(0.5), cubic_between(b, c).at(0.5), cubic_between(c, a).at(0.5)},
+                          {side_skew(a, b), side_skew(b, c), side_skew(c, a)}});
 }
 
 }  // namespace mq::triangulate

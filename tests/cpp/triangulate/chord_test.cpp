@@ -151,34 +151,49 @@ TEST(Chord, RelativeBoundIsAFractionOfTheLargestDimension) {
     }
 }
 
-TEST(Chord, PeakOfATriangleIsThatOfTheQuadraticOverIt) {
+// Of the cubic, looked for at every place that is at least an eighth from all sides.
+double highest_inside(const TriangleHeights& heights) {
+    constexpr int kParts = 120;
+    double highest = 0.0;
+    for (int i = kParts / 8; i <= kParts; ++i) {
+        for (int j = kParts / 8; i + j <= kParts - kParts / 8; ++j) {
+            const double a = static_cast<double>(i) / kParts;
+            const double b = static_cast<double>(j) / kParts;
+            highest = std::max(highest, std::abs(heights.at({a, b, 1.0 - a - b})));
+        }
+    }
+    return highest;
+}
+
+TEST(Chord, PeakOfATriangleIsThatOfTheCubicOverIt) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> heights(0.1, 1.0);
-    for (int n = 0; n < 200; ++n) {
-        const double ab = heights(random);
-        const double bc = heights(random);
-        const double ca = heights(random);
-        double highest = 0.0;
-        double on_border = 0.0;
-        constexpr int kParts = 60;
-        for (int i = 0; i <= kParts; ++i) {
-            for (int j = 0; i + j <= kParts; ++j) {
-                const double a = static_cast<double>(i) / kParts;
-                const double b = static_cast<double>(j) / kParts;
-                const double c = 1.0 - a - b;
-                const double height = 4.0 * (a * b * ab + b * c * bc + c * a * ca);
-                highest = std::max(highest, height);
-                if (i == 0 || j == 0 || i + j == kParts) {
-                    on_border = std::max(on_border, height);
-                }
-            }
+    std::uniform_real_distribution<double> skews(-1.0, 1.0);
+    for (const double skewed : {0.0, 1.0}) {
+        for (int n = 0; n < 200; ++n) {
+            const TriangleHeights over{{-heights(random), -heights(random), -heights(random)},
+                                       {skewed * skews(random), skewed * skews(random), skewed * skews(random)}};
+            const TrianglePeak peak = triangle_peak(over);
+            // Where it is beside a side it is one of the places of a lattice.
+            EXPECT_NEAR(peak.height, highest_inside(over), 0.03) << n;
+            EXPECT_NEAR(std::abs(over.at(peak.weights)), peak.height, 1e-12);
+            EXPECT_NEAR(peak.weights[0] + peak.weights[1] + peak.weights[2], 1.0, 1e-12);
         }
-        const TrianglePeak peak = triangle_peak(-ab, -bc, -ca);
-        EXPECT_NEAR(std::max(peak.height, on_border), highest, 1e-3);
-        EXPECT_NEAR(peak.weights[0] + peak.weights[1] + peak.weights[2], peak.height > 0.0 ? 1.0 : 0.0, 1e-12);
     }
-    EXPECT_NEAR(triangle_peak(1.0, 1.0, 1.0).height, 4.0 / 3.0, 1e-12);
-    EXPECT_EQ(triangle_peak(1.0, -1.0, 1.0).height, 0.0);
+    EXPECT_NEAR(triangle_peak({{1.0, 1.0, 1.0}, {}}).height, 4.0 / 3.0, 1e-12);
+    EXPECT_EQ(triangle_peak({}).height, 0.0);
+}
+
+TEST(Chord, SkewIsThatOfTheSurface) {
+    constexpr double kSmall = 1e-4;
+    // z = kSmall x^3 is -kSmall x (1 - x) (1 + x) over its chord, and 1 + x = 3/2 - (1 - 2 x) / 2.
+    mesh::SurfaceMesh::Site from;
+    from.normal = Vec3::UnitZ();
+    mesh::SurfaceMesh::Site to;
+    to.point = {1.0, 0.0, kSmall};
+    to.normal = Vec3(-3.0 * kSmall, 0.0, 1.0).normalized();
+    EXPECT_NEAR(side_skew(from, to), 0.5 * kSmall, 1e-10);
+    EXPECT_NEAR(side_skew(to, from), -0.5 * kSmall, 1e-10);
 }
 
 TEST(Chord, HoldsOnEveryPart) {
