@@ -30,6 +30,13 @@ struct Node {
     double tolerance = 0.0;
 };
 
+/// The pieces of a curve, or of a surface in one direction, each of which is one polynomial: as small as they are can
+/// be what the curve or the surface shows.
+struct Spans {
+    std::vector<double> bounds;  ///< ascending, with both ends of the range; empty for lines, planes, conics, quadrics
+    int degree = 0;
+};
+
 /// One appearance of an edge on a face, with its own curve in the face's parameter domain.
 /// A seam appears twice on one face; an edge inside a face (a slit) may too.
 struct EdgeUse {
@@ -46,6 +53,7 @@ struct Edge {
     bool degenerate = false;  ///< no curve in space: the pole of a sphere, the apex of a cone
     double tolerance = 0.0;
     std::vector<int> uses;  ///< indices into Topology::uses
+    Spans spans;
 };
 
 /// An oriented run of edge uses. Not all of them form a closed chain on faulty faces.
@@ -62,6 +70,7 @@ struct Face {
     std::array<double, 2> low{0.0, 0.0};  ///< bounds of (u, v) on the trimmed face
     std::array<double, 2> high{0.0, 0.0};
     std::array<double, 2> period{0.0, 0.0};  ///< 0 where the surface is not periodic (or closed) in u, v
+    std::array<Spans, 2> spans;              ///< in u and v
     const char* surface = "other";           ///< "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
 };
 

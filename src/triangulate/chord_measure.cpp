@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "triangulate/deviation.h"
+#include "triangulate/way_back.h"
 
 namespace mq::triangulate {
 
@@ -18,17 +19,30 @@ using mesh::SurfaceMesh;
 
 // Other sites than middles are asked for where this part of the tolerance is expected there.
 constexpr double kWorthAsking = 0.8;
-// A curve whose middle is this near to the tolerance is measured beside it, too, at these parts of the way.
+// A curve that is this near to the tolerance is measured these parts of the way beside where it was found farthest,
+// too.
 constexpr double kWorthAskingCurve = 0.6;
+constexpr std::initializer_list<double> kBesideCurve{-0.15, 0.15};
 // A CAD edge can lie off its face by more than the tolerance. A distance is then made smaller only while this part of
 // the tolerance is not the edge's own: without that triangles would shrink to nothing there.
 constexpr double kAvoidable = 0.25;
-constexpr std::array<double, 2> kBesideMiddle{0.35, 0.65};
 // Where an edge or a triangle is as near to the tolerance as this, its farthest place may lie a little aside and beyond
 // it: there it is measured, too, this part of an edge away, and so much of the way to each corner.
 constexpr double kClose = 0.95;
+constexpr std::initializer_list<double> kBesideClose{-0.05, 0.05};
 constexpr double kAside = 0.06;
 constexpr double kAsideOfPeak = 0.1;
+
+void take_into(Distance& result, double distance, const Vec3& point, bool avoidable) {
+    if (distance >= result.distance) {
+        result.distance = distance;
+        result.point = point;
+        result.recalled = false;
+    }
+    if (avoidable) {
+        result.avoidable = std::max(result.avoidable, distance);
+    }
+}
 
 // Questions about distances, each for one of the pieces that are measured.
 class Questions {
@@ -52,13 +66,9 @@ class Questions {
         const geometry::Engine::Answers answers = work_.session.ask(std::move(batch_));
         for (std::size_t i = 0; i < answers.size(); ++i) {
             Distance& result = results_[asked_[i].piece];
-            if (answers[i].found() && answers[i].distance >= result.distance) {
-                result.distance = answers[i].distance;
-                result.point = asked_[i].point;
-                result.recalled = false;
-            }
-            if (answers[i].found() && answers[i].distance - asked_[i].unavoidable > kAvoidable * tolerance_) {
-                result.avoidable = std::max(result.avoidable, answers[i].distance);
+            if (answers[i].found()) {
+                take_into(result, answers[i].distance, asked_[i].point,
+                          answers[i].distance - asked_[i].unavoidable > kAvoidable * tolerance_);
             }
             see(asked_[i].piece, asked_[i].point, answers[i]);
         }
@@ -94,10 +104,10 @@ Vec3 between(const Vec3& a, const Vec3& b, double at) {
     return (1.0 - at) * a + at * b;
 }
 
-// Of an edge, to where it was found farthest from the surface.
-double part_of_the_way(const SurfaceMesh& mesh, int half_edge, const Distance& measured) {
-    const Vec3 along = mesh.point_of(SurfaceMesh::next(half_edge)) - mesh.point_of(half_edge);
-    return measured.recalled ? 0.5 : (measured.point - mesh.point_of(half_edge)).dot(along) / along.squaredNorm();
+// From one end to the other, to where it was found farthest from the part.
+double part_of_the_way(const Vec3& from, const Vec3& to, const Distance& measured) {
+    const Vec3 along = to - from;
+    return measured.recalled ? 0.5 : (measured.point - from).dot(along) / along.squaredNorm();
 }
 
 }  // namespace
@@ -173,14 +183,31 @@ std::vector<Distance> ChordMeasure::of_segments(const std::vector<int>& segments
         }
     }
     questions.ask(remember);
+    // Where the tolerance is near, but is kept.
+    const auto add_beside = [&](std::size_t i, double near, const std::initializer_list<double>& places) {
+        if (settled(half_edge_of(segments[i]), tolerance) || results[i].distance > tolerance ||
+            results[i].distance <= near * tolerance) {
+            return;
+        }
+        const auto& v = mesh.segment(segments[i]).vertices;
+        const double farthest = part_of_the_way(mesh.vertex(v[0]).point, mesh.vertex(v[1]).point, results[i]);
+        for (const double aside : places) {
+            add(i, std::clamp(farthest + aside, 0.0, 1.0));
+        }
+    };
     const auto ignore = [](std::size_t, const Vec3&, const Answer&) {};
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        if (!settled(half_edge_of(segments[i]), tolerance) && results[i].distance > kWorthAskingCurve * tolerance &&
-            results[i].distance <= tolerance) {
-            for (const double at : kBesideMiddle) {
-                add(i, at);
-            }
+        if (!settled(half_edge_of(segments[i]), tolerance) && results[i].distance <= tolerance) {
+            const SurfaceMesh::Segment& s = mesh.segment(segments[i]);
+            const WayBack back = way_back(work_, s.edge, {mesh.vertex(s.vertices[0]).point, s.t[0]},
+                                          {mesh.vertex(s.vertices[1]).point, s.t[1]});
+            take_into(results[i], back.distance, back.nearest, back.distance > kAvoidable * tolerance);
         }
+        add_beside(i, kWorthAskingCurve, kBesideCurve);
+    }
+    questions.ask(ignore);
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        add_beside(i, kClose, kBesideClose);
     }
     questions.ask(ignore);
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -234,7 +261,8 @@ std::vector<Distance> ChordMeasure::of_edges(const std::vector<int>& half_edges,
     questions.ask(remember);
     for (std::size_t i = 0; i < half_edges.size(); ++i) {
         if (!settled(half_edges[i], tolerance) && close(results[i], tolerance)) {
-            const double farthest = part_of_the_way(mesh, half_edges[i], results[i]);
+            const int h = half_edges[i];
+            const double farthest = part_of_the_way(mesh.point_of(h), mesh.point_of(SurfaceMesh::next(h)), results[i]);
             add(i, farthest - kAside);
             add(i, farthest + kAside);
         }
@@ -360,7 +388,8 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
     };
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int h = 3 * triangles[i];
-        peaks.push_back(triangle_peak(heights(h)));
+        const TriangleHeights over = heights(h);
+        peaks.push_back(over.bound() > kWorthAsking * tolerance ? triangle_peak(over) : TrianglePeak{});
         if (peaks[i].height > kWorthAsking * tolerance) {
             add(i, peaks[i].weights);
         }
@@ -380,7 +409,23 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
         }
     }
     questions.ask(ignore);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (results[i].distance <= tolerance) {
+            see_way_back(triangles[i], tolerance, results[i]);
+        }
+    }
     return results;
+}
+
+void ChordMeasure::see_way_back(int triangle, double tolerance, Distance& result) {
+    const int h = 3 * triangle;
+    const std::array<double, 3> offsets{offset(h), offset(h + 1), offset(h + 2)};
+    const bool off = *std::max_element(offsets.begin(), offsets.end()) > tolerance;
+    each_point_over(work_, triangle, [&](const PointOver& p) {
+        const double unavoidable =
+            off ? p.weights[0] * offsets[0] + p.weights[1] * offsets[1] + p.weights[2] * offsets[2] : 0.0;
+        take_into(result, p.distance, p.below, p.distance - unavoidable > kAvoidable * tolerance);
+    });
 }
 
 }  // namespace mq::triangulate

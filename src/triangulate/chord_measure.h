@@ -24,9 +24,9 @@ struct Distance {
 /// their surfaces.
 ///
 /// Every segment and edge is measured at its middle, and where else the largest distance is expected, if that is near
-/// `tolerance` (mm): at the peak of the cubic with the surface's slopes at the ends of an edge, and at the peak of the
-/// quadratic over the middles of a triangle's sides. The surface is nearest to these points, and smooth between them,
-/// so the same figure bounds the way back, from the surface to the mesh.
+/// `tolerance` (mm): at the peak of the cubic with the surface's slopes at the ends of an edge, and at that of a cubic
+/// over a triangle; and once more beside the farthest of these. So that no wave of the part lies between these places,
+/// the way back is measured, too: from points in every span of its curves and surfaces (way_back).
 ///
 /// What was measured is kept by edge, so nothing is asked twice.
 class ChordMeasure {
@@ -77,6 +77,7 @@ class ChordMeasure {
     std::uint64_t ends_key(int half_edge) const;
     double height(int half_edge) const;
     TriangleHeights heights(int first_half_edge) const;
+    void see_way_back(int triangle, double tolerance, Distance& result);
     void measure_sites(const std::vector<int>& half_edges);
     double offset(int half_edge) const { return site_offsets_[work_.mesh.site_of(half_edge)]; }
 

@@ -11,6 +11,7 @@
 #include "triangulate/disc_change.h"
 #include "triangulate/distance_probes.h"
 #include "triangulate/segments_at.h"
+#include "triangulate/way_back.h"
 
 namespace mq::triangulate {
 
@@ -240,6 +241,26 @@ void Coarsener::add_old(const Plan& plan, geometry::Engine::Batch& batch) const 
     }
 }
 
+// From the part to the joined segment and to the triangles of the fans, mm.
+double Coarsener::way_back_to_new(const Plan& plan) const {
+    const SurfaceMesh& mesh = work_.mesh;
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
+        const int face = mesh.face_of(plan.polygons[k].triangles.front());
+        for (const auto& t : plan.fans[k].triangles) {
+            farthest = std::max(farthest, way_back(work_, face, mesh.site(t[0]), mesh.site(t[1]), mesh.site(t[2])));
+        }
+    }
+    if (plan.near >= 0) {
+        const SurfaceMesh::Segment& near = mesh.segment(plan.near);
+        const SurfaceMesh::Segment& far = mesh.segment(plan.far);
+        const WayBack back = way_back(work_, near.edge, {mesh.vertex(near.vertices[0]).point, near.t[0]},
+                                      {mesh.vertex(far.vertices[1]).point, far.t[1]});
+        farthest = std::max(farthest, back.distance);
+    }
+    return farthest;
+}
+
 // By plan: whether all that is new in it keeps the tolerance.
 std::vector<char> Coarsener::near_part(const std::vector<Plan>& plans) {
     geometry::Engine::Batch batch;
@@ -260,6 +281,9 @@ std::vector<char> Coarsener::near_part(const std::vector<Plan>& plans) {
         }
         for (std::size_t k = parts[i][1]; k < parts[i][2]; ++k) {
             good[i] = good[i] != 0 && answers[k].found() && answers[k].distance <= allowed ? 1 : 0;
+        }
+        if (sizing_.tolerance > 0.0 && good[i] != 0 && way_back_to_new(plans[i]) > allowed) {
+            good[i] = 0;
         }
     }
     return good;

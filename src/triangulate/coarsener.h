@@ -45,6 +45,7 @@ class Coarsener {
     bool lengths_allowed(int half_edge, const StarPolygon& polygon, const PolygonFan& fan) const;
     bool heights_expected(const StarPolygon& polygon, const PolygonFan& fan) const;
     std::vector<Plan> plans(std::vector<int>& candidates);
+    double way_back_to_new(const Plan& plan) const;
     std::vector<char> near_part(const std::vector<Plan>& plans);
     void add_new(const Plan& plan, geometry::Engine::Batch& batch) const;
     void add_old(const Plan& plan, geometry::Engine::Batch& batch) const;

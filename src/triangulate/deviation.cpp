@@ -111,6 +111,15 @@ double TriangleHeights::at(const std::array<double, 3>& weights) const {
     return height;
 }
 
+double TriangleHeights::bound() const {
+    constexpr double kOfMiddle = 4.0 / 3.0;  // ab + bc + ca is at most a third
+    constexpr double kOfSkew = 0.0963;       // x (1 - x) (1 - 2 x) is at most sqrt(3) / 18
+    const auto largest = [](const std::array<double, 3>& of) {
+        return std::max({std::abs(of[0]), std::abs(of[1]), std::abs(of[2])});
+    };
+    return kOfMiddle * largest(middles) + 3.0 * kOfSkew * largest(skews);
+}
+
 TrianglePeak triangle_peak(const TriangleHeights& heights) {
     TrianglePeak peak = highest_of_lattice(heights);
     const std::array<double, 3> weights = climbed(heights, peak.weights);

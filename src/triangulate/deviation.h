@@ -30,6 +30,8 @@ struct TriangleHeights {
 
     /// At barycentric weights, mm.
     double at(const std::array<double, 3>& weights) const;
+    /// It is nowhere farther from the triangle, mm.
+    double bound() const;
 };
 
 /// Where that is farthest from the triangle, no nearer to a side than an eighth of the height over it: what sides tell

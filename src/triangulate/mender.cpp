@@ -11,6 +11,7 @@
 #include "triangulate/disc_change.h"
 #include "triangulate/distance_probes.h"
 #include "triangulate/rim_corners.h"
+#include "triangulate/way_back.h"
 
 namespace mq::triangulate {
 
@@ -345,6 +346,7 @@ double Mender::distance_of_fan(const Disc& disc, const Corner& apex, const Vec2&
     const SurfaceMesh& mesh = work_.mesh;
     const SurfaceMesh::Site top{-1, uv, apex.normal, apex.point};
     geometry::Engine::Batch batch;
+    double back = 0.0;
     const int face = mesh.face_of(disc.triangles.front());
     for (const int side : disc.rim) {
         const SurfaceMesh::Site& a = mesh.site(mesh.site_of(side));
@@ -352,26 +354,30 @@ double Mender::distance_of_fan(const Disc& disc, const Corner& apex, const Vec2&
         add_edge_probes(work_, face, a, top, batch);
         if (mesh.site_of(side) != apex_site && mesh.site_of(SurfaceMesh::next(side)) != apex_site) {
             add_triangle_probe(work_, face, a, b, top, batch);
+            back = std::max(back, way_back(work_, face, a, b, top));
         }
     }
-    return largest_distance(work_.session.ask(std::move(batch)), 0.0);
+    return std::max(back, largest_distance(work_.session.ask(std::move(batch)), 0.0));
 }
 
-// Over the middles of the inner edges that are there.
+// Over the middles of the inner edges that are there, and under the part's points.
 double Mender::distance_of_disc(const Disc& disc) const {
     const SurfaceMesh& mesh = work_.mesh;
     geometry::Engine::Batch batch;
     const auto add = [&](const Candidate& c) {
         batch.push_back(Query::face_nearest(mesh.face_of(c.triangle), work_.grid.to_part(c.point), c.uv.x(), c.uv.y()));
     };
+    double back = 0.0;
     for (const int t : disc.triangles) {
+        const auto site = [&](int k) { return mesh.site(mesh.site_of(3 * t + k)); };
+        back = std::max(back, way_back(work_, mesh.face_of(t), site(0), site(1), site(2)));
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
             if (std::find(disc.rim.begin(), disc.rim.end(), h) == disc.rim.end()) {
                 add(edge_middle_site(mesh, h));
             }
         }
     }
-    return largest_distance(work_.session.ask(std::move(batch)), 0.0);
+    return std::max(back, largest_distance(work_.session.ask(std::move(batch)), 0.0));
 }
 
 // CAD edges can lie off their faces by more than the tolerance; there it must not become worse.

@@ -10,6 +10,7 @@
 #include "triangulate/disc_change.h"
 #include "triangulate/distance_probes.h"
 #include "triangulate/segments_at.h"
+#include "triangulate/way_back.h"
 
 namespace mq::triangulate {
 
@@ -155,9 +156,13 @@ double Slider::distance_from_curve(const Bead& bead, const PointOfEdge& middle) 
     const SurfaceMesh::Segment& near = work_.mesh.segment(bead.near);
     const SurfaceMesh::Segment& far = work_.mesh.segment(bead.far);
     geometry::Engine::Batch batch;
-    add_segment_probes(work_, near.edge, {work_.mesh.vertex(near.vertices[0]).point, near.t[0]}, middle, batch);
-    add_segment_probes(work_, near.edge, middle, {work_.mesh.vertex(far.vertices[1]).point, far.t[1]}, batch);
-    return largest_distance(work_.session.ask(std::move(batch)), kFar);
+    const PointOfEdge first{work_.mesh.vertex(near.vertices[0]).point, near.t[0]};
+    const PointOfEdge last{work_.mesh.vertex(far.vertices[1]).point, far.t[1]};
+    add_segment_probes(work_, near.edge, first, middle, batch);
+    add_segment_probes(work_, near.edge, middle, last, batch);
+    return std::max({largest_distance(work_.session.ask(std::move(batch)), kFar),
+                     way_back(work_, near.edge, first, middle).distance,
+                     way_back(work_, near.edge, middle, last).distance});
 }
 
 // Of spokes and triangles with the vertex there, which has a site for each use, mm.
@@ -165,6 +170,7 @@ double Slider::distance_from_surfaces(const Bead& bead, const std::vector<Surfac
                                       double where_none) const {
     const SurfaceMesh& mesh = work_.mesh;
     geometry::Engine::Batch batch;
+    double back = 0.0;
     for (std::size_t k = 0; k < bead.spokes.size(); ++k) {
         for (const int h : bead.spokes[k]) {
             const int face = mesh.face_of(SurfaceMesh::triangle_of(h));
@@ -174,9 +180,10 @@ double Slider::distance_from_surfaces(const Bead& bead, const std::vector<Surfac
                 add_edge_probes(work_, face, sites[k], b, batch);
             }
             add_triangle_probe(work_, face, sites[k], b, c, batch);
+            back = std::max(back, way_back(work_, face, sites[k], b, c));
         }
     }
-    return largest_distance(work_.session.ask(std::move(batch)), where_none);
+    return std::max(back, largest_distance(work_.session.ask(std::move(batch)), where_none));
 }
 
 // No farther than the tolerance, or than it is now.

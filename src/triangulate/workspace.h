@@ -13,6 +13,7 @@
 #include "geometry/session.h"
 #include "mesh/surface_mesh.h"
 #include "triangulate/maxmin.h"
+#include "triangulate/span_points.h"
 #include "triangulate/triangle_marks.h"
 
 namespace mq::triangulate {
@@ -65,7 +66,8 @@ struct Workspace {
     std::map<int, Exemption> exempt{};    ///< by triangle
     std::map<int, Span> spanning{};       ///< by triangle; only after relics were released
     TriangleMarks settled{};              ///< those that came from an earlier run, with good angles
-    double unseen = 0.0;                  ///< a surface that turns within this need not be followed, mm
+    SpanPoints span_points{};
+    double unseen = 0.0;  ///< a surface that turns within this need not be followed, mm
 
     bool over_budget() const { return static_cast<std::size_t>(mesh.triangle_count()) >= budget; }
     double shortest_allowed() const { return min_edge > floor ? min_edge : floor; }

@@ -19,6 +19,7 @@
 #include "geometry/occt/conversion.h"
 #include "geometry/occt/creases.h"
 #include "geometry/occt/live_shape.h"
+#include "geometry/occt/spans.h"
 
 namespace mq::geometry {
 
@@ -163,6 +164,9 @@ void TopologyBuilder::add_edges() {
         edge.tolerance = BRep_Tool::Tolerance(shape);
         live_.edges.push_back(shape);
         set_range(i - 1, edge);
+        if (!edge.degenerate) {
+            edge.spans = spans_of(shape);
+        }
         topology_.edges.push_back(edge);
     }
 }
@@ -231,6 +235,8 @@ void TopologyBuilder::add_face(int index) {
                                    std::max(std::abs(data.low[1]), std::abs(data.high[1])));
     if (!(bounds < 1e50)) {
         fault(Entity{2, index}, "has no bounds");
+    } else if (data.low[0] < data.high[0] && data.low[1] < data.high[1]) {
+        data.spans = spans_of(GeomAdaptor_Surface(surface, data.low[0], data.high[0], data.low[1], data.high[1]));
     }
 }
 

@@ -177,6 +177,7 @@ TEST(Chord, PeakOfATriangleIsThatOfTheCubicOverIt) {
             // Where it is beside a side it is one of the places of a lattice.
             EXPECT_NEAR(peak.height, highest_inside(over), 0.03) << n;
             EXPECT_NEAR(std::abs(over.at(peak.weights)), peak.height, 1e-12);
+            EXPECT_LE(peak.height, over.bound());
             EXPECT_NEAR(peak.weights[0] + peak.weights[1] + peak.weights[2], 1.0, 1e-12);
         }
     }
