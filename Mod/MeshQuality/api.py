@@ -142,8 +142,8 @@ def quality(mesh, shape=None, progress=None):
     """The MeshReport of a Mesh.Mesh, a Mesh feature, a SurfaceMesh, or arrays (V, F).
 
     With `shape` (Part.Shape or document object) the report also has max_chord_height, the largest
-    distance of the triangles' corners, edge middles and centroids from the shape's faces, measured
-    apart from what the mesher measures; progress as for triangulate.
+    distance from the shape's faces of the triangles' corners, edge middles and centroids, and of points
+    inside large triangles, measured apart from what the mesher measures; progress as for triangulate.
     Raises InvalidInput for anything else and for indices out of range.
     """
     surface = _surface_of(mesh)

@@ -2,10 +2,44 @@
 #include "mesh/samples.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mesh/edge_table.h"
 
 namespace mq::mesh {
+
+namespace {
+
+// On a square of the whole mesh's area so many points are as far apart as those inside of large triangles.
+constexpr double kOnArea = 4000.0;
+
+// A mesh of few triangles can be far from a wavy surface everywhere but at their corners, middles and centroids.
+void add_inside(const TriangleMesh& mesh, DeviationSamples& samples) {
+    const auto corner = [&](std::size_t t, std::size_t k) -> const Vec3& {
+        return mesh.vertices[mesh.triangles[t][k]];
+    };
+    double area = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        area += 0.5 * (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).norm();
+    }
+    const double step = std::sqrt(area / kOnArea);
+    for (std::size_t t = 0; t < mesh.triangles.size() && step > 0.0; ++t) {
+        double longest = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            longest = std::max(longest, (corner(t, (k + 1) % 3) - corner(t, k)).norm());
+        }
+        const int parts = static_cast<int>(std::min(longest / step, std::sqrt(kOnArea)));
+        for (int i = 1; i < parts - 1; ++i) {
+            for (int k = 1; i + k < parts; ++k) {
+                const Vec3 p = (i * corner(t, 0) + k * corner(t, 1) + (parts - i - k) * corner(t, 2)) / parts;
+                samples.points.push_back(p + mesh.origin);
+                samples.inside_of.push_back(static_cast<std::uint32_t>(t));
+            }
+        }
+    }
+}
+
+}  // namespace
 
 DeviationSamples deviation_samples(const TriangleMesh& mesh) {
     constexpr std::uint32_t kUnused = UINT32_MAX;
@@ -36,6 +70,7 @@ DeviationSamples deviation_samples(const TriangleMesh& mesh) {
         std::for_each(first, last,
                       [&](std::uint32_t corner) { samples.of_triangle[corner / 3][3 + corner % 3] = middle; });
     });
+    add_inside(mesh, samples);
     return samples;
 }
 
@@ -45,6 +80,10 @@ std::vector<double> DeviationSamples::largest(const std::vector<double>& at_poin
         for (const std::uint32_t p : of_triangle[t]) {
             result[t] = std::max(result[t], at_points[p]);
         }
+    }
+    const std::size_t first = at_points.size() - inside_of.size();
+    for (std::size_t i = 0; i < inside_of.size(); ++i) {
+        result[inside_of[i]] = std::max(result[inside_of[i]], at_points[first + i]);
     }
     return result;
 }

@@ -11,10 +11,13 @@ namespace mq::mesh {
 
 /// Where the distance of a mesh from something is measured.
 struct DeviationSamples {
-    /// All used vertices, the middles of all edges, and the centroids of all triangles, in the part's frame.
+    /// All used vertices, the middles of all edges, and the centroids of all triangles, in the part's frame; then more
+    /// points inside of large triangles, at least a thousand on the mesh with those before.
     std::vector<Vec3> points;
     /// The points of each triangle: corners, edge middles, centroid.
     std::vector<std::array<std::uint32_t, 7>> of_triangle;
+    /// The triangles of the last points.
+    std::vector<std::uint32_t> inside_of;
 
     /// The largest value of each triangle, of values at the points.
     std::vector<double> largest(const std::vector<double>& at_points) const;

@@ -15,8 +15,9 @@ TEST(DeviationSamples, CornersMiddlesAndCentroidsOnceEachInThePartsFrame) {
     mesh.vertices.push_back(Vec3(9, 9, 9));  // of no triangle
     mesh.vertex_entity.clear();
     mesh.origin = Vec3(100, 0, 0);
-    const std::vector<Vec3> found = deviation_samples(mesh).points;
-    EXPECT_EQ(found.size(), 4u + 6u + 4u);
+    const DeviationSamples samples = deviation_samples(mesh);
+    const std::vector<Vec3>& found = samples.points;
+    EXPECT_EQ(found.size() - samples.inside_of.size(), 4u + 6u + 4u);
     for (const Vec3& expected : {Vec3(100, 0, 1), Vec3(100.5, 0.5, 0), Vec3(100, 0, 0.5)}) {
         EXPECT_EQ(std::count(found.begin(), found.end(), expected), 1);
     }
@@ -40,6 +41,30 @@ TEST(DeviationSamples, TellWhichPointsAreATriangles) {
     const std::vector<double> largest = samples.largest(values);
     EXPECT_EQ(std::count(largest.begin(), largest.end(), 7.0), 3);
     EXPECT_EQ(std::count(largest.begin(), largest.end(), 0.0), 1);
+}
+
+TEST(DeviationSamples, LieInsideOfLargeTriangles) {
+    const TriangleMesh mesh = samples::tetrahedron();
+    const DeviationSamples samples = deviation_samples(mesh);
+    EXPECT_GE(samples.points.size(), 1000u);
+    EXPECT_LE(samples.points.size(), 10000u);
+    const std::size_t first = samples.points.size() - samples.inside_of.size();
+    std::vector<int> in_triangle(mesh.triangles.size(), 0);
+    for (std::size_t i = 0; i < samples.inside_of.size(); ++i) {
+        const Triangle& t = mesh.triangles[samples.inside_of[i]];
+        const Vec3& a = mesh.vertices[t[0]];
+        const Vec3& b = mesh.vertices[t[1]];
+        const Vec3& c = mesh.vertices[t[2]];
+        const Vec3& p = samples.points[first + i];
+        const double whole = (b - a).cross(c - a).norm();
+        const double parts = (b - a).cross(p - a).norm() + (c - b).cross(p - b).norm() + (a - c).cross(p - c).norm();
+        EXPECT_NEAR(parts, whole, 1e-12);
+        ++in_triangle[samples.inside_of[i]];
+    }
+    EXPECT_GE(*std::min_element(in_triangle.begin(), in_triangle.end()), 100);
+    std::vector<double> values(samples.points.size(), 0.0);
+    values.back() = 5.0;
+    EXPECT_EQ(samples.largest(values)[samples.inside_of.back()], 5.0);
 }
 
 }  // namespace

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/chord.h"
 
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <GeomAPI_PointsToBSplineSurface.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <functional>
@@ -229,6 +232,48 @@ TEST(Chord, HoldsOnShapes) {
             EXPECT_LE(d, 0.02 + 1e-6);
         }
     }
+}
+
+double dimples(double x, double y) {
+    constexpr double kTwoPi = 6.283185307179586;
+    return 0.3 * (1.0 - std::cos(kTwoPi * x / 25.0)) * (1.0 - std::cos(kTwoPi * y / 25.0));
+}
+
+/// Two triangles with flat sides are nowhere measured where their surface is not flat.
+TEST(Chord, HoldsOnDimplesBetweenTheMiddles) {
+    constexpr int kPoints = 37;
+    constexpr double kSize = 50.0;
+    TColgp_Array2OfPnt points(1, kPoints, 1, kPoints);
+    for (int i = 1; i <= kPoints; ++i) {
+        for (int k = 1; k <= kPoints; ++k) {
+            const double x = kSize * (i - 1) / (kPoints - 1);
+            const double y = kSize * (k - 1) / (kPoints - 1);
+            points(i, k) = gp_Pnt(x, y, dimples(x, y));
+        }
+    }
+    GeomAPI_PointsToBSplineSurface spline;
+    spline.Interpolate(points);
+    const auto model = geometry::make_shape_model(BRepBuilderAPI_MakeFace(spline.Surface(), 1e-6).Shape());
+    EXPECT_EQ(model->topology().faces[0].spans[0].bounds.size(), static_cast<std::size_t>(kPoints));
+    Options options;
+    options.chord_height = 0.1;
+    const Result result = mesh_of(model, options);
+    expect_angles(result, options.min_angle);
+    constexpr int kParts = 12;
+    double farthest = 0.0;
+    for (const auto& t : result.mesh.triangles) {
+        for (int i = 0; i <= kParts; ++i) {
+            for (int k = 0; i + k <= kParts; ++k) {
+                const Vec3 p = (i * result.mesh.vertices[t[0]] + k * result.mesh.vertices[t[1]] +
+                                (kParts - i - k) * result.mesh.vertices[t[2]]) /
+                               kParts;
+                farthest = std::max(farthest, std::abs(p.z() - dimples(p.x(), p.y())));
+            }
+        }
+    }
+    EXPECT_LE(farthest, 0.1 + 0.001);
+    EXPECT_GE(farthest, 0.05);
+    EXPECT_LE(result.report.max_chord_height, 0.1);
 }
 
 /// Splitting an edge there swaps others round the cylinder, one after the other, until all are near enough.
