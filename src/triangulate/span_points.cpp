@@ -17,7 +17,7 @@ using geometry::Spans;
 // So many points at least tell a wave in one span from a straight line.
 constexpr int kInCurve = 3;
 constexpr int kInSurface = 2;
-// Points of a face in one direction, for at most 1.5 MB and 40 ms; surfaces with more spans are seen more coarsely.
+// Points of a face in one direction, for at most 2 MB and 40 ms; surfaces with more spans are seen more coarsely.
 constexpr std::size_t kMost = 256;
 
 std::vector<std::optional<Vec3>> points_of(Session& session, const SingleGrid& grid, geometry::Engine::Batch batch) {
