@@ -10,25 +10,24 @@ namespace mq::mesh {
 
 namespace {
 
-// On a square of the whole mesh's area so many points are as far apart as those inside of large triangles.
-constexpr double kOnArea = 4000.0;
+// Points inside of large triangles, on the whole mesh, at most.
+constexpr double kInside = 4000.0;
 
-// A mesh of few triangles can be far from a wavy surface everywhere but at their corners, middles and centroids.
+// A mesh of few triangles can be far from a wavy surface everywhere but at their corners, middles and centroids. Each
+// has as many as its share of the area is, however long it is: meshes for display are made of needles.
 void add_inside(const TriangleMesh& mesh, DeviationSamples& samples) {
     const auto corner = [&](std::size_t t, std::size_t k) -> const Vec3& {
         return mesh.vertices[mesh.triangles[t][k]];
     };
+    const auto area_of = [&](std::size_t t) {
+        return 0.5 * (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).norm();
+    };
     double area = 0.0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        area += 0.5 * (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0)).norm();
+        area += area_of(t);
     }
-    const double step = std::sqrt(area / kOnArea);
-    for (std::size_t t = 0; t < mesh.triangles.size() && step > 0.0; ++t) {
-        double longest = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            longest = std::max(longest, (corner(t, (k + 1) % 3) - corner(t, k)).norm());
-        }
-        const int parts = static_cast<int>(std::min(longest / step, std::sqrt(kOnArea)));
+    for (std::size_t t = 0; t < mesh.triangles.size() && area > 0.0; ++t) {
+        const int parts = static_cast<int>(std::sqrt(2.0 * kInside * area_of(t) / area));
         for (int i = 1; i < parts - 1; ++i) {
             for (int k = 1; i + k < parts; ++k) {
                 const Vec3 p = (i * corner(t, 0) + k * corner(t, 1) + (parts - i - k) * corner(t, 2)) / parts;

@@ -11,8 +11,8 @@ namespace mq::mesh {
 
 /// Where the distance of a mesh from something is measured.
 struct DeviationSamples {
-    /// All used vertices, the middles of all edges, and the centroids of all triangles, in the part's frame; then more
-    /// points inside of large triangles, at least a thousand on the mesh with those before.
+    /// All used vertices, the middles of all edges, and the centroids of all triangles, in the part's frame; then at
+    /// most 4,000 more inside of triangles that are large parts of the mesh.
     std::vector<Vec3> points;
     /// The points of each triangle: corners, edge middles, centroid.
     std::vector<std::array<std::uint32_t, 7>> of_triangle;

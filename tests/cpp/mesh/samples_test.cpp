@@ -47,7 +47,7 @@ TEST(DeviationSamples, LieInsideOfLargeTriangles) {
     const TriangleMesh mesh = samples::tetrahedron();
     const DeviationSamples samples = deviation_samples(mesh);
     EXPECT_GE(samples.points.size(), 1000u);
-    EXPECT_LE(samples.points.size(), 10000u);
+    EXPECT_LE(samples.inside_of.size(), 4000u);
     const std::size_t first = samples.points.size() - samples.inside_of.size();
     std::vector<int> in_triangle(mesh.triangles.size(), 0);
     for (std::size_t i = 0; i < samples.inside_of.size(); ++i) {
@@ -65,6 +65,18 @@ TEST(DeviationSamples, LieInsideOfLargeTriangles) {
     std::vector<double> values(samples.points.size(), 0.0);
     values.back() = 5.0;
     EXPECT_EQ(samples.largest(values)[samples.inside_of.back()], 5.0);
+}
+
+TEST(DeviationSamples, AreFewInsideOfNeedles) {
+    constexpr int kNeedles = 1000;
+    TriangleMesh strip;
+    for (int i = 0; i <= kNeedles + 1; ++i) {
+        strip.vertices.push_back(Vec3(0.001 * i, i % 2 == 0 ? 0.0 : 50.0, 0.0));
+    }
+    for (int i = 0; i < kNeedles; ++i) {
+        strip.triangles.push_back({i, i + 1, i + 2});
+    }
+    EXPECT_LE(deviation_samples(strip).inside_of.size(), 4000u);
 }
 
 }  // namespace
