@@ -27,7 +27,7 @@ struct EdgeChain {
 /// All edges of a part, each discretised once, so that faces meet vertex by vertex.
 class EdgeChains {
   public:
-    /// Samples every edge so that its direction turns by 45 degrees at most from vertex to vertex. No vertex is put
+    /// Samples every edge so that its direction turns by 30 degrees at most from vertex to vertex. No vertex is put
     /// where the edge is still within the tolerance of the node at its end: modelers leave hooks there, and curves on
     /// faces that cross those of other edges.
     EdgeChains(Session& session, const SingleGrid& grid);

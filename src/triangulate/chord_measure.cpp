@@ -418,12 +418,15 @@ std::vector<Distance> ChordMeasure::of_triangles(const std::vector<int>& triangl
 }
 
 void ChordMeasure::see_way_back(int triangle, double tolerance, Distance& result) {
-    const int h = 3 * triangle;
-    const std::array<double, 3> offsets{offset(h), offset(h + 1), offset(h + 2)};
-    const bool off = *std::max_element(offsets.begin(), offsets.end()) > tolerance;
     each_point_over(work_, triangle, [&](const PointOver& p) {
-        const double unavoidable =
-            off ? p.weights[0] * offsets[0] + p.weights[1] * offsets[1] + p.weights[2] * offsets[2] : 0.0;
+        double unavoidable = 0.0;
+        double farthest = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const double off = std::max(0.0, offset(3 * p.triangle + k));
+            unavoidable += p.weights[k] * off;
+            farthest = std::max(farthest, off);
+        }
+        unavoidable = farthest > tolerance ? unavoidable : 0.0;
         take_into(result, p.distance, p.below, p.distance - unavoidable > kAvoidable * tolerance);
     });
 }

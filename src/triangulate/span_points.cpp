@@ -16,17 +16,21 @@ using geometry::Spans;
 
 // So many points at least tell a wave in one span from a straight line.
 constexpr int kInCurve = 3;
-constexpr int kInSurface = 2;
+constexpr int kInSurface = 2;  // up to cubics
+constexpr int kCubic = 3;
 // Points of a face in one direction, for at most 2 MB and 40 ms; surfaces with more spans are seen more coarsely.
 constexpr std::size_t kMost = 256;
 
-std::vector<std::optional<Vec3>> points_of(Session& session, const SingleGrid& grid, geometry::Engine::Batch batch) {
-    std::vector<std::optional<Vec3>> points;
-    points.reserve(batch.size());
-    for (const Answer& answer : session.ask(std::move(batch))) {
-        points.push_back(answer.found() ? std::optional<Vec3>(answer.point - grid.origin()) : std::nullopt);
+// So many in each span, ascending.
+std::vector<double> parameters_in(const Spans& spans, int in_each) {
+    std::vector<double> parameters;
+    for (std::size_t i = 1; i < spans.bounds.size(); ++i) {
+        for (int k = 0; k < in_each; ++k) {
+            const double part = (k + 0.5) / in_each;
+            parameters.push_back((1.0 - part) * spans.bounds[i - 1] + part * spans.bounds[i]);
+        }
     }
-    return points;
+    return parameters;
 }
 
 // Evenly, if there are too many.
@@ -76,43 +80,41 @@ std::array<double, 2> lengths_of(Session& session, int face, const std::array<Sp
 
 }  // namespace
 
-std::vector<double> parameters_in(const Spans& spans, int in_each) {
-    std::vector<double> parameters;
-    for (std::size_t i = 1; i < spans.bounds.size(); ++i) {
-        for (int k = 0; k < in_each; ++k) {
-            const double part = (k + 0.5) / in_each;
-            parameters.push_back((1.0 - part) * spans.bounds[i - 1] + part * spans.bounds[i]);
-        }
+std::vector<std::optional<Vec3>> SpanPoints::points_of(geometry::Engine::Batch batch) {
+    std::vector<std::optional<Vec3>> points;
+    points.reserve(batch.size());
+    for (const Answer& answer : session_.ask(std::move(batch))) {
+        points.push_back(answer.found() ? std::optional<Vec3>(answer.point - grid_.origin()) : std::nullopt);
     }
-    return parameters;
+    return points;
 }
 
-const SpanPoints::OfEdge& SpanPoints::of_edge(Session& session, const SingleGrid& grid, int edge) {
+const SpanPoints::OfEdge& SpanPoints::of_edge(int edge) {
     const auto [known, added] = edges_.try_emplace(edge);
     if (added) {
-        const Spans& spans = session.topology().edges[static_cast<std::size_t>(edge)].spans;
+        const Spans& spans = session_.topology().edges[static_cast<std::size_t>(edge)].spans;
         known->second.t = parameters_in(spans, std::max(kInCurve, spans.degree));
         geometry::Engine::Batch batch;
         for (const double t : known->second.t) {
             batch.push_back(Query::edge_point(edge, t));
         }
-        known->second.points = points_of(session, grid, std::move(batch));
+        known->second.points = points_of(std::move(batch));
     }
     return known->second;
 }
 
-const SpanPoints::OfFace& SpanPoints::of_face(Session& session, const SingleGrid& grid, int face) {
+const SpanPoints::OfFace& SpanPoints::of_face(int face) {
     const auto [known, added] = faces_.try_emplace(face);
     OfFace& result = known->second;
-    const std::array<Spans, 2>& spans = session.topology().faces[static_cast<std::size_t>(face)].spans;
+    const std::array<Spans, 2>& spans = session_.topology().faces[static_cast<std::size_t>(face)].spans;
     if (!added) {
         return result;
     }
-    const std::array<double, 2> lengths = lengths_of(session, face, spans);
+    const std::array<double, 2> lengths = lengths_of(session_, face, spans);
     std::array<double, 2> steps{};
     std::array<int, 2> in_each{};
     for (std::size_t k = 0; k < 2; ++k) {
-        in_each[k] = std::max(kInSurface, spans[k].degree > 3 ? spans[k].degree : 0);
+        in_each[k] = spans[k].degree > kCubic ? spans[k].degree : kInSurface;
         steps[k] = lengths[k] / (in_each[k] * static_cast<double>(spans[k].bounds.size() - 1));
     }
     for (std::size_t k = 0; k < 2; ++k) {
@@ -127,13 +129,12 @@ const SpanPoints::OfFace& SpanPoints::of_face(Session& session, const SingleGrid
             batch.push_back(Query::face_point(face, u, v));
         }
     }
-    result.points = points_of(session, grid, std::move(batch));
+    result.points = points_of(std::move(batch));
     return result;
 }
 
-void SpanPoints::between(Session& session, const SingleGrid& grid, int edge, double from, double to,
-                         const std::function<void(const Vec3&)>& see) {
-    const OfEdge& known = of_edge(session, grid, edge);
+void SpanPoints::between(int edge, double from, double to, const std::function<void(const Vec3&)>& see) {
+    const OfEdge& known = of_edge(edge);
     const auto first = std::upper_bound(known.t.begin(), known.t.end(), std::min(from, to)) - known.t.begin();
     const auto last = std::lower_bound(known.t.begin(), known.t.end(), std::max(from, to)) - known.t.begin();
     for (auto i = static_cast<std::size_t>(first); static_cast<std::ptrdiff_t>(i) < last; ++i) {
@@ -143,12 +144,11 @@ void SpanPoints::between(Session& session, const SingleGrid& grid, int edge, dou
     }
 }
 
-void SpanPoints::inside(Session& session, const SingleGrid& grid, int face, const std::array<Vec2, 3>& uv,
-                        const std::function<void(const Vec3&)>& see) {
-    if (session.topology().faces[static_cast<std::size_t>(face)].spans[0].bounds.empty()) {
+void SpanPoints::inside(int face, const std::array<Vec2, 3>& uv, const std::function<void(const Vec3&)>& see) {
+    if (session_.topology().faces[static_cast<std::size_t>(face)].spans[0].bounds.empty()) {
         return;
     }
-    const OfFace& known = of_face(session, grid, face);
+    const OfFace& known = of_face(face);
     const auto [low, high] = std::minmax({uv[0].x(), uv[1].x(), uv[2].x()});
     const auto first = std::lower_bound(known.uv[0].begin(), known.uv[0].end(), low) - known.uv[0].begin();
     for (auto i = static_cast<std::size_t>(first); i < known.uv[0].size() && known.uv[0][i] <= high; ++i) {

@@ -19,12 +19,12 @@ namespace mq::triangulate {
 /// An edge or a face is asked for its points once, when they are first needed. In the mesh's frame.
 class SpanPoints {
   public:
+    SpanPoints(geometry::Session& session, const SingleGrid& grid) : session_(session), grid_(grid) {}
+
     /// Calls `see` for the points of an edge with parameters between `from` and `to`.
-    void between(geometry::Session& session, const SingleGrid& grid, int edge, double from, double to,
-                 const std::function<void(const Vec3&)>& see);
+    void between(int edge, double from, double to, const std::function<void(const Vec3&)>& see);
     /// Calls `see` for the points of a face with parameters in a triangle.
-    void inside(geometry::Session& session, const SingleGrid& grid, int face, const std::array<Vec2, 3>& uv,
-                const std::function<void(const Vec3&)>& see);
+    void inside(int face, const std::array<Vec2, 3>& uv, const std::function<void(const Vec3&)>& see);
 
   private:
     struct OfEdge {
@@ -36,14 +36,14 @@ class SpanPoints {
         std::vector<std::optional<Vec3>> points;  // for all v of the first u, then of the next
     };
 
-    const OfEdge& of_edge(geometry::Session& session, const SingleGrid& grid, int edge);
-    const OfFace& of_face(geometry::Session& session, const SingleGrid& grid, int face);
+    const OfEdge& of_edge(int edge);
+    const OfFace& of_face(int face);
+    std::vector<std::optional<Vec3>> points_of(geometry::Engine::Batch batch);
 
+    geometry::Session& session_;
+    const SingleGrid& grid_;
     std::unordered_map<int, OfEdge> edges_;
     std::unordered_map<int, OfFace> faces_;
 };
-
-/// Parameters in the spans: so many in each. Ascending.
-std::vector<double> parameters_in(const geometry::Spans& spans, int in_each);
 
 }  // namespace mq::triangulate

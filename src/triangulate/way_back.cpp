@@ -44,7 +44,7 @@ std::optional<Projection> project(const SurfaceMesh& mesh, const Vec3& p, int tr
 void each_point_over(Workspace& work, int triangle, const std::function<void(const PointOver&)>& see) {
     const SurfaceMesh& mesh = work.mesh;
     const auto uv = [&](int k) { return mesh.site(mesh.site_of(3 * triangle + k)).uv; };
-    work.span_points.inside(work.session, work.grid, mesh.face_of(triangle), {uv(0), uv(1), uv(2)}, [&](const Vec3& p) {
+    work.span_points.inside(mesh.face_of(triangle), {uv(0), uv(1), uv(2)}, [&](const Vec3& p) {
         std::optional<Projection> projection = project(mesh, p, triangle);
         int under = triangle;
         for (int step = 0; step < kMostSteps && projection && !projection->inside(); ++step) {
@@ -58,7 +58,7 @@ void each_point_over(Workspace& work, int triangle, const std::function<void(con
         if (!projection) {
             return;
         }
-        PointOver over{projection->height, Vec3::Zero(), projection->weights};
+        PointOver over{projection->height, Vec3::Zero(), under, projection->weights};
         double sum = 0.0;
         for (double& w : over.weights) {
             w = std::max(w, 0.0);
@@ -75,7 +75,7 @@ void each_point_over(Workspace& work, int triangle, const std::function<void(con
 double way_back(Workspace& work, int face, const SurfaceMesh::Site& a, const SurfaceMesh::Site& b,
                 const SurfaceMesh::Site& c) {
     double farthest = 0.0;
-    work.span_points.inside(work.session, work.grid, face, {a.uv, b.uv, c.uv}, [&](const Vec3& p) {
+    work.span_points.inside(face, {a.uv, b.uv, c.uv}, [&](const Vec3& p) {
         const std::optional<Projection> projection = project(p, a.point, b.point, c.point);
         if (projection && projection->inside()) {
             farthest = std::max(farthest, projection->height);
@@ -87,7 +87,7 @@ double way_back(Workspace& work, int face, const SurfaceMesh::Site& a, const Sur
 WayBack way_back(Workspace& work, int edge, const PointOfEdge& a, const PointOfEdge& b) {
     WayBack farthest{0.0, a.point};
     const Vec3 along = b.point - a.point;
-    work.span_points.between(work.session, work.grid, edge, a.t, b.t, [&](const Vec3& p) {
+    work.span_points.between(edge, a.t, b.t, [&](const Vec3& p) {
         const double at = std::clamp((p - a.point).dot(along) / along.squaredNorm(), 0.0, 1.0);
         const Vec3 nearest = a.point + at * along;
         if ((p - nearest).norm() > farthest.distance) {

@@ -11,9 +11,10 @@ namespace mq::triangulate {
 
 /// A point of the part over a triangle of the mesh.
 struct PointOver {
-    double distance = 0.0;          ///< from the mesh, mm
-    Vec3 below = Vec3::Zero();      ///< on the mesh
-    std::array<double, 3> weights;  ///< barycentric, of the triangle
+    double distance = 0.0;            ///< from the mesh, mm
+    Vec3 below = Vec3::Zero();        ///< on the mesh
+    int triangle = -1;                ///< that this is on
+    std::array<double, 3> weights{};  ///< barycentric, of that triangle
 };
 /// Calls `see` for the points of the face whose parameters lie in the triangle. Those that are not over it, but over
 /// one beside it, are measured there.

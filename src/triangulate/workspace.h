@@ -66,7 +66,7 @@ struct Workspace {
     std::map<int, Exemption> exempt{};    ///< by triangle
     std::map<int, Span> spanning{};       ///< by triangle; only after relics were released
     TriangleMarks settled{};              ///< those that came from an earlier run, with good angles
-    SpanPoints span_points{};
+    SpanPoints span_points{session, grid};
     double unseen = 0.0;  ///< a surface that turns within this need not be followed, mm
 
     bool over_budget() const { return static_cast<std::size_t>(mesh.triangle_count()) >= budget; }
