@@ -96,13 +96,13 @@ def final_shapes(document):
     """
     import Part
 
-    shapes = {}
+    shaped = []
     for obj in document.Objects:
         shape = Part.getShape(obj)
         if not shape.isNull() and shape.Faces and not obj.isDerivedFrom("App::OriginFeature"):
-            shapes[obj] = shape
-    return [shape for obj, shape in shapes.items()
-            if not any(user in shapes for user in obj.InListRecursive)]
+            shaped.append(obj)
+    return [convert.shape_of(obj) for obj in shaped
+            if not any(user in shaped for user in obj.InListRecursive)]
 
 
 def read_mesh(path):

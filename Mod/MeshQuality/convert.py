@@ -9,6 +9,7 @@ from functools import cached_property
 import FreeCAD
 import numpy as np
 
+from . import frames
 from .compat import attribute_of, core
 from .errors import InvalidInput
 
@@ -30,23 +31,30 @@ def label_of(source):
 
 
 def shape_of(source):
-    """The Part.Shape of a Part.Shape, a document object or (document object, "Face3").
+    """The Part.Shape of a Part.Shape, a document object or (document object, "Face3"), where the
+    document has it: objects inside of containers are moved with these. A container gives a compound
+    of what it holds.
 
-    Of an object with a placement, a link or a container the shape is where the document has it;
-    a container gives a compound of what it holds. Raises InvalidInput when there are no faces.
+    Raises InvalidInput when there are no faces.
     """
+    shape = own_shape_of(source)
+    if isinstance(frames.object_of(source), FreeCAD.DocumentObject):
+        frame = frames.frame_of(source)
+        if not frames.is_identity(frame):
+            shape.transformShape(frame.toMatrix(), False)
+    return shape
+
+
+def own_shape_of(source):
+    """The same with the placement of the object alone, not that of its containers."""
     import Part
 
-    subname = ""
-    if isinstance(source, tuple) and len(source) == 2:
-        obj, subname = source[0], source[1]
-        subname = subname if isinstance(subname, str) else "".join(subname[:1])
-    else:
-        obj = source
+    obj, path = frames.object_of(source), frames.path_of(source)
     if isinstance(obj, Part.Shape):
-        shape = obj.getElement(subname) if subname else obj
+        shape = obj.getElement(path) if path else obj
     elif isinstance(obj, FreeCAD.DocumentObject):
-        shape = Part.getShape(obj, subname, needSubElement=bool(subname))
+        named = bool(path) and not path.endswith(".")
+        shape = Part.getShape(obj, path, needSubElement=named)
     else:
         raise InvalidInput("a Part.Shape or a document object with a shape is needed, not "
                            f"{type(source).__name__}")
@@ -60,18 +68,20 @@ def shape_of(source):
 
 
 def is_mesh(candidate):
-    """True for a Mesh.Mesh and for a document object that holds one."""
+    """True for a Mesh.Mesh and for a document object that holds one, or a path to such an object."""
     import Mesh
 
+    if isinstance(frames.object_of(candidate), FreeCAD.DocumentObject):
+        candidate = frames.leaf_of(candidate)
     return isinstance(getattr(candidate, "Mesh", candidate), Mesh.Mesh)
 
 
 def arrays_of_mesh(mesh):
     """(vertices float64 (V, 3), triangles int32 (T, 3)) of a Mesh.Mesh, a Mesh feature or a link.
 
-    Coordinates include the mesh's placement.
+    Coordinates include the mesh's placement and those of its containers.
     """
-    return _arrays(*_mesh_and_matrix(mesh))
+    return MeshCopy(mesh).arrays
 
 
 class MeshCopy:
@@ -79,14 +89,24 @@ class MeshCopy:
 
     def __init__(self, source):
         mesh, self._matrix = _mesh_and_matrix(source)
+        self._frame = None
+        if isinstance(frames.object_of(source), FreeCAD.DocumentObject):
+            frame = frames.frame_of(source)
+            self._frame = None if frames.is_identity(frame) else frame.toMatrix()
         self._mesh = mesh.copy()
+
+    @cached_property
+    def own_arrays(self):
+        """What `arrays` gives with the placement of the mesh alone; one thread at a time may ask."""
+        arrays = _arrays(self._mesh, self._matrix)
+        self._mesh = None
+        return arrays
 
     @cached_property
     def arrays(self):
         """What arrays_of_mesh gives; one thread at a time may ask for it."""
-        arrays = _arrays(self._mesh, self._matrix)
-        self._mesh = None
-        return arrays
+        vertices, triangles = self.own_arrays
+        return (vertices if self._frame is None else _moved(vertices, self._frame)), triangles
 
 
 def _arrays(mesh, matrix):
@@ -98,9 +118,18 @@ def _arrays(mesh, matrix):
     vertices = np.frombuffer(data, "<f4", 3 * points, start).astype(np.float64).reshape(-1, 3)
     columns = np.frombuffer(data, "<u4", 6 * facets, start + 12 * points).reshape(-1, 6)
     if matrix != FreeCAD.Matrix():
-        matrix = np.array(matrix.A).reshape(4, 4)
-        vertices = vertices @ matrix[:3, :3].T + matrix[:3, 3]
+        vertices = _moved(vertices, matrix)
     return vertices, columns[:, :3].astype(np.int32)
+
+
+def moved(points, placement):
+    """float64 (N, 3): the points where a placement puts them; themselves where it moves nothing."""
+    return points if frames.is_identity(placement) else _moved(points, placement.toMatrix())
+
+
+def _moved(points, matrix):
+    matrix = np.array(matrix.A).reshape(4, 4)
+    return points @ matrix[:3, :3].T + matrix[:3, 3]
 
 
 def _bms_by_file(mesh):
@@ -117,11 +146,15 @@ def _bms_by_file(mesh):
 
 
 def _mesh_and_matrix(source):
-    """The Mesh.Mesh of a mesh or a document object, and the matrix that puts it in its place."""
-    if isinstance(source, FreeCAD.DocumentObject):
+    """The Mesh.Mesh of a mesh or a document object, and the matrix of its own placement."""
+    obj, path = frames.object_of(source), frames.path_of(source)
+    if isinstance(obj, FreeCAD.DocumentObject):
+        found, matrix = obj, FreeCAD.Matrix()
+        if path:
+            found, matrix = obj.getSubObject(path, retType=1, matrix=matrix)
         # A link lends its object's mesh, but in the object's place.
-        linked, matrix = source.getLinkedObject(True, FreeCAD.Matrix(), True)
-        if linked != source:
+        linked, matrix = found.getLinkedObject(True, matrix, not path)
+        if linked != obj:
             return linked.Mesh, matrix
     mesh = getattr(source, "Mesh", source)
     return mesh, attribute_of(mesh, "Placement").toMatrix()

@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 
-from . import convert, options
+from . import convert, frames, options
 from .compat import core, program
 from .errors import InvalidInput
 from .surface_mesh import SurfaceMesh
@@ -55,7 +55,7 @@ class CurvedMesh:
 
     @classmethod
     def of(cls, obj):
-        """The curved mesh that a document object of add_curved_mesh keeps.
+        """The curved mesh that a document object of add_curved_mesh keeps, where the document has it.
 
         Its report is None: what it said is in the object's properties. Raises InvalidInput for
         other objects and for one that was never computed.
@@ -65,6 +65,11 @@ class CurvedMesh:
     @classmethod
     def taken_from(cls, obj):
         """A function that makes what `of` gives of the object as it is now; any thread may call it."""
+        return cls.kept_in(obj, frames.motion_of(obj))
+
+    @classmethod
+    def kept_in(cls, obj, motion=None):
+        """The same with the elements where they were computed, or moved from there by a placement."""
         if not getattr(obj, "ElementsOrder", 0):
             raise InvalidInput(f"{convert.label_of(obj)} holds no curved mesh: give an object of "
                                "add_curved_mesh that was computed")
@@ -73,6 +78,8 @@ class CurvedMesh:
         def make():
             arrays = {array: np.array(lists[name], dtype=np.float64)
                       for name, array in ARRAYS.items()}
+            if motion is not None:
+                arrays["nodes"] = convert.moved(arrays["nodes"].reshape(-1, 3), motion).ravel()
             return cls(core().curved_from_arrays(order, arrays), measured=False)
 
         return make

@@ -6,7 +6,7 @@ from functools import partial
 
 import FreeCAD
 
-from .. import options, phrases
+from .. import frames, options, phrases
 from ..boolean_mesh import run
 from ..errors import InvalidInput
 from ..operands import Operands
@@ -40,8 +40,9 @@ class MeshBoolean(mesh_object.MeshObject):
     PROMISES = PROMISES
 
     def sources(self, obj):
-        """The Sources."""
-        return obj.Sources
+        """The Sources, with their paths."""
+        paths = [*obj.SourcePaths, *[""] * len(obj.Sources)]
+        return [frames.source_of(source, path) for source, path in zip(obj.Sources, paths)]
 
     def holds_mesh(self, obj):
         """A Boolean may be empty."""
@@ -52,6 +53,9 @@ class MeshBoolean(mesh_object.MeshObject):
         # Global: operands may lie inside a container that the mesh does not belong to itself.
         mesh_object.add_property(obj, "App::PropertyLinkListGlobal", "Sources", "Boolean",
                                  "The operands: objects with a mesh or a shape, in their order")
+        mesh_object.add_property(obj, "App::PropertyStringList", "SourcePaths", "Boolean",
+                                 "The path from each source to its operand, where only a link leads there: "
+                                 "Part.Box.")
         mesh_object.add_options(obj, options.BOOLEAN)
         mesh_object.add_measured(obj, MEASURED)
         self.add_common_properties(obj)
@@ -109,19 +113,20 @@ def add(sources, values):
     """Adds a Boolean of document objects to their document; see mesh_object.add."""
     if len(sources) < 2:
         raise InvalidInput("two operands or more are needed: give a and b, or a list")
-    for source in sources:
-        if not isinstance(source, FreeCAD.DocumentObject):
+    objects = [frames.object_of(source) for source in sources]
+    for obj in objects:
+        if not isinstance(obj, FreeCAD.DocumentObject):
             raise InvalidInput("document objects with a mesh or a shape are needed, not "
-                               f"{type(source).__name__}")
-    document = sources[0].Document
-    if any(source.Document != document for source in sources):
+                               f"{type(obj).__name__}")
+    document = objects[0].Document
+    if any(obj.Document != document for obj in objects):
         raise InvalidInput("the operands are objects of different documents: link them into one")
     checked = options.check(options.BOOLEAN, values)
 
     def make(obj):
         proxy = MeshBoolean(obj)
-        obj.Label = f"{sources[0].Label} {checked['operation'].replace('_', ' ')}"
-        obj.Sources = sources
+        obj.Label = f"{frames.leaf_of(sources[0]).Label} {checked['operation'].replace('_', ' ')}"
+        obj.Sources, obj.SourcePaths = objects, [frames.path_of(source) for source in sources]
         mesh_object.set_options(obj, options.BOOLEAN, checked)
         return proxy
 

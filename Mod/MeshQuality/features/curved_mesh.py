@@ -11,7 +11,7 @@ from functools import partial
 import FreeCAD
 
 from .. import convert, options
-from ..compat import core
+from ..compat import core, property_of
 from ..curved_mesh import ARRAYS, CurvedMesh, curve
 from . import certificate, mesh_object
 
@@ -83,6 +83,8 @@ class CurvedMeshObject(mesh_object.SourceMesh):
     def work_on(cls, sources, values, obj=None):
         """As for all; where the deviation alone has changed, the elements are cut anew only."""
         work = super().work_on(sources, values, obj)
+        own = convert.own_shape_of(sources[0])
+        work.compute = partial(work.compute, digest=partial(_elements_fingerprint, own, work.values))
         if FreeCAD.GuiUp:
             # Not on the thread that computes: Coin is loaded where the window is.
             from ..gui.curved_view import Drawing
@@ -90,15 +92,15 @@ class CurvedMeshObject(mesh_object.SourceMesh):
             work.compute = partial(work.compute, draw=Drawing)
         if obj is not None and obj.ElementsFingerprint and obj.Certificate != certificate.UNKNOWN:
             work.compute = partial(work.compute, held=(obj.ElementsFingerprint,
-                                                       CurvedMesh.taken_from(obj)))
+                                                       CurvedMesh.kept_in(obj)))
         return work
 
     @classmethod
-    def compute(cls, shape, values, progress, held=None, draw=None):
-        """The Result; `held` are the fingerprint of elements that there are already and what makes
-        them, `draw` is what makes the drawing.
+    def compute(cls, shape, values, progress, digest, held=None, draw=None):
+        """The Result; `digest` gives the fingerprint of the elements, `held` are the fingerprint of
+        elements that there are already and what makes them, `draw` is what makes the drawing.
         """
-        fingerprint = _elements_fingerprint(shape, values)
+        fingerprint = digest()
         kept = held is not None and held[0] == fingerprint
         curved = held[1]() if kept \
             else curve(shape, **_elements_values(values), progress=progress)
@@ -110,6 +112,10 @@ class CurvedMeshObject(mesh_object.SourceMesh):
                       mesh_object.runs_of_faces(surface.triangle_face), proof,
                       {} if kept else curved.lists(),
                       draw(tessellation, curved.shown_quality) if draw else None)
+
+    def frame_of_result(self, obj, work, result):
+        """Elements that were kept are where they were computed."""
+        return work.frame if result.proof is not None else property_of(obj, "SourceFrame")
 
     def take(self, obj, result):
         """Shows the elements and their report; those that were kept have been shown before."""

@@ -32,7 +32,7 @@ class ImprovedMesh(mesh_object.OfOneSource):
     @classmethod
     def work_on(cls, sources, values, obj=None):
         """A better version of the source's mesh."""
-        if not convert.is_mesh(sources[0]):
+        if sources == [None] or not convert.is_mesh(sources[0]):
             raise InvalidInput("Source is not a mesh: choose one object with a mesh")
         values = options.check(cls.OPTIONS, values)
         mesh = convert.MeshCopy(sources[0])
@@ -61,7 +61,7 @@ class ImprovedMesh(mesh_object.OfOneSource):
 
 
 def _digest(mesh, values):
-    vertices, triangles = mesh.arrays
+    vertices, triangles = mesh.own_arrays
     digest = hashlib.sha256(vertices.tobytes())
     digest.update(triangles.tobytes())
     digest.update(json.dumps(values, sort_keys=True).encode())

@@ -9,10 +9,10 @@ from functools import partial
 import FreeCAD
 import numpy as np
 
-from .. import convert, options
+from .. import convert, frames, options
 from ..compat import PlainState, attribute_of, property_of
 from ..errors import Error, InvalidInput
-from . import certificate
+from . import certificate, placement
 from .work import Work, handed_over, result_for
 
 # Name, type, what it says: measured on the mesh that an object holds.
@@ -61,7 +61,7 @@ class MeshObject(PlainState):
     COMMAND             the command that adds one, by which it also gets its icon
     CALL                the function of the API that adds one
     OPTIONS, PRESETS    the table of its options, and values of them that go together
-    sources(obj)        the document objects that it is made of
+    sources(obj)        what it is made of: document objects, or pairs (document object, path) as in frames
     add_properties(obj) adds those properties that the object has not got yet
     work_on(sources, values, obj=None)
                         class method: the Work of an object with these sources and options, `obj`
@@ -87,6 +87,11 @@ class MeshObject(PlainState):
                 obj.Certificate = certificate.UNKNOWN
             obj.setEditorMode(name, 1)
         add_hidden(obj, "Certificate", (CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT))
+        older = placement.ORIGIN[0] not in obj.PropertiesList
+        add_hidden(obj, "Mesh", (placement.FRAME, placement.ORIGIN))
+        if older:  # computed in the frame of its source, whatever container that is in
+            obj.MeshOrigin = property_of(obj, "Placement").Base
+        obj.setEditorMode("Placement", 1)
         if add_property(obj, "App::PropertyEnumeration", "Recompute", "Update",
                         "Whether the mesh follows its sources and options by itself, or when it is "
                         "asked to"):
@@ -133,12 +138,30 @@ class MeshObject(PlainState):
                 if isinstance(result, Exception):
                     raise result
                 self.take(obj, result)
+                placement.record(obj, self.frame_of_result(obj, work, result))
                 if FreeCAD.GuiUp:
                     _follow().stop(obj)
                 obj.Fingerprint, obj.Status = work.fingerprint, UP_TO_DATE
+            placement.settle(obj)
         except (Error, ImportError, MemoryError) as error:
             self.error = error
             raise type(error)(f"{obj.Label}: {error}") from error
+
+    def frame_of_result(self, obj, work, result):
+        """Where the container of the first source stood when the result was computed."""
+        return work.frame
+
+    def follow_containers(self, obj, container):
+        """Called when a container was moved, or got or lost an object."""
+        sources = [source for source in self.sources(obj) if source is not None]
+        below = [container in (frames.object_of(source), *frames.containers_of(frames.object_of(source)))
+                 for source in sources]
+        touched = "Touched" in obj.State
+        moved = placement.settle(obj)
+        if any(below) and not all(below):
+            obj.touch()  # the sources stand to each other in another way
+        elif moved and not touched and not any(below):
+            obj.purgeTouched()  # it stays where it was in the document
 
     def _result(self, obj):
         """The (Work, result) that the object takes; None when it is up to date, is computed in the
@@ -180,8 +203,8 @@ class OfOneSource(MeshObject):
     OPTIONS = MEASURED = HIDDEN = ()
 
     def sources(self, obj):
-        """The Source."""
-        return [obj.Source]
+        """The Source, with its path."""
+        return [frames.source_of(obj.Source, obj.SourcePath)]
 
     def holds_mesh(self, obj):
         """There is no mesh without a triangle."""
@@ -191,6 +214,8 @@ class OfOneSource(MeshObject):
         """Adds those properties that the object has not got yet."""
         # Global: a mesh may follow something inside a container that it does not belong to itself.
         add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh", self.SOURCE)
+        add_property(obj, "App::PropertyString", "SourcePath", "Mesh",
+                     "The path from the source to what is meshed, where only a link leads there: Part.Box.")
         add_options(obj, self.OPTIONS)
         add_measured(obj, self.MEASURED)
         add_hidden(obj, "Mesh", self.HIDDEN)
@@ -222,8 +247,8 @@ class SourceMesh(OfOneSource):
         if sources == [None]:
             raise InvalidInput("Source is empty: choose an object with a shape")
         values = options.check(cls.OPTIONS, values)
-        shape = convert.shape_of(sources[0])
-        return Work(cls, sources, values, partial(fingerprint_of, shape, values),
+        own, shape = convert.own_shape_of(sources[0]), convert.shape_of(sources[0])
+        return Work(cls, sources, values, partial(fingerprint_of, own, values),
                     partial(cls.compute, shape, values))
 
 
@@ -419,19 +444,20 @@ def _undo_step(document, title):
 
 
 def add_of_source(proxy_class, source, values, name, title, label=None):
-    """Adds an object that is made of the document object `source`; see add. Its label begins with
+    """Adds an object that is made of `source`, a document object or a pair (document object, path) as in
+    frames; see add. Its label begins with
     that of the source and ends with `label`, or the title.
     """
-    if not isinstance(source, FreeCAD.DocumentObject):
+    if not isinstance(frames.object_of(source), FreeCAD.DocumentObject):
         raise InvalidInput(f"a document object with {proxy_class.NEEDS} is needed, not "
                            f"{type(source).__name__}")
     checked = options.check(proxy_class.OPTIONS, values)
 
     def make(obj):
         proxy = proxy_class(obj)
-        obj.Label = f"{source.Label} {label or title.lower()}"
-        obj.Source = source
+        obj.Label = f"{frames.leaf_of(source).Label} {label or title.lower()}"
+        obj.Source, obj.SourcePath = frames.object_of(source), frames.path_of(source)
         set_options(obj, proxy_class.OPTIONS, checked)
         return proxy
 
-    return add(source.Document, name, title, make)
+    return add(frames.object_of(source).Document, name, title, make)

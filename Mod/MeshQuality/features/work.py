@@ -4,6 +4,8 @@
 from contextlib import contextmanager
 from functools import cached_property
 
+from ..frames import frame_of
+
 _handed = []
 
 
@@ -11,8 +13,9 @@ class Work:
     """What an object of these sources and options has to compute.
 
     kind     class of the object's proxy
-    sources  document objects
+    sources  document objects, or pairs (document object, path) as in frames
     values   checked options
+    frame    where the container of the first source stands, see frames.frame_of
     digest   digest() -> what the sources and the options were, in short
     compute  compute(progress) -> result, progress as for triangulate or None
 
@@ -22,6 +25,7 @@ class Work:
     def __init__(self, kind, sources, values, digest, compute):
         self.kind, self.sources, self.values = kind, list(sources), values
         self._digest, self.compute = digest, compute
+        self.frame = frame_of(self.sources[0])
 
     def tell_apart(self, how):
         """Has the fingerprint say how it is computed, too."""

@@ -6,8 +6,9 @@ import FreeCADGui
 import numpy as np
 from PySide import QtGui
 
+from .. import convert, frames
 from ..features import certificate, mesh_object
-from .places import Mark, sub_element
+from .places import Mark, select_face
 from .quality_scene import flight_to
 from .words import translated_certificate
 
@@ -66,18 +67,19 @@ class CertificateBox(QtGui.QWidget):
         self._modes.setdefault(view, view.DisplayMode)
         view.DisplayMode = "Wireframe"
         if self._obj.CertificateFaces:
-            self._select(self._obj.Source, self._obj.CertificateFaces)
-        corners = np.array([tuple(corner) for corner in self._obj.CertificatePlace])
+            self._select(self._obj.Proxy.sources(self._obj)[0], self._obj.CertificateFaces)
+        corners = convert.moved(np.array([tuple(corner) for corner in self._obj.CertificatePlace]),
+                                frames.motion_of(self._obj))
         if len(corners):
             self._look_at(FreeCADGui.getDocument(self._obj.Document.Name).activeView(), corners)
         else:
             FreeCADGui.SendMsgToActiveView("ViewSelection")
 
     def _select(self, source, faces):
-        source.ViewObject.Visibility = True
+        frames.object_of(source).ViewObject.Visibility = True
         FreeCADGui.Selection.clearSelection()
         for face in faces:
-            FreeCADGui.Selection.addSelection(source, sub_element(source, face))
+            select_face(source, face)
 
     def _look_at(self, view, corners):
         if not hasattr(view, "getCameraNode"):

@@ -4,7 +4,7 @@
 import FreeCAD
 import FreeCADGui
 
-from .. import convert
+from .. import convert, frames
 from ..api import triangulate
 from ..compat import why_no_core
 from ..features import boolean, curved_mesh, improved_mesh, mesh_object, quality_mesh
@@ -36,7 +36,7 @@ class _Command:
 
     def selected(self):
         """The selected objects that the command is for; none when it cannot be used."""
-        return [obj for obj in FreeCADGui.Selection.getSelection() if _has_shape(obj)]
+        return [source for source in _selected() if _has_shape(source)]
 
     def operations(self, selected):
         """What the panel is to do: here, a mesh of each."""
@@ -106,9 +106,8 @@ class Boolean(_Command):
     KEYS = "Q, B"
 
     def selected(self):
-        found = [obj for obj in FreeCADGui.Selection.getSelection()
-                 if _has_shape(obj) or _has_mesh(obj)]
-        one_document = len({obj.Document for obj in found}) == 1
+        found = [source for source in _selected() if _has_shape(source) or _has_mesh(source)]
+        one_document = len({frames.object_of(source).Document for source in found}) == 1
         return found if len(found) > 1 and one_document else []
 
     def operations(self, selected):
@@ -125,7 +124,7 @@ class Analyse(_Command):
         quality_panel.open_panel(self.selected()[0])
 
     def selected(self):
-        return _if_one(_has_mesh)
+        return _if_one(lambda source: not isinstance(source, tuple) and _has_mesh(source))
 
 
 class Improve(_Command):
@@ -136,7 +135,7 @@ class Improve(_Command):
     KEYS = "Q, I"
 
     def selected(self):
-        return [obj for obj in FreeCADGui.Selection.getSelection() if _has_mesh(obj)]
+        return [source for source in _selected() if _has_mesh(source)]
 
 
 class Export(_Command):
@@ -149,7 +148,7 @@ class Export(_Command):
         FreeCADGui.Control.showDialog(ExportPanel(self.selected()[0]))
 
     def selected(self):
-        return _if_one(lambda obj: getattr(obj, "ElementsOrder", 0))
+        return _if_one(lambda source: getattr(source, "ElementsOrder", 0))
 
 
 class Update(_Command):
@@ -163,8 +162,8 @@ class Update(_Command):
             update_in_background(obj)
 
     def selected(self):
-        return [obj for obj in FreeCADGui.Selection.getSelection()
-                if isinstance(getattr(obj, "Proxy", None), mesh_object.MeshObject)]
+        return [source for source in _selected()
+                if isinstance(getattr(source, "Proxy", None), mesh_object.MeshObject)]
 
 
 class GetBinary(_Command):
@@ -180,19 +179,28 @@ class GetBinary(_Command):
         FreeCADGui.Control.showDialog(BinaryPanel())
 
 
+def _selected():
+    """The sources that are selected, each once, see frames."""
+    found = []
+    for selected in FreeCADGui.Selection.getSelectionEx("", 0):
+        found += [source for source, _ in frames.paths_of_selection(selected) if source not in found]
+    return found
+
+
 def _if_one(fits):
-    """What is selected, if it is one object that fits."""
-    found = FreeCADGui.Selection.getSelection()
+    """What is selected, if it is one source that fits."""
+    found = _selected()
     return found if len(found) == 1 and fits(found[0]) else []
 
 
-def _has_mesh(obj):
-    return obj.isDerivedFrom("Mesh::Feature")
+def _has_mesh(source):
+    return frames.leaf_of(source).isDerivedFrom("Mesh::Feature")
 
 
-def _has_shape(obj):
+def _has_shape(source):
+    obj = frames.leaf_of(source)
     return hasattr(obj, "Shape") or obj.hasExtension("App::GroupExtension") \
-        or obj.TypeId == "App::Link"
+        or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup")
 
 
 _COMMANDS = (Triangulate, Quick, Curve, Boolean, Improve, Analyse, Update, Export)

@@ -147,7 +147,7 @@ class CurvedMeshView(MeshView):
         drawing = getattr(obj.Proxy, "drawing", None)
         if drawing is None:
             try:
-                curved = CurvedMesh.of(obj)
+                curved = CurvedMesh.kept_in(obj)()
             except (Error, ImportError):
                 # Not all properties are read yet, or there is no core: FreeCAD's own modes remain.
                 return

@@ -5,6 +5,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from .. import frames
 from ..compat import flags
 from ..errors import Error
 from . import follow, jobs, operation, preferences
@@ -53,8 +54,8 @@ class MeshPanel:
         self._options_changed()
 
     def _lay_out(self):
-        labels = ", ".join(source.Label for made in self.operations for source in made.sources
-                           if source is not None)
+        labels = ", ".join(frames.leaf_of(source).Label for made in self.operations
+                           for source in made.sources if source is not None)
         of = QtGui.QLabel(translate("MeshQuality", "Of {}").format(labels))
         self.estimate, self.message, self.bar = QtGui.QLabel(), QtGui.QLabel(), QtGui.QProgressBar()
         self.estimate.setVisible(self.operations[0].trial is not None)

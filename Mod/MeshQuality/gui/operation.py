@@ -8,7 +8,7 @@ background, and is handed over to it.
 import FreeCAD
 import FreeCADGui
 
-from .. import options
+from .. import frames, options
 from ..errors import InvalidInput
 from ..features import mesh_object
 from ..features.work import handed_over
@@ -24,7 +24,7 @@ class Operation:
 
     title    for windows and undo
     kind     class of the object's proxy
-    sources  document objects that the mesh is made of
+    sources  what the mesh is made of: document objects, or pairs (document object, path) as in frames
     trial    trial(values, most) -> compute(progress) -> (number of triangles, whether these are
              all), for an estimate with `most` triangles; None: no estimate
     obj      the document object, once there is one
@@ -34,7 +34,7 @@ class Operation:
     def __init__(self, title, kind, sources, trial=None, obj=None):
         self.title, self.kind, self.sources = title, kind, list(sources)
         self.trial, self._obj = trial, obj
-        self.document = (obj or self.sources[0]).Document.Name
+        self.document = (obj or frames.object_of(self.sources[0])).Document.Name
 
     @classmethod
     def of_object(cls, title, obj, trial=None):
@@ -48,7 +48,8 @@ class Operation:
 
     def size(self):
         """Largest dimension of the source in mm, for people; 0: unknown."""
-        box = getattr(getattr(self.sources[0], "ViewObject", None), "getBoundingBox", None)
+        source = frames.object_of(self.sources[0])
+        box = getattr(getattr(source, "ViewObject", None), "getBoundingBox", None)
         box = box() if box else None
         return max(box.XLength, box.YLength, box.ZLength) if box and box.isValid() else 0.0
 
@@ -67,7 +68,7 @@ class Operation:
 
     def possible(self, edited):
         """Whether the document still has the sources, and the object that is edited unless None."""
-        needed = [*self.sources, *([edited] if edited is not None else [])]
+        needed = [*map(frames.object_of, self.sources), *([edited] if edited is not None else [])]
         return all(is_there(self.document, obj) for obj in needed if obj is not None)
 
     def at_rest(self):
@@ -112,11 +113,12 @@ class Operation:
 
 
 class Watch:
-    """Notes whether one of the objects, or what they are made of, changes."""
+    """Notes whether one of the sources, what they are made of, or a container around them changes."""
 
-    def __init__(self, objects):
-        self._objects = {(obj.Document.Name, obj.Name)
-                         for source in objects for obj in (source, *source.OutListRecursive)}
+    def __init__(self, sources):
+        objects = [frames.object_of(source) for source in sources if frames.object_of(source) is not None]
+        self._objects = {(obj.Document.Name, obj.Name) for source in objects
+                         for obj in (source, *source.OutListRecursive, *frames.containers_of(source))}
         self.changed = False
         FreeCAD.addDocumentObserver(self)
 
@@ -143,8 +145,11 @@ def at_rest(document):
     return not (found.Recomputing or found.Transacting or found.Restoring)
 
 
-def name_of(obj):
-    """The object, in Python."""
+def name_of(source):
+    """The object or the source, in Python."""
+    obj, path = frames.object_of(source), frames.path_of(source)
+    if path:
+        return f"({name_of(obj)}, {path!r})"
     return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
 
 

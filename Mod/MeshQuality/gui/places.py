@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Places in the 3D view: the sub-element that a CAD face is, and a mark at a triangle."""
 
+import FreeCADGui
 import Part
 from pivy import coin
 
-from .. import convert
+from .. import convert, frames
 
 _NEAR = 1e-6  # of the size: the same point
 _COLOUR, _WIDTH = (1.0, 0.125, 1.0), 4.0  # as what the quality view lights up; pixels
@@ -14,16 +15,23 @@ def sub_element(source, face):
     """The path in the source to its face "Face7": in a container the faces are counted through all
     that it holds, "Box.Face1" is one of them.
     """
-    leaves = list(_leaves(source))
+    obj, start = frames.object_of(source), frames.path_of(source)
+    leaves = [start + path for path in _leaves(frames.leaf_of(source))]
     if not leaves:
-        return face
-    shape = convert.shape_of(source)
+        return start + face
+    shape = convert.own_shape_of(source)
     wanted, near = shape.getElement(face), _NEAR * max(shape.BoundBox.DiagonalLength, 1.0)
     for path in leaves:
-        for i, other in enumerate(Part.getShape(source, path).Faces, 1):
+        for i, other in enumerate(Part.getShape(obj, path).Faces, 1):
             if _alike(wanted, other, near):
                 return f"{path}Face{i}"
     return ""
+
+
+def select_face(source, face):
+    """Selects the face "Face7" of a source in the 3D view, also inside of containers."""
+    obj, path = frames.path_from_root((frames.object_of(source), sub_element(source, face)))
+    FreeCADGui.Selection.addSelection(obj, path)
 
 
 def _leaves(obj, path=""):

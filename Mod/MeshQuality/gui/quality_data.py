@@ -150,10 +150,9 @@ class QualityData:
     """
 
     def __init__(self, obj):
-        # An improved mesh comes from a mesh.
-        source = getattr(obj, "Source", None)
-        has_shape = source is not None and not convert.is_mesh(source)
-        self._shape = convert.shape_of(source) if has_shape else None
+        proxy = getattr(obj, "Proxy", None)
+        sources = proxy.sources(obj) if isinstance(proxy, mesh_object.SourceMesh) else [None]
+        self._shape = convert.shape_of(sources[0]) if sources != [None] else None
         self.corners = self._curved = None
         if obj.Mesh.CountFacets == 0:
             raise InvalidInput(f"{obj.Label} has no triangles")
@@ -191,11 +190,11 @@ class QualityData:
         curved = taken()
         shown = curved.tessellate(deviation)
         surface = shown.surface()
-        self.corners = np.asarray(surface.vertices)[surface.triangles].astype(np.float32)
+        points = (np.asarray(surface.vertices) + surface.origin).astype(np.float32)
+        self.corners = points[surface.triangles]
         self.element = np.array(shown.element)
         self.face = np.array(curved.triangle_face)
-        self._lines = lambda: (np.asarray(surface.vertices).astype(np.float32),
-                               np.array(shown.edge_lines, dtype=np.int32))
+        self._lines = lambda: (points, np.array(shown.edge_lines, dtype=np.int32))
         self.jacobians = np.array(curved.shown_quality)
         self._curved = curved
 

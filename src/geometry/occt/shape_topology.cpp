@@ -7,6 +7,7 @@
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
@@ -52,6 +53,50 @@ const char* surface_name(GeomAbs_SurfaceType type) {
     }
     return "other";
 }
+
+/// Which volumes the sides of the faces bound.
+class FaceSides {
+  public:
+    explicit FaceSides(std::size_t faces) : volumes_(2 * faces) {}
+
+    void add(const std::vector<Volume::Side>& sides, int volume) {
+        for (const Volume::Side& side : sides) {
+            volumes_[index(side.face, side.flipped)].push_back(volume);
+        }
+    }
+    bool has(const Volume::Side& side) const { return !volumes_[index(side.face, side.flipped)].empty(); }
+    bool has_face(int face) const { return has(Volume::Side{face, false}) || has(Volume::Side{face, true}); }
+    bool has_all(const std::vector<Volume::Side>& sides) const {
+        return std::all_of(sides.begin(), sides.end(), [&](const Volume::Side& side) { return has(side); });
+    }
+    /// Whether one volume has all these faces, from whichever side.
+    bool in_one_volume(const std::vector<Volume::Side>& sides) const {
+        if (sides.empty()) {
+            return true;
+        }
+        std::vector<int> candidates = volumes_of(sides.front().face);
+        for (const Volume::Side& side : sides) {
+            const std::vector<int> here = volumes_of(side.face);
+            candidates.erase(
+                std::remove_if(candidates.begin(), candidates.end(),
+                               [&](int volume) { return std::find(here.begin(), here.end(), volume) == here.end(); }),
+                candidates.end());
+        }
+        return !candidates.empty();
+    }
+
+  private:
+    static std::size_t index(int face, bool flipped) { return 2 * static_cast<std::size_t>(face) + (flipped ? 1 : 0); }
+
+    std::vector<int> volumes_of(int face) const {
+        std::vector<int> result = volumes_[index(face, false)];
+        const std::vector<int>& others = volumes_[index(face, true)];
+        result.insert(result.end(), others.begin(), others.end());
+        return result;
+    }
+
+    std::vector<std::vector<int>> volumes_;
+};
 
 /// mm; no more than the edges of very small parts may be long.
 double least_width(const std::vector<Node>& nodes) {
@@ -130,7 +175,9 @@ class TopologyBuilder {
     void add_loop(int index, const TopoDS_Face& face, const std::vector<TopoDS_Edge>& run);
     UseCurve use_curve(int edge_index, int face_index, const TopoDS_Edge& edge, const TopoDS_Face& face);
     void add_volumes();
-    void add_volume(const TopoDS_Shape& part, Volume::Kind kind, std::vector<bool>& met);
+    std::vector<Volume::Side> sides_of(const TopoDS_Shape& part) const;
+    void add_volume(const TopoDS_Shape& part, Volume::Kind kind, const std::vector<Volume::Side>& sides,
+                    FaceSides& bounding);
 
     const OrderedShape& ordered_;
     LiveShape& live_;
@@ -291,36 +338,50 @@ UseCurve TopologyBuilder::use_curve(int edge_index, int face_index, const TopoDS
     return result;
 }
 
+/// Each side of a face bounds one volume: what is listed again beside a solid that it belongs to, such as its shells
+/// and faces in a compound that Gmsh wrote, is the same thing and adds nothing.
 void TopologyBuilder::add_volumes() {
-    std::vector<bool> met(topology_.faces.size(), false);
-    TopTools_IndexedMapOfShape parts;
+    FaceSides bounding(topology_.faces.size());
+    TopTools_MapOfShape solids;
     for (TopExp_Explorer it(ordered_.shape, TopAbs_SOLID); it.More(); it.Next()) {
-        if (parts.Add(it.Current()) > static_cast<int>(topology_.volumes.size())) {
-            add_volume(it.Current(), Volume::Kind::Solid, met);
+        const std::vector<Volume::Side> sides = sides_of(it.Current());
+        if (solids.Add(it.Current()) && (sides.empty() || !bounding.has_all(sides))) {
+            add_volume(it.Current(), Volume::Kind::Solid, sides, bounding);
         }
     }
     for (TopExp_Explorer it(ordered_.shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next()) {
-        if (parts.Add(it.Current()) > static_cast<int>(topology_.volumes.size())) {
-            add_volume(it.Current(), Volume::Kind::Shell, met);
+        std::vector<Volume::Side> sides = sides_of(it.Current());
+        if (!bounding.in_one_volume(sides)) {
+            sides.erase(std::remove_if(sides.begin(), sides.end(),
+                                       [&](const Volume::Side& side) { return bounding.has(side); }),
+                        sides.end());
+            add_volume(it.Current(), Volume::Kind::Shell, sides, bounding);
         }
     }
-    Volume rest;
-    rest.kind = Volume::Kind::Faces;
-    for (std::size_t i = 0; i < met.size(); ++i) {
-        if (!met[i]) {
-            rest.sides.push_back(Volume::Side{static_cast<int>(i), false});
+    std::vector<Volume::Side> rest;
+    for (std::size_t i = 0; i < topology_.faces.size(); ++i) {
+        if (!bounding.has_face(static_cast<int>(i))) {
+            rest.push_back(Volume::Side{static_cast<int>(i), false});
         }
     }
-    if (!rest.sides.empty()) {
-        topology_.volumes.push_back(rest);
-        live_.volumes.emplace_back();
+    if (!rest.empty()) {
+        add_volume(TopoDS_Shape(), Volume::Kind::Faces, rest, bounding);
     }
 }
 
-/// Faces that are INTERNAL or EXTERNAL to a solid do not bound it.
-void TopologyBuilder::add_volume(const TopoDS_Shape& part, Volume::Kind kind, std::vector<bool>& met) {
+void TopologyBuilder::add_volume(const TopoDS_Shape& part, Volume::Kind kind, const std::vector<Volume::Side>& sides,
+                                 FaceSides& bounding) {
     Volume volume;
     volume.kind = kind;
+    volume.sides = sides;
+    bounding.add(sides, static_cast<int>(topology_.volumes.size()));
+    topology_.volumes.push_back(volume);
+    live_.volumes.push_back(part);
+}
+
+/// Faces that are INTERNAL or EXTERNAL to a solid do not bound it.
+std::vector<Volume::Side> TopologyBuilder::sides_of(const TopoDS_Shape& part) const {
+    std::vector<Volume::Side> sides;
     for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next()) {
         const TopoDS_Shape& face = it.Current();
         if (face.Orientation() != TopAbs_FORWARD && face.Orientation() != TopAbs_REVERSED) {
@@ -328,12 +389,9 @@ void TopologyBuilder::add_volume(const TopoDS_Shape& part, Volume::Kind kind, st
         }
         const int index = faces_.FindIndex(face);
         const TopAbs_Orientation first = faces_(index).Orientation();
-        volume.sides.push_back(
-            Volume::Side{index - 1, (face.Orientation() == TopAbs_REVERSED) != (first == TopAbs_REVERSED)});
-        met[static_cast<std::size_t>(index - 1)] = true;
+        sides.push_back(Volume::Side{index - 1, (face.Orientation() == TopAbs_REVERSED) != (first == TopAbs_REVERSED)});
     }
-    topology_.volumes.push_back(volume);
-    live_.volumes.push_back(part);
+    return sides;
 }
 
 /// Closed in the given direction (0 = u) within the tolerance, and not because the whole row is a point.

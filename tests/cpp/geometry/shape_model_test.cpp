@@ -259,6 +259,68 @@ TEST(ShapeModel, CountsASolidMetTwiceOnce) {
     EXPECT_EQ(make_shape_model(compound({box, located(box, turned_and_moved())}))->topology().volumes.size(), 2u);
 }
 
+std::vector<TopoDS_Shape> listed(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+    std::vector<TopoDS_Shape> result;
+    for (TopExp_Explorer it(shape, kind); it.More(); it.Next()) {
+        result.push_back(it.Current());
+    }
+    return result;
+}
+
+/// As Gmsh writes BREP files: solids, and beside them their shells, faces, edges and vertices again.
+TEST(ShapeModel, MeetsWhatIsListedAgainBesideItsSolidOnce) {
+    const TopoDS_Shape box = box123();
+    const TopoDS_Shape other = located(box, turned_and_moved());
+    BRep_Builder builder;
+    TopoDS_Compound all;
+    builder.MakeCompound(all);
+    for (const TopAbs_ShapeEnum kind : {TopAbs_SOLID, TopAbs_SHELL, TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX}) {
+        for (const TopoDS_Shape& solid : {box, other}) {
+            for (const TopoDS_Shape& one : listed(solid, kind)) {
+                builder.Add(all, one);
+            }
+        }
+    }
+    const auto model = make_shape_model(all);
+    ASSERT_EQ(model->topology().volumes.size(), 2u);
+    EXPECT_EQ(model->topology().faces.size(), 12u);
+    for (const Volume& volume : model->topology().volumes) {
+        EXPECT_EQ(volume.kind, Volume::Kind::Solid);
+        EXPECT_EQ(volume.sides.size(), 6u);
+    }
+}
+
+TEST(ShapeModel, MeetsTheShellOfASolidOnceHoweverItIsListed) {
+    const TopoDS_Shape box = box123();
+    const TopoDS_Shape shell = first_of(box, TopAbs_SHELL);
+    BRep_Builder builder;
+    TopoDS_Shell copied;  // another shell of the same faces
+    builder.MakeShell(copied);
+    for (const TopoDS_Shape& face : listed(box, TopAbs_FACE)) {
+        builder.Add(copied, face);
+    }
+    const TopoDS_Shape solid_again = BRepBuilderAPI_MakeSolid(copied).Shape();
+    for (const TopoDS_Shape& again : std::vector<TopoDS_Shape>{shell, shell.Reversed(), copied, solid_again}) {
+        EXPECT_EQ(make_shape_model(compound({again, box}))->topology().volumes.size(), 1u);
+        EXPECT_EQ(make_shape_model(compound({box, again}))->topology().volumes.size(), 1u);
+    }
+}
+
+TEST(ShapeModel, KeepsShellsThatTouchInAFaceWhole) {
+    BRepAlgoAPI_BuilderAlgo fuse;
+    TopTools_ListOfShape arguments;
+    arguments.Append(BRepPrimAPI_MakeBox(gp_Pnt(0.0, 0.0, 0.0), gp_Pnt(1.0, 2.0, 3.0)).Shape());
+    arguments.Append(BRepPrimAPI_MakeBox(gp_Pnt(1.0, 0.0, 0.0), gp_Pnt(2.0, 2.0, 3.0)).Shape());
+    fuse.SetArguments(arguments);
+    fuse.Build();
+    const std::vector<TopoDS_Shape> shells = listed(fuse.Shape(), TopAbs_SHELL);
+    ASSERT_EQ(shells.size(), 2u);
+    const auto model = make_shape_model(compound({shells[0], shells[1]}));
+    ASSERT_EQ(model->topology().volumes.size(), 2u);
+    EXPECT_EQ(model->topology().volumes[0].sides.size(), 6u);
+    EXPECT_EQ(model->topology().volumes[1].sides.size(), 6u);
+}
+
 TEST(ShapeModel, MarksEdgesInsideAFace) {
     BRep_Builder builder;
     TopoDS_Face face = BRepBuilderAPI_MakeFace(gp_Pln(), -2.0, 2.0, -2.0, 2.0).Face();

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where document objects stand: the coordinate systems of their containers.
+
+The placement of an object is relative to the container that it lies in. The frame of an object is
+the placement of that coordinate system in the document: those of all containers around it, multiplied
+from the outermost to the innermost. Containers are App::Part and PartDesign::Body, link groups and
+link arrays; plain groups have no placement.
+
+A source is a document object, or a pair (document object, path) for what only a link leads to:
+(link, "Part.Box.") or (part, "Face3"). The frame of a pair is that of its object.
+"""
+
+import FreeCAD
+
+from .compat import property_of
+from .errors import InvalidInput
+
+
+def object_of(source):
+    """The document object of a source."""
+    return source[0] if isinstance(source, tuple) else source
+
+
+def path_of(source):
+    """The path below the object of a source; empty without one."""
+    if not isinstance(source, tuple):
+        return ""
+    path = source[1]
+    return path if isinstance(path, str) else "".join(path[:1])
+
+
+def source_of(obj, path=""):
+    """The source of an object and a path."""
+    return (obj, path) if path else obj
+
+
+def leaf_of(source):
+    """The document object that a source means: the one at the end of its path.
+
+    Raises InvalidInput where nothing is there any more.
+    """
+    obj, path = object_of(source), path_of(source)
+    leaf = obj.getSubObject(path, retType=1) if path else obj
+    if leaf is None:
+        raise InvalidInput(f"'{obj.Label}' has nothing at {path}: choose the source anew")
+    return leaf
+
+
+def path_from_root(source):
+    """(object, path): the outermost container of a source and the path from there, as the selection of
+    the 3D view names it.
+    """
+    obj, path = object_of(source), path_of(source)
+    for container in containers_of(obj):
+        obj, path = container, f"{obj.Name}.{path}"
+    return obj, path
+
+
+def containers_of(obj):
+    """The containers around a document object, the innermost first."""
+    found = []
+    container = _container_of(obj)
+    while container is not None and container not in found:
+        found.append(container)
+        container = _container_of(container)
+    return found
+
+
+def _container_of(obj):
+    group = obj.getParentGeoFeatureGroup()
+    if group is not None:
+        return group
+    lists = (other for other in obj.InList if obj in (getattr(other, "ElementList", None) or ()))
+    return next(lists, None)
+
+
+def frame_of(source):
+    """The placement of the coordinate system that the source's own placement is relative to; an
+    identity outside of containers.
+
+    Raises InvalidInput naming a container that is scaled.
+    """
+    frame = FreeCAD.Placement()
+    for container in containers_of(object_of(source)):
+        if getattr(container, "Scale", 1.0) != 1.0:
+            raise InvalidInput(f"'{object_of(source).Label}' lies in '{container.Label}', which is scaled: choose "
+                               f"'{container.Label}' itself")
+        frame = property_of(container, "Placement").multiply(frame)
+    return frame
+
+
+def motion_of(obj):
+    """The placement that moves what was computed for a mesh object, such as the place of its certificate,
+    to where it stands in the document now; exactly an identity where nothing has moved since.
+    """
+    if "MeshOrigin" not in obj.PropertiesList:
+        return FreeCAD.Placement()
+    own, frame = property_of(obj, "Placement"), frame_of(obj)
+    here = own if is_identity(frame) else frame.multiply(own)
+    return relative_motion(translation(property_of(obj, "MeshOrigin")), here)
+
+
+def relative_motion(before, now):
+    """The placement that moves what stood at `before` to `now`; exactly an identity where these are the same."""
+    return FreeCAD.Placement() if same(before, now) else now.multiply(before.inverse())
+
+
+def relative(placement, frame):
+    """The placement as it is seen from a coordinate system that stands at `frame`."""
+    return placement if is_identity(frame) else frame.inverse().multiply(placement)
+
+
+def translation(vector):
+    """The placement that moves by a vector."""
+    return FreeCAD.Placement(vector, FreeCAD.Rotation())
+
+
+def is_identity(placement):
+    """Whether a placement moves nothing, exactly."""
+    return placement.toMatrix() == FreeCAD.Matrix()
+
+
+def same(a, b):
+    """Whether two placements are the same, exactly."""
+    return a.toMatrix() == b.toMatrix()
+
+
+def paths_of_selection(selected):
+    """[(source, sub-element), ...] of one Gui.SelectionObject that names its root object, as
+    Selection.getSelectionEx("", 0) gives them: what was picked, where it was picked. What a container
+    holds is named by itself, what only a link leads to by its path from the root object. The tip of a
+    body stands for the body.
+    """
+    found = []
+    for path in selected.SubElementNames or ("",):
+        below, _, element = path.rpartition(".")
+        below = below + "." if below else ""
+        found.append((_source_at(selected.Object, below), element))
+    return found
+
+
+def _source_at(root, path):
+    along = root.getSubObjectList(path) if path else [root]
+    leaf = along[-1]
+    around = containers_of(leaf)
+    if not all(obj in around or _is_plain_group(obj) for obj in along[:-1]):
+        return root, path
+    body = around[0] if around else None
+    return body if getattr(body, "Tip", None) == leaf else leaf
+
+
+def _is_plain_group(obj):
+    return obj.hasExtension("App::GroupExtension") and not obj.hasExtension("App::GeoFeatureGroupExtension")
