@@ -18,15 +18,21 @@ from .errors import InvalidInput
 
 def object_of(source):
     """The document object of a source."""
-    return source[0] if isinstance(source, tuple) else source
+    return source[0] if _has_path(source) else source
 
 
 def path_of(source):
     """The path below the object of a source; empty without one."""
-    if not isinstance(source, tuple):
+    if not _has_path(source):
         return ""
-    path = source[1]
-    return path if isinstance(path, str) else "".join(path[:1])
+    return source[1] if isinstance(source[1], str) else "".join(source[1][:1])
+
+
+def _has_path(source):
+    # A property that links to sub-elements gives a list of their names.
+    return isinstance(source, tuple) and len(source) == 2 and (
+        isinstance(source[1], str)
+        or isinstance(source[1], (list, tuple)) and all(isinstance(name, str) for name in source[1]))
 
 
 def source_of(obj, path=""):

@@ -9,7 +9,8 @@ import Part
 
 import MeshQuality as mq
 from MeshQuality import convert
-from MeshQuality.gui import commands, places
+from MeshQuality.gui import commands, mesh_panel, places
+from MeshQuality.gui.quality_data import QualityData
 
 COARSE = {"method": "star", "polish": False, "chord_height": 0.01}  # misses its distance
 
@@ -96,4 +97,106 @@ class Places(gui_helpers.PanelTest):
         panel.certificate.button.click()
         self.until(lambda: not panel.certificate.flight.active)
         self.assertEqual(FreeCADGui.Selection.getSelection(), [])
+        panel.reject()
+
+
+class InContainers(gui_helpers.PanelTest):
+    """What is picked in the 3D view inside of containers is meshed, joined and shown where it stands."""
+
+    def assembly(self):
+        """Two parts with a box each; the boxes overlap in a cube of 5 mm at (105, 5, 5)."""
+        for name, base in (("One", (100, 0, 0)), ("Two", (105, 5, 5))):
+            part = self.document.addObject("App::Part", name)
+            part.addObject(self.document.addObject("Part::Box", "BoxIn" + name))
+            part.Placement.Base = FreeCAD.Vector(*base)
+        self.document.recompute()
+
+    def picked(self, command, *paths):
+        """The panel of a command for what was picked in the 3D view, given as paths "Part.Box.Face1"."""
+        FreeCADGui.Selection.clearSelection()
+        for path in paths:
+            root, below = path.split(".", 1)
+            FreeCADGui.Selection.addSelection(self.document.Name, root, below)
+        self.assertTrue(command().IsActive())
+        panel = mesh_panel.MeshPanel(command().operations(command().selected()))
+        FreeCADGui.Control.showDialog(panel)
+        gui_helpers.wait()
+        return panel
+
+    def world_box(self, obj):
+        mesh = obj.Mesh.copy()
+        mesh.Placement = obj.getGlobalPlacement()
+        box = mesh.BoundBox
+        return [round(v, 3) for v in (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)]
+
+    def test_a_picked_face_of_a_nested_box(self):
+        self.assembly()
+        for command in (commands.Triangulate, commands.Curve):
+            panel = self.picked(command, "One.BoxInOne.Face6")
+            self.finish(panel)
+            obj = panel.operations[0].obj
+            self.assertEqual(obj.Source, self.document.getObject("BoxInOne"))
+            self.assertEqual(self.world_box(obj), [100, 0, 0, 110, 10, 10])
+
+    def test_nested_operands(self):
+        self.assembly()
+        panel = self.picked(commands.Boolean, "One.BoxInOne.Face6", "Two.BoxInTwo.Face1")
+        panel.options.set_values({"operation": "intersection"})
+        self.finish(panel)
+        obj = panel.operations[0].obj
+        self.assertAlmostEqual(obj.Volume.Value, 125.0, delta=1e-3)
+        self.assertEqual(self.world_box(obj), [105, 5, 5, 110, 10, 10])
+
+    def test_what_only_a_link_leads_to(self):
+        self.assembly()
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = self.document.getObject("One")
+        link.Placement.Base = FreeCAD.Vector(0, 0, 50)
+        self.document.recompute()
+        panel = self.picked(commands.Triangulate, "Link.BoxInOne.Face6")
+        self.finish(panel)
+        obj = panel.operations[0].obj
+        self.assertEqual((obj.Source, obj.SourcePath), (link, "BoxInOne."))
+        self.assertEqual(self.world_box(obj), [0, 0, 50, 10, 10, 60])
+        again = commands.panel_of(obj)
+        FreeCADGui.Control.showDialog(again)
+        again.options.set_values({"max_edge": 3.0})
+        self.apply(again)
+        self.assertEqual(again.said, "")
+        self.assertGreater(obj.Triangles, 100)
+        self.assertEqual(self.world_box(obj), [0, 0, 50, 10, 10, 60])
+        again.reject()
+
+    def test_the_quality_of_a_nested_mesh_is_drawn_where_it_stands(self):
+        self.assembly()
+        part, source = self.document.getObject("One"), self.document.getObject("BoxInOne")
+        for add in (mq.add_quality_mesh, mq.add_curved_mesh):
+            obj = add(source)
+            part.addObject(obj)
+            self.document.recompute()
+            data = QualityData(obj)
+            data.prepare()
+            points = data.corners.reshape(-1, 3)
+            np.testing.assert_allclose(points.min(axis=0), (100, 0, 0), atol=1e-4)
+            np.testing.assert_allclose(points.max(axis=0), (110, 10, 10), atol=1e-4)
+            np.testing.assert_allclose(data.lines[0].max(axis=0), (110, 10, 10), atol=1e-4)
+            if add is mq.add_quality_mesh:
+                self.assertLess(data.distances().max(), 1e-4)
+
+    def test_the_missed_place_of_a_moved_mesh(self):
+        source = self.document.addObject("Part::Cylinder", "Cylinder")
+        part = self.document.addObject("App::Part", "Part")
+        part.addObject(source)
+        self.document.recompute()
+        obj = mq.add_quality_mesh(source, **COARSE)
+        part.Placement.Base = FreeCAD.Vector(500, 0, 0)
+        self.document.recompute()
+        panel = commands.panel_of(obj)
+        FreeCADGui.Control.showDialog(panel)
+        panel.certificate.button.click()
+        self.until(lambda: not panel.certificate.flight.active)
+        camera = np.array(self.view.getCameraNode().position.getValue().getValue())
+        self.assertGreater(camera[0], 400)
+        chosen, = FreeCADGui.Selection.getSelectionEx("", 0)
+        self.assertEqual((chosen.Object, chosen.SubElementNames[0].split(".")[0]), (part, "Cylinder"))
         panel.reject()

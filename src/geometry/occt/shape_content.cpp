@@ -4,7 +4,8 @@
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
 #include <Standard_Failure.hxx>
-#include <TopExp_Explorer.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cmath>
 #include <string>
@@ -13,12 +14,23 @@
 
 namespace mq::geometry {
 
+namespace {
+
+/// Relative error of the volume under each face. Without such a bound BRepGProp takes a fixed number of Gauss points,
+/// which is 1 to 7 percent off for trimmed B-spline faces of screws, wings and fuselages. At 1e-6 the slowest wing
+/// takes twice as long, and no volume changes by more than 1e-6.
+constexpr double kAccuracy = 1e-5;
+
+}  // namespace
+
 double solid_content(const TopoDS_Shape& shape) {
     try {
+        TopTools_IndexedMapOfShape solids;
+        TopExp::MapShapes(shape, TopAbs_SOLID, solids);
         double sum = 0.0;
-        for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next()) {
+        for (int i = 1; i <= solids.Extent(); ++i) {
             GProp_GProps properties;
-            BRepGProp::VolumeProperties(solids.Current(), properties);
+            BRepGProp::VolumeProperties(solids(i), properties, kAccuracy);
             sum += std::abs(properties.Mass());
         }
         return sum;

@@ -5,8 +5,8 @@ class TopoDS_Shape;
 
 namespace mq::geometry {
 
-/// The volume of the shape's solids by the kernel's own integration, mm^3, also of those that are inside out; 0 without
-/// a solid. Call it on the engine's thread (Engine::run).
+/// The volume of the solids of the shape by the kernel's adaptive integration, mm^3, each solid once and also of those
+/// that are inside out; 0 without a solid. Call it on the engine's thread (Engine::run).
 /// @throws GeometryError when the kernel fails.
 double solid_content(const TopoDS_Shape& shape);
 

@@ -1,0 +1,412 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Objects stand where the document has them: in containers, groups, bodies, links and link arrays."""
+
+import os
+import unittest
+
+import FreeCAD
+import helpers
+import numpy as np
+import Part
+from FreeCAD import Placement, Rotation, Vector
+
+import MeshQuality as mq
+from MeshQuality import cli_worker, convert, frames
+
+TURNED = Placement(Vector(20, -30, 40), Rotation(Vector(1, 2, 3), 50))
+ASSEMBLY = os.path.join(os.environ.get("MESHQUALITY_DATA", os.path.join(helpers.ROOT, "..", "shared", "data")),
+                        "cad", "as1-oc-214.stp")
+COARSE = {"chord_height": 1.0}
+
+
+def box_of(points):
+    """Corners of the box of points, or of a Part.Shape, as six numbers."""
+    if isinstance(points, Part.Shape):
+        # That of a copy: the box of a turned location encloses a turned box.
+        points = np.array([tuple(v.Point) for v in points.copy().Vertexes])
+    return np.concatenate((points.min(axis=0), points.max(axis=0)))
+
+
+def box_in_document(obj):
+    """The box of the mesh of an object where FreeCAD itself has it."""
+    mesh = obj.Mesh.copy()
+    mesh.Placement = obj.getGlobalPlacement()
+    return box_of(helpers.points_and_facets(mesh)[0])
+
+
+class PlacementTest(helpers.DocumentTest):
+    """A test with containers."""
+
+    def add(self, kind, name, placement=None, **values):
+        obj = self.document.addObject(kind, name)
+        if placement is not None:
+            obj.Placement = placement
+        for key, value in values.items():
+            setattr(obj, key, value)
+        return obj
+
+    def part(self, name, placement, *objects):
+        part = self.add("App::Part", name, placement)
+        part.addObjects(list(objects))
+        return part
+
+    def assert_same_box(self, found, wanted, tolerance=1e-3):
+        np.testing.assert_allclose(found, wanted, atol=tolerance)
+
+
+class Sources(PlacementTest):
+    """What may be meshed, and where it stands by FreeCAD's own path from the outermost object."""
+
+    def sources(self):
+        """{name: (source, its shape in the document)}"""
+        box = self.box("B", Length=1, Width=2, Height=3)
+        inner = self.part("Inner", Placement(Vector(0, 7, 0), Rotation(10, 20, 30)), box)
+        outer = self.part("Outer", TURNED, inner)
+        grouped = self.box("Grouped", Length=3)
+        group = self.document.addObject("App::DocumentObjectGroup", "Group")
+        group.addObject(grouped)
+        self.part("WithGroup", TURNED, group)
+        body = self.document.addObject("PartDesign::Body", "Body")
+        feature = body.newObject("PartDesign::AdditiveBox", "Feature")
+        body.Placement.Base = Vector(0, 50, 0)
+        self.part("WithBody", TURNED, body)
+        link = self.add("App::Link", "Link", LinkedObject=inner)
+        link.Placement.Base = Vector(100, 0, 0)
+        nested = self.add("App::Link", "Nested", LinkedObject=box)
+        nested.Placement.Base = Vector(0, 0, 200)
+        self.part("WithLink", TURNED, nested)
+        array = self.add("App::Link", "Array", LinkedObject=box, ElementCount=2)
+        self.document.recompute()
+        array.ElementList[1].Placement.Base = Vector(0, 300, 0)
+        array.Placement.Base = Vector(0, 0, 5)
+        lent = self.box("Lent", Length=4)
+        linked = self.add("App::LinkGroup", "LinkGroup", ElementList=[lent])
+        linked.Placement = TURNED
+        self.document.recompute()
+        get = self.document.getObject
+        return {
+            "box in parts": (box, Part.getShape(outer, "Inner.B.")),
+            "part in a part": (inner, Part.getShape(outer, "Inner.")),
+            "box in a group in a part": (grouped, Part.getShape(get("WithGroup"), "Grouped.")),
+            "body in a part": (body, Part.getShape(get("WithBody"), "Body.")),
+            "feature of a body in a part": (feature, Part.getShape(get("WithBody"), "Body.Feature.")),
+            "link in a part": (nested, Part.getShape(get("WithLink"), "Nested.")),
+            "element of an array": (array.ElementList[1], Part.getShape(array, "1.")),
+            "box in a link group": (lent, Part.getShape(linked, "Lent.")),
+            "box in a linked part": ((link, "B."), Part.getShape(link, "B.")),
+            "face in parts": ((box, "Face6"), Part.getShape(outer, "Inner.B.Face6", needSubElement=True)),
+        }
+
+    def test_shapes_and_meshes(self):
+        for name, (source, wanted) in self.sources().items():
+            with self.subTest(name):
+                self.assert_same_box(box_of(convert.shape_of(source)), box_of(wanted), 1e-9)
+                mesh = mq.triangulate(source)
+                self.assert_same_box(box_of(mesh.vertices + mesh.origin), box_of(wanted))
+                self.assertLess(mq.quality(mesh, source).max_chord_height, 1e-4)
+
+    def test_document_objects(self):
+        for name, (source, wanted) in self.sources().items():
+            with self.subTest(name):
+                obj = mq.add_quality_mesh(source)
+                self.assert_same_box(box_in_document(obj), box_of(wanted))
+                self.assert_same_box(box_of(convert.arrays_of_mesh(obj)[0]), box_of(wanted))
+                curved = mq.add_curved_mesh(source)
+                self.assert_same_box(box_in_document(curved), box_of(wanted))
+                self.assert_same_box(box_of(mq.CurvedMesh.of(curved).nodes), box_of(wanted))
+
+    def test_what_is_selected_is_named_by_itself_where_it_can_be(self):
+        self.sources()
+        get = self.document.getObject
+
+        class Selected:
+            pass
+
+        for root, path, wanted in (
+                ("Outer", "Inner.B.Face6", (get("B"), "Face6")), ("Outer", "Inner.", (get("Inner"), "")),
+                ("WithGroup", "Group.Grouped.Edge1", (get("Grouped"), "Edge1")),
+                ("WithBody", "Body.Feature.Face1", (get("Body"), "Face1")),
+                ("WithLink", "Nested.Face1", (get("Nested"), "Face1")),
+                ("Array", "1.Face1", (get("Array").ElementList[1], "Face1")),
+                ("Link", "B.Vertex2", ((get("Link"), "B."), "Vertex2")), ("Link", "", (get("Link"), ""))):
+            selected = Selected()
+            selected.Object, selected.SubElementNames = get(root), (path,) if path else ()
+            self.assertEqual(frames.paths_of_selection(selected), [wanted], (root, path))
+
+    def test_a_source_that_a_path_no_longer_leads_to(self):
+        box = self.box("B")
+        part = self.part("Part", TURNED, box)
+        link = self.add("App::Link", "Link", LinkedObject=part)
+        self.document.recompute()
+        with self.assertRaisesRegex(mq.InvalidInput, "Link.* has nothing at Gone"):
+            mq.add_quality_mesh((link, "Gone."))
+
+    def test_scaled_containers_are_refused_by_name(self):
+        array = self.add("App::Link", "Scaled", LinkedObject=self.box("B"), ElementCount=2)
+        array.Scale = 2.0
+        self.document.recompute()
+        with self.assertRaisesRegex(mq.InvalidInput, "lies in 'Scaled', which is scaled: choose 'Scaled' itself"):
+            mq.triangulate(array.ElementList[1])
+        self.assert_same_box(box_of(mq.triangulate(array).vertices), box_of(Part.getShape(array)))
+
+
+class Following(PlacementTest):
+    """The mesh lies on its source, whatever happens to the containers around them."""
+
+    def check(self, obj, source):
+        self.assert_same_box(box_in_document(obj), box_of(convert.shape_of(source)))
+
+    def setUp(self):
+        super().setUp()
+        self.source = self.box("B", Length=1, Width=2, Height=3)
+        self.home = self.part("Home", TURNED, self.source)
+        self.document.recompute()
+
+    def test_the_container_of_the_source_moves(self):
+        for add in (mq.add_quality_mesh, mq.add_curved_mesh):
+            obj = add(self.source)
+            fingerprint = obj.Fingerprint
+            self.home.Placement = Placement(Vector(1, 2, 3), Rotation(70, 0, 10))
+            self.check(obj, self.source)  # at once
+            self.document.recompute()
+            self.check(obj, self.source)
+            self.assertEqual(obj.Fingerprint, fingerprint)  # not meshed anew
+            self.assertEqual(obj.Certificate, mq.update(obj) or obj.Certificate)
+            if add is mq.add_curved_mesh:
+                self.assert_same_box(box_of(mq.CurvedMesh.of(obj).nodes), box_of(convert.shape_of(self.source)))
+
+    def test_the_source_is_put_into_another_container(self):
+        obj = mq.add_quality_mesh(self.source)
+        other = self.part("Other", Placement(Vector(0, 0, 500), Rotation(0, 0, 45)), self.source)
+        self.check(obj, self.source)
+        self.document.recompute()
+        self.check(obj, self.source)
+        other.removeObject(self.source)
+        self.document.recompute()
+        self.check(obj, self.source)
+        self.assert_same_box(box_in_document(obj), (0, 0, 0, 1, 2, 3))
+
+    def test_the_mesh_is_put_into_a_container(self):
+        for container in (self.home, self.part("Other", Placement(Vector(0, 0, 500), Rotation(0, 0, 45)))):
+            obj = mq.add_quality_mesh(self.source)
+            container.addObject(obj)
+            self.check(obj, self.source)
+            self.document.recompute()
+            self.check(obj, self.source)
+            container.Placement.Base = Vector(-70, 0, 0)
+            self.document.recompute()
+            self.check(obj, self.source)
+            self.assertLess(mq.quality(obj, self.source).max_chord_height, 1e-4)
+
+    def test_an_expression_moves_the_container(self):
+        obj = mq.add_quality_mesh(self.source)
+        self.home.setExpression("Placement.Base.x", "B.Height * 100")
+        self.document.recompute()
+        self.check(obj, self.source)
+        self.assertAlmostEqual(self.home.Placement.Base.x, 300)
+        self.source.Height = 5
+        self.document.recompute()
+        self.assertAlmostEqual(self.home.Placement.Base.x, 500)
+        self.check(obj, self.source)
+
+    def test_undo_of_a_moved_container(self):
+        self.document.UndoMode = 1
+        obj = mq.add_quality_mesh(self.source)
+        before = box_in_document(obj)
+        self.document.openTransaction("Move")
+        self.home.Placement = Placement()
+        self.document.recompute()
+        self.document.commitTransaction()
+        self.check(obj, self.source)
+        self.document.undo()
+        self.document.recompute()
+        self.assert_same_box(box_in_document(obj), before)
+        self.check(obj, self.source)
+
+    def test_saved_and_opened(self):
+        obj = mq.add_quality_mesh(self.source)
+        self.home.addObject(obj)
+        self.document.recompute()
+        name = obj.Name
+        self.reopen()
+        get = self.document.getObject
+        self.check(get(name), get("B"))
+        get("Home").Placement = Placement()
+        self.document.recompute()
+        self.check(get(name), get("B"))
+
+    def test_an_object_of_an_older_version_is_put_in_its_place(self):
+        obj = mq.add_quality_mesh(self.source)
+        # These computed in the frame of the container, and knew neither property.
+        local = mq.triangulate(convert.own_shape_of(self.source)).to_mesh()
+        obj.Mesh = local
+        obj.removeProperty("SourceFrame")
+        obj.removeProperty("MeshOrigin")
+        obj.Proxy.onDocumentRestored(obj)
+        obj.touch()
+        self.document.recompute()
+        self.check(obj, self.source)
+
+    def test_what_was_not_moved_has_the_certified_coordinates(self):
+        obj = mq.add_quality_mesh(self.source)
+        mesh = mq.triangulate(self.source)
+        self.assertTrue(frames.same(obj.Placement, frames.translation(Vector(*mesh.origin))))
+        np.testing.assert_array_equal(convert.arrays_of_mesh(obj)[0], mesh.vertices + mesh.origin)
+
+
+class Booleans(PlacementTest):
+    """Operands are joined where they stand."""
+
+    def test_operands_in_different_containers(self):
+        first, second = self.box("First"), self.box("Second")
+        one = self.part("One", Placement(Vector(100, 0, 0), Rotation()), first)
+        self.part("Two", Placement(Vector(105, 5, 5), Rotation()), second)
+        self.document.recompute()
+        result = mq.boolean(first, second, "intersection")
+        self.assertAlmostEqual(result.report.volume, 125.0, delta=1e-3)
+        obj = mq.add_boolean(first, second, "intersection")
+        self.assertAlmostEqual(obj.Volume.Value, 125.0, delta=1e-3)
+        self.assert_same_box(box_in_document(obj), (105, 5, 5, 110, 10, 10))
+        one.Placement.Base.x = 103
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 200.0, delta=1e-3)
+        self.assert_same_box(box_in_document(obj), (105, 5, 5, 113, 10, 10))
+
+    def test_operands_of_one_container_move_with_it(self):
+        first, second = self.box("First"), self.box("Second")
+        second.Placement.Base = Vector(5, 5, 5)
+        home = self.part("Home", TURNED, first, second)
+        self.document.recompute()
+        obj = mq.add_boolean(first, second, "intersection")
+        self.assertAlmostEqual(obj.Volume.Value, 125.0, delta=1e-2)
+        home.Placement = Placement(Vector(1000, 0, 0), Rotation())
+        self.document.recompute()
+        self.assert_same_box(box_in_document(obj), (1005, 5, 5, 1010, 10, 10))
+
+    def test_an_operand_that_only_a_link_leads_to(self):
+        first, second = self.box("First"), self.box("Second")
+        part = self.part("Part", Placement(), second)
+        link = self.add("App::Link", "Link", LinkedObject=part)
+        link.Placement.Base = Vector(5, 5, 5)
+        self.document.recompute()
+        obj = mq.add_boolean(first, (link, "Second."), "intersection")
+        self.assertAlmostEqual(obj.Volume.Value, 125.0, delta=1e-3)
+        link.Placement.Base = Vector(9, 5, 5)
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 25.0, delta=1e-3)
+
+    def test_meshes_in_containers(self):
+        first, second = self.box("First"), self.box("Second")
+        meshes = []
+        for source, base in ((first, (100, 0, 0)), (second, (105, 5, 5))):
+            feature = self.add("Mesh::Feature", "Scan", Mesh=mq.triangulate(source).to_mesh())
+            self.part("Of" + source.Name, Placement(Vector(*base), Rotation()), feature)
+            meshes.append(feature)
+        self.document.recompute()
+        obj = mq.add_boolean(*meshes, "intersection")
+        self.assertAlmostEqual(obj.Volume.Value, 125.0, delta=1e-3)
+        better = mq.add_improved_mesh(meshes[0])
+        self.assert_same_box(box_in_document(better), (100, 0, 0, 110, 10, 10))
+
+
+class ListedAgain(unittest.TestCase):
+    """A compound that lists solids, and beside them their shells, faces and edges again, as Gmsh writes
+    BREP files: each is there once.
+    """
+
+    def setUp(self):
+        box, ball = Part.makeBox(10, 10, 10), Part.makeSphere(4, Vector(30, 0, 0))
+        self.solids = Part.makeCompound([box, ball])
+        self.listed = Part.makeCompound([box, ball, *box.Shells, *ball.Shells, *box.Faces, *ball.Faces,
+                                         *box.Edges, *ball.Vertexes])
+
+    def test_meshes(self):
+        plain, again = (mq.triangulate(shape) for shape in (self.solids, self.listed))
+        self.assertEqual(again.report.components, 2)
+        self.assertTrue(again.report.closed and again.report.manifold)
+        np.testing.assert_array_equal(again.vertices, plain.vertices)
+        np.testing.assert_array_equal(again.triangles, plain.triangles)
+
+    def test_booleans(self):
+        cut = mq.boolean(self.listed, Part.makeBox(5, 10, 10), "difference", tolerance=0.004)
+        self.assertAlmostEqual(cut.report.volume, self.solids.Volume - 500, delta=0.5)
+        self.assertEqual(cut.report.components, 2)
+
+    def test_curved_meshes(self):
+        plain, again = (mq.curve(shape, volume=True) for shape in (self.solids, self.listed))
+        self.assertEqual(again.report.elements, plain.report.elements)
+        self.assertAlmostEqual(again.report.cad_volume, self.solids.Volume, delta=1e-2)
+        self.assertLess(again.report.volume_error, 1e-3)
+
+    def test_document_objects(self):
+        document = FreeCAD.newDocument("Listed")
+        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        source = document.addObject("Part::Feature", "Listed")
+        source.Shape = self.listed
+        obj = mq.add_quality_mesh(source)
+        self.assertTrue(obj.AskedClosed and obj.Closed)
+        self.assertEqual(mq.quality(obj).components, 2)
+
+
+class CommandLine(PlacementTest):
+    def test_documents_with_containers(self):
+        box = self.box("B", Length=1, Width=2, Height=3)
+        home = self.part("Home", TURNED, box)
+        self.document.recompute()
+        path = os.path.join(self.folder, "nested.FCStd")
+        self.document.saveAs(path)
+        wanted = box_of(Part.getShape(home, "B."))
+        self.assert_same_box(box_of(cli_worker.read_shape(path)), wanted)
+        self.assert_same_box(box_of(cli_worker.read_shape(path, "B")), wanted)
+
+
+@unittest.skipUnless(os.path.exists(ASSEMBLY), f"there is no {ASSEMBLY}")
+class Assembly(PlacementTest):
+    """A STEP assembly with its tree of App::Part: 18 bodies, each in its place."""
+
+    def setUp(self):
+        super().setUp()
+        import Import  # noqa: PLC0415  slow to load
+
+        Import.insert(ASSEMBLY, self.document.Name, merge=False, useLinkGroup=False)
+        self.bodies = [obj for obj in self.document.Objects if obj.isDerivedFrom("Part::Feature")]
+        self.root, = [obj for obj in self.document.RootObjects if obj.isDerivedFrom("App::Part")]
+
+    def in_document(self, body):
+        """The shape by FreeCAD's path from the root."""
+        path = next(path for root, path in body.Parents if root == self.root)
+        return Part.getShape(self.root, path)
+
+    def test_each_body_is_meshed_and_curved_in_its_place(self):
+        self.assertEqual(len(self.bodies), 18)
+        for body in self.bodies:
+            wanted = self.in_document(body)
+            for add in (mq.add_quality_mesh, mq.add_curved_mesh):
+                obj = add(body, chord_height=0.005 if add is mq.add_quality_mesh else 0.5)
+                # What is shown of curved elements is flat and has less volume than they have.
+                volume = getattr(obj, "EnclosedVolume", None) or obj.Mesh.Volume
+                self.assertAlmostEqual(getattr(volume, "Value", volume), wanted.Volume, delta=1e-3 * wanted.Volume)
+                optimal = wanted.copy().optimalBoundingBox(False)
+                self.assert_same_box(box_in_document(obj), (optimal.XMin, optimal.YMin, optimal.ZMin,
+                                                            optimal.XMax, optimal.YMax, optimal.ZMax),
+                                     1e-3 * optimal.DiagonalLength)
+
+    def test_bodies_are_joined_and_improved_in_their_places(self):
+        rod = next(b for b in self.bodies if b.Label == "rod")
+        bracket = next(b for b in self.bodies if b.Label == "l-bracket")
+        wanted = self.in_document(rod).fuse(self.in_document(bracket))
+        obj = mq.add_boolean(rod, bracket, "union", tolerance=0.02)
+        self.assertAlmostEqual(obj.Volume.Value, wanted.Volume, delta=1e-3 * wanted.Volume)
+        better = mq.add_improved_mesh(obj)
+        optimal = wanted.copy().optimalBoundingBox(False)
+        self.assert_same_box(box_in_document(better), (optimal.XMin, optimal.YMin, optimal.ZMin,
+                                                       optimal.XMax, optimal.YMax, optimal.ZMax), 0.05)
+        mesh = mq.add_quality_mesh(bracket)
+        self.assertLess(mq.quality(mesh, bracket).max_chord_height,
+                        1.01 * 0.003 * max(self.in_document(bracket).BoundBox.XLength, 200))
+
+    def test_the_whole_assembly(self):
+        mesh = mq.triangulate(self.root, chord_height_relative=0.0002)
+        volume = sum(self.in_document(body).Volume for body in self.bodies)
+        self.assertAlmostEqual(mesh.report.volume, volume, delta=1e-3 * volume)
+        self.assertEqual(mesh.report.components, 18)
