@@ -82,6 +82,9 @@ std::string explain_final(const Workspace& work, int triangle, double bound) {
 std::string explain(const Workspace& work, CornerForce& forces, int triangle, const Exemption& exemption,
                     double bound) {
     const std::string where = " on " + work.session.topology().name_of({2, work.mesh.face_of(triangle)});
+    if (exemption.cause == Cause::Budget) {
+        return "max_triangles is reached" + where;  // whatever else may be true of it: nobody tried
+    }
     const std::string at_edge = exemption.segment >= 0 ? " at " + edge_name(work, exemption.segment) : "";
     if (const std::string now = explain_final(work, triangle, bound); !now.empty()) {
         return now + where;
@@ -109,7 +112,7 @@ std::string explain(const Workspace& work, CornerForce& forces, int triangle, co
         case Cause::Stuck:
             return "no change of the triangles around makes the angle larger within the bounds" + where;
         case Cause::Budget:
-            return "max_triangles is reached" + where;
+            break;
     }
     return "unknown" + where;
 }

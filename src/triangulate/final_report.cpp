@@ -26,7 +26,11 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
             continue;
         }
         const double angle = smallest_angle(work.mesh, t).angle / kDegree;
+        static const Exemption kUnfinished{Cause::Budget, -1, -1, 0};
         const Exemption* exemption = work.exemption_of(t);
+        if (exemption == nullptr && work.over_budget()) {
+            exemption = &kUnfinished;
+        }
         if (angle < bound && exemption != nullptr) {
             report.exempt.emplace_back(static_cast<std::int32_t>(i),
                                        explain(work, forces, t, *exemption, bound * kDegree));
@@ -105,12 +109,15 @@ mesh::MeshReport final_report(Workspace& work, Findings& findings, const Output&
     report_exemptions(work, out, report.min_angle_asked, report);
     report_spanning(work, out, report);
     report.notes = work.session.topology().faults;
-    report_crossings(findings.crossings, work.session.topology(), report);
+    if (!work.over_budget()) {
+        report_crossings(findings.crossings, work.session.topology(), report);
+    }
     report_chord_height(work, findings.chords, out, options.keeps_bounds(), report);
     report.complete = !work.over_budget();
     if (work.over_budget()) {
         report.notes.push_back("stopped at max_triangles = " + std::to_string(work.budget) +
-                               ": the mesh is consistent, but its bounds are not all met; raise max_triangles");
+                               ": the mesh is consistent, but its bounds are not all met, and it was not searched for "
+                               "triangles that cross; raise max_triangles");
     }
     return report;
 }

@@ -183,8 +183,13 @@ std::vector<int> Mender::bad_triangles() const {
 // Good triangles beside bad ones hold these fast when they are just good enough.
 void Mender::make_room() {
     std::set<int> vertices;
+    std::set<int> visited;  // sites: each bad triangle of a fan has the whole fan around its apex
     for (const int t : bad_triangles()) {
+        work_.progress.check();
         for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (!visited.insert(work_.mesh.site_of(h)).second) {
+                continue;
+            }
             for (const int other : triangles_around(work_.mesh, h)) {
                 for (int k = 3 * other; k < 3 * other + 3; ++k) {
                     vertices.insert(work_.mesh.vertex_of(k));

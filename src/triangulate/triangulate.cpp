@@ -210,6 +210,9 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
         refine_chords();  // it looks at fewer places
         clock.end("taking out vertices");
     }
+    if (work.over_budget()) {
+        return "";  // the limit ends the work: what comes now would improve a mesh that is not finished
+    }
     work.progress.stage("separating crossings", 0.82, 0.85);
     CrossingRefiner crossings(work, segments, findings.crossings);
     const auto separate_crossings = [&] {

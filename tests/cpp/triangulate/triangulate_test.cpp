@@ -106,6 +106,22 @@ TEST(Triangulate, StopsAtTheBudgetWithAConsistentMesh) {
     }
 }
 
+// Fans of a hundred thousand triangles around the poles: nothing that comes after the limit may look at the whole fan
+// for each of its triangles (it did, and was not back after fifteen minutes).
+TEST(Triangulate, EndsAtTheBudgetWithLongFans) {
+    Options options;
+    options.edges_per_circle = 1e5;
+    options.max_triangles = 100000;
+    const Result result = mesh_of(geometry::make_sphere(1.0), options);
+    EXPECT_FALSE(result.report.complete);
+    EXPECT_LT(result.report.self_intersections, 0);  // not searched for
+    EXPECT_GT(result.report.exempt.size(), 100000u);
+    EXPECT_GE(result.report.min_angle_unexempted, options.min_angle);
+    for (const auto& [triangle, why] : result.report.exempt) {
+        ASSERT_EQ(why.rfind("max_triangles is reached", 0), 0u) << triangle << ": " << why;
+    }
+}
+
 TEST(Triangulate, IsCancelledFromAnotherThread) {
     const auto model = geometry::make_torus(5.0, 1.5);
     Options options;
