@@ -249,9 +249,11 @@ def _sub_element_of(source, name):
     if wanted is not None:
         whole = Part.getShape(source)
         near = 1e-6 * max(whole.BoundBox.DiagonalLength, 1.0)
-        for i, candidate in enumerate(_elements(whole, kind), 1):
-            if _same_in_place(wanted, candidate, near):
-                return f"{kind}{i}"
+        there = [i for i, other in enumerate(_elements(whole, kind)) if _same_place(wanted, other, near)]
+        # Neighbours may touch in a face or an edge. Bodies have copies of what their features have.
+        own = [i for i in there if wanted.isPartner(_elements(whole, kind)[i])]
+        if there:
+            return f"{kind}{(own or there)[0] + 1}"
     raise InvalidInput(f"local_sizes names {name}, but {label_of(source)} does not hold that: select it "
                        "again in the 3D view")
 
@@ -260,11 +262,10 @@ def _elements(shape, kind):
     return {"Face": shape.Faces, "Edge": shape.Edges, "Vertex": shape.Vertexes}[kind]
 
 
-def _same_in_place(one, other, near):
-    """Whether two sub-elements are the same one in the same place; containers place it anew each time."""
-    if not one.isPartner(other):
-        return False
+def _same_place(one, other, near):
+    """Whether two sub-elements have the same vertices and the same centre."""
     points = [[vertex.Point for vertex in element.Vertexes] +
               ([element.CenterOfMass] if element.ShapeType != "Vertex" else [])
               for element in (one, other)]
-    return all((a - b).Length <= near for a, b in zip(*points))
+    return len(points[0]) == len(points[1]) \
+        and all((a - b).Length <= near for a, b in zip(*points))

@@ -14,9 +14,32 @@ void raise(const char* name, const std::exception& error) {
     PyErr_SetString(type.ptr(), error.what());
 }
 
+/// Calls a function of Python; what that raises gets no traceback.
+py::object call_without_traceback(const py::function& function, const py::args& arguments) {
+    const py::object found = py::reinterpret_steal<py::object>(PyObject_CallObject(function.ptr(), arguments.ptr()));
+    if (!found) {
+        PyObject* type = nullptr;
+        PyObject* value = nullptr;
+        PyObject* traceback = nullptr;
+        PyErr_Fetch(&type, &value, &traceback);
+        Py_XDECREF(traceback);
+        PyErr_Restore(type, value, nullptr);
+        throw py::error_already_set();
+    }
+    return found;
+}
+
 }  // namespace
 
-void bind_errors(py::module_&) {
+void bind_errors(py::module_& m) {
+    m.def(
+        "without_traceback",
+        [](const py::function& function) {
+            return py::cpp_function([function](const py::args& arguments) {  //
+                return call_without_traceback(function, arguments);
+            });
+        },
+        "The function, but what it raises tells nothing of the code: for callers who print that for users");
     py::register_exception_translator([](std::exception_ptr error) {
         try {
             std::rethrow_exception(error);

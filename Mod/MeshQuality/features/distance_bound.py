@@ -14,7 +14,6 @@ from ..errors import Error
 
 PROPERTY = "DistanceBound"
 _VALUES = {options.ABSOLUTE: "ChordHeight", options.RELATIVE: "ChordHeightRelative"}
-_HELP = "How the distance to the shape is bounded: relative to its size, by a length, or not at all"
 _DIGITS = 3  # of a value that is the same as the one given the other way
 
 _settling = set()  # (document, object) whose properties are being made consistent
@@ -28,7 +27,9 @@ def add(obj, table):
         option = next(option for option in table if option.name == options.DISTANCE[0])
         given = [bound for bound, name in _VALUES.items() if _number(obj, name)]
         with _while_settling(obj):
-            obj.addProperty("App::PropertyEnumeration", PROPERTY, option.group, _HELP)
+            obj.addProperty("App::PropertyEnumeration", PROPERTY, option.group,
+                            "How the distance to the shape is bounded: relative to its size, by a "
+                            "length, or not at all")
             obj.DistanceBound = list(options.BOUNDS)
             _settle(obj, given[0] if given else options.UNBOUNDED)
     _show_chosen(obj)

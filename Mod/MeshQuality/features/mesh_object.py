@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 
 from .. import convert, options
-from ..compat import PlainState, attribute_of, property_of
+from ..compat import PlainState, attribute_of, property_of, without_traceback
 from ..errors import Error, InvalidInput
 from . import certificate, distance_bound
 from .work import Work, handed_over, result_for
@@ -127,8 +127,15 @@ class MeshObject(PlainState):
             finally:
                 self._clearing = False
 
-    def execute(self, obj):
-        """Brings the mesh up to date, unless nothing that it depends on has changed."""
+    @property
+    def execute(self):
+        """What FreeCAD calls to bring the mesh up to date. FreeCAD prints what it raises with the
+        traceback, which says nothing to users.
+        """
+        return without_traceback(self._bring_up_to_date)
+
+    def _bring_up_to_date(self, obj):
+        """Computes the mesh, unless nothing that it depends on has changed."""
         self.error = None
         try:
             done = self._result(obj)

@@ -282,8 +282,10 @@ class _Distance(_Field):
         row = QtGui.QHBoxLayout(widget)
         row.setContentsMargins(0, 0, 0, 0)
         self.choice = QtGui.QComboBox()
-        for bound, title in zip(options.BOUNDS, ("Relative to size", "Absolute", "No limit")):
-            self.choice.addItem(translate("MeshQuality", title), bound)
+        for bound, title in ((options.RELATIVE, translate("MeshQuality", "Relative to size")),
+                             (options.ABSOLUTE, translate("MeshQuality", "Absolute")),
+                             (options.UNBOUNDED, translate("MeshQuality", "No limit"))):
+            self.choice.addItem(title, bound)
         self.length, self.fraction = QuantityBox("mm"), _number_box(pair[1])
         for box in (self.choice, self.length, self.fraction):
             row.addWidget(box)
@@ -311,7 +313,7 @@ class _Distance(_Field):
             self.length.setValue(length)
         elif bound == options.RELATIVE:
             self.fraction.setValue(fraction)
-        self.choice.setCurrentIndex(options.BOUNDS.index(bound))
+        self.choice.setCurrentIndex(self.choice.findData(bound))
         self._show_box(bound)
 
     def values(self):
