@@ -58,6 +58,7 @@ ERRORS = (
     "{option} = {value} is not allowed: it must be a whole number, {range}",
     "{option} = {value} is not allowed: it must be a number, {range}",
     "{option} = {value} is not allowed: it must be {range}",
+    "chord_height = {value} and chord_height_relative = {number} exclude each other: give one of them",
     "min_edge = {number} mm is longer than max_edge = {number2} mm",
     "Source is empty: choose an object with a shape",
     "Source is not a mesh: choose one object with a mesh",
@@ -151,6 +152,8 @@ _SHOWN = {
         "{option}: {value} is not possible, it must be a number, {range}",
     "{option} = {value} is not allowed: it must be {range}":
         "{option}: {value} is not possible, it must be {range}",
+    "chord_height = {value} and chord_height_relative = {number} exclude each other: give one of them":
+        "The max. deviation is given twice, as {value} and as {number} of the size: give one of them",
     "min_edge = {number} mm is longer than max_edge = {number2} mm":
         "The shortest edge of {number} mm is longer than the longest edge of {number2} mm",
     "a further vertex would lie closer than single precision tells apart":

@@ -158,9 +158,10 @@ std::string faults_text(const MeshReport& r) {
 
 /// Says which distance it is: a triangle may lie near another face than its own.
 std::string distance_text(const MeshReport& r) {
-    std::string text = line(r.to_nearest_face ? "chord height %.6g mm: largest distance from the nearest CAD face"
-                                              : "chord height %.6g mm: largest deviation of a triangle from its own CAD face",
-                            r.max_chord_height);
+    std::string text =
+        line(r.to_nearest_face ? "chord height %.6g mm: largest distance from the nearest CAD face"
+                               : "chord height %.6g mm: largest deviation of a triangle from its own CAD face",
+             r.max_chord_height);
     text.pop_back();
     if (r.chord_height_asked > 0.0) {
         return text + line("; requested at most %.6g mm", r.chord_height_asked);
