@@ -180,7 +180,8 @@ def update(obj, progress=None, **values):
 
     obj       of add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh
     progress  callable(fraction 0..1, stage); returning False cancels
-    values    options to change; the others stay as they are
+    values    options to change; the others stay as they are, but a bound on the distance replaces the
+              one that was there
 
     Raises what adding such an object raises, and then leaves it as it was.
     """

@@ -30,7 +30,7 @@ def core():
 
 
 def without_traceback(function):
-    """The function, where the binary is there without the traceback of what it raises."""
+    """The function; where the binary is there, without the traceback of errors of ours that it raises."""
     return function if why_no_core() else core().without_traceback(function)
 
 

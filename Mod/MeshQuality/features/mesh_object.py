@@ -130,7 +130,7 @@ class MeshObject(PlainState):
     @property
     def execute(self):
         """What FreeCAD calls to bring the mesh up to date. FreeCAD prints what it raises with the
-        traceback, which says nothing to users.
+        traceback, which of an option out of range says nothing to users.
         """
         return without_traceback(self._bring_up_to_date)
 
@@ -147,10 +147,12 @@ class MeshObject(PlainState):
                 if FreeCAD.GuiUp:
                     _follow().stop(obj)
                 obj.Fingerprint, obj.Status = work.fingerprint, UP_TO_DATE
-        except (Error, ImportError, MemoryError) as error:
+        except Exception as error:
             self.error = error
             obj.Status = f"{FAILED}{error}"
-            raise type(error)(f"{obj.Label}: {error}") from error
+            if isinstance(error, (Error, ImportError, MemoryError)):
+                raise type(error)(f"{obj.Label}: {error}") from error
+            raise
 
     def _result(self, obj):
         """The (Work, result) that the object takes; None when it is up to date, is computed in the

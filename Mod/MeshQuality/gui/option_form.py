@@ -232,9 +232,19 @@ class _Switch(_Field):
         self.widget.setChecked(value)
 
 
+class _DecimalBox(QtGui.QDoubleSpinBox):
+    """Without zeros at the end."""
+
+    def textFromValue(self, value):
+        """Called by Qt."""
+        text = super().textFromValue(value)
+        point = self.locale().decimalPoint()
+        return text.rstrip("0").rstrip(point) if point in text else text
+
+
 def _number_box(option):
     whole = option.kind is int
-    box = QtGui.QSpinBox() if whole else QtGui.QDoubleSpinBox()
+    box = QtGui.QSpinBox() if whole else _DecimalBox()
     if not whole:
         box.setDecimals(6)
         box.setSingleStep(0.001)

@@ -68,6 +68,7 @@ class QuantityBox(QtGui.QDoubleSpinBox):
         self.setDecimals(_DECIMALS)
         self.setRange(0.0, _LARGEST)
         self.setMinimumWidth(60)
+        self.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
 
     def setValue(self, value):
         """Of QDoubleSpinBox."""
