@@ -181,6 +181,19 @@ class Distance(FormTest):
         self.assertEqual(panel.options.values()["chord_height_relative"], 0.01)
         self.assertIsNone(panel.options.values()["chord_height"])
 
+    def test_the_fields_show_what_is_set(self):
+        panel = self.panel(commands.Triangulate, self.box())
+        field = panel.options._fields["chord_height"]
+        for values, box, text in (({"chord_height": 0.125}, field.length, "0.125 mm"),
+                                  ({"chord_height_relative": 0.02}, field.fraction, "0.02"),
+                                  ({"chord_height": 0.1234}, field.length, "0.1234 mm")):
+            panel.options.set_values(values)
+            gui_helpers.wait()
+            self.assertTrue(box.isVisible())
+            self.assertEqual(box.text().replace(",", "."), text)
+            line = box.findChild(QtGui.QLineEdit)
+            self.assertLess(line.fontMetrics().boundingRect(text).width(), line.width())
+
     def test_typing_a_length_beside_a_preset_is_no_error(self):
         panel = self.panel(commands.Triangulate, self.box())
         self.typed(self.length_box(panel), "0.1 mm")

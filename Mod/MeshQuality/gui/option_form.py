@@ -14,6 +14,7 @@ translate = FreeCAD.Qt.translate
 
 _LARGEST = 2**31 - 1
 _WIDE = 150  # pixels that a list of sizes needs
+_ARROW = 42  # pixels of a box with choices beside its text
 _DIGITS = 3  # of a value that is converted between relative and absolute
 
 
@@ -323,8 +324,8 @@ class _Distance(_Field):
             self.length.setValue(length)
         elif bound == options.RELATIVE:
             self.fraction.setValue(fraction)
+        self._show_box(bound)  # before the choice, which would convert the value of the one before
         self.choice.setCurrentIndex(self.choice.findData(bound))
-        self._show_box(bound)
 
     def values(self):
         return dict(zip(options.DISTANCE, self.value() or self.read()))
@@ -345,6 +346,9 @@ class _Distance(_Field):
 
     def _show_box(self, bound):
         self._bound = bound
+        # The panel may be 260 pixels wide: no more than this choice needs.
+        text = self.choice.itemText(self.choice.findData(bound))
+        self.choice.setFixedWidth(self.choice.fontMetrics().boundingRect(text).width() + _ARROW)
         self.length.setVisible(bound == options.ABSOLUTE)
         self.fraction.setVisible(bound == options.RELATIVE)
 
