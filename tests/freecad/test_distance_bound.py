@@ -7,6 +7,7 @@ import math
 import os
 import subprocess
 import unittest
+from unittest import mock
 
 import FreeCAD
 import helpers
@@ -202,6 +203,13 @@ class Objects(helpers.DocumentTest):
             work = obj.Proxy.work_on([obj.Source], mesh_object.options_of(obj, obj.Proxy.OPTIONS), obj)
             self.assertEqual(work.fingerprint, held)
 
+    def test_older_curved_meshes_keep_their_default(self):
+        obj = mq.add_curved_mesh(self.made().Source)
+        obj.removeProperty("DistanceBound")
+        obj.ChordHeightRelative = 0
+        obj.Proxy.onDocumentRestored(obj)
+        self.check(obj, "Relative", 0, 0.01)
+
     def test_fingerprints_are_those_of_older_versions(self):
         shape = pin()
         for given, held in (({"chord_height": "none"}, (None, None)), ({"chord_height": 0.1}, (0.1, None)),
@@ -225,6 +233,16 @@ class Failures(helpers.DocumentTest):
         self.document.recompute()
         self.assertEqual(obj.Status, mesh_object.UP_TO_DATE)
         self.assertNotIn("Invalid", obj.State)
+
+    def test_an_error_that_nobody_expected_is_no_success_either(self):
+        obj = mq.add_quality_mesh(self.box())
+        with mock.patch.object(type(obj.Proxy), "work_on", side_effect=RuntimeError("gone wrong")):
+            obj.MaxEdge = 3
+            self.document.recompute()
+            self.assertEqual(obj.Status, "failed: gone wrong")
+            with self.assertRaisesRegex(RuntimeError, "gone wrong"):
+                mq.update(obj)
+        self.assertIn("Invalid", obj.State)
 
     def test_no_traceback_is_printed(self):
         script = os.path.join(self.folder, "fail.py")

@@ -31,7 +31,7 @@ def add(obj, table):
                             "How the distance to the shape is bounded: relative to its size, by a "
                             "length, or not at all")
             obj.DistanceBound = list(options.BOUNDS)
-            _settle(obj, given[0] if given else options.UNBOUNDED)
+            _settle(obj, given[0] if given else obj.Proxy.BOUND_BEFORE)
     _show_chosen(obj)
 
 

@@ -68,10 +68,12 @@ class MeshObject(PlainState):
                         itself where it is there already
     holds_mesh(obj)     whether the mesh of its last result is there
     take(obj, result)   shows a result
+    BOUND_BEFORE        the bound on the distance in older versions, where neither value was given
     An error leaves the last good mesh as it is.
     """
 
     PRESETS = PROMISES = ()
+    BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
 
     def __init__(self, obj):
