@@ -78,7 +78,7 @@ def measure(command, sources, values):
 
     panel = mesh_panel.MeshPanel(command().operations(sources))
     FreeCADGui.Control.showDialog(panel)
-    panel.options.set_values({"chord_height_relative": None, **values})
+    panel.options.set_values({"chord_height": "none", **values})
     wait(0.3)
     panel._end_trial()
     wait(0.2)

@@ -72,6 +72,8 @@ def random_options(dice, size):
             found[name] = choices[name]
     if "chord_height" not in found and dice.random() < 0.5:
         found["chord_height_relative"] = choices["chord_height_relative"]
+    elif "chord_height" not in found:
+        found["chord_height"] = "none"
     return found
 
 

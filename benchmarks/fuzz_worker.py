@@ -106,8 +106,8 @@ def measured_apart(mesh, shape):
 
 def distance_faults(mesh, shape, options):
     report, faults = mesh.report, []
-    asked = options.get("chord_height")
-    if asked and "min_edge" not in options:
+    asked = options["chord_height"]
+    if asked != "none" and "min_edge" not in options:
         for who, far in (("report", report.max_chord_height),
                          ("quality", measured_apart(mesh, shape))):
             if far > asked * (1 + DISTANCE_SLACK):
@@ -158,6 +158,7 @@ def crosses_itself(shape):
 def check(shape, options):
     import MeshQuality as mq
 
+    options = {"chord_height": "none", **options}
     mesh = mq.triangulate(shape, **options)
     faults = topology_faults(mesh, shape) + angle_faults(mesh, options["min_angle"]) \
         + distance_faults(mesh, shape, options) + number_faults(mesh)

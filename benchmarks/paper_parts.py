@@ -39,7 +39,7 @@ def mesh(shape, angle, insertion, budget):
     import MeshQuality as mq
 
     start = time.perf_counter()
-    report = mq.triangulate(shape, min_angle=angle, insertion=insertion,
+    report = mq.triangulate(shape, min_angle=angle, chord_height="none", insertion=insertion,
                             max_triangles=budget).report
     unexplained = [why for _, why in report.exempt if not explained(why)]
     return {

@@ -17,14 +17,16 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
 
     shape                  Part.Shape with faces, or a document object that has one
     min_angle              degrees, 0 < min_angle <= 34
-    chord_height           mm; largest distance to the shape; None: no bound
-    chord_height_relative  the same as a fraction of the largest dimension; give one of the two
+    chord_height           mm; largest distance to the shape; "none": no bound
+    chord_height_relative  the same as a fraction of the largest dimension; give one of the two, or
+                           neither for 0.003 of the largest dimension
     max_edge, min_edge     mm; None: no bound
     local_sizes            {"Face3": 0.5, "Edge7": 0.2, "Vertex1": 0.1}: longest edges in mm of the
-                           triangles on a face, along an edge, around a vertex
-    edges_per_circle       at least so many edges for each full turn of a curve or a surface, 3 or more
-    growth                 how many times longer than their neighbours edges become towards coarse
-                           places, greater than 1; None: as fast as the angles allow
+                           triangles on a face, along an edge, around a vertex; of a container or link
+                           also {"Box.Face3": 0.5}, with the names of the objects on the way
+    edges_per_circle       smallest number of edges for each full turn of a curve or a surface, 3 or more
+    growth                 growth rate of edge length from fine to coarse regions, greater than 1;
+                           None: as fast as the angles allow
     method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
     max_triangles          the work ends incomplete at this number; None: 5 million
     progress               callable(fraction 0..1, stage); returning False cancels
@@ -59,6 +61,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     })
     _require_callable(progress)
     live_shape = convert.shape_of(shape)
+    values = convert.with_resolved_sizes(shape, values)
     module = core()
     core_options = module.TriangulateOptions()
     core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
@@ -177,7 +180,8 @@ def update(obj, progress=None, **values):
 
     obj       of add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh
     progress  callable(fraction 0..1, stage); returning False cancels
-    values    options to change; the others stay as they are
+    values    options to change; the others stay as they are, but a bound on the distance replaces the
+              one that was there
 
     Raises what adding such an object raises, and then leaves it as it was.
     """

@@ -38,7 +38,7 @@ examples:
 """,
     "triangulate": """
 examples:
-  meshquality triangulate part.step -o part.ply
+  meshquality triangulate part.step -o part.ply              within 0.003 of the part's size
   meshquality triangulate part.FCStd --object Body -o part.stl --chord-height 0.05
   meshquality triangulate part.step --local-sizes "Face3=0.5, Edge7=0.2" --json
   cat part.brep | meshquality triangulate - --input-format brep -o - --format ply > part.ply
@@ -203,14 +203,37 @@ def _add_options(one, table, headings=None):
             group.add_argument(option.flag, action=action, default=option.default,
                                help=option.help)
             continue
+        if option.is_distance:
+            groups[options.DISTANCE] = groups.get(options.DISTANCE) \
+                or group.add_mutually_exclusive_group()
+            group = groups[options.DISTANCE]
         default = "" if option.default is None else f"; default: {option.default}"
         text = f"{option.help} ({option.range_text}{default})"
-        kind = str if option.is_sizes else option.kind
-        group.add_argument(option.flag, type=kind, metavar=_metavar(option),
-                           default=option.default, help=text.replace("%", "%%"))
+        # The default of the bound on the distance depends on both of its options: options.check has it.
+        group.add_argument(option.flag, type=_type(option), metavar=_metavar(option),
+                           default=None if option.is_distance else option.default,
+                           help=text.replace("%", "%%"))
+
+
+def _type(option):
+    if option.can_be_unbounded:
+        return _length_or_none
+    return str if option.is_sizes else option.kind
+
+
+def _length_or_none(text):
+    if text.strip().lower() == options.NO_BOUND:
+        return options.NO_BOUND
+    try:
+        return float(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(f"'{text}' is neither a length in mm nor "
+                                         f"{options.NO_BOUND}") from error
 
 
 def _metavar(option):
+    if option.can_be_unbounded:
+        return "MM|none"
     if option.unit:
         return option.unit.upper()
     if option.is_sizes:

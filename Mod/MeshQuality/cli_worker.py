@@ -20,8 +20,8 @@ REPORT_FIELDS = (
     "nonmanifold_edges", "misoriented_edges", "pinched_vertices", "degenerate_triangles",
     "duplicate_triangles", "self_intersections", "components", "euler", "min_angle", "max_angle",
     "mean_min_angle", "max_aspect", "angle_histogram", "area", "volume", "min_angle_asked",
-    "min_angle_unexempted", "max_chord_height", "chord_height_asked", "exempt", "exempt_causes",
-    "fallback", "notes", "complete", "seconds", "cpu_seconds", "queries", "predicates",
+    "min_angle_unexempted", "max_chord_height", "max_chord_height_to", "chord_height_asked", "exempt",
+    "exempt_causes", "fallback", "notes", "complete", "seconds", "cpu_seconds", "queries", "predicates",
     "exact_predicates",
 )
 

@@ -29,6 +29,11 @@ def core():
                             f"To get it, {remedy()}") from error
 
 
+def without_traceback(function):
+    """The function; where the binary is there, without the traceback of errors of ours that it raises."""
+    return function if why_no_core() else core().without_traceback(function)
+
+
 @functools.lru_cache(maxsize=None)
 def why_no_core():
     """What core() says where it fails; empty where it does not. Asked once: it is looked for again

@@ -243,3 +243,63 @@ def lists(array):
     for start in range(0, len(array), _MANY):
         made += array[start:start + _MANY].tolist()
     return made
+
+
+def resolve_sizes(source, sizes):
+    """{"Face12": 0.5} of {"Box.Face6": 0.5}: sizes by the sub-elements of the shape of `source`, where a
+    name begins with the path from the container or link `source` to the object that has the sub-element.
+
+    None without any. Raises InvalidInput naming what the source does not hold.
+    """
+    if not sizes:
+        return None
+    found = {}
+    for name, size in sizes.items():
+        plain = _sub_element_of(source, name) if "." in name else name
+        # Two names may mean one sub-element: both bounds hold.
+        found[plain] = min(size, found.get(plain, size))
+    return found
+
+
+def with_resolved_sizes(source, values):
+    """Checked options of an operation on `source`, local sizes by the sub-elements of its shape."""
+    if not values.get("local_sizes"):
+        return values
+    return {**values, "local_sizes": resolve_sizes(source, values["local_sizes"])}
+
+
+def _sub_element_of(source, name):
+    """The sub-element "Face12" of the shape of `source` that "Box.Face6" is."""
+    import Part
+
+    path, element = name.rsplit(".", 1)
+    obj, path = frames.object_of(source), f"{frames.path_of(source)}{path}."
+    kind = element.rstrip("0123456789")
+    wanted = None
+    if isinstance(obj, FreeCAD.DocumentObject) and obj.getSubObject(path, retType=1):
+        held = _elements(Part.getShape(obj, path), kind)
+        index = int(element[len(kind):]) - 1
+        wanted = held[index] if index < len(held) else None
+    if wanted is not None:
+        whole = own_shape_of(source)
+        near = 1e-6 * max(whole.BoundBox.DiagonalLength, 1.0)
+        there = [i for i, other in enumerate(_elements(whole, kind)) if _same_place(wanted, other, near)]
+        # Neighbours may touch in a face or an edge. Bodies have copies of what their features have.
+        own = [i for i in there if wanted.isPartner(_elements(whole, kind)[i])]
+        if there:
+            return f"{kind}{(own or there)[0] + 1}"
+    raise InvalidInput(f"local_sizes names {name}, but {label_of(source)} does not hold that: select it "
+                       "again in the 3D view")
+
+
+def _elements(shape, kind):
+    return {"Face": shape.Faces, "Edge": shape.Edges, "Vertex": shape.Vertexes}[kind]
+
+
+def _same_place(one, other, near):
+    """Whether two sub-elements have the same vertices and the same centre."""
+    points = [[vertex.Point for vertex in element.Vertexes] +
+              ([element.CenterOfMass] if element.ShapeType != "Vertex" else [])
+              for element in (one, other)]
+    return len(points[0]) == len(points[1]) \
+        and all((a - b).Length <= near for a, b in zip(*points))

@@ -214,8 +214,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False,
     volume         fill the solids with tetrahedra
     straighten     make elements straight that stay invalid after all repairs
     min_angle, chord_height, chord_height_relative, max_edge
-                   of the straight mesh that is curved, as for triangulate; without a chord height
-                   it is 0.01 of the largest dimension
+                   of the straight mesh that is curved, as for triangulate; where neither chord
+                   height is given it is 0.01 of the largest dimension
     progress       callable(fraction 0..1, stage); returning False cancels
 
     Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
@@ -239,8 +239,6 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False,
             raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")
         return CurvedMesh(module.curve_surface(shape_or_mesh._surface, convert.shape_of(shape),
                                                curving, progress))
-    if values["chord_height"] is None and values["chord_height_relative"] is None:
-        values["chord_height_relative"] = 0.01
     straight = module.TriangulateOptions()
     options.hand_over(values, straight)
     return CurvedMesh(module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress))

@@ -139,10 +139,16 @@ def paths_of_selection(selected):
     """
     found = []
     for path in selected.SubElementNames or ("",):
-        below, _, element = path.rpartition(".")
-        below = below + "." if below else ""
-        found.append((_source_at(selected.Object, below), element))
+        steps, element = split_path(path)
+        found.append((_source_at(selected.Object, "".join(f"{step}." for step in steps)), element))
     return found
+
+
+def split_path(path):
+    """(names of the objects on the way, sub-element) of a path "Part.Box.Face1"."""
+    *steps, element = path.split(".")
+    # FreeCAD 1.0 may put the long name of an element before the short one.
+    return [step for step in steps if step and step[0] not in ";?"], element
 
 
 def _source_at(root, path):

@@ -3,6 +3,7 @@
 task panels, the command line and the documentation are made. Imports nothing of FreeCAD.
 """
 
+import json
 import math
 import numbers
 import re
@@ -17,13 +18,20 @@ KEPT_EDGES = ("all", "feature")
 OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
 BOOLEAN_METHODS = ("default", "uniform")
 
+# The bound on the distance is one choice with one value: DISTANCE are the two options that give it.
+DISTANCE = ("chord_height", "chord_height_relative")
+NO_BOUND = "none"  # chord_height that says there is none
+RELATIVE, ABSOLUTE, UNBOUNDED = "Relative", "Absolute", "None"
+BOUNDS = (RELATIVE, ABSOLUTE, UNBOUNDED)  # of the property DistanceBound
+
 
 @dataclass(frozen=True)
 class Option:
     """One option. `low` itself is not allowed where `above` is set; None stands for `unset`.
 
     In panels it is called `title`, and its choices as `choice_titles` says; `rare` ones are folded
-    away there.
+    away there. `only_with` is (name of another option, values of that one with which this one has an
+    effect); empty: always.
     """
 
     name: str
@@ -40,11 +48,29 @@ class Option:
     title: str = ""
     choice_titles: tuple = ()
     rare: bool = False
+    only_with: tuple = ()
 
     @property
     def is_sizes(self):
         """Whether it is a dict of lengths by sub-elements, such as {"Face3": 0.5}."""
         return self.kind is dict
+
+    @property
+    def is_distance(self):
+        """Whether it is one of the two that give the bound on the distance."""
+        return self.name in DISTANCE
+
+    @property
+    def can_be_unbounded(self):
+        """Whether its value may be NO_BOUND."""
+        return self.name == DISTANCE[0]
+
+    @property
+    def is_of_one_part(self):
+        """Whether its value makes sense for the part that it was given for only: a length, or names of
+        sub-elements.
+        """
+        return self.unit == "mm" or self.is_sizes
 
     @property
     def property_name(self):
@@ -66,7 +92,8 @@ class Option:
     @property
     def property_help(self):
         """What the property says of itself."""
-        return self.help if self.default is not None else f"{self.help}; 0: {self.unset}"
+        told = self.default is not None or self.is_distance or self.is_sizes
+        return self.help if told else f"{self.help}; 0: {self.unset}"
 
     @property
     def flag(self):
@@ -82,21 +109,24 @@ class Option:
             return "True or False"
         if self.is_sizes:
             return "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2"
+        end = f", or {NO_BOUND!r}" if self.can_be_unbounded else ""
         unit = f" {self.unit}" if self.unit else ""
         parts = []
         if self.low is not None:
             parts.append(f"{'greater than' if self.above else 'at least'} {self.low:g}")
         if self.high is not None:
             parts.append(f"at most {self.high:g}")
-        return " and ".join(parts) + unit
+        return " and ".join(parts) + unit + end
 
     def checked(self, value):
         """The value as a plain int, float, bool, str, dict or None.
 
         Raises InvalidInput naming the option, the value and the range.
         """
-        if value is None and self.default is None:
+        if value is None and (self.default is None or self.is_distance):
             return None
+        if self.can_be_unbounded and _says_unbounded(value):
+            return NO_BOUND
         if self.is_sizes:
             return _checked_sizes(value, self)
         if self.choices:
@@ -117,6 +147,11 @@ class Option:
         if self.low is not None and (value <= self.low if self.above else value < self.low):
             return False
         return self.high is None or value <= self.high
+
+
+def _says_unbounded(value):
+    return value == NO_BOUND if isinstance(value, str) \
+        else isinstance(value, numbers.Real) and value == math.inf
 
 
 def _plain_number(value, option):
@@ -143,7 +178,7 @@ def _checked_sizes(value, option):
                  for name, length in dict(sizes).items()}
     except (TypeError, ValueError):
         found = None
-    if found is None or not all(_SUB_ELEMENT.fullmatch(name) and math.isfinite(length) and length > 0
+    if found is None or not all(_NAME.fullmatch(name) and math.isfinite(length) and length > 0
                                 for name, length in found.items()):
         raise InvalidInput(f"{option.name} = {value!r} is not allowed: it must be "
                            f"{option.range_text}")
@@ -151,7 +186,9 @@ def _checked_sizes(value, option):
 
 
 _SUB_ELEMENT = re.compile(r"(Vertex|Edge|Face)([1-9]\d*)")
-_SIZE = re.compile(r"(\w+)\s*=\s*([^\s=]+)\s*(?:mm)?")
+# In containers and links behind the names of the objects on the way: "Group.Box.Face6".
+_NAME = re.compile(rf"(?:\w+\.)*{_SUB_ELEMENT.pattern}")
+_SIZE = re.compile(r"([\w.]+)\s*=\s*([^\s=]+)\s*(?:mm)?")
 
 
 def sizes_of_text(text):
@@ -162,67 +199,81 @@ def sizes_of_text(text):
 
 
 def text_of_sizes(sizes):
-    """The text of {"Face3": 0.5}."""
-    return ", ".join(f"{name}={length:g}" for name, length in (sizes or {}).items())
+    """The text of {"Face3": 0.5}; `checked` makes the same of it."""
+    return ", ".join(f"{name}={_shortest(length)}" for name, length in (sizes or {}).items())
+
+
+def _shortest(number):
+    return f"{number:g}" if float(f"{number:g}") == number else repr(number)
 
 
 def entities_of(sizes):
-    """[(dimension, index, mm), ...] of {"Face3": 0.5}."""
+    """[(dimension, index, mm), ...] of {"Face3": 0.5}, names without a path."""
     found = [(_SUB_ELEMENT.fullmatch(name), length) for name, length in (sizes or {}).items()]
     return [(("Vertex", "Edge", "Face").index(match[1]), int(match[2]) - 1, length)
             for match, length in found]
 
 
+def _distance(relative, group, which):
+    """The two options of the bound on the distance, by default relative to the size of the part."""
+    return (
+        Option("chord_height", float, None, unit="mm", low=0.0, group=group, title="Max. deviation",
+               help=f"Largest distance between the {which} and the shape, as a length"),
+        Option("chord_height_relative", float, relative, low=0.0, high=1.0, group=group,
+               title="Relative deviation",
+               help="The same as a fraction of the shape's largest dimension"),
+    )
+
+
+_SAMPLED = ("method", ("star", "sprinkle"))
+
 TRIANGULATE = (
     Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
-           help="No triangle gets a smaller angle than this, unless the part has a sharper corner; beyond "
-                "about 30 many more triangles are needed"),
-    Option("chord_height", float, None, unit="mm", low=0.0, group="Accuracy",
-           title="Distance to the shape",
-           help="Largest distance between the mesh and the shape"),
-    Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Accuracy",
-           title="Or as a part of the size",
-           help="The same as a part of the shape's largest dimension: 0.001 is a thousandth"),
+           help="No triangle gets a smaller angle, except where the part has a sharper corner; above "
+                "30 degrees many more triangles are needed"),
+    *_distance(0.003, "Accuracy", "mesh"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Size", title="Longest edge",
-           help="Longest edge of a triangle"),
-    Option("local_sizes", dict, None, group="Size", title="Shorter edges on", unset="nowhere",
-           help="Longest edge on single faces, edges or around vertices: Face3=0.5, Edge7=0.2"),
+           unset="unlimited", help="Longest edge of a triangle"),
+    Option("local_sizes", dict, None, group="Size", title="Local sizes", unset="nowhere",
+           help="Longest edge on single faces, along edges or around vertices: Face3=0.5, Edge7=0.2; in "
+                "containers and links with the path to the object: Box.Face3=0.5"),
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size", title="Shortest edge",
-           rare=True, help="No edge is split into shorter ones than this"),
+           unset="unlimited", rare=True, help="No edge is split into shorter ones than this"),
     Option("edges_per_circle", float, None, low=3.0, above=False, group="Size",
-           title="Edges on a full circle", rare=True,
-           help="Bent edges and faces get at least so many edges for each full turn: 12 to 36 is usual"),
-    Option("growth", float, None, low=1.0, group="Size", title="Growth of edges", rare=True,
-           help="How many times longer than their neighbours edges become on the way from fine places to "
-                "coarse ones: 1.2 is slow, 2 is fast"),
+           title="Edges per full circle", rare=True,
+           help="Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is "
+                "usual"),
+    Option("growth", float, None, low=1.0, group="Size", title="Growth rate", rare=True,
+           help="Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast"),
     Option("method", str, "refine", choices=METHODS, title="Method", rare=True,
            choice_titles=("refine where needed", "sample in hexagons", "sample at random"),
            help="refine inserts points until every angle and distance fits; star (hexagons) and "
-                "sprinkle (random points) first lay points on the faces, denser where they bend"),
+                "sprinkle (random points) first sample the faces, denser where they bend"),
     Option("insertion", str, "off-centre", choices=INSERTIONS, title="New points",
            rare=True, choice_titles=("few triangles", "as Aftosmis 1999"),
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, paper is the rule of Aftosmis 1999"),
     Option("keep_edges", str, "all", choices=KEPT_EDGES, title="Edges of the shape", rare=True,
            choice_titles=("keep all", "keep sharp ones"),
-           help="Which edges of the shape the mesh follows: all, or feature: not those that the "
-                "surface crosses smoothly, which triangles then may span"),
+           help="CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth "
+                "edges"),
     Option("feature_angle", float, 10.0, unit="degrees", low=0.0, high=40.0,
-           title="Edges are smooth below", rare=True,
+           title="Feature angle", rare=True, only_with=("keep_edges", ("feature",)),
            help="With keep_edges = feature: edges are smooth where the surface turns by less than this"),
-    Option("max_triangles", int, None, low=1, above=False, group="Size", title="Most triangles",
-           rare=True, unset="5 million", help="Work ends, incomplete, at this number"),
+    Option("max_triangles", int, None, low=1, above=False, group="Size", title="Triangle limit",
+           rare=True, unset="5 million", help="Stop at this number; the mesh is then incomplete"),
     Option("allow_missing_faces", bool, False, title="Leave out faces that fail", rare=True,
            help="Mesh the rest of a part whose faces fail, and name those in the report"),
     Option("connectivity", str, "pseudo-delaunay", choices=CONNECTIVITIES, group="Sampling",
-           title="Samples are joined", rare=True,
+           title="Samples are joined", rare=True, only_with=_SAMPLED,
            choice_titles=("in space", "in face parameters"),
            help="How samples are joined: pseudo-delaunay in space, parametric in (u, v)"),
     Option("polish", bool, True, group="Sampling", title="Refine after sampling", rare=True,
+           only_with=_SAMPLED,
            help="Refine after sampling, so that the bounds on angle and distance hold"),
     Option("seed", int, 0, low=0, high=2**31 - 1, above=False, group="Sampling",
-           title="Random seed", rare=True,
-           help="Of the random points of sprinkle; the same seed gives the same mesh"),
+           title="Random seed", rare=True, only_with=("method", ("sprinkle",)),
+           help="Random seed for the sprinkle method; the same seed gives the same mesh"),
 )
 
 
@@ -232,19 +283,14 @@ CURVE = (
                 "with tetrahedra 4"),
     Option("volume", bool, False, title="Fill solids with tetrahedra",
            help="Fill the solids with tetrahedra"),
-    Option("straighten", bool, False, title="Straighten faulty elements",
+    Option("straighten", bool, False, title="Straighten invalid elements",
            help="Make those elements straight that fold over and cannot be repaired"),
     Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Before curving",
            title="Smallest angle",
            help="Smallest angle of the triangles before they are curved"),
-    Option("chord_height", float, None, unit="mm", low=0.0, group="Before curving",
-           unset="not given", title="Distance to the shape",
-           help="Largest distance between the mesh and the shape before it is curved"),
-    Option("chord_height_relative", float, None, low=0.0, high=1.0, group="Before curving",
-           unset="not given", title="Or as a part of the size",
-           help="The same as a part of the shape's largest dimension; 0.01 unless one is given"),
+    *_distance(0.01, "Before curving", "mesh before it is curved"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Before curving", title="Longest edge",
-           help="Longest edge of the mesh before it is curved"),
+           unset="unlimited", help="Longest edge of the mesh before it is curved"),
 )
 
 
@@ -258,12 +304,11 @@ CURVED_DISPLAY = (
 
 BOOLEAN = (
     Option("operation", str, "union", choices=OPERATIONS, group="Boolean", title="Operation",
-           choice_titles=("join", "keep the common part", "cut off", "keep what is in one only"),
+           choice_titles=("Union", "Intersection", "Difference", "Symmetric difference"),
            help="What is done with the operands, one after the other from the first on"),
     Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
            title="Resolution",
-           help="Into how many parts the longest side is cut: more parts follow the operands more "
-                "closely and take longer. Gives the tolerance where that is 0"),
+           help="Grid cells along the longest side; sets the tolerance if none is given"),
     Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Tolerance",
            unset="by resolution",
            help="Largest distance of the result from the exact one"),
@@ -280,7 +325,7 @@ IMPROVE = (
     Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Tolerance",
            unset="size / 1000", help="Largest distance between the mesh and its better version"),
     Option("feature_angle", float, 35.0, unit="degrees", low=0.0, high=180.0, group="Accuracy",
-           title="Edges are sharp from",
+           title="Feature angle",
            help="Edges where the surface turns by more than this stay where they are"),
 )
 
@@ -298,7 +343,8 @@ def _fineness(title, relative, **values):
                           "max_edge": None, **values})
 
 
-# From coarse to fine, by the distance to the shape as a part of its largest dimension.
+# From coarse to fine, by the distance to the shape as a fraction of its largest dimension. The medium one
+# has the table's defaults.
 TRIANGULATE_PRESETS = (
     _fineness("Coarse", 0.01), _fineness("Medium", 0.003), _fineness("Fine", 0.001),
     _fineness("Very fine", 0.0003),
@@ -313,44 +359,105 @@ FIRST_PRESET = "Medium"  # where nothing was chosen yet
 def check(table, values):
     """All options of `table` as {name: plain value}, those not in `values` with their default.
 
+    Of the two options that bound the distance one has a value and the other None; where both are None
+    or missing the relative one has its default. chord_height is NO_BOUND where there is no bound.
+
     Raises InvalidInput naming the option, its value and its range.
     """
     known = {option.name: option for option in table}
     for name in values:
         if name not in known:
             raise InvalidInput(f"{name} is not an option: there are {', '.join(known)}")
-    checked = {name: option.checked(values.get(name, option.default))
-               for name, option in known.items()}
+    given = {option.name: values.get(option.name, None if option.is_distance else option.default)
+             for option in table}
+    checked = {name: known[name].checked(value) for name, value in given.items()}
     _check_sizes(checked)
+    if has_distance(table) and all(checked[name] is None for name in DISTANCE):
+        checked[DISTANCE[1]] = known[DISTANCE[1]].default
     return checked
 
 
 def _check_sizes(values):
-    chord, relative = values.get("chord_height"), values.get("chord_height_relative")
+    chord, relative = (values.get(name) for name in DISTANCE)
     if chord is not None and relative is not None:
-        raise InvalidInput(f"chord_height = {chord:g} mm and chord_height_relative = {relative:g} "
+        what = "'none'" if chord == NO_BOUND else f"{chord:g} mm"
+        raise InvalidInput(f"chord_height = {what} and chord_height_relative = {relative:g} "
                            "exclude each other: give one of them")
     low, high = values.get("min_edge"), values.get("max_edge")
     if low is not None and high is not None and low > high:
         raise InvalidInput(f"min_edge = {low:g} mm is longer than max_edge = {high:g} mm")
 
 
+def has_distance(table):
+    """Whether the operation bounds the distance to a shape."""
+    return any(option.is_distance for option in table)
+
+
+def defaults(table):
+    """{option: value} of a call that gives none."""
+    return {option.name: option.default for option in table}
+
+
+def merged(values, changes):
+    """The checked `values` with those of `changes`, by which a bound on the distance replaces one that
+    is given the other way.
+    """
+    given = [name for name in DISTANCE if changes.get(name) is not None]
+    replaced = dict.fromkeys(DISTANCE) if given and DISTANCE[0] in values else {}
+    return {**values, **replaced, **changes}
+
+
+def differing(values, known):
+    """Those of the checked `values` that are not `known`: merged(known, differing(values, known)) are
+    the same as `values`.
+    """
+    return {name: value for name, value in values.items()
+            if value != known[name] and not (name in DISTANCE and value is None)}
+
+
+def bound_of(values):
+    """Which of BOUNDS the checked values have."""
+    chord = values[DISTANCE[0]]
+    return RELATIVE if chord is None else UNBOUNDED if chord == NO_BOUND else ABSOLUTE
+
+
+def hashed(values):
+    """JSON text of checked values, for fingerprints: no bound is written as older versions did."""
+    return json.dumps({name: None if value == NO_BOUND else value for name, value in values.items()},
+                      sort_keys=True)
+
+
 def to_property(option, value):
     """The value that stands for `value` in a document object's property: 0 for no bound."""
     if option.is_sizes:
         return text_of_sizes(value)
-    return 0 if value is None else value
+    return _number_of(value)
 
 
 def hand_over(values, core_options):
     """Sets {option: value} on an object of the core, which has 0 for no bound."""
     for name, value in values.items():
-        setattr(core_options, name, 0 if value is None else value)
+        setattr(core_options, name, _number_of(value))
+
+
+def _number_of(value):
+    return 0 if value is None or value == NO_BOUND else value
 
 
 def from_property(option, value):
-    """The option's value that a property holds; the inverse of to_property."""
+    """The option's value that a property holds; the inverse of to_property, but for the bound on the
+    distance, which takes bound_from_properties.
+    """
     if option.is_sizes:
         return option.checked(value)
     value = getattr(value, "Value", value)
     return None if option.default is None and value == 0 else value
+
+
+def bound_from_properties(bound, values):
+    """The two values of the bound on the distance from those of their properties: of which of BOUNDS
+    is chosen the other one has no effect.
+    """
+    chord, relative = (values[name] for name in DISTANCE)
+    return {DISTANCE[0]: {ABSOLUTE: chord or 0.0, UNBOUNDED: NO_BOUND, RELATIVE: None}[bound],
+            DISTANCE[1]: relative if bound == RELATIVE else None}

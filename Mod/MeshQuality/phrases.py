@@ -58,8 +58,7 @@ ERRORS = (
     "{option} = {value} is not allowed: it must be a whole number, {range}",
     "{option} = {value} is not allowed: it must be a number, {range}",
     "{option} = {value} is not allowed: it must be {range}",
-    "chord_height = {number} mm and chord_height_relative = {number2} exclude each other: give one "
-    "of them",
+    "chord_height = {value} and chord_height_relative = {number} exclude each other: give one of them",
     "min_edge = {number} mm is longer than max_edge = {number2} mm",
     "Source is empty: choose an object with a shape",
     "Source is not a mesh: choose one object with a mesh",
@@ -68,6 +67,7 @@ ERRORS = (
     "{name} is null: it has no geometry",
     "{name} has no faces (its type is {name2}): give a solid, a shell or faces",
     "{name} has no triangles",
+    "local_sizes names {value}, but {name} does not hold that: select it again in the 3D view",
     "what is to be meshed is not in its document any more: close the panel",
 )
 # Likewise, of the core. What it says of single faults of shapes stays as it is.
@@ -91,6 +91,7 @@ RANGES = (
     "greater than {number} and at most {number2} {unit}",
     "greater than {number} and at most {number2}",
     "at least {number} and at most {number2}",
+    "greater than {number} {unit}, or 'none'",
     "greater than {number} {unit}",
     "greater than {number}",
     "at least {number}",
@@ -151,10 +152,8 @@ _SHOWN = {
         "{option}: {value} is not possible, it must be a number, {range}",
     "{option} = {value} is not allowed: it must be {range}":
         "{option}: {value} is not possible, it must be {range}",
-    "chord_height = {number} mm and chord_height_relative = {number2} exclude each other: give one "
-    "of them":
-        "The distance to the shape is given twice, as {number} mm and as {number2} of the size: "
-        "set one of them to 0",
+    "chord_height = {value} and chord_height_relative = {number} exclude each other: give one of them":
+        "The max. deviation is given twice, as {value} and as {number} of the size: give one of them",
     "min_edge = {number} mm is longer than max_edge = {number2} mm":
         "The shortest edge of {number} mm is longer than the longest edge of {number2} mm",
     "a further vertex would lie closer than single precision tells apart":

@@ -156,6 +156,19 @@ std::string faults_text(const MeshReport& r) {
     return text.empty() ? "none" : text;
 }
 
+/// Says which distance it is: a triangle may lie near another face than its own.
+std::string distance_text(const MeshReport& r) {
+    std::string text =
+        line(r.to_nearest_face ? "chord height %.6g mm: largest distance from the nearest CAD face"
+                               : "chord height %.6g mm: largest deviation of a triangle from its own CAD face",
+             r.max_chord_height);
+    text.pop_back();
+    if (r.chord_height_asked > 0.0) {
+        return text + line("; requested at most %.6g mm", r.chord_height_asked);
+    }
+    return text + (r.to_nearest_face ? "\n" : "; no bound was requested\n");
+}
+
 std::string work_text(const MeshReport& r) {
     std::string text;
     double total = 0.0;
@@ -210,9 +223,7 @@ std::string to_text(const MeshReport& r) {
     text += exemptions_text(r);
     text += line("aspect       %.3f at most (longest to shortest edge)", r.max_aspect);
     if (r.max_chord_height >= 0.0) {
-        text += line("chord height %.6g mm at most, asked for ", r.max_chord_height);
-        text.pop_back();
-        text += r.chord_height_asked > 0.0 ? line("%.6g mm", r.chord_height_asked) : "no bound\n";
+        text += distance_text(r);
         if (r.max_chord_triangle >= 0) {
             text += line("             the largest at (%.6g, %.6g, %.6g), triangle %d", r.max_chord_point.x(),
                          r.max_chord_point.y(), r.max_chord_point.z(), r.max_chord_triangle);

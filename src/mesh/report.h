@@ -40,6 +40,7 @@ struct MeshReport {
     double min_angle_asked = 0.0;
     double min_angle_unexempted = 0.0;     ///< smallest angle over triangles that are not in `exempt`
     double max_chord_height = -1.0;        ///< largest measured distance to the CAD; -1 when there is no CAD
+    bool to_nearest_face = false;          ///< that is to the nearest of all faces, not to each triangle's own one
     std::int32_t max_chord_triangle = -1;  ///< where that is; -1: not known
     Vec3 max_chord_point = Vec3::Zero();   ///< of the mesh there, in the part's frame
     double chord_height_asked = 0.0;       ///< 0: none

@@ -14,9 +14,36 @@ void raise(const char* name, const std::exception& error) {
     PyErr_SetString(type.ptr(), error.what());
 }
 
+/// Calls a function of Python; an error of ours that it raises gets no traceback. Of others it is needed.
+py::object call_without_traceback(const py::function& function, const py::args& arguments) {
+    const py::object ours = py::module_::import("MeshQuality.errors").attr("Error");
+    const py::object found = py::reinterpret_steal<py::object>(PyObject_CallObject(function.ptr(), arguments.ptr()));
+    if (!found) {
+        PyObject* type = nullptr;
+        PyObject* value = nullptr;
+        PyObject* traceback = nullptr;
+        PyErr_Fetch(&type, &value, &traceback);
+        if (PyErr_GivenExceptionMatches(type, ours.ptr())) {
+            Py_CLEAR(traceback);
+        }
+        PyErr_Restore(type, value, traceback);
+        throw py::error_already_set();
+    }
+    return found;
+}
+
 }  // namespace
 
-void bind_errors(py::module_&) {
+void bind_errors(py::module_& m) {
+    m.def(
+        "without_traceback",
+        [](const py::function& function) {
+            return py::cpp_function([function](const py::args& arguments) {  //
+                return call_without_traceback(function, arguments);
+            });
+        },
+        "The function, but the errors of MeshQuality that it raises have no traceback: for callers who print that for "
+        "users");
     py::register_exception_translator([](std::exception_ptr error) {
         try {
             std::rethrow_exception(error);

@@ -160,6 +160,10 @@ void bind_measures(ReportClass& report) {
                       "smallest angle over the triangles that are not in exempt")
         .def_readonly("max_chord_height", &MeshReport::max_chord_height,
                       "largest measured distance to the CAD, mm; -1 when there is no CAD")
+        .def_property_readonly(
+            "max_chord_height_to", [](const MeshReport& r) { return r.to_nearest_face ? "nearest face" : "own face"; },
+            "which CAD face that is the distance to: the \"own face\" of each triangle, or of each place the \"nearest "
+            "face\" of all")
         .def_readonly("max_chord_triangle", &MeshReport::max_chord_triangle,
                       "the triangle where that is; -1: not known")
         .def_property_readonly(

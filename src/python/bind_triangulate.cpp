@@ -64,6 +64,7 @@ mesh::MeshReport measure_against(const Result& surface, const PartShape& part, c
             const auto worst = std::max_element(distances.begin(), distances.end());
             const auto triangle = std::max_element(of_triangles.begin(), of_triangles.end());
             report.max_chord_height = *worst;
+            report.to_nearest_face = true;
             report.max_chord_point = samples.points[static_cast<std::size_t>(worst - distances.begin())];
             report.max_chord_triangle = static_cast<std::int32_t>(triangle - of_triangles.begin());
         }

@@ -22,10 +22,12 @@ class Guide(helpers.DocumentTest):
             for block in blocks:
                 exec(block, names)  # noqa: S102 - what a reader types
         lines = printed.getvalue().splitlines()
-        self.assertEqual(lines[0], "kept")
-        self.assertTrue(lines[1].startswith("out of date"))
-        self.assertEqual(lines[2], "up to date")
-        self.assertEqual(lines[3], "6")
+        self.assertEqual(lines[0], "Absolute")
+        self.assertEqual(lines[1], "kept")
+        self.assertTrue(lines[2].startswith("out of date"))
+        self.assertEqual(lines[3], "up to date")
+        self.assertEqual(lines[4], "6")
+        self.assertEqual(names["mesh"].DistanceBound, "Relative")
         self.assertEqual(names["mesh"].MaxEdge.Value, 2.0)
         self.assertAlmostEqual(names["mesh"].Mesh.BoundBox.ZLength, 10)
         self.assertGreater(os.path.getsize(os.path.join(self.folder, "box.msh")), 100)

@@ -29,7 +29,8 @@ class PaperParts(unittest.TestCase):
     def setUpClass(cls):
         cls.shapes = {name: parts.ALL[name]() for name in PARTS}
         cls.meshes = {
-            (name, insertion): mq.triangulate(shape, min_angle=MIN_ANGLE, insertion=insertion)
+            (name, insertion): mq.triangulate(shape, min_angle=MIN_ANGLE, chord_height="none",
+                                              insertion=insertion)
             for name, shape in cls.shapes.items() for insertion in INSERTIONS}
 
     def check_each(self, check):

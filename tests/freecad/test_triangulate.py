@@ -229,6 +229,8 @@ class Options(unittest.TestCase):
     def test_numbers_out_of_range_are_named(self):
         for name in ("min_angle", "chord_height", "chord_height_relative", "max_edge", "min_edge"):
             for value in (math.nan, math.inf, -1.0, 0.0, 0, "25", [1], True, 1j):
+                if name == "chord_height" and value == math.inf:
+                    continue  # which says that there is no bound
                 error = self.refused(name, repr(value)[:2], "must be", **{name: value})
                 self.assertIsInstance(error, mq.InvalidInput)
         self.refused("min_angle", "35", "34 degrees", min_angle=35)

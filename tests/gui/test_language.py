@@ -70,7 +70,7 @@ class German(gui_helpers.PanelTest):
         sources = self.two_boxes()
         expected = {commands.Triangulate: ("Qualitätsnetz", "Kleinster Winkel", "Sehr fein"),
                     commands.Curve: ("Gekrümmtes Netz", "Ordnung der Elemente", "Sehr fein"),
-                    commands.Boolean: ("Boolesche Netzoperation", "Auflösung", "vereinigen")}
+                    commands.Boolean: ("Boolesche Netzoperation", "Auflösung", "Vereinigung")}
         for command, words in expected.items():
             panel = self.panel(command, *sources)
             shown = [panel.form.windowTitle()]

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What panels begin with: presets, and the values that were used last."""
 
+import json
+
 import gui_helpers
 
+import MeshQuality as mq
 from MeshQuality import options
 from MeshQuality.gui import commands, preferences
 
@@ -55,7 +58,7 @@ class Presets(gui_helpers.PanelTest):
         self.assertEqual(panel.presets.box.currentText(), "Custom")
         panel.options.set_values({"max_edge": None, "chord_height_relative": 0.001})
         self.assertEqual(panel.presets.box.currentText(), "Fine")
-        panel.options.set_values({"chord_height_relative": None})
+        panel.options.set_values({"chord_height": "none"})
         self.assertIn("not bounded", panel.presets.promise.text())
         panel.options.set_values({"chord_height": 0.25})
         self.assertIn("0.25 mm", panel.presets.promise.text().replace(",", "."))
@@ -91,10 +94,49 @@ class Remembered(gui_helpers.PanelTest):
         return values
 
     def test_the_next_panel_begins_with_the_values_used_last(self):
-        self.use(min_angle=30.0, max_edge=3.0, method="star")
+        self.use(min_angle=30.0, chord_height_relative=0.02, method="star")
         values = self.first()
-        self.assertEqual((values["min_angle"], values["max_edge"], values["method"]),
-                         (30.0, 3.0, "star"))
+        self.assertEqual((values["min_angle"], values["chord_height_relative"], values["method"]),
+                         (30.0, 0.02, "star"))
+
+    def test_lengths_and_names_of_faces_stay_with_their_part(self):
+        self.use(min_angle=30.0, max_edge=3.0, min_edge=0.01, chord_height=0.5,
+                 local_sizes="Face6=0.173")
+        values = self.first()
+        self.assertEqual(values["min_angle"], 30.0)
+        self.assertEqual([values[name] for name in ("max_edge", "min_edge", "chord_height",
+                                                    "local_sizes")], [None] * 4)
+        self.assertEqual(values["chord_height_relative"], 0.003)
+
+    def test_what_an_older_version_kept_of_them_is_not_used(self):
+        preferences.stored().SetString("LastTriangulate", json.dumps(
+            {"min_angle": 31.0, "max_edge": 0.5, "chord_height": 0.1, "chord_height_relative": None,
+             "local_sizes": {"Face6": 0.1}}))
+        values = self.first()
+        self.assertEqual((values["min_angle"], values["max_edge"], values["local_sizes"],
+                          values["chord_height_relative"]), (31.0, None, None, 0.003))
+
+    def test_no_limit_is_a_choice_that_is_kept(self):
+        self.use(chord_height="none")
+        self.assertEqual(self.first()["chord_height"], "none")
+        self.use(chord_height_relative=0.02)
+        self.assertEqual(self.first()["chord_height_relative"], 0.02)
+
+    def test_tolerances_of_booleans_are_lengths(self):
+        panel = self.panel(commands.Boolean, *self.two_boxes())
+        panel.options.set_values({"tolerance": 0.25, "operation": "difference"})
+        self.finish(panel)
+        panel = self.panel(commands.Boolean, *self.two_boxes())
+        self.assertEqual(panel.options.values()["operation"], "difference")
+        self.assertIsNone(panel.options.values()["tolerance"])
+        panel.reject()
+
+    def test_an_object_that_is_edited_shows_its_own(self):
+        source = self.box()
+        obj = mq.add_quality_mesh(source, max_edge=2.0, local_sizes={"Face1": 0.5})
+        panel = commands.panel_of(obj)
+        self.assertEqual(panel.options.values()["max_edge"], 2.0)
+        self.assertEqual(panel.options.values()["local_sizes"], {"Face1": 0.5})
 
     def test_not_where_the_user_does_not_want_it(self):
         preferences.stored().SetBool("RememberValues", False)

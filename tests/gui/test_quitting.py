@@ -34,7 +34,7 @@ def start():
     document.recompute()
     panel = mesh_panel.MeshPanel(commands.Triangulate().operations([box]))
     FreeCADGui.Control.showDialog(panel)
-    panel.options.set_values({{"chord_height_relative": None, "max_edge": 0.004}})
+    panel.options.set_values({{"chord_height": "none", "max_edge": 0.004}})
     panel.accept()
     def close():
         with open({seen!r}, "w") as stream:

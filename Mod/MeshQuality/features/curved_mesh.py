@@ -62,6 +62,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
     COMMAND, CALL = "MeshQuality_Curve", "add_curved_mesh"
     OPTIONS = options.CURVE + options.CURVED_DISPLAY
     PRESETS = options.CURVE_PRESETS
+    BOUND_BEFORE = options.RELATIVE
     PROMISES = PROMISES
     MEASURED = tuple((name, kind, text) for name, kind, text, _ in _MEASURED)
     HIDDEN = (

@@ -2,7 +2,6 @@
 """What the document objects that hold a mesh have in common."""
 
 import hashlib
-import json
 from contextlib import contextmanager
 from functools import partial
 
@@ -10,9 +9,9 @@ import FreeCAD
 import numpy as np
 
 from .. import convert, frames, options
-from ..compat import PlainState, attribute_of, property_of
+from ..compat import PlainState, attribute_of, property_of, without_traceback
 from ..errors import Error, InvalidInput
-from . import certificate, placement
+from . import certificate, distance_bound, placement
 from .work import Work, handed_over, result_for
 
 # Name, type, what it says: measured on the mesh that an object holds.
@@ -38,6 +37,7 @@ AUTOMATIC, MANUAL = "Automatic", "Manual"
 UP_TO_DATE = "up to date"
 COMPUTING = "being computed in the background"
 OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
+FAILED = "failed: "  # and why
 # The same, of those that promise a smallest angle; see show_angles.
 ANGLES = (
     ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
@@ -68,10 +68,12 @@ class MeshObject(PlainState):
                         itself where it is there already
     holds_mesh(obj)     whether the mesh of its last result is there
     take(obj, result)   shows a result
+    BOUND_BEFORE        the bound on the distance in older versions, where neither value was given
     An error leaves the last good mesh as it is.
     """
 
     PRESETS = PROMISES = ()
+    BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
 
     def __init__(self, obj):
@@ -119,6 +121,10 @@ class MeshObject(PlainState):
         if FreeCAD.GuiUp and not isinstance(obj.ViewObject.Proxy, PlainState):
             self.attach_view(obj.ViewObject)
 
+    def onChanged(self, obj, name):
+        """Called by FreeCAD."""
+        distance_bound.follow_change(self, obj, name)
+
     def onBeforeChange(self, obj, name):
         """Called by FreeCAD; undo and redo replace a mesh as fast as show_mesh does."""
         if name == "Mesh" and obj.Document.Transacting and not self._clearing:
@@ -128,8 +134,15 @@ class MeshObject(PlainState):
             finally:
                 self._clearing = False
 
-    def execute(self, obj):
-        """Brings the mesh up to date, unless nothing that it depends on has changed."""
+    @property
+    def execute(self):
+        """What FreeCAD calls to bring the mesh up to date. FreeCAD prints what it raises with the
+        traceback, which of an option out of range says nothing to users.
+        """
+        return without_traceback(self._bring_up_to_date)
+
+    def _bring_up_to_date(self, obj):
+        """Computes the mesh, unless nothing that it depends on has changed."""
         self.error = None
         try:
             done = self._result(obj)
@@ -143,9 +156,12 @@ class MeshObject(PlainState):
                     _follow().stop(obj)
                 obj.Fingerprint, obj.Status = work.fingerprint, UP_TO_DATE
             placement.settle(obj)
-        except (Error, ImportError, MemoryError) as error:
+        except Exception as error:
             self.error = error
-            raise type(error)(f"{obj.Label}: {error}") from error
+            obj.Status = f"{FAILED}{error}"
+            if isinstance(error, (Error, ImportError, MemoryError)):
+                raise type(error)(f"{obj.Label}: {error}") from error
+            raise
 
     def frame_of_result(self, obj, work, result):
         """Where the container of the first source stood when the result was computed."""
@@ -248,8 +264,10 @@ class SourceMesh(OfOneSource):
             raise InvalidInput("Source is empty: choose an object with a shape")
         values = options.check(cls.OPTIONS, values)
         own, shape = convert.own_shape_of(sources[0]), convert.shape_of(sources[0])
-        return Work(cls, sources, values, partial(fingerprint_of, own, values),
-                    partial(cls.compute, shape, values))
+        # Of a container the names of sub-elements are found here, where documents may be asked.
+        found = convert.with_resolved_sizes(sources[0], values)
+        return Work(cls, sources, values, partial(fingerprint_of, own, found),
+                    partial(cls.compute, shape, found))
 
 
 def _follow():
@@ -262,7 +280,7 @@ def _follow():
 def fingerprint_of(shape, values):
     """Changes whenever the shape or an option does; the same after saving and loading."""
     digest = hashlib.sha256(convert.shape_text(shape))
-    digest.update(json.dumps(values, sort_keys=True).encode())
+    digest.update(options.hashed(values).encode())
     return digest.hexdigest()
 
 
@@ -353,18 +371,25 @@ def add_options(obj, table):
             if option.choices:
                 setattr(obj, name, list(option.choices))
             setattr(obj, name, options.to_property(option, option.default))
+    if options.has_distance(table):
+        distance_bound.add(obj, table)
 
 
 def options_of(obj, table):
     """{option: value} of the object's properties."""
-    return {option.name: options.from_property(option, property_of(obj, option.property_name))
-            for option in table}
+    values = {option.name: options.from_property(option, property_of(obj, option.property_name))
+              for option in table}
+    if options.has_distance(table):
+        values.update(options.bound_from_properties(obj.DistanceBound, values))
+    return values
 
 
 def set_options(obj, table, values):
     """Sets the properties of {option: value}, checked before."""
     for option in table:
         setattr(obj, option.property_name, options.to_property(option, values[option.name]))
+    if options.has_distance(table):
+        obj.DistanceBound = options.bound_of(values)
 
 
 def add(document, name, title, make):
@@ -407,7 +432,7 @@ def update(obj, values, progress=None):
         raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
                            "add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
-    values = options.check(table, {**options_of(obj, table), **values})
+    values = options.check(table, options.merged(options_of(obj, table), values))
     done = result_for(type(proxy), sources, values)
     if done is None:
         work = proxy.work_on(sources, values, obj)

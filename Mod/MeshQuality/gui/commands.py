@@ -62,6 +62,7 @@ class Triangulate(_Command):
     def trial(self, sources):
         def prepare(values, most):
             shape = convert.shape_of(sources[0])
+            values = convert.with_resolved_sizes(sources[0], values)
             limit = min(most, values["max_triangles"] or most)
 
             def compute(progress):

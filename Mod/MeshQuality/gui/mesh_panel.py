@@ -40,7 +40,9 @@ class MeshPanel:
         self._size = max(made.size() for made in operations)
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title_of(operations[0].kind.COMMAND, operations[0].title))
-        self.options = OptionForm(operations[0].kind.OPTIONS)
+        self.options = OptionForm(operations[0].kind.OPTIONS,
+                                  [source for made in operations for source in made.sources],
+                                  preferences.defaults(operations[0].kind))
         self.options.set_values(
             operations[0].values() or preferences.first_values(operations[0].kind))
         self.presets = PresetBox(operations[0].kind.PRESETS)

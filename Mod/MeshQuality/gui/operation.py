@@ -88,8 +88,7 @@ class Operation:
         given = name_of(self.sources[0])
         if len(self.sources) > 1:
             given = f"[{', '.join(map(name_of, self.sources))}]"
-        defaults = {option.name: option.default for option in self.kind.OPTIONS}
-        return f"mq.{self.kind.CALL}({given}{_arguments(values, defaults)})"
+        return f"mq.{self.kind.CALL}({given}{_arguments(values, options.defaults(self.kind.OPTIONS))})"
 
     def land(self, work, result, watch):
         """Changes the document by that line, as one undo step. Where a source has changed while the
@@ -155,7 +154,7 @@ def name_of(source):
 
 def _arguments(values, known):
     """Those values that are not known, as arguments in Python."""
-    return "".join(f", {name}={value!r}" for name, value in values.items() if value != known[name])
+    return "".join(f", {name}={value!r}" for name, value in options.differing(values, known).items())
 
 
 def check(operations, values):

@@ -2,79 +2,139 @@
 """Fields for the options of a table, each with the unit, range and help that the table gives it."""
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtCore, QtGui
 
+from .. import convert, options
+from ..errors import Error
 from ..options import text_of_sizes
+from .picked import picked
+from .quantities import QuantityBox
 
 translate = FreeCAD.Qt.translate
 
-_UNITS = {"mm": FreeCAD.Units.Length, "degrees": FreeCAD.Units.Angle}
-_SUFFIX = {"mm": "mm", "degrees": "deg"}
 _LARGEST = 2**31 - 1
 _WIDE = 150  # pixels that a list of sizes needs
+_ARROW = 42  # pixels of a box with choices beside its text
+_DIGITS = 3  # of a value that is converted between relative and absolute
 
 
 class OptionForm(QtGui.QWidget):
     """One field for each option, in a group box for each group of the table; those that are rarely
-    needed can be folded away.
+    needed can be folded away, and those that have no effect with the present values are disabled.
+
+    sources   the objects that the options are for; None: unknown
+    defaults  {option: value} that the button Defaults shows; None: those of the table
     """
 
     changed = QtCore.Signal()
 
-    def __init__(self, table):
+    def __init__(self, table, sources=None, defaults=None):
         super().__init__()
-        self._fields = {}
+        self._sources = [source for source in sources or [] if source is not None]
+        self._defaults = defaults or options.defaults(table)
+        self._fields, self._labels, self._dependent = {}, {}, []
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         self._add_groups(layout, [option for option in table if not option.rare])
+        rare = [option for option in table if option.rare]
+        layout.addLayout(self._buttons(bool(rare)))
+        self._rare = QtGui.QWidget()
+        inner = QtGui.QVBoxLayout(self._rare)
+        inner.setContentsMargins(0, 0, 0, 0)
+        self._add_groups(inner, rare)
+        layout.addWidget(self._rare)
+        self._fold(False)
+        self.changed.connect(self._enable_effective)
+
+    def _buttons(self, foldable):
+        """The row with the button that folds, and Defaults."""
         self.more = QtGui.QToolButton()
         self.more.setText(translate("MeshQuality", "More options"))
         self.more.setCheckable(True)
         self.more.setAutoRaise(True)
         self.more.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
         self.more.toggled.connect(self._fold)
-        self._rare = QtGui.QWidget()
-        inner = QtGui.QVBoxLayout(self._rare)
-        inner.setContentsMargins(0, 0, 0, 0)
-        rare = [option for option in table if option.rare]
-        self._add_groups(inner, rare)
-        layout.addWidget(self.more)
-        layout.addWidget(self._rare)
-        self.more.setVisible(bool(rare))
-        self._fold(False)
+        self.more.setVisible(foldable)
+        self.reset = QtGui.QToolButton()
+        self.reset.setText(translate("MeshQuality", "Defaults"))
+        self.reset.setToolTip(translate("MeshQuality", "Set all options to their defaults"))
+        self.reset.setAutoRaise(True)
+        self.reset.clicked.connect(lambda: self.set_values(self._defaults))
+        row = QtGui.QHBoxLayout()
+        row.addWidget(self.more)
+        row.addStretch()
+        row.addWidget(self.reset)
+        return row
 
     def _add_groups(self, layout, table):
         boxes = {}
         for option in table:
+            if option.name in self._fields:
+                continue  # the second of two with one field
             if option.group not in boxes:
                 boxes[option.group] = _group(translate("MeshQuality", option.group))
                 layout.addWidget(boxes[option.group])
-            field = _field(option)
+            field = self._field(option, table)
             field.changed.connect(self.changed)
-            self._fields[option.name] = field
+            self._fields.update(dict.fromkeys(field.names, field))
+            if option.only_with:
+                self._dependent.append(option)
             if option.kind is bool:
                 boxes[option.group].layout().addRow(field.widget)
                 continue
-            label = QtGui.QLabel(_title(option))
+            label = self._labels[option.name] = QtGui.QLabel(_title(option))
             label.setToolTip(translate("MeshQuality", option.help))
             boxes[option.group].layout().addRow(label, field.widget)
+
+    def _field(self, option, table):
+        if option.is_distance:
+            return _Distance([pair for pair in table if pair.is_distance], self._size)
+        if option.choices:
+            return _Choice(option)
+        if option.kind is bool:
+            return _Switch(option)
+        if option.is_sizes:
+            return _Sizes(option, self._sources)
+        return _Quantity(option) if option.unit else _Number(option)
+
+    def _size(self):
+        """Largest dimension of the first source in mm; 0: unknown."""
+        try:
+            box = convert.shape_of(self._sources[0]).BoundBox if self._sources else None
+        except Error:
+            box = None
+        return max(box.XLength, box.YLength, box.ZLength) if box else 0.0
 
     def _fold(self, shown):
         self.more.setArrowType(QtCore.Qt.DownArrow if shown else QtCore.Qt.RightArrow)
         self._rare.setVisible(shown)
 
+    def _enable_effective(self):
+        values = self.values()
+        for option in self._dependent:
+            other, needed = option.only_with
+            for widget in (self.field(option.name), self._labels.get(option.name)):
+                if widget is not None:
+                    widget.setEnabled(values[other] in needed)
+
     def values(self):
-        """{option: value}; what the table allows is checked by options.check."""
-        return {name: field.value() for name, field in self._fields.items()}
+        """{option: value}; what the table allows is checked by options.check. A value that was shown and
+        not edited is given back as it was.
+        """
+        found = {}
+        for field in self._fields.values():
+            found.update(field.values())
+        return found
 
     def set_values(self, values):
         """Shows the values of those options that have a field."""
-        for name, field in self._fields.items():
-            if name in values:
-                field.set_value(values[name])
-                if field.option.rare and values[name] != field.option.default:
+        for field in dict.fromkeys(self._fields.values()):
+            given = {name: values[name] for name in field.names if name in values}
+            if given:
+                field.show(given)
+                if field.option.rare and given[field.option.name] != field.option.default:
                     self.more.setChecked(True)
+        self._enable_effective()
 
     def field(self, name):
         """The widget of an option."""
@@ -84,7 +144,7 @@ class OptionForm(QtGui.QWidget):
 def _title(option):
     # A spin box says itself what 0 stands for; a field with a unit cannot.
     title = translate("MeshQuality", option.title)
-    if not option.unit or option.default is not None:
+    if not option.unit or option.default is not None or option.is_distance:
         return title
     return f"{title} (0: {translate('MeshQuality', option.unset)})"
 
@@ -99,28 +159,45 @@ def _group(title):
     return box
 
 
-def _field(option):
-    if option.choices:
-        return _Choice(option)
-    if option.kind is bool:
-        return _Switch(option)
-    if option.is_sizes:
-        return _Sizes(option)
-    return _Quantity(option) if option.unit else _Number(option)
-
-
 class _Field(QtCore.QObject):
-    """A widget for an option; value() gives None where the option is unset."""
+    """A widget for an option. A subclass has write(value), which shows a value, and read(), which gives
+    what is shown; None where the option is unset. What was shown may have less digits than the value.
+    """
 
     changed = QtCore.Signal()
 
     def __init__(self, option, widget):
         super().__init__()
         self.option, self.widget = option, widget
-        unset = f"\n0: {translate('MeshQuality', option.unset)}" if option.default is None else ""
+        self.names = (option.name,)
+        unset = f"\n0: {translate('MeshQuality', option.unset)}" \
+            if option.default is None and not (option.is_distance or option.is_sizes) else ""
         widget.setToolTip(translate("MeshQuality", option.help) + unset)
         widget.setObjectName(option.property_name)
         self.set_value(option.default)
+
+    def value(self):
+        """The value that was set, unless the user has edited it."""
+        shown = self.read()
+        return self._given if shown == self._shown else shown
+
+    def set_value(self, value):
+        """Shows a value."""
+        # Writing tells of a change: what was set must be known by then.
+        self._given, self._shown = value, None
+        blocked = self.blockSignals(True)
+        self.write(value)
+        self.blockSignals(blocked)
+        self._shown = self.read()
+        self._changed()
+
+    def values(self):
+        """{option: value} of the options that it is for."""
+        return {self.option.name: self.value()}
+
+    def show(self, values):
+        """Shows {option: value}."""
+        self.set_value(values[self.option.name])
 
     def _changed(self, *_):
         self.changed.emit()
@@ -137,10 +214,10 @@ class _Choice(_Field):
         super().__init__(option, box)
         box.currentIndexChanged.connect(self._changed)
 
-    def value(self):
+    def read(self):
         return self.widget.itemData(self.widget.currentIndex())
 
-    def set_value(self, value):
+    def write(self, value):
         self.widget.setCurrentIndex(self.option.choices.index(value))
 
 
@@ -149,42 +226,148 @@ class _Switch(_Field):
         super().__init__(option, QtGui.QCheckBox(translate("MeshQuality", option.title)))
         self.widget.toggled.connect(self._changed)
 
-    def value(self):
+    def read(self):
         return self.widget.isChecked()
 
-    def set_value(self, value):
+    def write(self, value):
         self.widget.setChecked(value)
+
+
+class _DecimalBox(QtGui.QDoubleSpinBox):
+    """Without zeros at the end."""
+
+    def textFromValue(self, value):
+        """Called by Qt."""
+        text = super().textFromValue(value)
+        point = self.locale().decimalPoint()
+        return text.rstrip("0").rstrip(point) if point in text else text
+
+
+def _number_box(option):
+    whole = option.kind is int
+    box = QtGui.QSpinBox() if whole else _DecimalBox()
+    if not whole:
+        box.setDecimals(6)
+        box.setSingleStep(0.001)
+    low = 0 if option.default is None or option.is_distance else option.low or 0
+    box.setRange(low, _LARGEST if option.high is None else option.high)
+    return box
 
 
 class _Number(_Field):
     def __init__(self, option):
-        whole = option.kind is int
-        box = QtGui.QSpinBox() if whole else QtGui.QDoubleSpinBox()
-        if not whole:
-            box.setDecimals(6)
-            box.setSingleStep(0.001)
-        low = 0 if option.default is None else option.low or 0
-        box.setRange(low, _LARGEST if option.high is None else option.high)
+        box = _number_box(option)
         if option.default is None:
             box.setSpecialValueText(translate("MeshQuality", option.unset))
         super().__init__(option, box)
         box.valueChanged.connect(self._changed)
 
-    def value(self):
+    def read(self):
         return self._of(self.widget.value())
 
-    def set_value(self, value):
+    def write(self, value):
         self.widget.setValue(0 if value is None else value)
+
+
+class _Quantity(_Field):
+    """A number with a unit."""
+
+    def __init__(self, option):
+        super().__init__(option, QuantityBox(option.unit))
+        self.widget.valueChanged.connect(self._changed)
+
+    def read(self):
+        return self._of(self.widget.value())
+
+    def write(self, value):
+        self.widget.setValue(value or 0.0)
+
+
+class _Distance(_Field):
+    """The bound on the distance: a choice, and the field of what is chosen."""
+
+    def __init__(self, pair, size):
+        """`size` gives the largest dimension of the shape in mm, 0 where that is unknown."""
+        self._pair, self._size = pair, size
+        widget = QtGui.QWidget()
+        row = QtGui.QHBoxLayout(widget)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.choice = QtGui.QComboBox()
+        for bound, title in ((options.RELATIVE, translate("MeshQuality", "Relative to size")),
+                             (options.ABSOLUTE, translate("MeshQuality", "Absolute")),
+                             (options.UNBOUNDED, translate("MeshQuality", "No limit"))):
+            self.choice.addItem(title, bound)
+        self.length, self.fraction = QuantityBox("mm"), _number_box(pair[1])
+        for box in (self.choice, self.length, self.fraction):
+            row.addWidget(box)
+        self._bound = None
+        super().__init__(pair[0], widget)
+        self.names = tuple(option.name for option in pair)
+        self.length.setToolTip(translate("MeshQuality", pair[0].help))
+        self.fraction.setToolTip(translate("MeshQuality", pair[1].help))
+        self.choice.currentIndexChanged.connect(self._chosen)
+        self.length.valueChanged.connect(self._changed)
+        self.fraction.valueChanged.connect(self._changed)
+
+    def read(self):
+        bound = self.choice.itemData(self.choice.currentIndex())
+        return tuple(options.bound_from_properties(bound, {
+            options.DISTANCE[0]: self.length.value(),
+            options.DISTANCE[1]: self.fraction.value()}).values())
+
+    def write(self, value):
+        length, fraction = value or (None, None)
+        if length is None and fraction is None:
+            fraction = self._pair[1].default
+        bound = options.bound_of(dict(zip(options.DISTANCE, (length, fraction))))
+        if bound == options.ABSOLUTE:
+            self.length.setValue(length)
+        elif bound == options.RELATIVE:
+            self.fraction.setValue(fraction)
+        self._show_box(bound)  # before the choice, which would convert the value of the one before
+        self.choice.setCurrentIndex(self.choice.findData(bound))
+
+    def values(self):
+        return dict(zip(options.DISTANCE, self.value() or self.read()))
+
+    def show(self, values):
+        self.set_value(tuple(values.get(name) for name in options.DISTANCE))
+
+    def _chosen(self):
+        """The user has chosen: the other field begins with what means the same."""
+        before, bound = self._bound, self.choice.itemData(self.choice.currentIndex())
+        size = self._size()
+        if size and (before, bound) == (options.RELATIVE, options.ABSOLUTE):
+            self.length.setValue(_rounded(self.fraction.value() * size))
+        elif size and (before, bound) == (options.ABSOLUTE, options.RELATIVE):
+            self.fraction.setValue(_rounded(self.length.value() / size))
+        self._show_box(bound)
+        self._changed()
+
+    def _show_box(self, bound):
+        self._bound = bound
+        # The panel may be 260 pixels wide: no more than this choice needs.
+        text = self.choice.itemText(self.choice.findData(bound))
+        self.choice.setFixedWidth(self.choice.fontMetrics().boundingRect(text).width() + _ARROW)
+        self.length.setVisible(bound == options.ABSOLUTE)
+        self.fraction.setVisible(bound == options.RELATIVE)
+
+
+def _rounded(number):
+    return float(f"{number:.{_DIGITS}g}")
 
 
 class _Sizes(_Field):
     """Lengths by sub-elements as text, with a button that adds what is selected in the 3D view."""
 
-    def __init__(self, option):
+    def __init__(self, option, sources):
+        self._sources = sources
         box = QtGui.QWidget()
-        row = QtGui.QHBoxLayout(box)
-        row.setContentsMargins(0, 0, 0, 0)
-        self.text, self.button = QtGui.QLineEdit(), QtGui.QToolButton()
+        rows = QtGui.QVBoxLayout(box)
+        rows.setContentsMargins(0, 0, 0, 0)
+        row = QtGui.QHBoxLayout()
+        rows.addLayout(row)
+        self.text, self.button, self.refusal = QtGui.QLineEdit(), QtGui.QToolButton(), QtGui.QLabel()
         self.text.setPlaceholderText("Face3=0.5, Edge7=0.2")
         self.text.setMinimumWidth(_WIDE)
         self.button.setText("+")
@@ -192,41 +375,48 @@ class _Sizes(_Field):
             "MeshQuality", "Add the faces, edges and vertices that are selected in the 3D view"))
         row.addWidget(self.text)
         row.addWidget(self.button)
+        self.refusal.setWordWrap(True)
+        rows.addWidget(self.refusal)
+        self._refuse("")
         super().__init__(option, box)
         self.text.editingFinished.connect(self._changed)
         self.button.clicked.connect(self._add_selected)
 
-    def value(self):
+    def read(self):
         # As it was written: whether that makes sense is said when it is used.
         return self.text.text().strip() or None
 
-    def set_value(self, value):
+    def write(self, value):
         self.text.setText(value if isinstance(value, str) else text_of_sizes(value))
 
     def _add_selected(self):
         """Sub-elements that have no size get a hundredth of the part's diagonal."""
+        if len(self._sources) != 1:
+            self._refuse(translate(
+                "MeshQuality", "Local sizes are for one object: open the panel for that object alone."))
+            return
+        source = self._sources[0]
+        names, others = picked(source)
         written = [part.strip() for part in self.text.text().split(",") if part.strip()]
-        for selected in FreeCADGui.Selection.getSelectionEx():
-            size = selected.Object.Shape.BoundBox.DiagonalLength / 100
-            for name in selected.SubElementNames:
-                if not any(part.split("=")[0].strip() == name for part in written):
-                    written.append(f"{name}={size:.3g}")
-        self.text.setText(", ".join(written))
+        size = convert.shape_of(source).BoundBox.DiagonalLength / 100
+        for name in names:
+            if not any(part.split("=")[0].strip() == name for part in written):
+                written.append(f"{name}={size:.3g}")
+        if names:
+            self.text.setText(", ".join(written))
         self._changed()
+        if others:
+            self._refuse(translate("MeshQuality", "Not added: {0} is not part of {1}.").format(
+                ", ".join(others), source.Label))
+        elif not names:
+            self._refuse(translate(
+                "MeshQuality", "Select faces, edges or vertices of {} in the 3D view first.").format(
+                    source.Label))
 
+    def _changed(self, *_):
+        self._refuse("")
+        super()._changed()
 
-class _Quantity(_Field):
-    """FreeCAD's field for numbers with units and expressions."""
-
-    def __init__(self, option):
-        box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        box.setProperty("unit", _SUFFIX[option.unit])
-        box.setProperty("minimum", 0.0)
-        super().__init__(option, box)
-        box.valueChanged.connect(self._changed)
-
-    def value(self):
-        return self._of(float(self.widget.property("rawValue")))
-
-    def set_value(self, value):
-        self.widget.setProperty("value", FreeCAD.Units.Quantity(value or 0.0, _UNITS[self.option.unit]))
+    def _refuse(self, text):
+        self.refusal.setText(text)
+        self.refusal.setVisible(bool(text))

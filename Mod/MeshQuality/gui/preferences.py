@@ -18,23 +18,34 @@ def stored():
 
 def first_values(kind):
     """{option: value} that a panel for a new object of this kind begins with: those that were used
-    last, else a preset.
+    last, else the defaults.
     """
-    values = {option.name: option.default for option in kind.OPTIONS}
+    last = _last(kind) if stored().GetBool("RememberValues", True) else {}
+    return options.merged(defaults(kind), last)
+
+
+def defaults(kind):
+    """{option: value} of a panel of this kind where nothing was chosen yet."""
+    values = options.defaults(kind.OPTIONS)
     if "min_angle" in values:
         values["min_angle"] = stored().GetFloat("MinAngle", values["min_angle"])
     for preset in kind.PRESETS:
         if preset.title == options.FIRST_PRESET:
             values.update(preset.values)
-    if stored().GetBool("RememberValues", True):
-        values.update(_last(kind))
     return values
 
 
 def remember(kind, values):
     """Keeps the values for the next panel of this kind."""
     if stored().GetBool("RememberValues", True):
-        stored().SetString(_entry(kind), json.dumps(values))
+        stored().SetString(_entry(kind), json.dumps(_of_any_part(kind, values)))
+
+
+def _of_any_part(kind, values):
+    """Those values that make sense for other parts, too: no lengths and no names of sub-elements."""
+    left_out = {option.name for option in kind.OPTIONS
+                if option.is_of_one_part and values.get(option.name) != options.NO_BOUND}
+    return {name: value for name, value in values.items() if name not in left_out and value is not None}
 
 
 def manual_above():
@@ -51,8 +62,10 @@ def _last(kind):
     """Values that were used last; {} when there are none, or of another version's options."""
     text = stored().GetString(_entry(kind), "")
     try:
-        return options.check(kind.OPTIONS, json.loads(text)) if text else {}
-    except (ValueError, InvalidInput):
+        values = _of_any_part(kind, json.loads(text)) if text else {}
+        options.check(kind.OPTIONS, values)
+        return values
+    except (ValueError, AttributeError, InvalidInput):
         FreeCAD.Console.PrintLog(f"MeshQuality: last values of {kind.COMMAND} are not used: {text}\n")
         return {}
 

@@ -4,6 +4,9 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
+from .. import options
+from .quantities import text_of
+
 translate = FreeCAD.Qt.translate
 
 
@@ -44,12 +47,13 @@ class PresetBox(QtGui.QWidget):
 
 def _promise(values, size):
     """What the bound on the distance means, as a sentence."""
-    height, relative = values["chord_height"], values["chord_height_relative"]
-    if height is None and relative is None:
+    bound = options.bound_of(values)
+    if bound == options.UNBOUNDED:
         return translate("MeshQuality", "The distance from the shape is not bounded.")
-    if height is None and not size:
+    if bound == options.RELATIVE and not size:
         return ""
-    length = FreeCAD.Units.Quantity(height or relative * size, FreeCAD.Units.Length).UserString
+    height, relative = (values[name] for name in options.DISTANCE)
+    length = text_of(height if bound == options.ABSOLUTE else relative * size, digits=3)
     words = translate("MeshQuality", "Before it is curved, the mesh keeps within {} of the shape.") \
         if "order" in values else translate("MeshQuality", "Keeps within {} of the shape.")
     return words.format(length)

@@ -191,6 +191,21 @@ TEST(Report, ManyExemptionsMakeAShortText) {
     EXPECT_TRUE(exemptions_text(measure(tetrahedron())).empty());
 }
 
+TEST(Report, TextSaysToWhichFaceADistanceIs) {
+    MeshReport r = measure(tetrahedron());
+    r.max_chord_height = 6.03;
+    EXPECT_NE(
+        to_text(r).find("6.03 mm: largest deviation of a triangle from its own CAD face; no bound was requested\n"),
+        std::string::npos)
+        << to_text(r);
+    r.chord_height_asked = 7.0;
+    EXPECT_NE(to_text(r).find("its own CAD face; requested at most 7 mm\n"), std::string::npos) << to_text(r);
+    r.to_nearest_face = true;
+    r.chord_height_asked = 0.0;
+    EXPECT_NE(to_text(r).find("6.03 mm: largest distance from the nearest CAD face\n"), std::string::npos)
+        << to_text(r);
+}
+
 TEST(Report, TextNamesWhatMatters) {
     MeshReport r = measure(tetrahedron());
     r.min_angle_asked = 25.0;

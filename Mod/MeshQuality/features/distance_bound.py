@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The bound on the distance in the property editor: the choice DistanceBound and one value of it.
+
+Of ChordHeight and ChordHeightRelative the one that is not chosen is 0, hidden and without effect, so
+that the two cannot contradict each other. A script, or a document of an older version, that sets one of
+them chooses it by that.
+"""
+
+from contextlib import contextmanager
+
+from .. import convert, options
+from ..compat import property_of
+from ..errors import Error
+
+PROPERTY = "DistanceBound"
+_VALUES = {options.ABSOLUTE: "ChordHeight", options.RELATIVE: "ChordHeightRelative"}
+_DIGITS = 3  # of a value that is the same as the one given the other way
+
+_settling = set()  # (document, object) whose properties are being made consistent
+
+
+def add(obj, table):
+    """Adds the choice to an object that has the two values. One of an older version gets what its
+    values say.
+    """
+    if PROPERTY not in obj.PropertiesList:
+        option = next(option for option in table if option.name == options.DISTANCE[0])
+        given = [bound for bound, name in _VALUES.items() if _number(obj, name)]
+        with _while_settling(obj):
+            obj.addProperty("App::PropertyEnumeration", PROPERTY, option.group,
+                            "How the distance to the shape is bounded: relative to its size, by a "
+                            "length, or not at all")
+            obj.DistanceBound = list(options.BOUNDS)
+            _settle(obj, given[0] if given else obj.Proxy.BOUND_BEFORE)
+    _show_chosen(obj)
+
+
+def follow_change(proxy, obj, name):
+    """Makes the choice and its values consistent once one of them has changed."""
+    if PROPERTY not in obj.PropertiesList or name not in (PROPERTY, *_VALUES.values()):
+        return
+    document = obj.Document
+    # What is read from a file, undone or redone is consistent.
+    if (document.Name, obj.Name) in _settling:
+        return
+    if not (document.Restoring or document.Transacting):
+        with _while_settling(obj):
+            _settle(obj, _bound_after(obj, name), _shape_size(proxy, obj))
+    _show_chosen(obj)
+
+
+@contextmanager
+def _while_settling(obj):
+    key = obj.Document.Name, obj.Name
+    _settling.add(key)
+    try:
+        yield
+    finally:
+        _settling.discard(key)
+
+
+def _bound_after(obj, name):
+    """The choice once this property has changed: the value 0 stands for no bound, as in older versions."""
+    if name == PROPERTY:
+        return obj.DistanceBound
+    bound = next(bound for bound, value in _VALUES.items() if value == name)
+    if _number(obj, name):
+        return bound
+    return options.UNBOUNDED if obj.DistanceBound == bound else obj.DistanceBound
+
+
+def _settle(obj, bound, size=lambda: 0.0):
+    """Makes the choice, gives its value, and takes the other one away."""
+    chosen = _VALUES.get(bound)
+    if chosen and not _number(obj, chosen):
+        setattr(obj, chosen, _same_as_before(obj, bound, size()))
+    for name in _VALUES.values():
+        if name != chosen and _number(obj, name):
+            setattr(obj, name, 0)
+    if obj.DistanceBound != bound:
+        obj.DistanceBound = bound
+
+
+def _same_as_before(obj, bound, size):
+    """A value of the chosen kind, as near to the bound that there was as three digits allow; else the
+    default.
+    """
+    relative = next(option.default for option in obj.Proxy.OPTIONS
+                    if option.name == options.DISTANCE[1])
+    if bound == options.ABSOLUTE:
+        return _rounded((_number(obj, "ChordHeightRelative") or relative) * size)
+    length = _number(obj, "ChordHeight")
+    return min(_rounded(length / size), 1.0) if length and size else relative
+
+
+def _rounded(number):
+    return float(f"{number:.{_DIGITS}g}")
+
+
+def _shape_size(proxy, obj):
+    """A function that gives the largest dimension of the shape in mm, 0 where there is none."""
+    def size():
+        try:
+            box = convert.shape_of(proxy.sources(obj)[0]).BoundBox
+        except Error:
+            return 0.0
+        return max(box.XLength, box.YLength, box.ZLength)
+
+    return size
+
+
+def _show_chosen(obj):
+    """Hides the value that is not chosen."""
+    for bound, name in _VALUES.items():
+        mode = [] if obj.DistanceBound == bound else ["Hidden"]
+        if obj.getEditorMode(name) != mode:
+            obj.setEditorMode(name, mode)
+
+
+def _number(obj, name):
+    value = property_of(obj, name)
+    return getattr(value, "Value", value)
