@@ -15,7 +15,7 @@ class Guide(helpers.DocumentTest):
         path = os.path.join(helpers.ROOT, "docs", "mesh-objects.md")
         with open(path, encoding="utf-8") as stream:
             blocks = re.findall(r"```python\n(.*?)```", stream.read(), re.DOTALL)
-        self.assertEqual(len(blocks), 7)
+        self.assertEqual(len(blocks), 8)
         FreeCAD.setActiveDocument(self.document.Name)
         names, printed = {"App": FreeCAD, "folder": self.folder}, io.StringIO()
         with contextlib.redirect_stdout(printed):
