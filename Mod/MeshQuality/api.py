@@ -95,6 +95,10 @@ class Memory:
         """What it takes, about."""
         return self.held.bytes
 
+    def __repr__(self):
+        calls = "1 call" if len(self) == 1 else f"{len(self)} calls"
+        return f"<Memory: {calls} of triangulate, {self.bytes / 2**20:.1f} MiB>"
+
 
 def _held(memory):
     if memory is not None and not isinstance(memory, Memory):

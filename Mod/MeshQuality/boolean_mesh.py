@@ -28,9 +28,6 @@ class BooleanMesh(SurfaceMesh):
 
     triangle_source = property(lambda self: self._surface.triangle_source, doc="int32 (T, 2)")
 
-    def __repr__(self):
-        return f"<BooleanMesh of {len(self.triangles)} triangles, {len(self.vertices)} vertices>"
-
 
 def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=None,
             method="default"):

@@ -36,11 +36,6 @@ std::string in_short(double length) {
     return text;
 }
 
-std::string operand_name(std::size_t index, std::size_t count) {
-    return count <= 26 ? std::string("operand ") + static_cast<char>('A' + index)
-                       : "operand " + std::to_string(index + 1);
-}
-
 /// One Boolean on its way through the stages.
 class Run {
   public:

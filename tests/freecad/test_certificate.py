@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Certificates: what is kept, what is missed and where; and when objects are computed anew."""
+"""Certificates: what is met, what is not and where; and when objects are computed anew."""
 
 import FreeCAD
 import helpers
@@ -7,6 +7,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality import verdict
 from MeshQuality.features import certificate, mesh_object
 
 
@@ -28,7 +29,7 @@ class Certificates(CertificateTest):
     def test_a_good_mesh_keeps_what_was_asked(self):
         cylinder = self.feature(Part.makeCylinder(5, 10))
         obj = mq.add_quality_mesh(cylinder, min_angle=28, chord_height=0.01)
-        self.assertEqual(obj.Certificate, "kept")
+        self.assertEqual(obj.Certificate, "met")
         self.assertEqual((obj.AskedMinAngle.Value, obj.AskedChordHeight.Value), (28.0, 0.01))
         self.assertGreaterEqual(obj.MeasuredMinAngle.Value, 28.0 - 1e-9)
         self.assertLessEqual(obj.MaxChordHeight.Value, 0.01)
@@ -43,7 +44,7 @@ class Certificates(CertificateTest):
                 self.assertEqual(obj.getGroupOfProperty(name), "Certificate")
                 self.assertEqual(obj.getEditorMode(name), ["ReadOnly"])
                 self.assertTrue(obj.getDocumentationOfProperty(name))
-            self.assertEqual(obj.Certificate, "kept")
+            self.assertEqual(obj.Certificate, "met")
 
     def test_a_narrow_corner_is_missed_with_its_place(self):
         source = self.feature(wedge())
@@ -51,8 +52,10 @@ class Certificates(CertificateTest):
         mesh = mq.triangulate(source)
         angles = helpers.smallest_angles(mesh)
         worst = int(np.argmin(angles))
-        self.assertRegex(obj.Certificate, rf"^missed: smallest angle 4\.57 of 25 degrees at triangle "
-                                          rf"{worst}: .* on Face{mesh.triangle_face[worst] + 1}\b")
+        self.assertRegex(obj.Certificate, rf"^not met: smallest angle 4\.57° \(requested 25°\), triangle "
+                                          rf"{worst} on Face{mesh.triangle_face[worst] + 1}\. Target angle not "
+                                          r"reachable: the shape itself has a corner of 4\.57° between Edge\d+ "
+                                          r"and Edge\d+ at Vertex\d+\. 1 more triangle is below 25°")
         self.assertAlmostEqual(angles[worst], mesh.report.min_angle, places=6)
         below = {f"Face{face + 1}" for face in mesh.triangle_face[angles < 25.0]}
         self.assertEqual(set(obj.CertificateFaces), below)
@@ -61,18 +64,18 @@ class Certificates(CertificateTest):
         source = self.document.addObject("Mesh::Feature", "Source")
         source.Mesh = mq.triangulate(wedge()).to_mesh()
         obj = mq.add_improved_mesh(source)
-        self.assertRegex(obj.Certificate, r"^missed: smallest angle [\d.]+ of 25 degrees at triangle")
+        self.assertRegex(obj.Certificate, r"^not met: smallest angle [\d.]+° \(requested 25°\), triangle")
         self.assertEqual(list(obj.CertificateFaces), [])
 
     def test_an_open_shape_need_not_be_closed(self):
         obj = mq.add_quality_mesh(self.feature(Part.makePlane(10, 10)))
-        self.assertEqual((obj.AskedClosed, obj.Closed, obj.Certificate), (False, False, "kept"))
+        self.assertEqual((obj.AskedClosed, obj.Closed, obj.Certificate), (False, False, "met"))
 
     def test_a_distance_that_is_not_kept(self):
         source = self.feature(Part.makeCylinder(5, 10))
         obj = mq.add_quality_mesh(source, method="star", polish=False, chord_height=0.01)
         self.assertGreater(obj.MaxChordHeight.Value, 0.01)
-        self.assertIn("distance to the shape 0.0171 of 0.01 mm", obj.Certificate)
+        self.assertIn("max. deviation 0.0171 mm (requested 0.01 mm)", obj.Certificate)
         self.assertNotIn("smallest angle", obj.Certificate)
 
     def test_a_distance_that_is_not_kept_has_a_place(self):
@@ -81,7 +84,7 @@ class Certificates(CertificateTest):
         obj = mq.add_quality_mesh(source, **values)
         report = mq.triangulate(source, **values).report
         worst = report.max_chord_triangle
-        self.assertTrue(obj.Certificate.endswith(f" mm at triangle {worst} on Face1"))
+        self.assertTrue(obj.Certificate.endswith(f" mm), triangle {worst} on Face1."))
         self.assertEqual(obj.CertificateFaces, ["Face1"])
         facet = obj.Mesh.Facets[worst]
         np.testing.assert_allclose([tuple(corner) for corner in obj.CertificatePlace], facet.Points,
@@ -100,12 +103,12 @@ class Certificates(CertificateTest):
             triangles, triangle_face = whole.triangles[1:], whole.triangle_face[1:]
 
         report = mq.quality((Cut.vertices, Cut.triangles))
-        fault, = certificate.topology_faults(report, True, Cut)
-        self.assertEqual(fault.text, "not closed: 3 edges have one triangle only")
+        fault, = certificate.topology(report, True, Cut)
+        self.assertEqual(fault.text, "Not watertight: 3 open edges.")
         self.assertIn(f"Face{whole.triangle_face[0] + 1}", fault.faces)
         lost = {tuple(corner) for corner in whole.vertices[whole.triangles[0]].tolist()}
         self.assertEqual(len(lost & set(fault.place)), 2)
-        self.assertEqual(certificate.topology_faults(report, False, Cut), [])
+        self.assertEqual(certificate.topology(report, False, Cut), [])
 
     def test_work_that_a_limit_ended(self):
         obj = mq.add_quality_mesh(self.box(), max_edge=0.5, max_triangles=50)
@@ -121,16 +124,16 @@ class Certificates(CertificateTest):
             triangles, triangle_quality = np.array([[0, 1, 2], [1, 2, 3]]), np.array([0.5, np.nan])
             tetrahedra, tetrahedron_quality = np.zeros((0, 4), dtype=int), np.zeros(0)
 
-        faults = certificate.element_faults(Curved)
+        faults = verdict.elements(Curved)
         self.assertEqual(faults[0].place, ((3, 4, 5), (6, 7, 8), (9, 10, 11)))
         self.assertEqual(certificate.sentence(faults),
-                         "missed: 4 of 90 elements are not proven free of folds: triangle 0 on "
-                         "Face1, triangle 1 on Face2, triangle 2 on Face1 and 1 more")
+                         "not met: 4 of 90 elements are not proven valid: triangle 0 on Face1, triangle 1 on "
+                         "Face2, triangle 2 on Face1 and 1 more.")
         self.assertEqual(certificate.faces(faults), ["Face1", "Face2"])
 
     def test_a_boolean_tells_its_tolerance(self):
         obj = mq.add_boolean(self.box(), self.feature(Part.makeSphere(6)), "union", tolerance=0.02)
-        self.assertEqual((obj.AskedTolerance.Value, obj.Certificate), (0.02, "kept"))
+        self.assertEqual((obj.AskedTolerance.Value, obj.Certificate), (0.02, "met"))
         self.assertLessEqual(obj.ErrorBound.Value, 0.02)
         mq.update(obj, tolerance=None, resolution=100)
         self.assertAlmostEqual(obj.AskedTolerance.Value, 3**0.5 * 16 / 100)
@@ -138,7 +141,7 @@ class Certificates(CertificateTest):
     def test_nothing_is_promised_of_an_empty_boolean(self):
         far = self.feature(Part.makeBox(1, 1, 1, FreeCAD.Vector(50, 0, 0)))
         obj = mq.add_boolean(self.box(), far, "intersection")
-        self.assertEqual((obj.Triangles, obj.Certificate), (0, "kept"))
+        self.assertEqual((obj.Triangles, obj.Certificate), (0, "met"))
 
     def test_documents_of_older_versions(self):
         for add in (mq.add_quality_mesh, mq.add_curved_mesh):
@@ -149,7 +152,7 @@ class Certificates(CertificateTest):
             self.assertTrue(obj.Certificate.startswith("unknown"))
             self.assertEqual((obj.Recompute, obj.Status), ("Automatic", "up to date"))
             mq.update(obj)
-            self.assertEqual(obj.Certificate, "kept")
+            self.assertEqual(obj.Certificate, "met")
 
 
 class RecomputeRules(CertificateTest):

@@ -22,7 +22,7 @@ class Guide(helpers.DocumentTest):
             for block in blocks:
                 exec(block, names)  # noqa: S102 - what a reader types
         lines = printed.getvalue().splitlines()
-        self.assertEqual(lines[0], "kept")
+        self.assertEqual(lines[0], "met")
         self.assertTrue(lines[1].startswith("out of date"))
         self.assertEqual(lines[2], "up to date")
         self.assertEqual(lines[3], "6")

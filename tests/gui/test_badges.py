@@ -65,7 +65,7 @@ class Badges(gui_helpers.PanelTest):
         obj = mq.add_quality_mesh(self.wedge())
         mq.update(obj, min_angle=4.0)
         gui_helpers.wait(0.2)
-        self.assertEqual(obj.Certificate, "kept")
+        self.assertEqual(obj.Certificate, "met")
         self.assertEqual(colours(obj.ViewObject.Icon)["red"], 0)
         self.assertEqual(colours(tree_item(obj).icon(0))["red"], 0)
 
@@ -90,7 +90,7 @@ class Badges(gui_helpers.PanelTest):
         obj = mq.add_quality_mesh(source)
         source.ViewObject.Visibility = False
         panel = self.edit(obj)
-        self.assertIn("missed: smallest angle 4.57 of 25 degrees", panel.certificate.text.text())
+        self.assertIn("Target not met: smallest angle 4.57° (requested 25°)", panel.certificate.text.text())
         self.assertIn("#cc0000", panel.certificate.text.styleSheet())
         self.assertTrue(panel.certificate.button.isVisible())
         self.narrow(panel, "panel_missed")
@@ -106,17 +106,17 @@ class Badges(gui_helpers.PanelTest):
 
     def test_the_panel_says_that_all_is_kept(self):
         panel = self.edit(mq.add_quality_mesh(self.box()))
-        self.assertIn("keeps all", panel.certificate.text.text())
+        self.assertIn("All requested limits are met", panel.certificate.text.text())
         self.assertFalse(panel.certificate.button.isVisible())
 
     def test_a_panel_that_adds_shows_it_after_apply(self):
         panel = self.panel(commands.Triangulate, self.wedge())
         self.assertTrue(panel.certificate.isHidden())
         self.apply(panel)
-        self.assertIn("missed", panel.certificate.text.text())
+        self.assertIn("not met", panel.certificate.text.text())
         panel.options.set_values({"min_angle": 4.0})
         self.apply(panel)
-        self.assertIn("keeps all", panel.certificate.text.text())
+        self.assertIn("All requested limits are met", panel.certificate.text.text())
 
 
 class Updates(gui_helpers.PanelTest):

@@ -152,7 +152,7 @@ class Commands(gui_helpers.PanelTest):
         self.addCleanup(lambda: panel.ended or panel.reject())
         self.until(lambda: panel.values is not None)
         obj = self.document.Objects[-1]
-        self.assertEqual((panel.obj, obj.Source, obj.Certificate), (obj, box, "kept"))
+        self.assertEqual((panel.obj, obj.Source, obj.Certificate), (obj, box, "met"))
         self.assertEqual(self.document.UndoNames[0], commands.Triangulate.TEXT)
         self.assertEqual(panel.scene.scene.triangles, obj.Mesh.CountFacets)
         panel.reject()

@@ -91,7 +91,7 @@ class German(gui_helpers.PanelTest):
                          (27.5, 2.25, "star"))
         self.finish(panel)
         obj = self.document.Objects[-1]
-        self.assertEqual((obj.MaxEdge.Value, obj.Certificate), (2.25, "kept"))
+        self.assertEqual((obj.MaxEdge.Value, obj.Certificate), (2.25, "met"))
         FreeCADGui.setLocale("English")
         mq.update(obj, max_edge=3.5)
         self.assertEqual(obj.MaxEdge.Value, 3.5)

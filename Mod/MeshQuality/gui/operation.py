@@ -68,7 +68,7 @@ class Operation:
     def possible(self, edited):
         """Whether the document still has the sources, and the object that is edited unless None."""
         needed = [*self.sources, *([edited] if edited is not None else [])]
-        return all(is_there(self.document, obj) for obj in needed if obj is not None)
+        return all(obj is not None and is_there(self.document, obj) for obj in needed)
 
     def at_rest(self):
         """Whether a result can land now."""
@@ -159,5 +159,5 @@ def check(operations, values):
     Raises InvalidInput, also where the document has lost what the operations need.
     """
     if not all(made.possible(made.obj) for made in operations):
-        raise InvalidInput("what is to be meshed is not in its document any more: close the panel")
+        raise InvalidInput("The source was deleted. Close this panel.")
     return options.check(operations[0].kind.OPTIONS, values)
