@@ -49,10 +49,12 @@ def word(findings):
 
 def sentence(findings):
     """What the property Certificate says."""
-    if not findings:
-        return MET
-    text = " ".join(finding.text for finding in findings)
-    return f"{NOT_MET}: {phrases.lower_first(text)}"
+    return f"{NOT_MET}: {_joined(findings)}" if findings else MET
+
+
+def _joined(findings):
+    """The sentences of all, to stand after a colon."""
+    return phrases.lower_first(" ".join(finding.text for finding in findings))
 
 
 def is_met(certificate):
@@ -96,8 +98,7 @@ def line(label, report, findings, translate=lambda text: text):
     translate   translate(text of `phrases`) -> text in the user's language
     """
     shown = ", ".join(phrases.translated(figure, translate) for figure in _figures(report))
-    said = phrases.TARGET_NOT_MET.format(text=" ".join(finding.text for finding in findings)) \
-        if findings else phrases.ALL_MET
+    said = phrases.TARGET_NOT_MET.format(text=_joined(findings)) if findings else phrases.ALL_MET
     return f"{label}: {shown}; {phrases.translated(said, translate)}"
 
 
@@ -186,8 +187,8 @@ def angles(mesh):
     worst, below = int(np.argmin(measured)), np.flatnonzero(measured < asked)
     reasons = dict(report.exempt)
     forced = all(phrases.is_forced(reasons.get(int(triangle), "")) for triangle in below)
-    text = phrases.ANGLE.format(number=_number(report.min_angle), number2=f"{asked:g}",
-                                phrase=_triangle(mesh, worst))
+    text = _sentence(phrases.ANGLE, number=_told_apart(report.min_angle, asked), number2=f"{asked:g}",
+                     phrase=_triangle(mesh, worst))
     if worst in reasons:
         text += f" {phrases.sentence(_without_face(mesh, worst, reasons[worst]))}"
     if len(below) > 1:
@@ -214,15 +215,11 @@ def deviation(mesh):
     return [Finding(finding.text, _names(mesh, [worst]), _corners(mesh, worst)) for finding in found]
 
 
-def _too_far(measured, asked, template, **places):
+def _too_far(measured, asked, phrase, /, **places):
     """Of a distance in mm that was to be kept within; asked 0: none."""
     if not asked or measured <= asked:
         return []
-    # Both with as many digits as tell them apart.
-    digits = next(digits for digits in (3, 4, 6, 17)
-                  if f"{measured:.{digits}g}" != f"{asked:.{digits}g}")
-    return [Finding(template.format(number=f"{measured:.{digits}g}", number2=f"{asked:.{digits}g}",
-                                  **places))]
+    return [Finding(_sentence(phrase, number=_told_apart(measured, asked), number2=f"{asked:.3g}", **places))]
 
 
 def elements(curved):
@@ -267,8 +264,8 @@ def distortion(curved):
     where = phrases.TETRAHEDRON.format(count=worst) if filled \
         else phrases.ON_FACE.format(phrase=phrases.TRIANGLE.format(count=worst),
                                     face=f"Face{curved.triangle_face[worst] + 1}")
-    text = phrases.DISTORTED.format(number=_number(values[worst]),
-                                    number2=f"{SHAPE_DISTORTION_LIMIT:g}", phrase=where)
+    text = _sentence(phrases.DISTORTED, number=_told_apart(values[worst], SHAPE_DISTORTION_LIMIT),
+                     number2=f"{SHAPE_DISTORTION_LIMIT:g}", phrase=where)
     if count > 1:
         text += " " + _counted(phrases.MORE_DISTORTED, count - 1, number=f"{SHAPE_DISTORTION_LIMIT:g}")
     corners = (curved.tetrahedra if filled else curved.triangles)[worst, :3]
@@ -311,14 +308,24 @@ def _incomplete(report):
     return [] if report.complete else [Finding(phrases.sentence(phrases.LIMIT))]
 
 
-def _counted(phrase, count, **places):
+def _counted(phrase, count, /, **places):
     """The phrase for one or for many, as a sentence."""
-    return phrases.upper_first(phrase[count != 1].format(count=f"{count:,}", **places))
+    return _sentence(phrase[count != 1], count=f"{count:,}", **places)
 
 
-def _number(value):
+def _sentence(phrase, /, **places):
+    return phrases.upper_first(phrase.format(**places))
+
+
+def _number(value, digits=3):
     """Three digits; of small angles too, but not in powers of ten."""
-    return np.format_float_positional(value, precision=3, fractional=False, trim="-")
+    return np.format_float_positional(value, precision=digits, fractional=False, trim="-")
+
+
+def _told_apart(value, limit):
+    """A value with as many digits as tell it from its limit, three at least."""
+    return next(text for text in (_number(value, digits) for digits in range(3, 18))
+                if float(text) != limit and (float(text) < limit) == (value < limit))
 
 
 def _length(value):

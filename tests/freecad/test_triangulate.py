@@ -179,9 +179,9 @@ class Exemptions(unittest.TestCase):
         self.assertGreaterEqual(report.min_angle_unexempted, 25.0)
         self.assertAlmostEqual(report.min_angle, math.degrees(math.atan2(3, 20)), places=3)
         cause, count = report.exempt_causes[0]
-        self.assertEqual(cause, "corner of # degrees between Edge# and Edge# at Vertex# on Face#")
+        self.assertEqual(cause, "the shape itself has a corner of #° between Edge# and Edge# at Vertex# on Face#")
         self.assertEqual(sum(n for _, n in report.exempt_causes), len(report.exempt))
-        self.assertIn(f"{count} exempted of one kind", str(report))
+        self.assertIn(f"{count} triangles below the limit, same cause", str(report))
 
 
     def test_pieces_that_only_touch_do_not_narrow_each_others_corners(self):

@@ -92,7 +92,8 @@ def run(arguments):
                "not_met": missed, "verdict": NOT_MET if missed or failed else MET,
                "seconds": round(time.monotonic() - start, 3), "output": str(plan.out)}
     text = f"{failed} of {len(parts)} parts failed" if failed else f"{len(parts)} parts done"
-    text += f"; {missed} of {states['done']} meshes miss a requested limit" if missed else ""
+    if missed:
+        text += f"; {missed} of {states['done']} meshes {'misses' if missed == 1 else 'miss'} a requested limit"
     text += f"; this run did {len(todo)} in {_duration(summary['seconds'])}; see " \
             f"{plan.out / report.NAME}"
     return {"status": FAILED if failed else DONE, "text": text, "report": summary, "met": not missed,

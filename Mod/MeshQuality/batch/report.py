@@ -8,7 +8,7 @@ from array import array
 from collections import Counter
 from dataclasses import dataclass
 
-from ..phrases import NOT_MET
+from ..phrases import MET, NOT_MET
 from ..version import __version__
 from . import charts
 from .whole_file import replacing
@@ -91,7 +91,7 @@ class Findings:
         self.values = [array("d") for _ in self.figures]
         self.worst = [[] for _ in self.figures]
         self.faulty, self.faulty_count = [], 0
-        self.missed, self.missed_count = [], 0
+        self.missed, self.missed_count, self.met_count = [], 0, 0
         self.seconds = 0.0
 
     def add(self, entry):
@@ -111,6 +111,7 @@ class Findings:
                 self._keep_worst(i, (-value if figure.worst == "high" else value, entry["part"],
                                      entry["output"]))
         report = entry["report"]
+        self.met_count += report.get("verdict") == MET
         if report.get("verdict") == NOT_MET:
             self.missed_count += 1
             if len(self.missed) < MOST_ROWS:
@@ -211,7 +212,7 @@ def _missed(findings):
     done = findings.states["done"]
     if not done:
         return ""
-    head = f"<h2>Requested limits: met by {done - findings.missed_count} of {done} meshes</h2>"
+    head = f"<h2>Requested limits: met by {findings.met_count} of {done} meshes</h2>"
     if not findings.missed:
         return head
     rows = [[_link(part, output), text] for part, output, text in sorted(findings.missed)]
