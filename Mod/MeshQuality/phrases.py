@@ -27,6 +27,7 @@ NOT_ORIENTED = ("the triangles on both sides of 1 edge disagree on the outside."
                 "the triangles on both sides of {count} edges disagree on the outside.")
 CROSSING = ("the surface intersects itself: 1 pair of triangles crosses.",
             "the surface intersects itself: {count} pairs of triangles cross.")
+CROSSING_MANY = "the surface intersects itself: more than {count} pairs of triangles cross."
 FACES_CROSS = "{face} and {face2} cross."
 CROSSES_ITSELF = "{face} crosses itself."
 MISSING = ("1 face could not be meshed and was left out: {list}.",
@@ -50,7 +51,7 @@ AND_MORE = "{list} and {count} more"
 TRIANGLE, TETRAHEDRON = "triangle {count}", "tetrahedron {count}"
 ON_FACE = "{phrase} on {face}"
 CERTIFICATE = (
-    *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, *CROSSING, FACES_CROSS,
+    *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, *CROSSING, CROSSING_MANY, FACES_CROSS,
     CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
     RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, *FOLDED, DISTORTED, *MORE_DISTORTED, AND_MORE,
     "tetrahedron {count} of {solid}", TRIANGLE, TETRAHEDRON,
@@ -107,6 +108,7 @@ ERRORS = (
     "{name} has no triangles",
     "Source is empty: the source was deleted; choose another one, or delete this mesh",
     "The source was deleted. Close this panel.",
+    "The document was closed. Close this panel.",
 )
 # Likewise, of the core. What it says of single faults of shapes stays as it is.
 CORE_ERRORS = (

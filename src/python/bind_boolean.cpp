@@ -95,13 +95,13 @@ void take(BooleanSurface& surface, UniformResult&& result) {
     figures.error_bound = result.error_bound;
     figures.retained = result.retained;
     figures.reconstructed = result.changed + result.reconstructed + result.hole_triangles;
-    const auto note = [&](std::size_t count, const char* what) {
-        if (count > 0) {
-            figures.notes.push_back(std::to_string(count) + what);
-        }
-    };
-    note(result.unsampled_triangles, " triangles of components that no ray met were lost: take a higher resolution");
-    note(result.holes_filled, " holes of the reconstruction were filled");
+    if (result.unsampled_triangles > 0) {
+        figures.notes.push_back("lost, as no ray met the components that they belong to: " +
+                                mesh::counted(result.unsampled_triangles, "triangle") + "; take a higher resolution");
+    }
+    if (result.holes_filled > 0) {
+        figures.notes.push_back("filled in the reconstruction: " + mesh::counted(result.holes_filled, "hole"));
+    }
     figures.seconds = std::move(result.seconds);
     surface.mesh = std::move(result.mesh);
     surface.triangle_source = std::move(result.triangle_source);

@@ -127,7 +127,7 @@ class German(gui_helpers.PanelTest):
         obj.Label = "Netz"
         panel = commands.panel_of(obj)
         FreeCADGui.Control.showDialog(panel)
-        self.assertIn("kleinster Winkel 4.57 statt 25 Grad bei Dreieck", panel.certificate.text.text())
+        self.assertIn("Ziel nicht erreicht: kleinster Winkel 4.57° (verlangt 25°), Dreieck", panel.certificate.text.text())
         self.no_english(panel.form)
         self.narrow(panel, "panel_missed_de")
         panel.reject()

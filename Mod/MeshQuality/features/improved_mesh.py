@@ -48,7 +48,7 @@ class ImprovedMesh(mesh_object.OfOneSource):
         given = SurfaceMesh(convert.surface_of_arrays(core(), *source.arrays))
         mesh = improve(given, **values, progress=progress)
         closed = given.report.closed
-        return mesh, mesh.to_mesh(), closed, verdict.of_improvement(mesh, closed)
+        return mesh, mesh.to_mesh(), closed, verdict.of_improvement(mesh, closed, progress)
 
     def take(self, obj, result):
         """Shows the mesh and its report."""

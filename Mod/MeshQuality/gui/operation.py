@@ -158,6 +158,8 @@ def check(operations, values):
 
     Raises InvalidInput, also where the document has lost what the operations need.
     """
+    if operations[0].document not in FreeCAD.listDocuments():
+        raise InvalidInput("The document was closed. Close this panel.")
     if not all(made.possible(made.obj) for made in operations):
         raise InvalidInput("The source was deleted. Close this panel.")
     return options.check(operations[0].kind.OPTIONS, values)
