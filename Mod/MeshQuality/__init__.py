@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Quality meshes of CAD shapes and of meshes, inside FreeCAD. Lengths are in mm, angles in degrees.
 
+First steps
     import MeshQuality as mq
     mesh = mq.triangulate(shape, min_angle=25.0, chord_height_relative=0.001)
     mesh.write("part.ply")

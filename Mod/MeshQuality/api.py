@@ -143,7 +143,7 @@ def _surface_of(mesh, measured=True):
 
 
 def quality(mesh, shape=None, progress=None):
-    """The MeshReport of a Mesh.Mesh, a Mesh feature, a SurfaceMesh, or arrays (V, F).
+    """The MeshReport of a mesh: a Mesh.Mesh, a Mesh feature, a SurfaceMesh, or arrays (V, F).
 
     With `shape` (Part.Shape or document object) the report also has max_chord_height, the largest
     distance from the shape's faces of the triangles' corners, edge middles and centroids, and of points

@@ -48,13 +48,13 @@ DISTORTED = "max. shape distortion {number} (limit {number2}), {phrase}."
 MORE_DISTORTED = ("1 more element is distorted by more than {number}.",
                   "{count} more elements are distorted by more than {number}.")
 AND_MORE = "{list} and {count} more"
-TRIANGLE, TETRAHEDRON = "triangle {count}", "tetrahedron {count}"
+TRIANGLE, TETRAHEDRON = "triangle {count}", "tetrahedron {count} of {solid}"
 ON_FACE = "{phrase} on {face}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, *CROSSING, CROSSING_MANY, FACES_CROSS,
     CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
     RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, *FOLDED, DISTORTED, *MORE_DISTORTED, AND_MORE,
-    "tetrahedron {count} of {solid}", TRIANGLE, TETRAHEDRON,
+    TRIANGLE, TETRAHEDRON,
 )
 
 # Of the line that the report view gets for a finished object.

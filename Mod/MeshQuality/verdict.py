@@ -265,7 +265,7 @@ def distortion(curved):
     worst = int(np.argmax(values))
     faces = () if filled else tuple(dict.fromkeys(
         f"Face{face + 1}" for face in curved.triangle_face[values > SHAPE_DISTORTION_LIMIT].tolist()))
-    where = phrases.TETRAHEDRON.format(count=worst) if filled \
+    where = phrases.TETRAHEDRON.format(count=worst, solid=f"Solid{curved.tetrahedron_solid[worst] + 1}") if filled \
         else phrases.ON_FACE.format(phrase=phrases.TRIANGLE.format(count=worst),
                                     face=f"Face{curved.triangle_face[worst] + 1}")
     text = _sentence(phrases.DISTORTED, number=_told_apart(values[worst], SHAPE_DISTORTION_LIMIT),

@@ -234,13 +234,13 @@ class VolumeMeshes(CertificateTest):
 
         class Distorted:
             report, nodes, tetrahedra = Report, curved.nodes, curved.tetrahedra
-            triangles = curved.triangles
+            triangles, tetrahedron_solid = curved.triangles, curved.tetrahedron_solid
             tetrahedron_distortion = np.ones(len(curved.tetrahedra))
 
         Distorted.tetrahedron_distortion[[3, 7]] = 39.9, 10.5
         finding, = verdict.of_curved(Distorted, True)
-        self.assertEqual(finding.text, "Max. shape distortion 39.9 (limit 10), tetrahedron 3. 1 more element is "
-                                       "distorted by more than 10.")
+        self.assertEqual(finding.text, "Max. shape distortion 39.9 (limit 10), tetrahedron 3 of Solid1. 1 more "
+                                       "element is distorted by more than 10.")
         self.assertEqual(len(finding.place), 3)
         self.assertTrue(verdict.sentence([finding]).startswith("not met: max. shape distortion 39.9"))
 
