@@ -258,9 +258,11 @@ def _matched(text, translate):
     for phrase in _PHRASES:
         found = _pattern(phrase).fullmatch(text)
         if found:
-            places = {name: _place(name, value, translate)
+            said = _SHOWN.get(phrase, phrase)
+            foreign = translate(said) != said
+            places = {name: _place(name, value, translate, foreign)
                       for name, value in found.groupdict().items()}
-            return translate(_SHOWN.get(phrase, phrase)).format(**places)
+            return translate(said).format(**places)
     return None
 
 
@@ -301,8 +303,10 @@ def stage(name, translate):
     return translate(STAGES[name]) if name in STAGES else name
 
 
-def _place(name, value, translate):
+def _place(name, value, translate, foreign):
     kind = name.rstrip("0123456789")
+    if kind == "count" and foreign:
+        return value.replace(",", "\u202f")  # a comma is no decimal point to anybody then
     if kind == "unit":
         return translate(value)
     if kind == "option":
