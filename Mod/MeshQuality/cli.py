@@ -221,6 +221,8 @@ def _run(job):
 def main(arguments=None):
     """Runs the command line; returns the exit status."""
     parsed = parse(arguments)
+    if hasattr(sys.stdout, "reconfigure"):
+        sys.stdout.reconfigure(errors="backslashreplace")  # as stderr: not every terminal has a sign for degrees
     try:
         if parsed.command == "batch":
             from .batch import command

@@ -42,6 +42,7 @@ RESULT_DISTANCE = "error bound {number} mm (requested {number2} mm)."
 LIMIT = "the mesh is incomplete: a limit ended the work early"
 FAULTS_LEFT = ("1 fault remains that no repair removed.",
                "{count} faults remain that no repair removed.")
+UNIFORM_CROSSES = "method uniform does not rule that out, method default does."
 FOLDED = ("1 of {count2} elements is not proven valid: {list}.",
           "{count} of {count2} elements are not proven valid: {list}.")
 DISTORTED = "max. shape distortion {number} (limit {number2}), {phrase}."
@@ -53,7 +54,7 @@ ON_FACE = "{phrase} on {face}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, *CROSSING, CROSSING_MANY, FACES_CROSS,
     CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, *FOLDED, DISTORTED, *MORE_DISTORTED, AND_MORE,
+    RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, DISTORTED, *MORE_DISTORTED, AND_MORE,
     TRIANGLE, TETRAHEDRON,
 )
 

@@ -142,7 +142,10 @@ def of_boolean(mesh):
     """Findings of a BooleanMesh. An empty one has none."""
     report = mesh.report
     found = _too_far(report.error_bound, report.tolerance_asked, phrases.RESULT_DISTANCE)
-    if report.faults_left:
+    if report.self_intersections > 0:  # counted of method uniform only
+        found.append(Finding(f"{_counted(phrases.CROSSING, report.self_intersections)} "
+                             f"{_sentence(phrases.UNIFORM_CROSSES)}"))
+    elif report.faults_left:
         found.append(Finding(_counted(phrases.FAULTS_LEFT, report.faults_left)))
     return found + (topology(report, True, mesh) if report.triangles else [])
 

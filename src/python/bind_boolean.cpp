@@ -114,6 +114,9 @@ void check_uniform(BooleanSurface& surface, Progress& progress) {
     for (const std::size_t count : check.count) {
         surface.figures.faults_left += count;
     }
+    const auto count = [&](boolean::FaultKind kind) { return check.count[static_cast<std::size_t>(kind)]; };
+    surface.figures.self_intersections = static_cast<std::int64_t>(count(boolean::FaultKind::Crossing)) +
+                                         static_cast<std::int64_t>(count(boolean::FaultKind::Touching));
     if (!check.passed()) {
         surface.figures.notes.push_back("the uniform scheme left faults: " + check.summary(surface.mesh.origin));
     }
@@ -145,7 +148,9 @@ void measure(BooleanSurface& surface, const OperandFrame& frame, const Before& b
     const Stopwatch measuring;
     auto notes = std::move(figures.notes);
     auto seconds = std::move(figures.seconds);
+    const std::int64_t crossings = figures.self_intersections;
     static_cast<mesh::MeshReport&>(figures) = mesh::measure(surface.mesh, &progress);
+    figures.self_intersections = crossings;
     if (surface.mesh.triangles.empty()) {
         notes.emplace_back("the result is empty: no volume is left");
     } else if (!figures.closed || !figures.oriented || !figures.manifold) {

@@ -14,6 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality import verdict
 from MeshQuality.compat import core
 
 Vector = FreeCAD.Vector
@@ -405,6 +406,7 @@ class Options(BooleanTest):
         self.assertGreater(result.report.retained, 0)
         finer = mq.boolean(a, b, "union", method="uniform", tolerance=0.05)
         self.assertLessEqual(finer.report.error_bound, 0.05)
+        self.assertEqual(verdict.of_boolean(result), [])
         for report in (result.report, finer.report):
             self.assertLessEqual(report.error_bound, report.tolerance_asked)
         self.assertEqual(finer.report.tolerance_asked, 0.05)

@@ -70,6 +70,13 @@ class Triangulate(helpers.DocumentTest):
         self.assertTrue(out.startswith("triangles"), out)
         self.assertIn("triangles", err[-1])
 
+    def test_terminals_without_a_sign_for_degrees(self):
+        done = subprocess.run(
+            [COMMAND, "triangulate", self.step], stdin=subprocess.DEVNULL, capture_output=True, timeout=300,
+            env={**os.environ, "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0"}, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(rb"requested 25.000\xb0", done.stdout)
+
     def test_every_kind_of_cad_file(self):
         self.shape.exportBrep(os.path.join(self.folder, "part.brep"))
         self.shape.exportIges(os.path.join(self.folder, "part.iges"))
