@@ -1,20 +1,41 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Quality meshes of CAD shapes, inside FreeCAD.
+"""Quality meshes of CAD shapes and of meshes, inside FreeCAD. Lengths are in mm, angles in degrees.
 
+First steps
     import MeshQuality as mq
     mesh = mq.triangulate(shape, min_angle=25.0, chord_height_relative=0.001)
-    print(mesh.report)
     mesh.write("part.ply")
     mq.add_quality_mesh(App.ActiveDocument.Body, min_angle=25.0)
 
-Lengths are in mm, angles in degrees. Errors are MeshQuality.Error and its subclasses; their text
-names the sub-element at fault.
+Meshes for scripts
+    triangulate   a triangle mesh of a shape with a bound on its angles and its distance -> SurfaceMesh
+    curve         curved triangles or tetrahedra on a shape, each proven valid           -> CurvedMesh
+    boolean       joins, intersects or subtracts closed meshes and shapes                -> BooleanMesh
+    improve       the same surface with better triangles                                 -> SurfaceMesh
+    quality       measures any mesh                                                      -> MeshReport
+    Memory        what an edit left alone keeps its triangles
+
+Objects of the document, which follow what they are made of
+    add_quality_mesh, add_curved_mesh, add_boolean, add_improved_mesh
+    update              gives such an object other options, and computes it
+    export_curved_mesh  writes its curved elements
+
+Results and reports
+    A mesh has NumPy arrays (vertices, triangles, ...), to_mesh() for a Mesh.Mesh, write(path) by extension, and its
+    report: a MeshReport, BooleanReport or CurveReport. print(mesh.report) tells what was measured and requested.
+
+Errors
+    Error and its subclasses InvalidInput, TopologyError, GeometryError, Cancelled, IoError, MissingBinary. Their text
+    names the sub-element at fault and the remedy.
+
+help(mq.triangulate) and so on has all options.
 """
 
 import importlib
 
 from .errors import (Cancelled, Error, GeometryError, InvalidInput, IoError, MissingBinary,
                      TopologyError)
+from .version import __version__
 
 # Loaded on first use: FreeCAD starts no slower, and errors and options work without the core.
 _LAZY = {
@@ -38,8 +59,8 @@ _LAZY = {
     "CurveReport": "MeshQuality._core",
 }
 
-__all__ = ["Cancelled", "Error", "GeometryError", "InvalidInput", "IoError", "MissingBinary",
-           "TopologyError", *_LAZY]
+__all__ = sorted(["Cancelled", "Error", "GeometryError", "InvalidInput", "IoError", "MissingBinary",
+                  "TopologyError", *_LAZY])
 
 
 def __getattr__(name):
@@ -57,4 +78,5 @@ def __getattr__(name):
 
 
 def __dir__():
-    return sorted(set(globals()) | set(_LAZY))
+    """What scripts use, for tab completion and help()."""
+    return ["__version__", *__all__]

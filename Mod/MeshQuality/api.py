@@ -98,6 +98,10 @@ class Memory:
         """What it takes, about."""
         return self.held.bytes
 
+    def __repr__(self):
+        calls = "1 call" if len(self) == 1 else f"{len(self)} calls"
+        return f"<Memory: {calls} of triangulate, {self.bytes / 2**20:.1f} MiB>"
+
 
 def _held(memory):
     if memory is not None and not isinstance(memory, Memory):
@@ -142,7 +146,7 @@ def _surface_of(mesh, measured=True):
 
 
 def quality(mesh, shape=None, progress=None):
-    """The MeshReport of a Mesh.Mesh, a Mesh feature, a SurfaceMesh, or arrays (V, F).
+    """The MeshReport of a mesh: a Mesh.Mesh, a Mesh feature, a SurfaceMesh, or arrays (V, F).
 
     With `shape` (Part.Shape or document object) the report also has max_chord_height, the largest
     distance from the shape's faces of the triangles' corners, edge middles and centroids, and of points

@@ -28,9 +28,6 @@ class BooleanMesh(SurfaceMesh):
 
     triangle_source = property(lambda self: self._surface.triangle_source, doc="int32 (T, 2)")
 
-    def __repr__(self):
-        return f"<BooleanMesh of {len(self.triangles)} triangles, {len(self.vertices)} vertices>"
-
 
 def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=None,
             method="default"):
@@ -40,8 +37,8 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
                 with a mesh or a shape, taken where the document has them. Or `a` is a list of any
                 number of operands and b is left out: the operation is applied from the first on
     operation   "union", "intersection", "difference" or "symmetric_difference"
-    resolution  parts along the longest side of all operands; the tolerance is then sqrt(3) times
-                such a part
+    resolution  cells along the longest side of all operands; the tolerance is then sqrt(3) times
+                such a cell (method "uniform": a cell of its grid, which has free cells around them)
     tolerance   mm; largest distance of the result from the exact one
     progress    callable(fraction 0..1, stage); returning False cancels
     method      "default", or "uniform": the scheme of Wang 2010, for two operands

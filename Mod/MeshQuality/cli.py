@@ -25,7 +25,7 @@ from .cli_parser import (
 )
 from .errors import Error
 
-DONE, FAILED, USAGE = 0, 1, 2
+DONE, FAILED, USAGE, MISSED = 0, 1, 2, 3
 STANDARD = "-"
 
 
@@ -159,7 +159,7 @@ def _use_standard_input(job, folder):
 
 
 def _run_in_freecad(job, folder):
-    """The result {"status", "text", "report"} of the job, from a FreeCAD of its own."""
+    """The result {"status", "text", "report", "met"} of the job, from a FreeCAD of its own."""
     job_path = os.path.join(folder, "job.json")
     result_path = os.path.join(folder, "result.json")
     with open(job_path, "w", encoding="utf-8") as stream:
@@ -221,6 +221,8 @@ def _run(job):
 def main(arguments=None):
     """Runs the command line; returns the exit status."""
     parsed = parse(arguments)
+    if hasattr(sys.stdout, "reconfigure"):
+        sys.stdout.reconfigure(errors="backslashreplace")  # as stderr: not every terminal has a sign for degrees
     try:
         if parsed.command == "batch":
             from .batch import command
@@ -240,7 +242,8 @@ def main(arguments=None):
         remedy = ": run it again to go on" if parsed.command == "batch" else ""
         result = {"status": FAILED, "text": "interrupted" + remedy}
     _print(result, parsed)
-    return result["status"]
+    missed = parsed.strict and result["status"] == DONE and not result["met"]
+    return MISSED if missed else result["status"]
 
 
 def _print(result, parsed):

@@ -26,7 +26,8 @@ TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
-STATUS = "Exit status: 0 done, 1 failed, 2 bad usage or input. The last line on stderr says why."
+STATUS = ("Exit status: 0 done, 1 failed, 2 bad usage or input, 3 with --strict: done, but a requested limit is not "
+          "met.\nThe last line on stderr says why.")
 
 EXAMPLES = {
     None: """
@@ -135,6 +136,7 @@ def _add_single(commands, name, title, description):
                          help=f"mesh file: {' '.join(OUTPUTS[name])}; -: standard output")
         one.add_argument("--format", metavar="NAME",
                          help="of the mesh, whatever its file is called: " + _names(OUTPUTS[name]))
+    _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
     if name != "improve":
         one.add_argument("--object", metavar="NAME",
                          help="of an FCStd file take the object of this name or label only")
@@ -144,6 +146,12 @@ def _add_single(commands, name, title, description):
     if name == "curve":
         _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)
     return one
+
+
+def _add_strict(one, start):
+    one.add_argument("--strict", action="store_true",
+                     help=f"end with status 3 where {start} misses a requested limit or has faults; see the verdict "
+                          "in --json")
 
 
 def _names(suffixes):
@@ -186,6 +194,7 @@ def _add_batch(commands, batched):
                               "same size and time of change count as the same")
     one.add_argument("--json", action="store_true",
                      help="print a summary as one JSON object on stdout")
+    _add_strict(one, "all parts are done, but a mesh")
     _add_options(one, TABLES[batched])
     if batched == "curve":
         _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)

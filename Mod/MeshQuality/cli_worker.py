@@ -11,8 +11,9 @@ import traceback
 import FreeCAD
 
 import MeshQuality as mq
-from MeshQuality import convert
+from MeshQuality import convert, verdict
 from MeshQuality.cli import DONE, FAILED, USAGE
+from MeshQuality.compat import core
 from MeshQuality.cli_parser import CURVED_SUFFIXES, FEM_SUFFIXES, MESH_SUFFIXES
 
 REPORT_FIELDS = (
@@ -21,19 +22,20 @@ REPORT_FIELDS = (
     "duplicate_triangles", "self_intersections", "components", "euler", "min_angle", "max_angle",
     "mean_min_angle", "max_aspect", "angle_histogram", "area", "volume", "min_angle_asked",
     "min_angle_unexempted", "max_chord_height", "max_chord_height_to", "chord_height_asked", "exempt",
-    "exempt_causes", "fallback", "notes", "complete", "seconds", "cpu_seconds", "queries", "predicates",
+    "exempt_causes", "fallback", "missing_faces", "crossing_faces", "notes", "complete", "seconds",
+    "cpu_seconds", "queries", "predicates",
     "exact_predicates",
 )
 
 BOOLEAN_REPORT_FIELDS = (
-    "error_bound", "retained", "reconstructed", "repaired", "faults_left", "crossing_pairs",
+    "error_bound", "tolerance_asked", "retained", "reconstructed", "repaired", "faults_left", "crossing_pairs",
     "curve_edges", "parted_contacts", "separated_vertices", "fitted_vertices", "unfitted_vertices",
 )
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
-    "volume", "cad_volume", "volume_error", "straightened", "moved_vertices", "repairs", "notes",
-    "seconds", "cpu_seconds",
+    "volume", "cad_volume", "volume_error", "self_intersections", "crossing_faces", "straightened",
+    "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
 )
 
 
@@ -179,57 +181,66 @@ def write_curved(mesh, path, deviation):
         mesh.tessellate(deviation).surface().write(path)
 
 
+def _count(number, noun):
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
 def triangulate(job):
-    """Returns the report and the sentence to end with."""
+    """Returns the report, what the command did, and the findings."""
     shape = read_shape(job["input"], job.get("object"))
     mesh = mq.triangulate(shape, **job["options"], progress=progress_line())
     report, where = mesh.report, written(job, mesh.write)
-    exempt = f", {len(report.exempt)} of them exempted" if report.exempt else ""
-    limit = "" if report.complete else "; incomplete: max_triangles ended the work early"
-    return report, f"{report.triangles} triangles{where}{exempt}{limit}"
+    return report, _count(report.triangles, "triangle") + where, \
+        verdict.of_triangulation(mesh, verdict.must_be_closed(shape))
 
 
 def curve(job):
-    """Returns the report and the sentence to end with."""
+    """Likewise."""
     shape = read_shape(job["input"], job.get("object"))
     mesh = mq.curve(shape, **job["options"], progress=progress_line())
     report = mesh.report
     where = written(job, lambda path: write_curved(mesh, path, job.get("deviation")))
-    return report, f"{report.elements} elements of order {mesh.order}{where}, " \
-                   f"{report.invalid} of them invalid"
+    return report, f"{_count(report.elements, 'element')} of order {mesh.order}{where}", \
+        verdict.of_curved(mesh, verdict.must_be_closed(shape))
 
 
 def boolean(job):
-    """Returns the report and the sentence to end with."""
+    """Likewise."""
     sources = [read_mesh(path) if path.lower().endswith(MESH_SUFFIXES)
                else read_shape(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.boolean(sources, **job["options"], progress=progress_line())
     report, where = mesh.report, written(job, mesh.write)
-    faults = f"; {report.faults_left} faults are left, see the notes" if report.faults_left else ""
-    return report, f"{report.triangles} triangles{where}, {report.retained} of them the " \
-                   f"operands' own{faults}"
+    return report, f"{_count(report.triangles, 'triangle')}{where}, {report.retained} of them the " \
+                   "operands' own", verdict.of_boolean(mesh)
 
 
 def improve(job):
-    """Returns the report and the sentence to end with."""
-    mesh = mq.improve(read_mesh(job["input"]), **job["options"], progress=progress_line())
+    """Likewise; the mesh is to be as closed as that before it."""
+    given = mesh_of(read_mesh(job["input"]))
+    mesh = mq.improve(given, **job["options"], progress=progress_line())
     report, where = mesh.report, written(job, mesh.write)
-    below = f", {len(report.exempt)} of them below the angle" if report.exempt else ""
-    return report, f"{report.triangles} triangles{where}{below}"
+    return report, _count(report.triangles, "triangle") + where, \
+        verdict.of_improvement(mesh, given.report.closed)
+
+
+def mesh_of(mesh):
+    """The SurfaceMesh of a Mesh.Mesh."""
+    return mq.SurfaceMesh(convert.surface_of_arrays(core(), *convert.arrays_of_mesh(mesh)))
 
 
 def quality(job):
-    """Returns the report and the sentence to end with."""
-    mesh = read_mesh(job["input"])
+    """Likewise; a mesh is to be watertight unless the shape is not."""
+    mesh = mesh_of(read_mesh(job["input"]))
     shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
     report = mq.quality(mesh, shape, progress_line())
-    return report, f"measured {report.triangles} triangles of {job['input']}"
+    return report, f"measured {_count(report.triangles, 'triangle')} of {job['input']}", \
+        verdict.of_measured(mesh, report, shape is None or verdict.must_be_closed(shape))
 
 
 def run(job):
     """The job's result as plain data; never raises."""
     try:
-        report, text = {"triangulate": triangulate, "curve": curve,
+        report, text, findings = {"triangulate": triangulate, "curve": curve,
                         "boolean": boolean, "improve": improve,
                         "quality": quality}[job["command"]](job)
     except mq.InvalidInput as error:
@@ -241,8 +252,11 @@ def run(job):
         return {"status": FAILED, "text": f"{type(error).__name__}: {error}"}
     finally:
         end_progress_line()
-    return {"status": DONE, "text": text, "report": report_fields(report),
-            "report_text": str(report)}
+    met = not findings
+    said = "all requested limits are met" if met else verdict.sentence(findings)
+    return {"status": DONE, "text": f"{text}; {said}", "met": met,
+            "report": {**report_fields(report), **verdict.plain(findings)},
+            "report_text": str(report) + "".join(f"finding      {finding.text}\n" for finding in findings)}
 
 
 def main():

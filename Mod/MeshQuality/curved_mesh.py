@@ -140,6 +140,11 @@ class CurvedMesh:
         """float64 (T,): of each triangle, or of the tetrahedron behind it where there is one."""
         return self._shown(self.triangle_quality, self.tetrahedron_quality)
 
+    def tetrahedra_at_surface(self):
+        """How many tetrahedra have a triangle on the surface."""
+        behind = self._curved.tetrahedra_behind()
+        return len(np.unique(behind[behind >= 0]))
+
     def shown_distortion(self, progress=None):
         """float64 (T,), likewise; progress as for curve."""
         tetrahedra = self._distortion("tetrahedron_distortions", progress)
@@ -201,7 +206,12 @@ class CurvedMesh:
         self._curved.write(os.fspath(path))
 
     def __repr__(self):
-        return f"<CurvedMesh of {len(self.elements)} elements of order {self.order}>"
+        count, kind = len(self.elements), "tetrahedron" if len(self.tetrahedra) else "triangle"
+        plural = "tetrahedra" if kind == "tetrahedron" else "triangles"
+        quality = self.tetrahedron_quality if len(self.tetrahedra) else self.triangle_quality
+        folded = int((~(quality > 0.0)).sum())
+        valid = f"{folded:,} not proven valid" if folded else "all valid"
+        return f"<CurvedMesh: {count:,} {kind if count == 1 else plural} of order {self.order}, {valid}>"
 
 
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False, shape=None,

@@ -37,7 +37,7 @@ def _has_path(source):
 
 def source_of(obj, path=""):
     """The source of an object and a path."""
-    return (obj, path) if path else obj
+    return (obj, path) if path and obj is not None else obj
 
 
 def leaf_of(source):

@@ -12,44 +12,82 @@ from functools import lru_cache
 
 from . import options
 
-# Of certificates; features/certificate.py puts sentences together of these.
-NOT_CLOSED = "not closed: {count} edges have one triangle only"
-NOT_MANIFOLD = ("not manifold: {count} edges of three or more triangles, {count2} pinched vertices, "
-                "{count3} triangles without area")
-ANGLE = "smallest angle {number} of {number2} degrees at triangle {count}: {phrase}"
-MORE_BELOW = "{phrase} ({count} more triangles are below)"
-SHAPE_DISTANCE = "distance to the shape {number} of {number2} mm"
-RESULT_DISTANCE = "distance from the exact result {number} of {number2} mm"
-AT_TRIANGLE = "{phrase} at triangle {count}"
-ON_FACE = "{phrase} on {face}"
-ONLY_ON_FACE = "on {face}"
-NO_REASON = "for no known reason"
-LIMIT = "a limit ended the work early"
-FAULTS_LEFT = "{count} faults are left that no repair removed"
-FOLDED = "{count} of {count2} elements are not proven free of folds: {list}"
+# The verdict on a mesh.
+MET, NOT_MET = "met", "not met"
+
+# Of certificates; verdict.py puts them together. Pairs are for one and for many. Whole sentences end with a
+# full stop; at the head of one the first letter is a capital.
+NOT_CLOSED = ("not watertight: 1 open edge.", "not watertight: {count} open edges.")
+NONMANIFOLD = ("not manifold: 1 edge has three or more triangles.",
+               "not manifold: {count} edges have three or more triangles.")
+PINCHED = ("not manifold: the surface only touches itself at 1 vertex.",
+           "not manifold: the surface only touches itself at {count} vertices.")
+DEGENERATE = ("1 triangle has no area.", "{count} triangles have no area.")
+NOT_ORIENTED = ("the triangles on both sides of 1 edge disagree on the outside.",
+                "the triangles on both sides of {count} edges disagree on the outside.")
+CROSSING = ("the surface intersects itself: 1 pair of triangles crosses.",
+            "the surface intersects itself: {count} pairs of triangles cross.")
+CROSSING_MANY = "the surface intersects itself: more than {count} pairs of triangles cross."
+FACES_CROSS = "{face} and {face2} cross."
+CROSSES_ITSELF = "{face} crosses itself."
+MISSING = ("1 face could not be meshed and was left out: {list}.",
+           "{count} faces could not be meshed and were left out: {list}.")
+ANGLE = "smallest angle {number}° (requested {number2}°), {phrase}."
+MORE_BELOW = ("1 more triangle is below {number}°.", "{count} more triangles are below {number}°.")
+MORE_FORCED = ("1 more triangle is below {number}°, at a small corner of the shape too.",
+               "{count} more triangles are below {number}°, all of them at small corners of the shape.")
+SHAPE_DISTANCE = "max. deviation {number} mm (requested {number2} mm)."
+SHAPE_DISTANCE_AT = "max. deviation {number} mm (requested {number2} mm), {phrase}."
+RESULT_DISTANCE = "error bound {number} mm (requested {number2} mm)."
+LIMIT = "the mesh is incomplete: a limit ended the work early"
+FAULTS_LEFT = ("1 fault remains that no repair removed.",
+               "{count} faults remain that no repair removed.")
+UNIFORM_CROSSES = "method uniform does not rule that out, method default does."
+FOLDED = ("1 of {count2} elements is not proven valid: {list}.",
+          "{count} of {count2} elements are not proven valid: {list}.")
+DISTORTED = "max. shape distortion {number} (limit {number2}), {phrase}."
+MORE_DISTORTED = ("1 more element is distorted by more than {number}.",
+                  "{count} more elements are distorted by more than {number}.")
 AND_MORE = "{list} and {count} more"
+TRIANGLE, TETRAHEDRON = "triangle {count}", "tetrahedron {count} of {solid}"
+ON_FACE = "{phrase} on {face}"
 CERTIFICATE = (
-    NOT_CLOSED, NOT_MANIFOLD, MORE_BELOW, ANGLE, SHAPE_DISTANCE, RESULT_DISTANCE, LIMIT, FAULTS_LEFT,
-    FOLDED, AND_MORE, NO_REASON, ONLY_ON_FACE, "triangle {count} on {face}",
-    "tetrahedron {count} of {solid}",
+    *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, *CROSSING, CROSSING_MANY, FACES_CROSS,
+    CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
+    RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, DISTORTED, *MORE_DISTORTED, AND_MORE,
+    TRIANGLE, TETRAHEDRON,
 )
 
-# Why the mesher could do no better: src/triangulate/explain.cpp, src/improve/improver.cpp.
-REASONS = (
-    "corner of {number} degrees between {edge} and {edge2} at {vertex}",
-    "the surface comes to a point at {vertex} with too little angle around it",
-    "edges near the narrow corner at {vertex} would shrink without end",
-    "no such angles fit beside edges that part by {number} degrees at {vertex}",
-    "a further vertex would lie closer than single precision tells apart",
-    "so many triangles there had no room for a further vertex that it is refined no finer",
-    "a further vertex would make an edge shorter than min_edge",
-    "a further vertex would lie closer to its neighbours than they do to each other",
-    "a further vertex would fold the mesh",
-    "the engine finds no point of the surface there",
-    "no change of the triangles around makes the angle larger "
-    "within the bounds",
-    "max_triangles is reached",
+# Of the line that the report view gets for a finished object.
+FIGURES = (
+    ("1 triangle", "{count} triangles"), ("1 element", "{count} elements"),
+    "smallest angle {number}°", "max. deviation {number} mm", "error bound {number} mm",
+    "max. shape distortion {number}",
+)
+TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, ERROR_BOUND, MAX_DISTORTION = FIGURES
+ALL_MET = "all requested limits are met."
+TARGET_NOT_MET = "target not met: {text}"
+
+# Why the mesher could do no better: src/triangulate/explain.cpp, src/improve/improver.cpp. Of the first ones the shape
+# itself is the reason.
+FORCED = (
+    "the shape itself has a corner of {number}° between {edge} and {edge2} at {vertex}",
+    "the surface comes to a point with too little angle around it at {vertex}",
+    "edges at the narrow corner of the shape would become ever shorter at {vertex}",
+    "edges of the shape that meet at {number}° leave no room for larger angles at {vertex}",
     "its smallest angle lies between two sharp edges that must stay",
+)
+NOT_REACHABLE = "target angle not reachable: {phrase}."
+REASONS = (
+    *FORCED,
+    "points cannot be placed any closer in single precision",
+    "too many triangles there have no room for a further point, so the face is refined no further",
+    "a further point would make an edge shorter than min_edge",
+    "a further point would lie closer to its neighbours than they do to each other",
+    "a further point would fold the mesh",
+    "no point of the surface was found there",
+    "no change of the triangles around it makes the angle larger within the limits",
+    "the triangle limit max_triangles was reached",
     "no change within the tolerance makes it better",
 )
 
@@ -62,13 +100,16 @@ ERRORS = (
     "min_edge = {number} mm is longer than max_edge = {number2} mm",
     "Source is empty: choose an object with a shape",
     "Source is not a mesh: choose one object with a mesh",
+    "Sources has 1 object: choose two or more with a mesh or a shape",
     "Sources has {count} objects: choose two or more with a mesh or a shape",
     "{name} is null: it has no geometry; recompute the document, if it is new",
     "{name} is null: it has no geometry",
     "{name} has no faces (its type is {name2}): give a solid, a shell or faces",
     "{name} has no triangles",
     "local_sizes names {value}, but {name} does not hold that: select it again in the 3D view",
-    "what is to be meshed is not in its document any more: close the panel",
+    "Source is empty: the source was deleted; choose another one, or delete this mesh",
+    "The source was deleted. Close this panel.",
+    "The document was closed. Close this panel.",
 )
 # Likewise, of the core. What it says of single faults of shapes stays as it is.
 CORE_ERRORS = (
@@ -100,7 +141,7 @@ RANGES = (
 UNITS = ("degrees", "mm")
 
 # Between the others and whatever they end with, hence last.
-ENDINGS = ("{phrase} at {edge}", ON_FACE, AT_TRIANGLE)
+ENDINGS = ("{phrase} at {edge}", ON_FACE)
 
 # Stages of the core and of this package by their names there, in words for people.
 STAGES = {
@@ -144,8 +185,6 @@ STAGES = {
 
 # What is said in a panel where the English text is made for scripts.
 _SHOWN = {
-    "corner of {number} degrees between {edge} and {edge2} at {vertex}":
-        "the part itself has a corner of {number} degrees there, between {edge} and {edge2} at {vertex}",
     "{option} = {value} is not allowed: it must be a whole number, {range}":
         "{option}: {value} is not possible, it must be a whole number, {range}",
     "{option} = {value} is not allowed: it must be a number, {range}":
@@ -156,21 +195,9 @@ _SHOWN = {
         "The max. deviation is given twice, as {value} and as {number} of the size: give one of them",
     "min_edge = {number} mm is longer than max_edge = {number2} mm":
         "The shortest edge of {number} mm is longer than the longest edge of {number2} mm",
-    "a further vertex would lie closer than single precision tells apart":
-        "a further point would lie too near to be told apart in the numbers that FreeCAD keeps",
-    "so many triangles there had no room for a further vertex that it is refined no finer":
-        "so many triangles there had no room for a further point that it was not divided any finer",
-    "a further vertex would make an edge shorter than min_edge":
+    "a further point would make an edge shorter than min_edge":
         "a further point would make an edge shorter than the shortest that is allowed",
-    "a further vertex would lie closer to its neighbours than they do to each other":
-        "a further point would not make the triangles around it better",
-    "a further vertex would fold the mesh": "a further point would fold the mesh",
-    "the engine finds no point of the surface there": "the shape has no usable point there",
-    "max_triangles is reached": "the largest number of triangles was reached",
-    "not manifold: {count} edges of three or more triangles, {count2} pinched vertices, {count3} "
-    "triangles without area":
-        "not a clean surface: {count} edges of three or more triangles, {count2} points where it only "
-        "touches itself, {count3} triangles without area",
+    "the triangle limit max_triangles was reached": "the triangle limit was reached",
     "the shape has no solids to fill: leave volume off to curve its faces":
         "The shape has no solids to fill with tetrahedra: switch that off to curve its faces",
     "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest":
@@ -200,11 +227,13 @@ _SHOWN = {
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
 _KINDS = {
-    "count": r"\d+", "number": _NUMBER, "face": r"Face\d+", "edge": r"Edge\d+",
+    "count": r"\d[\d,]*", "number": _NUMBER, "face": r"Face\d+", "edge": r"Edge\d+",
     "vertex": r"(?:Vertex|Edge|Face)\d+", "solid": r"Solid\d+", "option": r"\w+", "value": ".+?",
-    "unit": "|".join(UNITS), "name": ".+?", "phrase": ".+", "list": ".+", "range": ".+",
+    "unit": "|".join(UNITS), "name": ".+?", "phrase": ".+", "list": ".+", "range": ".+", "text": ".+",
 }
-_PHRASES = (*CERTIFICATE, *REASONS, *ERRORS, *CORE_ERRORS, *RANGES, *ENDINGS)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:], ALL_MET, TARGET_NOT_MET)
+_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *REASONS, *_LINE, *ERRORS, *CORE_ERRORS, *RANGES, *ENDINGS)
+_SENTENCES = re.compile(r"(?<=\.) (?=[A-Z0-9])")
 
 
 def texts():
@@ -217,18 +246,56 @@ def translated(text, translate):
 
     translate   translate(text of `texts`) -> text in the user's language
     """
+    found = _matched(text, translate)
+    if found is None and text[:1].isupper():
+        found = _matched(lower_first(text), translate)
+        found = None if found is None else upper_first(found)
+    return text if found is None else found
+
+
+def _matched(text, translate):
+    """The translation by the phrase that fits; None where there is none."""
     for phrase in _PHRASES:
         found = _pattern(phrase).fullmatch(text)
         if found:
-            places = {name: _place(name, value, translate)
+            said = _SHOWN.get(phrase, phrase)
+            foreign = translate(said) != said
+            places = {name: _place(name, value, translate, foreign)
                       for name, value in found.groupdict().items()}
-            return translate(_SHOWN.get(phrase, phrase)).format(**places)
-    return text
+            return translate(said).format(**places)
+    return None
 
 
 def sentences(text, translate):
-    """Of several phrases with "; " between them, each translated."""
-    return "; ".join(translated(part, translate) for part in text.split("; "))
+    """Of several sentences, each translated."""
+    return " ".join(_sentence(part, translate) for part in _SENTENCES.split(text))
+
+
+def _sentence(text, translate):
+    found = translated(text, translate)
+    if found == text and text.endswith("."):
+        return translated(text[:-1], translate) + "."
+    return found
+
+
+def sentence(reason):
+    """A reason of the mesher's, or another phrase, as a sentence."""
+    if is_forced(reason):
+        reason = NOT_REACHABLE.format(phrase=reason)[:-1]
+    return upper_first(reason) + "."
+
+
+def is_forced(reason):
+    """Whether the shape itself is the reason."""
+    return any(_pattern(phrase).match(reason) for phrase in FORCED)
+
+
+def upper_first(text):
+    return text[:1].upper() + text[1:]
+
+
+def lower_first(text):
+    return text[:1].lower() + text[1:]
 
 
 def stage(name, translate):
@@ -236,14 +303,18 @@ def stage(name, translate):
     return translate(STAGES[name]) if name in STAGES else name
 
 
-def _place(name, value, translate):
+def _place(name, value, translate, foreign):
     kind = name.rstrip("0123456789")
+    if kind == "count" and foreign:
+        return value.replace(",", "\u202f")  # a comma is no decimal point to anybody then
     if kind == "unit":
         return translate(value)
     if kind == "option":
         return translate(_titles().get(value, value))
     if kind == "list":
         return ", ".join(translated(part, translate) for part in value.split(", "))
+    if kind == "text":
+        return sentences(value, translate)
     return translated(value, translate) if kind in ("phrase", "range") else value
 
 

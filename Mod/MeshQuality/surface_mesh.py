@@ -46,4 +46,4 @@ class SurfaceMesh:
         self._surface.write(os.fspath(path))
 
     def __repr__(self):
-        return f"<SurfaceMesh of {len(self.triangles)} triangles, {len(self.vertices)} vertices>"
+        return repr(self.report).replace(type(self.report).__name__, type(self).__name__, 1)

@@ -19,6 +19,7 @@
 #include "boolean/parting.h"
 #include "boolean/repair.h"
 #include "boolean/soup.h"
+#include "mesh/report.h"
 #include "mesh/self_intersection.h"
 
 namespace mq::boolean {
@@ -34,11 +35,6 @@ std::string in_short(double length) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2g", length);
     return text;
-}
-
-std::string operand_name(std::size_t index, std::size_t count) {
-    return count <= 26 ? std::string("operand ") + static_cast<char>('A' + index)
-                       : "operand " + std::to_string(index + 1);
 }
 
 /// One Boolean on its way through the stages.
@@ -116,9 +112,10 @@ class Run {
             length *= kMore;
         }
         const auto count = [](std::size_t n, const std::vector<std::int32_t>& list) { return n + list.size(); };
-        result_.notes.push_back("operands were moved by up to " + in_short(sum) + " mm at " +
-                                std::to_string(std::accumulate(jolts_.begin(), jolts_.end(), std::size_t{0}, count)) +
-                                " triangles, where rounding left faults otherwise");
+        result_.notes.push_back(
+            "operands were moved by up to " + in_short(sum) + " mm at " +
+            mesh::counted(std::accumulate(jolts_.begin(), jolts_.end(), std::size_t{0}, count), "triangle") +
+            ", where rounding left faults otherwise");
         return sum;
     }
 
@@ -262,7 +259,7 @@ class Run {
             result_.separated_vertices = done.moved;
             moved_ = done.largest + disturb();
             if (along && done.moved > 0) {
-                result_.notes.push_back("surfaces that run along each other were put apart: slivers and gaps up to " +
+                result_.notes.push_back("surfaces that nearly coincide were separated: slivers and gaps up to " +
                                         in_short(2.0 * moved_) + " mm thin may be gone");
             }
             undo_degenerate_moves(soup_, before);
@@ -290,12 +287,12 @@ class Run {
             faulty_.push_back(draft.from[static_cast<std::size_t>(t)]);
         }
         if (repaired.flakes > 0) {
-            result_.notes.push_back(std::to_string(repaired.flakes) +
-                                    " flakes thinner than single precision can hold were left out");
+            result_.notes.push_back("left out, as they are thinner than single precision can hold: " +
+                                    mesh::counted(repaired.flakes, "separate piece"));
         }
         if (result_.faults_left > 0) {
-            result_.notes.push_back(std::to_string(result_.faults_left) +
-                                    " triangles touch or cross others: rounding made them, and no change nearby helps");
+            result_.notes.push_back("no repair helps where rounding made triangles touch or cross others: " +
+                                    mesh::counted(result_.faults_left, "triangle"));
         }
         result_.error_bound = draft.largest_move + moved_;
         result_.mesh.origin = inputs_.front()->origin;

@@ -7,6 +7,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
+#include "boolean/operand.h"
 #include "boolean/radial_order.h"
 #include "boolean/winding_ray.h"
 #include "mesh/edge_table.h"
@@ -187,8 +188,10 @@ class CellFinder {
             } else if (windings(beyond)[k] != value) {
                 const Vec3 at =
                     arrangement_.points.approx(arrangement_.faces[static_cast<std::size_t>(face)].points[0]);
-                throw TopologyError("the surface of operand " + std::to_string(k) + " bounds no volume near " +
-                                    position(at));
+                throw TopologyError(
+                    "the surface of " +
+                    operand_name(static_cast<std::size_t>(k), static_cast<std::size_t>(soup_.operands)) +
+                    " bounds no volume near " + position(at));
             }
         }
         if (first) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "boolean/layered_depth.h"
 
+#include <cmath>
+
 namespace mq::boolean {
 
 namespace {
@@ -10,16 +12,29 @@ namespace {
 const Vec3 kMargin(1.4370, 1.3913, 1.5231);
 constexpr double kMarginSum = 3.2;
 
+int levels_of(int resolution) {
+    int levels = 3;
+    while ((1 << levels) + 1 < resolution) {
+        ++levels;
+    }
+    return levels;
+}
+
 }  // namespace
 
+double SampleGrid::spacing_of(double side, int resolution) {
+    return side / ((1 << levels_of(resolution)) - kMarginSum);
+}
+
+double SampleGrid::resolution_for(double side, double spacing) {
+    return std::ceil(side / spacing + kMarginSum) + 1.0;
+}
+
 SampleGrid::SampleGrid(const Box& box, int resolution) {
-    levels_ = 3;
-    while ((1 << levels_) + 1 < resolution) {
-        ++levels_;
-    }
+    levels_ = levels_of(resolution);
     cells_ = 1 << levels_;
     const double side = box.empty() ? 0.0 : box.largest_side();
-    spacing_ = side > 0.0 ? side / (cells_ - kMarginSum) : 1.0;
+    spacing_ = side > 0.0 ? spacing_of(side, resolution) : 1.0;
     const Vec3 low = box.empty() ? Vec3(0.0, 0.0, 0.0) : box.low;
     origin_ = low - spacing_ * kMargin;
 }

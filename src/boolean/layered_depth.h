@@ -19,6 +19,12 @@ class SampleGrid {
     /// `box` bounds the result; at least `resolution` rays lie along its cube, rounded up to 2^n + 1.
     SampleGrid(const Box& box, int resolution);
 
+    /// The distance between two rays of such a grid around a box with this longest side, mm. It counts the free cells
+    /// around the box, which take part of the rays.
+    static double spacing_of(double side, int resolution);
+    /// The least resolution whose rays are no farther apart than `spacing`.
+    static double resolution_for(double side, double spacing);
+
     int cells() const { return cells_; }
     int rays() const { return cells_ + 1; }
     /// log2 of cells().

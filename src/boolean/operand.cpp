@@ -237,6 +237,11 @@ std::string Repairs::summary() const {
     return text.empty() ? "none" : text;
 }
 
+std::string operand_name(std::size_t index, std::size_t count) {
+    return count <= 26 ? std::string("operand ") + static_cast<char>('A' + index)
+                       : "operand " + std::to_string(index + 1);
+}
+
 Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress) {
     require_usable(mesh, name);
     SurfaceDraft draft = draft_of(mesh, name);

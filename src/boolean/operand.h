@@ -45,6 +45,9 @@ constexpr double kLargestFilledShare = 1.0 / 3.0;
 /// those that are attached to the rest along edges of three or more triangles (inner walls, fins) up to half of it.
 constexpr double kLargestScrapShare = 0.05;
 
+/// "operand A", "operand B", ...; by number where there are more than letters.
+std::string operand_name(std::size_t index, std::size_t count);
+
 /// Inspects an operand and repairs what can be: see Repairs for what. 0.25 us a triangle when there is nothing to do.
 ///
 /// Triangles keep their order; a triangle that was only turned around or renumbered keeps its corners' coordinates bit

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 
 #include "base/error.h"
@@ -20,6 +21,8 @@ namespace {
 
 /// How far the copies of an opened node part, in units of r.
 constexpr double kParting = 0.02;
+/// The paper's error bound in units of r: the diagonal of a cell (section IV-A).
+const double kBound = std::sqrt(3.0);
 constexpr int kLowestResolution = 9;
 constexpr int kHighestResolution = (1 << kMaxLevels) + 1;
 
@@ -318,7 +321,7 @@ void UniformBoolean::assemble() {
     }
     const std::size_t made = mesh.triangles.size() - result_.retained;
     result_.changed = made - result_.reconstructed - result_.hole_triangles;
-    result_.error_bound = made > 0 ? std::sqrt(3.0) * grid_.spacing() : 0.0;
+    result_.error_bound = made > 0 ? kBound * grid_.spacing() : 0.0;
 }
 
 UniformResult UniformBoolean::run() {
@@ -361,6 +364,28 @@ UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::Tri
     require_options(options);
     require_operands(a, b);
     return UniformBoolean(a, b, operation, options, progress).run();
+}
+
+double uniform_bound(double size, int resolution) {
+    return kBound * SampleGrid::spacing_of(size, resolution);
+}
+
+int uniform_resolution(double size, double tolerance) {
+    const double least = uniform_bound(size, kHighestResolution);
+    if (tolerance < least) {
+        char text[200];
+        std::snprintf(text, sizeof text,
+                      "tolerance is %.6g mm: method 'uniform' reaches %.6g mm with the most rays that it can use; ask "
+                      "for more than that, or use method 'default'",
+                      tolerance, least);
+        throw InvalidInput(text);
+    }
+    const double wanted = SampleGrid::resolution_for(size, tolerance / kBound);
+    int resolution = static_cast<int>(std::clamp<double>(wanted, kLowestResolution, kHighestResolution));
+    while (uniform_bound(size, resolution) > tolerance) {
+        ++resolution;  // the quotient was rounded
+    }
+    return resolution;
 }
 
 }  // namespace mq::boolean

@@ -66,4 +66,11 @@ struct UniformResult {
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
                                     const UniformOptions& options, Progress* progress);
 
+/// The largest error bound of a result whose operands have a common box with this longest side, mm.
+double uniform_bound(double size, int resolution);
+
+/// The least resolution whose bound is within the tolerance, mm.
+/// @throws InvalidInput naming the least tolerance where the rays do not suffice.
+int uniform_resolution(double size, double tolerance);
+
 }  // namespace mq::boolean

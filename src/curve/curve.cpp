@@ -98,9 +98,9 @@ void note_gaps(SurfaceEditor& editor, const geometry::Topology& topology, CurveR
     char distance[32];
     std::snprintf(distance, sizeof distance, "%.3g", worst->second);
     const std::string more = gaps.size() == 1 ? "" : ", and " + std::to_string(gaps.size() - 1) + " more likewise";
-    report.notes.push_back(topology.name_of({worst->first[0], worst->first[1]}) + " lies " + distance +
-                           " mm off the edges or faces at it, within its tolerance" + more +
-                           ": elements there leave the CAD to reach it");
+    report.notes.push_back(topology.name_of({worst->first[0], worst->first[1]}) + " deviates " + distance +
+                           " mm from the edges or faces at it, within its tolerance" + more +
+                           ": elements there leave the shape to reach it");
 }
 
 void note(const FilledVolume& filled, CurveReport& report) {

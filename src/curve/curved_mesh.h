@@ -9,6 +9,7 @@
 
 #include "base/stage_clock.h"
 #include "curve/surface.h"
+#include "mesh/report.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::curve {
@@ -27,9 +28,11 @@ struct CurveReport {
     double max_shape_distortion = 0.0;  ///< largest eta of the elements, see curve/distortion.h; 0 without elements
     double max_deviation = 0.0;         ///< of boundary triangles from their CAD faces, mm
     double rms_deviation = 0.0;
-    double volume = 0.0;             ///< that the curved triangles enclose, mm^3; 0 without a solid
-    double cad_volume = 0.0;         ///< of the part's solids; 0: unknown
-    std::size_t moved_vertices = 0;  ///< corner vertices that left the place they had when the mesh was straight
+    double volume = 0.0;                   ///< that the curved triangles enclose, mm^3; 0 without a solid
+    double cad_volume = 0.0;               ///< of the part's solids; 0: unknown
+    std::size_t moved_vertices = 0;        ///< corner vertices that left the place they had when the mesh was straight
+    std::int64_t self_intersections = -1;  ///< pairs of triangles of the straight mesh that cross; -1: unknown
+    std::vector<mesh::FaceCrossing> crossings;  ///< which CAD faces they lie on
     std::vector<std::pair<std::string, std::size_t>> repairs;
     std::vector<std::string> notes;
     StageTimes seconds;

@@ -14,14 +14,15 @@ std::string to_text(const CurveReport& report) {
     char text[512];
     std::snprintf(text, sizeof text,
                   "%zu elements, %zu vertices, %zu invalid (%zu before repair)\n"
-                  "min J / J straight %.3f, min J / max J %.3f (mean %.3f), shape distorted %.3f times at most\n"
-                  "deviation from the CAD at most %.3g mm, rms %.3g mm; %zu vertices moved\n",
+                  "min J / J straight %.3f, min J / max J %.3f (mean %.3f), shape distortion at most %.3f\n"
+                  "deviation from the shape at most %.3g mm, rms %.3g mm; %zu vertices moved\n",
                   report.elements, report.vertices, report.invalid, report.invalid_before, report.min_scaled_jacobian,
                   report.min_distortion, report.mean_distortion, report.max_shape_distortion, report.max_deviation,
                   report.rms_deviation, report.moved_vertices);
     std::string result = text;
     if (report.volume_error() >= 0.0) {
-        std::snprintf(text, sizeof text, "volume off by %.3g of the CAD's\n", report.volume_error());
+        std::snprintf(text, sizeof text, "volume deviates from that of the shape by a fraction of %.3g\n",
+                      report.volume_error());
         result += text;
     }
     for (const auto& [operation, count] : report.repairs) {

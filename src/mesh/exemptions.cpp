@@ -95,9 +95,9 @@ std::string exemptions_text(const MeshReport& report) {
         const auto& [triangle, reason] = report.exempt[cause.first];
         const std::string example = "triangle " + std::to_string(triangle) + ": " + reason + "\n";
         if (cause.count == 1) {
-            text += "  1 exempted, " + example;
+            text += "  1 triangle below the limit: " + example;
         } else {
-            text += "  " + std::to_string(cause.count) + " exempted of one kind, the first is " + example;
+            text += "  " + counted(cause.count, "triangle") + " below the limit, same cause, e.g. " + example;
             text += cause.faces.size() < 2 ? "" : "    on " + list_of(cause.faces) + "\n";
         }
     }

@@ -143,24 +143,27 @@ std::string faults_text(const MeshReport& r) {
     std::string text;
     const auto fault = [&](std::size_t count, const char* what) {
         if (count > 0) {
-            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+            text += (text.empty() ? "" : ", ") + counted(count, what);
         }
     };
-    fault(r.border_edges, "border edges");
-    fault(r.nonmanifold_edges, "non-manifold edges");
-    fault(r.misoriented_edges, "inconsistently oriented edges");
-    fault(r.pinched_vertices, "pinched vertices");
-    fault(r.degenerate_triangles, "degenerate triangles");
-    fault(r.duplicate_triangles, "duplicate triangles");
-    fault(r.self_intersections > 0 ? static_cast<std::size_t>(r.self_intersections) : 0, "self-intersections");
+    fault(r.border_edges, "open edge");
+    fault(r.nonmanifold_edges, "non-manifold edge");
+    fault(r.misoriented_edges, "inconsistently oriented edge");
+    if (r.pinched_vertices > 0) {
+        const char* what = r.pinched_vertices == 1 ? " pinched vertex" : " pinched vertices";
+        text += (text.empty() ? "" : ", ") + std::to_string(r.pinched_vertices) + what;
+    }
+    fault(r.degenerate_triangles, "degenerate triangle");
+    fault(r.duplicate_triangles, "duplicate triangle");
+    fault(r.self_intersections > 0 ? static_cast<std::size_t>(r.self_intersections) : 0, "self-intersection");
     return text.empty() ? "none" : text;
 }
 
 /// Says which distance it is: a triangle may lie near another face than its own.
 std::string distance_text(const MeshReport& r) {
     std::string text =
-        line(r.to_nearest_face ? "chord height %.6g mm: largest distance from the nearest CAD face"
-                               : "chord height %.6g mm: largest deviation of a triangle from its own CAD face",
+        line(r.to_nearest_face ? "deviation    %.6g mm: largest distance from the nearest CAD face"
+                               : "deviation    %.6g mm: largest deviation of a triangle from its own CAD face",
              r.max_chord_height);
     text.pop_back();
     if (r.chord_height_asked > 0.0) {
@@ -214,18 +217,17 @@ std::string to_text(const MeshReport& r) {
                             r.components, r.euler);
     text += line("closed       %s, oriented %s, manifold %s", yes(r.closed), yes(r.oriented), yes(r.manifold));
     text += "faults       " + faults_text(r) + "\n";
-    text += line("angles       %.3f to %.3f degrees, mean of the smallest %.3f", r.min_angle, r.max_angle,
-                 r.mean_min_angle);
+    text += line("angles       %.3f° to %.3f°, mean of the smallest %.3f°", r.min_angle, r.max_angle, r.mean_min_angle);
     if (r.min_angle_asked > 0.0) {
-        text += line("             asked for %.3f; %zu triangles exempted, %.3f without them", r.min_angle_asked,
-                     r.exempt.size(), r.min_angle_unexempted);
+        text += line("             requested %.3f°; %s below the limit, %.3f° without them", r.min_angle_asked,
+                     counted(r.exempt.size(), "triangle").c_str(), r.min_angle_unexempted);
     }
     text += exemptions_text(r);
-    text += line("aspect       %.3f at most (longest to shortest edge)", r.max_aspect);
+    text += line("aspect       at most %.3f (longest to shortest edge)", r.max_aspect);
     if (r.max_chord_height >= 0.0) {
         text += distance_text(r);
         if (r.max_chord_triangle >= 0) {
-            text += line("             the largest at (%.6g, %.6g, %.6g), triangle %d", r.max_chord_point.x(),
+            text += line("             largest at (%.6g, %.6g, %.6g), triangle %d", r.max_chord_point.x(),
                          r.max_chord_point.y(), r.max_chord_point.z(), r.max_chord_triangle);
         }
     }
@@ -248,6 +250,29 @@ std::string to_text(const MeshReport& r) {
         text += "note         " + note + "\n";
     }
     return text;
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+    std::string digits = std::to_string(count);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) {
+        digits.insert(static_cast<std::size_t>(at), ",");
+    }
+    return digits + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string in_short(const MeshReport& r) {
+    if (r.triangles == 0) {
+        return "no triangles";
+    }
+    std::string text = counted(r.triangles, "triangle") + (r.closed ? ", closed" : ", open");
+    text += line(", smallest angle %.3g°", r.min_angle);
+    text.pop_back();
+    return text;
+}
+
+bool has_faults(const MeshReport& r) {
+    return !r.oriented || !r.manifold || r.self_intersections > 0 || !r.missing.empty() || !r.complete ||
+           r.min_angle < r.min_angle_asked || (r.chord_height_asked > 0.0 && r.max_chord_height > r.chord_height_asked);
 }
 
 }  // namespace mq::mesh

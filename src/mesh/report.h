@@ -13,6 +13,12 @@
 
 namespace mq::mesh {
 
+/// How many pairs of triangles of two CAD faces, or of one, cross.
+struct FaceCrossing {
+    std::array<std::int32_t, 2> faces{};
+    std::size_t pairs = 0;
+};
+
 /// What was measured on the final mesh, and what happened on the way. Angles in degrees, lengths in mm.
 struct MeshReport {
     std::size_t triangles = 0;
@@ -50,6 +56,8 @@ struct MeshReport {
     std::vector<std::pair<std::int32_t, std::string>> exempt;    ///< triangle, why and by which entities
     std::vector<std::pair<std::int32_t, std::string>> spanning;  ///< triangle, which CAD faces it lies on
     std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
+    std::vector<std::pair<std::int32_t, std::string>> missing;   ///< CAD face that has no triangles, why
+    std::vector<FaceCrossing> crossings;                         ///< which CAD faces the self-intersections lie on
     std::vector<std::string> notes;  ///< what the reader must know: faults of the part, budget reached, ...
     bool complete = true;            ///< false when a budget ended the work early
 
@@ -69,5 +77,14 @@ MeshReport measure(const TriangleMesh& mesh, const Progress* progress = nullptr)
 
 /// A text of a dozen lines for people.
 std::string to_text(const MeshReport& report);
+
+/// "1,234 triangles, closed, smallest angle 25.1°".
+std::string in_short(const MeshReport& report);
+
+/// Whether the mesh has faults that no mesh should have, or misses a limit that was requested.
+bool has_faults(const MeshReport& report);
+
+/// "1,234 triangles", "1 triangle".
+std::string counted(std::size_t count, const std::string& noun);
 
 }  // namespace mq::mesh

@@ -41,6 +41,7 @@ using SurfacePointer = std::shared_ptr<Surface>;
 /// What a MeshReport says, and what happened to the operands.
 struct BooleanReport : mesh::MeshReport {
     double error_bound = 0.0;
+    double tolerance_asked = 0.0;
     std::size_t retained = 0;
     std::size_t reconstructed = 0;
     std::size_t faults_left = 0;
@@ -94,13 +95,13 @@ void take(BooleanSurface& surface, UniformResult&& result) {
     figures.error_bound = result.error_bound;
     figures.retained = result.retained;
     figures.reconstructed = result.changed + result.reconstructed + result.hole_triangles;
-    const auto note = [&](std::size_t count, const char* what) {
-        if (count > 0) {
-            figures.notes.push_back(std::to_string(count) + what);
-        }
-    };
-    note(result.unsampled_triangles, " triangles of components that no ray met were lost: take a higher resolution");
-    note(result.holes_filled, " holes of the reconstruction were filled");
+    if (result.unsampled_triangles > 0) {
+        figures.notes.push_back("lost, as no ray met the components that they belong to: " +
+                                mesh::counted(result.unsampled_triangles, "triangle") + "; take a higher resolution");
+    }
+    if (result.holes_filled > 0) {
+        figures.notes.push_back("filled in the reconstruction: " + mesh::counted(result.holes_filled, "hole"));
+    }
     figures.seconds = std::move(result.seconds);
     surface.mesh = std::move(result.mesh);
     surface.triangle_source = std::move(result.triangle_source);
@@ -113,6 +114,9 @@ void check_uniform(BooleanSurface& surface, Progress& progress) {
     for (const std::size_t count : check.count) {
         surface.figures.faults_left += count;
     }
+    const auto count = [&](boolean::FaultKind kind) { return check.count[static_cast<std::size_t>(kind)]; };
+    surface.figures.self_intersections = static_cast<std::int64_t>(count(boolean::FaultKind::Crossing)) +
+                                         static_cast<std::int64_t>(count(boolean::FaultKind::Touching));
     if (!check.passed()) {
         surface.figures.notes.push_back("the uniform scheme left faults: " + check.summary(surface.mesh.origin));
     }
@@ -126,12 +130,15 @@ void run_uniform(BooleanSurface& surface, const OperandFrame& frame, Operation o
     }
     boolean::UniformOptions uniform;
     uniform.resolution = options.resolution;
-    if (options.tolerance > 0.0) {
-        const double rays = std::ceil(std::sqrt(3.0) * frame.size() / options.tolerance) + 1.0;
-        uniform.resolution = static_cast<int>(std::clamp(rays, 9.0, 1e6));
+    double tolerance = options.tolerance;
+    if (tolerance > 0.0) {
+        uniform.resolution = boolean::uniform_resolution(frame.size(), tolerance);
+    } else {
+        tolerance = boolean::uniform_bound(frame.size(), uniform.resolution);
     }
     take(surface,
          boolean::layered_depth_boolean(*frame.meshes()[0], *frame.meshes()[1], operation, uniform, &progress));
+    surface.figures.tolerance_asked = tolerance;
     check_uniform(surface, progress);
 }
 
@@ -141,7 +148,9 @@ void measure(BooleanSurface& surface, const OperandFrame& frame, const Before& b
     const Stopwatch measuring;
     auto notes = std::move(figures.notes);
     auto seconds = std::move(figures.seconds);
+    const std::int64_t crossings = figures.self_intersections;
     static_cast<mesh::MeshReport&>(figures) = mesh::measure(surface.mesh, &progress);
+    figures.self_intersections = crossings;
     if (surface.mesh.triangles.empty()) {
         notes.emplace_back("the result is empty: no volume is left");
     } else if (!figures.closed || !figures.oriented || !figures.manifold) {
@@ -216,6 +225,7 @@ std::shared_ptr<BooleanSurface> run_boolean(const std::vector<PythonOperand>& op
             const double limit =
                 options.tolerance > 0.0 ? options.tolerance : std::sqrt(3.0) * frame.size() / options.resolution;
             take(*result, boolean::boolean(frame.meshes(), wanted, options, &handle));
+            result->figures.tolerance_asked = limit;
             fit_to_shapes(*result, frame, surfaces, shapes, limit, handle);
         }
         measure(*result, frame, before, handle);
@@ -250,7 +260,7 @@ std::string to_text(const BooleanReport& report) {
     };
     text += "retained     " + std::to_string(report.retained) + " triangles of the operands, bit for bit; " +
             std::to_string(report.reconstructed) + " made or changed\n";
-    text += "error bound  " + number(report.error_bound) + " mm\n";
+    text += "error bound  " + number(report.error_bound) + " mm, requested " + number(report.tolerance_asked) + " mm\n";
     if (report.fitted_vertices + report.unfitted_vertices > 0) {
         text += "on surfaces  " + std::to_string(report.fitted_vertices) + " vertices put there, " +
                 std::to_string(report.unfitted_vertices) + " left on the meshes of the shapes\n";
@@ -261,11 +271,23 @@ std::string to_text(const BooleanReport& report) {
     return text;
 }
 
+std::string in_short(const BooleanReport& report) {
+    const bool met =
+        !mesh::has_faults(report) && report.error_bound <= report.tolerance_asked && report.faults_left == 0;
+    std::array<char, 80> bound;
+    std::snprintf(bound.data(), bound.size(), ", error bound %.3g mm of %.3g mm", report.error_bound,
+                  report.tolerance_asked);
+    return "<BooleanReport: " + mesh::in_short(report) + bound.data() +
+           (met ? ", all limits met>" : ", not all limits met>");
+}
+
 void bind_boolean_report(py::module_& m) {
     py::class_<BooleanReport, mesh::MeshReport>(
         m, "BooleanReport", "A MeshReport of a Boolean's result, and what happened to its operands.")
         .def_readonly("error_bound", &BooleanReport::error_bound,
                       "no point of the result is farther from the exact one of these meshes, mm")
+        .def_readonly("tolerance_asked", &BooleanReport::tolerance_asked,
+                      "mm; the tolerance that was requested, or that of the resolution")
         .def_readonly("retained", &BooleanReport::retained, "triangles that are an operand's own")
         .def_readonly("reconstructed", &BooleanReport::reconstructed, "all others")
         .def_readonly("repaired", &BooleanReport::repaired, "a sentence for each operand that was repaired")
@@ -280,6 +302,7 @@ void bind_boolean_report(py::module_& m) {
                       "made on the faces of shapes and put onto their surfaces")
         .def_readonly("unfitted_vertices", &BooleanReport::unfitted_vertices,
                       "left on the meshes of the shapes: the surfaces are too far, or a fault would result")
+        .def("__repr__", &in_short)
         .def("__str__", &to_text);
 }
 

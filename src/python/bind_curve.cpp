@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/stl.h>
 
+#include <array>
+#include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "curve/child_process.h"
 #include "curve/curve.h"
@@ -10,6 +13,7 @@
 #include "geometry/occt/shape_content.h"
 #include "geometry/occt/shape_model.h"
 #include "mesh/io.h"
+#include "mesh/report.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"
 #include "python/engine.h"
@@ -50,7 +54,10 @@ void refine_for_validity(triangulate::Options& options) {
 CurvedMesh attempt(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
                    const triangulate::Options& straight, const curve::Options& options, Progress& handle) {
     const triangulate::Result mesh = triangulate::triangulate(engine, model, straight, &handle);
-    return curve::curve(engine, model, mesh.mesh, options, &handle);
+    CurvedMesh result = curve::curve(engine, model, mesh.mesh, options, &handle);
+    result.report.self_intersections = mesh.report.self_intersections;
+    result.report.crossings = mesh.report.crossings;
+    return result;
 }
 
 CurvedMesh curved(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
@@ -111,6 +118,13 @@ CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape&
 }
 
 void bind_curve_report(py::module_& m) {
+    const auto in_short = [](const CurveReport& r) {
+        std::array<char, 120> figures;
+        std::snprintf(figures.data(), figures.size(), ", shape distortion at most %.3g, max. deviation %.3g mm>",
+                      r.max_shape_distortion, r.max_deviation);
+        const std::string valid = r.invalid == 0 ? "all valid" : mesh::counted(r.invalid, "invalid element");
+        return "<CurveReport: " + mesh::counted(r.elements, "element") + ", " + valid + figures.data();
+    };
     py::class_<CurveReport>(m, "CurveReport", "What was measured on a curved mesh, and what was repaired.")
         .def_readonly("elements", &CurveReport::elements, "tetrahedra of a volume, triangles of a surface")
         .def_readonly("vertices", &CurveReport::vertices, "corner vertices")
@@ -136,6 +150,12 @@ void bind_curve_report(py::module_& m) {
         .def_property_readonly(
             "seconds", [](const CurveReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")
         .def_readonly("cpu_seconds", &CurveReport::cpu_seconds, "of the operation, all threads")
+        .def_readonly("self_intersections", &CurveReport::self_intersections,
+                      "pairs of triangles of the straight mesh that cross; -1: not looked for")
+        .def_property_readonly(
+            "crossing_faces", [](const CurveReport& r) { return crossings_of(r.crossings); },
+            "[(CAD face, CAD face, pairs of their triangles that cross), ...]")
+        .def("__repr__", in_short)
         .def("__str__", &curve::to_text);
 }
 

@@ -22,8 +22,8 @@ using Surface = triangulate::Result;
 using improve::Options;
 
 std::string sentence(const improve::Result& result) {
-    return std::to_string(result.flips) + " edges swapped, " + std::to_string(result.collapses) + " collapsed, " +
-           std::to_string(result.splits) + " halved, " + std::to_string(result.moves) + " vertices moved";
+    return "edges swapped: " + std::to_string(result.flips) + ", collapsed: " + std::to_string(result.collapses) +
+           ", halved: " + std::to_string(result.splits) + "; vertices moved: " + std::to_string(result.moves);
 }
 
 std::shared_ptr<Surface> improve_surface(const Surface& given, const Options& options, const py::object& progress) {

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "base/error.h"
 #include "mesh/cluster.h"
@@ -175,11 +176,22 @@ void bind_measures(ReportClass& report) {
                       "-1: not looked for");
 }
 
+std::string in_short(const MeshReport& report) {
+    const bool requested = report.min_angle_asked > 0.0 || report.chord_height_asked > 0.0;
+    const char* verdict = mesh::has_faults(report) ? ", not all limits met" : requested ? ", all limits met" : "";
+    return "<MeshReport: " + mesh::in_short(report) + verdict + ">";
+}
+
 void bind_course(ReportClass& report) {
     report.def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
         .def_readonly("spanning", &MeshReport::spanning,
                       "[(triangle, the CAD faces that it lies on), ...], of keep_edges = feature; its own face is that "
                       "with the largest share")
+        .def_readonly("missing_faces", &MeshReport::missing,
+                      "[(CAD face, why it has no triangles), ...], of allow_missing_faces")
+        .def_property_readonly(
+            "crossing_faces", [](const MeshReport& r) { return crossings_of(r.crossings); },
+            "[(CAD face, CAD face, pairs of their triangles that cross), ...]")
         .def_property_readonly("exempt_causes", &causes_of,
                                "[(cause with # for numbers, triangles), ...], most frequent first")
         .def_readonly("fallback", &MeshReport::fallback,
@@ -193,6 +205,7 @@ void bind_course(ReportClass& report) {
         .def_readonly("queries", &MeshReport::queries, "queries to the geometry engine")
         .def_readonly("predicates", &MeshReport::predicates, "geometric predicates that were evaluated")
         .def_readonly("exact_predicates", &MeshReport::exact_predicates, "predicates that needed exact arithmetic")
+        .def("__repr__", &in_short)
         .def("__str__", &mesh::to_text);
 }
 

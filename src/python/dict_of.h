@@ -3,9 +3,13 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cstdint>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
+
+#include "mesh/report.h"
 
 namespace mq::python {
 
@@ -15,6 +19,16 @@ pybind11::dict dict_of(const std::vector<std::pair<std::string, T>>& pairs) {
     pybind11::dict result;
     for (const auto& [name, value] : pairs) {
         result[pybind11::str(name)] = value;
+    }
+    return result;
+}
+
+/// (CAD face, CAD face, pairs of their triangles that cross) of each.
+inline std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t>> crossings_of(
+    const std::vector<mesh::FaceCrossing>& crossings) {
+    std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t>> result;
+    for (const mesh::FaceCrossing& crossing : crossings) {
+        result.emplace_back(crossing.faces[0], crossing.faces[1], crossing.pairs);
     }
     return result;
 }

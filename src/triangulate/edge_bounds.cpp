@@ -16,14 +16,14 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 }  // namespace
 
 std::vector<LocalSize> sizes_of_pieces(const std::vector<LocalSize>& local, const geometry::Topology& topology) {
-    const char* const kinds[3] = {"vertices", "edges", "faces"};
+    const char* const kinds[2][3] = {{"vertices", "edges", "faces"}, {"vertex", "edge", "face"}};
     std::vector<LocalSize> all;
     for (const LocalSize& size : local) {
         const std::size_t count = topology.own_count(size.dimension);
         const std::string name = geometry::name_of({size.dimension, size.index});
         if (size.index < 0 || static_cast<std::size_t>(size.index) >= count) {
             throw InvalidInput("a local size is given for " + name + ", but the shape has " + std::to_string(count) +
-                               " " + kinds[size.dimension]);
+                               " " + kinds[count == 1 ? 1 : 0][size.dimension]);
         }
         if (!(size.max_edge > 0.0)) {
             throw InvalidInput("the local size of " + name + " must be greater than 0 mm");

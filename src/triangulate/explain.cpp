@@ -25,7 +25,7 @@ std::string edge_name(const Workspace& work, int segment) {
 
 std::string degrees(double radians) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.2f degrees", radians / kDegree);
+    std::snprintf(text, sizeof text, "%.2f°", radians / kDegree);
     return text;
 }
 
@@ -33,8 +33,8 @@ std::string narrow_corner(const Workspace& work, int triangle) {
     const SmallestAngle smallest = smallest_angle(work.mesh, triangle);
     const int a = work.mesh.segment_of(smallest.half_edge);
     const int b = work.mesh.segment_of(SurfaceMesh::prev(smallest.half_edge));
-    return "corner of " + degrees(smallest.angle) + " between " + edge_name(work, a) + " and " + edge_name(work, b) +
-           " at " + entity_name(work, work.mesh.vertex_of(smallest.half_edge));
+    return "the shape itself has a corner of " + degrees(smallest.angle) + " between " + edge_name(work, a) + " and " +
+           edge_name(work, b) + " at " + entity_name(work, work.mesh.vertex_of(smallest.half_edge));
 }
 
 // It fills a corner that the edges themselves enclose, not their chords alone. Mending can come to that.
@@ -53,9 +53,9 @@ bool fills_corner(const Workspace& work, int triangle) {
 std::string narrow_cluster(const Workspace& work, CornerForce& forces, int vertex, const std::string& at_edge) {
     const std::string node = entity_name(work, vertex);
     if (const auto angle = forces.at(vertex)) {
-        return "no such angles fit beside edges that part by " + degrees(*angle) + " at " + node;
+        return "edges of the shape that meet at " + degrees(*angle) + " leave no room for larger angles at " + node;
     }
-    return "edges near the narrow corner at " + node + " would shrink without end" + at_edge;
+    return "edges at the narrow corner of the shape would become ever shorter at " + node + at_edge;
 }
 
 // However three triangles share what is there, one misses the bound.
@@ -65,7 +65,7 @@ bool too_little_around(const SurfaceMesh& mesh, int half_edge, double bound) {
 }
 
 std::string point_of_surface(const Workspace& work, int vertex) {
-    return "the surface comes to a point at " + entity_name(work, vertex) + " with too little angle around it";
+    return "the surface comes to a point with too little angle around it at " + entity_name(work, vertex);
 }
 
 // What holds for the triangle as it is now, whatever kept others in its place from becoming better.
@@ -83,7 +83,7 @@ std::string explain(const Workspace& work, CornerForce& forces, int triangle, co
                     double bound) {
     const std::string where = " on " + work.session.topology().name_of({2, work.mesh.face_of(triangle)});
     if (exemption.cause == Cause::Budget) {
-        return "max_triangles is reached" + where;  // whatever else may be true of it: nobody tried
+        return "the triangle limit max_triangles was reached" + where;  // whatever else may be true of it: nobody tried
     }
     const std::string at_edge = exemption.segment >= 0 ? " at " + edge_name(work, exemption.segment) : "";
     if (const std::string now = explain_final(work, triangle, bound); !now.empty()) {
@@ -97,20 +97,20 @@ std::string explain(const Workspace& work, CornerForce& forces, int triangle, co
         case Cause::NarrowCluster:
             return narrow_cluster(work, forces, exemption.vertex, at_edge) + where;
         case Cause::Resolution:
-            return "a further vertex would lie closer than single precision tells apart" + at_edge + where;
+            return "points cannot be placed any closer in single precision" + at_edge + where;
         case Cause::Abandoned:
-            return "so many triangles there had no room for a further vertex that it is refined no finer" + at_edge +
-                   where;
+            return "too many triangles there have no room for a further point, so the face is refined no further" +
+                   at_edge + where;
         case Cause::MinEdge:
-            return "a further vertex would make an edge shorter than min_edge" + at_edge + where;
+            return "a further point would make an edge shorter than min_edge" + at_edge + where;
         case Cause::Crowded:
-            return "a further vertex would lie closer to its neighbours than they do to each other" + at_edge + where;
+            return "a further point would lie closer to its neighbours than they do to each other" + at_edge + where;
         case Cause::Fold:
-            return "a further vertex would fold the mesh" + at_edge + where;
+            return "a further point would fold the mesh" + at_edge + where;
         case Cause::NoSurfacePoint:
-            return "the engine finds no point of the surface there" + where;
+            return "no point of the surface was found there" + where;
         case Cause::Stuck:
-            return "no change of the triangles around makes the angle larger within the bounds" + where;
+            return "no change of the triangles around it makes the angle larger within the limits" + where;
         case Cause::Budget:
             break;
     }

@@ -78,11 +78,11 @@ void report_chord_height(Workspace& work, ChordMeasure& measure, const Output& o
     report.max_chord_point = worst.point;
     if (asked > 0.0 && worst.distance > asked) {
         const std::string face = work.session.topology().name_of({2, work.mesh.face_of(worst.triangle)});
-        report.notes.push_back("chord height " + std::to_string(worst.distance) + " mm instead of the " +
-                               std::to_string(asked) + " mm asked for: " +
+        report.notes.push_back("max. deviation " + std::to_string(worst.distance) + " mm instead of the requested " +
+                               std::to_string(asked) + " mm: " +
                                (!keeps_bounds ? "without polish the samples alone decide"
                                 : worst.of_the_part
-                                    ? "edges of " + face + " lie off it by more than that"
+                                    ? "edges of " + face + " deviate from it by more than that"
                                     : "some edges cannot be split without folding or crowding the mesh"));
     }
 }
@@ -91,11 +91,13 @@ void report_crossings(CrossingFinder& finder, const geometry::Topology& topology
     report.self_intersections = 0;
     for (const auto& [faces, count] : finder.by_faces(finder.pairs())) {
         report.self_intersections += static_cast<std::int64_t>(count);
+        report.crossings.push_back(
+            {{topology.of_shape({2, faces.first}).index, topology.of_shape({2, faces.second}).index}, count});
         const std::string first = topology.name_of({2, faces.first});
         const bool same = topology.of_shape({2, faces.first}) == topology.of_shape({2, faces.second});
         const std::string what =
             same ? first + " crosses itself" : first + " and " + topology.name_of({2, faces.second}) + " cross";
-        report.notes.push_back(what + " in " + std::to_string(count) + " pairs of triangles");
+        report.notes.push_back(what + " in " + mesh::counted(count, "pair") + " of triangles");
     }
 }
 
@@ -116,7 +118,7 @@ mesh::MeshReport final_report(Workspace& work, Findings& findings, const Output&
     report.complete = !work.over_budget();
     if (work.over_budget()) {
         report.notes.push_back("stopped at max_triangles = " + std::to_string(work.budget) +
-                               ": the mesh is consistent, but its bounds are not all met, and it was not searched for "
+                               ": the mesh is consistent, but not all limits are met, and it was not searched for "
                                "triangles that cross; raise max_triangles");
     }
     return report;

@@ -77,7 +77,9 @@ std::string release_relics(Workspace& work, const Options& options, const Sizing
     if (released == 0) {
         return {};
     }
-    const std::string what = std::to_string(released) + " of " + std::to_string(smooth.size()) + " edges are smooth";
+    const bool one = released == 1;
+    const std::string what = std::to_string(released) + " of " + std::to_string(smooth.size()) +
+                             (one ? " edges is smooth" : " edges are smooth");
     const SurfaceMesh before = work.mesh;
     const std::size_t crossings_before = CrossingFinder(work).pairs().size();
     std::set<int> locked;
@@ -87,11 +89,12 @@ std::string release_relics(Workspace& work, const Options& options, const Sizing
         if (attempt.crossings(locked) <= crossings_before) {
             work.exempt = std::move(attempt.work().exempt);
             work.spanning = std::move(attempt.work().spanning);
-            return what + " and do not constrain the mesh (keep_edges = feature)";
+            return what + (one ? " and does not" : " and do not") + " constrain the mesh (keep_edges = feature)";
         }
         work.mesh = before;
     }
-    return what + ", but constrain the mesh all the same: without them faces would cross";
+    return what + (one ? ", but constrains" : ", but constrain") +
+           " the mesh all the same: otherwise faces would cross";
 }
 
 ChordHeight farthest_spanning(Workspace& work) {

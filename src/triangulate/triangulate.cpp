@@ -273,6 +273,7 @@ bool can_be_recalled(const Options& options) {
 void report_first(const SampledTriangulation& first, const geometry::Topology& topology, const Options& options,
                   mesh::MeshReport& report) {
     for (const auto& failure : first.faces.failures) {
+        report.missing.emplace_back(topology.of_shape({2, failure.first}).index, failure.second);
         report.notes.push_back(topology.name_of({2, failure.first}) + " is missing: " + failure.second);
     }
     for (int face = 0; face < static_cast<int>(first.faces.faces.size()); ++face) {
@@ -286,7 +287,7 @@ void report_first(const SampledTriangulation& first, const geometry::Topology& t
     if (!first.complete && report.complete) {
         report.complete = false;
         report.notes.push_back("sampling ended at max_triangles = " + std::to_string(options.budget()) +
-                               ": the mesh is consistent, but coarser than asked for; raise max_triangles");
+                               ": the mesh is consistent, but coarser than requested; raise max_triangles");
     }
 }
 

@@ -19,6 +19,7 @@ import uuid
 from collections import Counter
 from pathlib import Path
 
+import FreeCAD
 import helpers
 import Mesh
 import numpy as np
@@ -153,6 +154,26 @@ class Batch(BatchTest):
         self.assertIn("junk &amp; more.step", page)
         for target in checker.links:
             self.assertTrue(os.path.exists(os.path.join(self.out, target)), target)
+
+    def test_verdicts_and_strict(self):
+        os.unlink(os.path.join(self.parts, "junk & more.step"))
+        status, summary, err = self.batch("--strict")
+        self.assertEqual((status, summary["verdict"], summary["not_met"]), (0, "met", 0), err)
+        self.assertEqual({entry["report"]["verdict"] for entry in self.lines()}, {"met"})
+        corners = [FreeCAD.Vector(*p) for p in ((0, 0, 0), (10, 0, 0), (10, 0.8, 0), (0, 0, 0))]
+        self.shape("wedge.brep", Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 0, 3)))
+        self.assertEqual(self.batch()[0], 0)
+        status, summary, err = self.batch("--strict")
+        self.assertEqual((status, summary["verdict"], summary["not_met"]), (3, "not met", 1), err)
+        self.assertIn("1 of 4 meshes misses a requested limit", err[-1])
+        entry = next(entry for entry in self.lines() if entry["part"] == "wedge.brep")
+        self.assertEqual((entry["report"]["verdict"], entry["report"]["findings_count"]), ("not met", 1))
+        with open(os.path.join(self.out, "parts.csv"), encoding="utf-8", newline="") as stream:
+            self.assertEqual([row["verdict"] for row in csv.DictReader(stream)], ["met"] * 3 + ["not met"])
+        with open(os.path.join(self.out, "report.html"), encoding="utf-8") as stream:
+            page = stream.read()
+        self.assertIn("met by 3 of 4 meshes", page)
+        self.assertIn("<td>Smallest angle 4.57° (requested 25°)", page)
 
     def test_a_second_run_does_what_is_missing_only(self):
         self.batch()

@@ -14,6 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality import verdict
 from MeshQuality.compat import core
 
 Vector = FreeCAD.Vector
@@ -405,6 +406,24 @@ class Options(BooleanTest):
         self.assertGreater(result.report.retained, 0)
         finer = mq.boolean(a, b, "union", method="uniform", tolerance=0.05)
         self.assertLessEqual(finer.report.error_bound, 0.05)
+        self.assertEqual(verdict.of_boolean(result), [])
+        for report in (result.report, finer.report):
+            self.assertLessEqual(report.error_bound, report.tolerance_asked)
+        self.assertEqual(finer.report.tolerance_asked, 0.05)
+        # The bound of 64 cells, 3.2 of which are free.
+        self.assertAlmostEqual(result.report.tolerance_asked, 3**0.5 * 2.8 / (64 - 3.2), places=2)
+        for resolution in (64, 65, 100, 128, 129):
+            report = mq.boolean(a, b, "union", method="uniform", resolution=resolution).report
+            self.assertGreater(report.error_bound, 0.0)
+            self.assertLessEqual(report.error_bound, report.tolerance_asked)
+        size = 2.8
+        for cells in (64, 128):  # what would need exactly so many cells without the free ones
+            tolerance = 3**0.5 * size / cells
+            report = mq.boolean(a, b, "union", method="uniform", tolerance=tolerance).report
+            self.assertGreater(report.error_bound, 0.0)
+            self.assertLessEqual(report.error_bound, tolerance)
+        with self.assertRaisesRegex(mq.InvalidInput, "uniform' reaches .* mm with the most rays"):
+            mq.boolean(a, b, "union", method="uniform", tolerance=1e-4)
         with self.assertRaisesRegex(mq.InvalidInput, "two operands, not 3"):
             mq.boolean([a, b, a], operation="union", method="uniform")
 

@@ -120,6 +120,15 @@ class Recompute(BooleanObjectTest):
         self.document.recompute()
         self.assertTrue(obj.isValid())
 
+    def test_a_uniform_boolean_keeps_the_tolerance_of_its_resolution(self):
+        """The free cells around the operands are counted; what crosses is said."""
+        for values in ({"resolution": 64}, {"resolution": 65}, {"tolerance": 0.05}):
+            obj = mq.add_boolean(self.cube, self.tool, "union", method="uniform", **values)
+            self.assertGreater(obj.ErrorBound.Value, 0.0)
+            self.assertLessEqual(obj.ErrorBound.Value, obj.AskedTolerance.Value)
+            self.assertNotIn("error bound", obj.Certificate)
+            self.assertEqual("the surface intersects itself" in obj.Certificate, obj.FaultsLeft > 0)
+
     def test_repairs_are_shown(self):
         holed = Mesh.createSphere(1.0, 20)
         holed.removeFacets([50])

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Certificates: what is kept, what is missed and where; and when objects are computed anew."""
+"""Certificates: what is met, what is not and where; and when objects are computed anew."""
+
+from unittest import mock
 
 import FreeCAD
 import helpers
@@ -7,6 +9,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality import phrases, verdict
 from MeshQuality.features import certificate, mesh_object
 
 
@@ -28,7 +31,7 @@ class Certificates(CertificateTest):
     def test_a_good_mesh_keeps_what_was_asked(self):
         cylinder = self.feature(Part.makeCylinder(5, 10))
         obj = mq.add_quality_mesh(cylinder, min_angle=28, chord_height=0.01)
-        self.assertEqual(obj.Certificate, "kept")
+        self.assertEqual(obj.Certificate, "met")
         self.assertEqual((obj.AskedMinAngle.Value, obj.AskedChordHeight.Value), (28.0, 0.01))
         self.assertGreaterEqual(obj.MeasuredMinAngle.Value, 28.0 - 1e-9)
         self.assertLessEqual(obj.MaxChordHeight.Value, 0.01)
@@ -43,7 +46,7 @@ class Certificates(CertificateTest):
                 self.assertEqual(obj.getGroupOfProperty(name), "Certificate")
                 self.assertEqual(obj.getEditorMode(name), ["ReadOnly"])
                 self.assertTrue(obj.getDocumentationOfProperty(name))
-            self.assertEqual(obj.Certificate, "kept")
+            self.assertEqual(obj.Certificate, "met")
 
     def test_a_narrow_corner_is_missed_with_its_place(self):
         source = self.feature(wedge())
@@ -51,8 +54,10 @@ class Certificates(CertificateTest):
         mesh = mq.triangulate(source)
         angles = helpers.smallest_angles(mesh)
         worst = int(np.argmin(angles))
-        self.assertRegex(obj.Certificate, rf"^missed: smallest angle 4\.57 of 25 degrees at triangle "
-                                          rf"{worst}: .* on Face{mesh.triangle_face[worst] + 1}\b")
+        self.assertRegex(obj.Certificate, rf"^not met: smallest angle 4\.57° \(requested 25°\), triangle "
+                                          rf"{worst} on Face{mesh.triangle_face[worst] + 1}\. Target angle not "
+                                          r"reachable: the shape itself has a corner of 4\.57° between Edge\d+ "
+                                          r"and Edge\d+ at Vertex\d+\. 1 more triangle is below 25°")
         self.assertAlmostEqual(angles[worst], mesh.report.min_angle, places=6)
         below = {f"Face{face + 1}" for face in mesh.triangle_face[angles < 25.0]}
         self.assertEqual(set(obj.CertificateFaces), below)
@@ -61,18 +66,18 @@ class Certificates(CertificateTest):
         source = self.document.addObject("Mesh::Feature", "Source")
         source.Mesh = mq.triangulate(wedge()).to_mesh()
         obj = mq.add_improved_mesh(source)
-        self.assertRegex(obj.Certificate, r"^missed: smallest angle [\d.]+ of 25 degrees at triangle")
+        self.assertRegex(obj.Certificate, r"^not met: smallest angle [\d.]+° \(requested 25°\), triangle")
         self.assertEqual(list(obj.CertificateFaces), [])
 
     def test_an_open_shape_need_not_be_closed(self):
         obj = mq.add_quality_mesh(self.feature(Part.makePlane(10, 10)))
-        self.assertEqual((obj.AskedClosed, obj.Closed, obj.Certificate), (False, False, "kept"))
+        self.assertEqual((obj.AskedClosed, obj.Closed, obj.Certificate), (False, False, "met"))
 
     def test_a_distance_that_is_not_kept(self):
         source = self.feature(Part.makeCylinder(5, 10))
         obj = mq.add_quality_mesh(source, method="star", polish=False, chord_height=0.01)
         self.assertGreater(obj.MaxChordHeight.Value, 0.01)
-        self.assertIn("distance to the shape 0.0171 of 0.01 mm", obj.Certificate)
+        self.assertIn("max. deviation 0.0171 mm (requested 0.01 mm)", obj.Certificate)
         self.assertNotIn("smallest angle", obj.Certificate)
 
     def test_a_distance_that_is_not_kept_has_a_place(self):
@@ -81,7 +86,7 @@ class Certificates(CertificateTest):
         obj = mq.add_quality_mesh(source, **values)
         report = mq.triangulate(source, **values).report
         worst = report.max_chord_triangle
-        self.assertTrue(obj.Certificate.endswith(f" mm at triangle {worst} on Face1"))
+        self.assertTrue(obj.Certificate.endswith(f" mm), triangle {worst} on Face1."))
         self.assertEqual(obj.CertificateFaces, ["Face1"])
         facet = obj.Mesh.Facets[worst]
         np.testing.assert_allclose([tuple(corner) for corner in obj.CertificatePlace], facet.Points,
@@ -100,12 +105,12 @@ class Certificates(CertificateTest):
             triangles, triangle_face = whole.triangles[1:], whole.triangle_face[1:]
 
         report = mq.quality((Cut.vertices, Cut.triangles))
-        fault, = certificate.topology_faults(report, True, Cut)
-        self.assertEqual(fault.text, "not closed: 3 edges have one triangle only")
+        fault, = certificate.topology(report, True, Cut)
+        self.assertEqual(fault.text, "Not watertight: 3 open edges.")
         self.assertIn(f"Face{whole.triangle_face[0] + 1}", fault.faces)
         lost = {tuple(corner) for corner in whole.vertices[whole.triangles[0]].tolist()}
         self.assertEqual(len(lost & set(fault.place)), 2)
-        self.assertEqual(certificate.topology_faults(report, False, Cut), [])
+        self.assertEqual(certificate.topology(report, False, Cut), [])
 
     def test_work_that_a_limit_ended(self):
         obj = mq.add_quality_mesh(self.box(), max_edge=0.5, max_triangles=50)
@@ -121,16 +126,16 @@ class Certificates(CertificateTest):
             triangles, triangle_quality = np.array([[0, 1, 2], [1, 2, 3]]), np.array([0.5, np.nan])
             tetrahedra, tetrahedron_quality = np.zeros((0, 4), dtype=int), np.zeros(0)
 
-        faults = certificate.element_faults(Curved)
+        faults = verdict.elements(Curved)
         self.assertEqual(faults[0].place, ((3, 4, 5), (6, 7, 8), (9, 10, 11)))
         self.assertEqual(certificate.sentence(faults),
-                         "missed: 4 of 90 elements are not proven free of folds: triangle 0 on "
-                         "Face1, triangle 1 on Face2, triangle 2 on Face1 and 1 more")
+                         "not met: 4 of 90 elements are not proven valid: triangle 0 on Face1, triangle 1 on "
+                         "Face2, triangle 2 on Face1 and 1 more.")
         self.assertEqual(certificate.faces(faults), ["Face1", "Face2"])
 
     def test_a_boolean_tells_its_tolerance(self):
         obj = mq.add_boolean(self.box(), self.feature(Part.makeSphere(6)), "union", tolerance=0.02)
-        self.assertEqual((obj.AskedTolerance.Value, obj.Certificate), (0.02, "kept"))
+        self.assertEqual((obj.AskedTolerance.Value, obj.Certificate), (0.02, "met"))
         self.assertLessEqual(obj.ErrorBound.Value, 0.02)
         mq.update(obj, tolerance=None, resolution=100)
         self.assertAlmostEqual(obj.AskedTolerance.Value, 3**0.5 * 16 / 100)
@@ -138,7 +143,7 @@ class Certificates(CertificateTest):
     def test_nothing_is_promised_of_an_empty_boolean(self):
         far = self.feature(Part.makeBox(1, 1, 1, FreeCAD.Vector(50, 0, 0)))
         obj = mq.add_boolean(self.box(), far, "intersection")
-        self.assertEqual((obj.Triangles, obj.Certificate), (0, "kept"))
+        self.assertEqual((obj.Triangles, obj.Certificate), (0, "met"))
 
     def test_documents_of_older_versions(self):
         for add in (mq.add_quality_mesh, mq.add_curved_mesh):
@@ -149,7 +154,180 @@ class Certificates(CertificateTest):
             self.assertTrue(obj.Certificate.startswith("unknown"))
             self.assertEqual((obj.Recompute, obj.Status), ("Automatic", "up to date"))
             mq.update(obj)
-            self.assertEqual(obj.Certificate, "kept")
+            self.assertEqual(obj.Certificate, "met")
+
+
+class WhatNoMeshShouldHave(CertificateTest):
+    """Faults that are said, and never green."""
+
+    def crossing_solid(self):
+        """A closed shell whose faces cross: a bow tie pulled up."""
+        corners = [FreeCAD.Vector(*p) for p in ((0, 0, 0), (10, 10, 0), (10, 0, 0), (0, 10, 0))]
+        side = [Part.Face(Part.makePolygon([a, b, b + up, a + up, a]))
+                for up in [FreeCAD.Vector(0, 0, 5)]
+                for a, b in zip(corners, corners[1:] + corners[:1])]
+        return Part.makeShell(side)
+
+    def test_faces_that_cross(self):
+        source = self.feature(self.crossing_solid())
+        obj = mq.add_quality_mesh(source)
+        report = mq.triangulate(source).report
+        self.assertGreater(report.self_intersections, 0)
+        self.assertEqual([crossing[:2] for crossing in report.crossing_faces], [(0, 2)])
+        self.assertIn("surface intersects itself", obj.Certificate)
+        self.assertIn("Face1 and Face3 cross.", obj.Certificate)
+        self.assertTrue(certificate.is_missed(obj.Certificate))
+        self.assertEqual(list(obj.CertificateFaces), ["Face1", "Face3"])
+        self.assertIn("not all limits met", repr(report))
+        curved = mq.add_curved_mesh(source)
+        self.assertIn("Face1 and Face3 cross.", curved.Certificate)
+
+    def test_a_mesh_that_crosses_itself_after_improving(self):
+        source = self.document.addObject("Mesh::Feature", "Source")
+        source.Mesh = mq.triangulate(self.crossing_solid()).to_mesh()
+        self.assertIn("surface intersects itself", mq.add_improved_mesh(source).Certificate)
+
+    def test_faces_that_were_left_out(self):
+        class Report:
+            triangles, min_angle, min_angle_asked, complete, self_intersections = 2, 45.0, 25.0, True, 0
+            max_chord_height, chord_height_asked, max_chord_triangle, exempt = 0.0, 0.0, -1, ()
+            closed, border_edges, nonmanifold_edges, pinched_vertices = False, 4, 0, 0
+            degenerate_triangles, misoriented_edges = 0, 0
+            missing_faces = [(6, "no triangulation"), (6, "no triangulation"), (1, "of another kind")]
+
+        class Mesh:
+            report = Report
+
+        finding, = verdict.of_triangulation(Mesh, False)
+        self.assertEqual(finding.text, "2 faces could not be meshed and were left out: Face7, Face2.")
+        self.assertEqual(finding.faces, ("Face7", "Face2"))
+
+    def test_faces_turned_the_wrong_way(self):
+        whole = mq.triangulate(Part.makeBox(10, 10, 10))
+        triangles = whole.triangles.copy()
+        triangles[0] = triangles[0][::-1]
+        found = verdict.topology(mq.quality((whole.vertices, triangles)), True)
+        self.assertEqual([finding.text for finding in found],
+                         ["The triangles on both sides of 3 edges disagree on the outside."])
+
+    def test_all_kinds_of_faults_in_a_measured_mesh(self):
+        mesh = mq.triangulate(Part.makeBox(10, 10, 10))
+        self.assertEqual(verdict.of_measured(mesh, mesh.report, True), [])
+        crossing = mq.triangulate(self.crossing_solid())
+        texts = " ".join(finding.text for finding in verdict.of_measured(crossing, crossing.report, True))
+        self.assertIn("Not watertight: ", texts)
+        self.assertIn("The surface intersects itself: ", texts)
+
+    def test_one_is_not_many(self):
+        for count, text in ((1, "Not watertight: 1 open edge."), (2, "Not watertight: 2 open edges."),
+                            (5584, "Not watertight: 5,584 open edges.")):
+            self.assertEqual(verdict._counted(phrases.NOT_CLOSED, count), text)
+
+
+class VolumeMeshes(CertificateTest):
+    def test_distorted_elements_inside_are_a_finding(self):
+        curved = mq.curve(Part.makeCylinder(5, 10), volume=True)
+        self.assertEqual(verdict.of_curved(curved, True), [])
+
+        class Report:
+            invalid, self_intersections, max_shape_distortion = 0, 0, 39.9
+
+        class Distorted:
+            report, nodes, tetrahedra = Report, curved.nodes, curved.tetrahedra
+            triangles, tetrahedron_solid = curved.triangles, curved.tetrahedron_solid
+            tetrahedron_distortion = np.ones(len(curved.tetrahedra))
+
+        Distorted.tetrahedron_distortion[[3, 7]] = 39.9, 10.5
+        finding, = verdict.of_curved(Distorted, True)
+        self.assertEqual(finding.text, "Max. shape distortion 39.9 (limit 10), tetrahedron 3 of Solid1. 1 more "
+                                       "element is distorted by more than 10.")
+        self.assertEqual(len(finding.place), 3)
+        self.assertTrue(verdict.sentence([finding]).startswith("not met: max. shape distortion 39.9"))
+
+    def test_a_needle_of_a_part_is_not_met(self):
+        source = self.feature(wedge(tip=0.2))
+        obj = mq.add_curved_mesh(source, volume=True)
+        self.assertGreater(obj.MaxShapeDistortion, verdict.SHAPE_DISTORTION_LIMIT)
+        self.assertIn("max. shape distortion", obj.Certificate)
+        self.assertTrue(certificate.is_missed(obj.Certificate))
+
+
+class Words(CertificateTest):
+    def test_only_corners_of_the_shape_are_told_apart(self):
+        finding, = verdict.of_triangulation(mq.triangulate(wedge()), True)
+        self.assertTrue(finding.forced)
+        self.assertIn("Target angle not reachable: the shape itself has a corner of 4.57°", finding.text)
+        stopped = verdict.of_triangulation(mq.triangulate(Part.makeBox(9, 9, 9), max_edge=0.5, max_triangles=50),
+                                           True)
+        self.assertFalse(any(finding.forced for finding in stopped))
+
+    def test_numbers_are_told_from_their_limits(self):
+        for value, limit, text in ((24.99996, 25.0, "24.99996"), (0.0012345, 25.0, "0.00123"),
+                                   (0.0100001, 0.01, "0.0100001"), (39.94, 10.0, "39.9")):
+            self.assertEqual(verdict._told_apart(value, limit), text)
+
+    def test_older_documents_are_understood(self):
+        for text, met, missed in (("kept", True, False), ("met", True, False),
+                                  ("missed: smallest angle 4.57 of 25 degrees at triangle 3", False, True),
+                                  ("not met: not watertight: 3 open edges.", False, True),
+                                  (certificate.UNKNOWN, False, False)):
+            self.assertEqual((certificate.is_met(text), certificate.is_missed(text)), (met, missed), text)
+        self.assertEqual(certificate.said("missed: smallest angle"), "smallest angle")
+        self.assertEqual(certificate.said("not met: smallest angle"), "smallest angle")
+
+    def test_one_line_for_each_object_that_was_computed(self):
+        source = self.feature(wedge())
+        lines = []
+        with mock.patch.object(FreeCAD, "Console", mock.Mock(
+                PrintMessage=lambda text: lines.append(("message", text)),
+                PrintWarning=lambda text: lines.append(("warning", text)))):
+            good = mq.add_quality_mesh(self.box(), chord_height=0.01)
+            bad = mq.add_quality_mesh(source)
+            self.document.recompute()
+            mq.update(good)
+            good.touch()
+            self.document.recompute()
+        self.assertEqual([kind for kind, _ in lines], ["message", "warning"])
+        self.assertEqual(lines[0][1], f"{good.Label}: 12 triangles, smallest angle 45°, max. deviation 0 mm; all "
+                                      "requested limits are met.\n")
+        self.assertTrue(lines[1][1].startswith(f"{bad.Label}: {bad.Triangles} triangles, smallest angle 4.57°, "))
+        self.assertIn("; target not met: smallest angle 4.57° (requested 25°), triangle ", lines[1][1])
+
+    def test_booleans_and_curved_meshes_have_their_line(self):
+        box, lines = self.box(), []
+        with mock.patch.object(FreeCAD, "Console", mock.Mock(
+                PrintMessage=lines.append, PrintWarning=lines.append)):
+            mq.add_boolean(box, self.box("Other", Height=20), "union")
+            curved = mq.add_curved_mesh(box)
+            mq.update(curved, deviation=0.5)  # shown in another way: no new mesh
+        self.assertEqual(len(lines), 2)
+        self.assertRegex(lines[0], r"^Box union: \d+ triangles, smallest angle [\d.]+°, error bound [\d.]+ mm; all ")
+        self.assertRegex(lines[1], r"^Box curved mesh: 12 elements, max\. shape distortion 1\.15, max\. deviation 0 mm")
+
+
+class Failures(CertificateTest):
+    def test_a_source_that_was_deleted(self):
+        box, other = self.box(), self.box("Other", Length=20)
+        made = [mq.add_quality_mesh(box), mq.add_curved_mesh(box), mq.add_boolean(box, other, "union")]
+        self.document.removeObject(box.Name)
+        for obj in made:
+            self.assertEqual(obj.Status, mesh_object.SOURCE_DELETED)
+        self.document.recompute()
+        for obj in made:
+            self.assertFalse(obj.isValid())
+            self.assertEqual(obj.Status, mesh_object.SOURCE_DELETED)
+            self.assertNotIn("NoneType", obj.getStatusString())
+        self.assertIn("the source was deleted", made[0].getStatusString())
+        self.assertGreater(made[0].Mesh.CountFacets, 0)
+
+    def test_what_cannot_be_computed_says_so_until_it_can(self):
+        obj = mq.add_quality_mesh(self.box())
+        obj.MaxEdge, obj.MinEdge = 1, 2
+        self.document.recompute()
+        self.assertTrue(obj.Status.startswith("failed: min_edge = 2 mm is longer"), obj.Status)
+        obj.MinEdge = 0.1
+        self.document.recompute()
+        self.assertEqual(obj.Status, "up to date")
 
 
 class RecomputeRules(CertificateTest):

@@ -7,6 +7,7 @@ import subprocess
 import time
 import unittest
 
+import FreeCAD
 import helpers
 
 import Mesh
@@ -69,6 +70,13 @@ class Triangulate(helpers.DocumentTest):
         self.assertTrue(out.startswith("triangles"), out)
         self.assertIn("triangles", err[-1])
 
+    def test_terminals_without_a_sign_for_degrees(self):
+        done = subprocess.run(
+            [COMMAND, "triangulate", self.step], stdin=subprocess.DEVNULL, capture_output=True, timeout=300,
+            env={**os.environ, "PYTHONIOENCODING": "ascii", "PYTHONUTF8": "0"}, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(rb"requested 25.000\xb0", done.stdout)
+
     def test_every_kind_of_cad_file(self):
         self.shape.exportBrep(os.path.join(self.folder, "part.brep"))
         self.shape.exportIges(os.path.join(self.folder, "part.iges"))
@@ -111,7 +119,7 @@ class Triangulate(helpers.DocumentTest):
         self.assertEqual(status, 0, err)
         self.assertFalse(json.loads(out)["complete"])
         self.assertIn("incomplete", err[-1])
-        self.assertIn("exempted", err[-1])
+        self.assertIn("more triangles are below 25°", err[-1])
 
     def test_insertion(self):
         counts = []
@@ -168,6 +176,77 @@ class Triangulate(helpers.DocumentTest):
         self.assertEqual(slow.returncode, 1)
         self.assertIn("interrupted", err.splitlines()[-1])
         self.assertFalse(os.path.exists(f"/proc/{workers[0]}"))
+
+
+class Strict(helpers.DocumentTest):
+    """What is not met ends with 3 where that is asked for, and is in the JSON in any case."""
+
+    def setUp(self):
+        super().setUp()
+        corners = [FreeCAD.Vector(*p) for p in ((0, 0, 0), (10, 0, 0), (10, 0.8, 0), (0, 0, 0))]
+        wedge = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 0, 3))
+        self.good, self.bad = (os.path.join(self.folder, name) for name in ("good.brep", "bad.brep"))
+        Part.makeBox(10, 10, 10).exportBrep(self.good)
+        wedge.exportBrep(self.bad)
+        self.ball = os.path.join(self.folder, "ball.stl")
+        Mesh.createSphere(5.0, 20).write(self.ball)
+
+    def verdict(self, *arguments):
+        """(status without --strict, status with it, report)."""
+        plain, out, err = run(*arguments, "--json")
+        self.assertEqual(plain, 0, err)
+        strict, again, err = run(*arguments, "--json", "--strict")
+        report = json.loads(again)
+        self.assertEqual(report["verdict"], json.loads(out)["verdict"], err)
+        self.assertEqual(strict, 0 if report["verdict"] == "met" else 3, err)
+        self.assertEqual(bool(report["findings"]), report["verdict"] == "not met")
+        self.assertIn(report["verdict"] if strict else "all requested limits are met", err[-1])
+        return report
+
+    def test_triangulate(self):
+        self.assertEqual(self.verdict("triangulate", self.good)["verdict"], "met")
+        output = os.path.join(self.folder, "bad.ply")
+        report = self.verdict("triangulate", self.bad, "-o", output)
+        self.assertEqual(report["verdict"], "not met")
+        self.assertEqual(Mesh.Mesh(output).CountFacets, report["triangles"])
+        finding, = report["findings"]
+        self.assertRegex(finding["text"], r"^Smallest angle 4\.57° \(requested 25°\), triangle \d+ on Face\d\. ")
+        self.assertTrue(finding["forced"])
+        self.assertTrue(finding["faces"])
+        self.assertEqual([len(corner) for corner in finding["place"]], [3, 3, 3])
+
+    def test_the_same_as_the_object_of_a_document_says(self):
+        obj = self.document.addObject("Part::Feature", "Wedge")
+        obj.Shape = Part.read(self.bad)
+        self.document.recompute()
+        mesh = mq.add_quality_mesh(obj)
+        finding, = self.verdict("triangulate", self.bad)["findings"]
+        self.assertEqual(mesh.Certificate[len("not met: s"):], finding["text"][1:])
+
+    def test_the_other_commands(self):
+        report = self.verdict("curve", self.bad)
+        self.assertEqual(report["verdict"], "met")
+        needle = os.path.join(self.folder, "needle.brep")
+        Part.makeBox(10, 0.01, 3).exportBrep(needle)
+        self.assertEqual(self.verdict("improve", self.ball, "--min-angle", 34, "--tolerance", 1e-4)["verdict"],
+                         "not met")
+        self.assertEqual(self.verdict("boolean", self.ball, self.good)["verdict"], "met")
+        self.assertEqual(self.verdict("quality", self.ball)["verdict"], "met")
+
+    def test_quality_of_an_open_mesh(self):
+        mesh = Mesh.createBox(1, 2, 3)
+        mesh.removeFacets([0])
+        path = os.path.join(self.folder, "open.stl")
+        mesh.write(path)
+        report = self.verdict("quality", path)
+        self.assertEqual([finding["text"] for finding in report["findings"]], ["Not watertight: 3 open edges."])
+        sheet = os.path.join(self.folder, "sheet.brep")
+        Part.makePlane(1, 1).exportBrep(sheet)
+        self.assertEqual(self.verdict("quality", path, "--shape", sheet)["verdict"], "met")
+
+    def test_bad_usage_and_failure_stay(self):
+        self.assertEqual(run("triangulate", self.good, "--strict", "--min-angle", 50)[0], 2)
+        self.assertEqual(run("curve", self.good, "--strict", "--volume", "--order", 5)[0], 2)
 
 
 class Quality(helpers.DocumentTest):

@@ -68,7 +68,7 @@ class Curve(helpers.DocumentTest):
             self.assertGreater(report.min_distortion, 0.2)
             self.assertLess(report.max_deviation, max(tolerance, 0.05))
             self.assertTrue(math.isfinite(report.max_shape_distortion))
-            self.assertEqual(any(" off the edges or faces at it" in note for note in report.notes),
+            self.assertEqual(any(" mm from the edges or faces at it" in note for note in report.notes),
                              tolerance > 0.1, report.notes)
 
     def test_what_has_no_volume_has_no_volume_error(self):

@@ -104,7 +104,7 @@ class ImprovedMesh(helpers.DocumentTest):
         self.assertEqual((obj.Source, obj.Label), (source, "Imported improved"))
         self.assertGreater(obj.Mesh.BoundBox.XMin, 99)
         self.assertGreaterEqual(obj.MeasuredMinAngle.Value, 25)
-        self.assertEqual(obj.Certificate, "kept")
+        self.assertEqual(obj.Certificate, "met")
         self.assertTrue(obj.Closed and obj.Manifold)
         for option in options.IMPROVE:
             self.assertEqual(obj.getTypeIdOfProperty(option.property_name), option.property_type)

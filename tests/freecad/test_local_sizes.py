@@ -58,6 +58,8 @@ class LocalSizes(unittest.TestCase):
                 mq.triangulate(self.shape, local_sizes=sizes)
         with self.assertRaisesRegex(mq.InvalidInput, "Face9, but the shape has 6 faces"):
             mq.triangulate(self.shape, local_sizes={"Face9": 1})
+        with self.assertRaisesRegex(mq.InvalidInput, "Face2, but the shape has 1 face$"):
+            mq.triangulate(Part.makeSphere(1), local_sizes={"Face2": 0.1})
 
 
 class OfObjects(helpers.DocumentTest):

@@ -23,7 +23,7 @@ class Guide(helpers.DocumentTest):
                 exec(block, names)  # noqa: S102 - what a reader types
         lines = printed.getvalue().splitlines()
         self.assertEqual(lines[0], "Absolute")
-        self.assertEqual(lines[1], "kept")
+        self.assertEqual(lines[1], "met")
         self.assertTrue(lines[2].startswith("out of date"))
         self.assertEqual(lines[3], "up to date")
         self.assertEqual(lines[4], "6")

@@ -13,6 +13,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality import verdict
 
 
 class SimpleParts(unittest.TestCase):
@@ -179,9 +180,9 @@ class Exemptions(unittest.TestCase):
         self.assertGreaterEqual(report.min_angle_unexempted, 25.0)
         self.assertAlmostEqual(report.min_angle, math.degrees(math.atan2(3, 20)), places=3)
         cause, count = report.exempt_causes[0]
-        self.assertEqual(cause, "corner of # degrees between Edge# and Edge# at Vertex# on Face#")
+        self.assertEqual(cause, "the shape itself has a corner of #° between Edge# and Edge# at Vertex# on Face#")
         self.assertEqual(sum(n for _, n in report.exempt_causes), len(report.exempt))
-        self.assertIn(f"{count} exempted of one kind", str(report))
+        self.assertIn(f"{count} triangles below the limit, same cause", str(report))
 
 
     def test_pieces_that_only_touch_do_not_narrow_each_others_corners(self):
@@ -212,6 +213,11 @@ class MissingFaces(unittest.TestCase):
         self.assertAlmostEqual(mesh.report.area, 20.0, places=6)
         self.assertEqual(set(mesh.triangle_face.tolist()), {0})
         self.assertTrue(any("Face2 is missing" in note for note in mesh.report.notes))
+        self.assertEqual([face for face, _ in mesh.report.missing_faces], [1])
+        self.assertIn("not all limits met", repr(mesh))
+        finding, = verdict.of_triangulation(mesh, False)
+        self.assertEqual((finding.text, finding.faces),
+                         ("1 face could not be meshed and was left out: Face2.", ("Face2",)))
 
     def test_a_shape_of_nothing_else_stays_an_error(self):
         with self.assertRaises(mq.TopologyError):

@@ -105,8 +105,8 @@ class Pictures(gui_helpers.GuiTest):
         waiting.Recompute = "Manual"
         blade.Placement.Base = FreeCAD.Vector(0, 0, 1)
         self.document.recompute()
-        self.assertEqual(good.Certificate, "kept")
-        self.assertTrue(missed.Certificate.startswith("missed"))
+        self.assertEqual(good.Certificate, "met")
+        self.assertTrue(missed.Certificate.startswith("not met"))
         for obj in (good, missed, waiting):
             obj.ViewObject.Visibility = True
         gui_helpers.wait(0.3)

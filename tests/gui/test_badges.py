@@ -65,7 +65,7 @@ class Badges(gui_helpers.PanelTest):
         obj = mq.add_quality_mesh(self.wedge())
         mq.update(obj, min_angle=4.0)
         gui_helpers.wait(0.2)
-        self.assertEqual(obj.Certificate, "kept")
+        self.assertEqual(obj.Certificate, "met")
         self.assertEqual(colours(obj.ViewObject.Icon)["red"], 0)
         self.assertEqual(colours(tree_item(obj).icon(0))["red"], 0)
 
@@ -85,12 +85,73 @@ class Badges(gui_helpers.PanelTest):
             self.assertTrue(os.path.isfile(badge.path_of(name)))
             self.assertIn("XPM", badge.with_badge("MeshQuality_Triangulate", name))
 
+    def test_what_could_not_be_computed_is_marked(self):
+        obj = mq.add_quality_mesh(self.box())
+        obj.MaxEdge, obj.MinEdge = 1, 2
+        self.document.recompute()
+        gui_helpers.wait(0.2)
+        self.assertEqual(badge.badge_of(obj), badge.FAILED)
+        self.assertGreater(colours(obj.ViewObject.Icon)["red"], 100)
+        panel = self.edit(obj)
+        self.assertIn("The last update failed: The shortest edge of 2 mm", panel.certificate.text.text())
+        panel.reject()
+        obj.MinEdge = 0.1
+        self.document.recompute()
+        self.assertIsNone(badge.badge_of(obj))
+        self.assertEqual(colours(obj.ViewObject.Icon)["red"], 0)
+
+    def test_documents_of_older_versions_keep_their_badges(self):
+        obj = mq.add_quality_mesh(self.box())
+        for text, expected, said in (
+                ("kept", None, "All requested limits are met."),
+                ("missed: smallest angle 4.57 of 25 degrees at triangle 7", badge.MISSED,
+                 "Target not met: smallest angle 4.57 of 25 degrees at triangle 7")):
+            obj.Certificate = text
+            self.assertEqual(badge.badge_of(obj), expected)
+            panel = self.edit(obj)
+            self.assertEqual(panel.certificate.text.text(), said)
+            panel.reject()
+
+    def test_a_source_that_was_deleted_is_said(self):
+        box = self.box()
+        obj = mq.add_quality_mesh(box)
+        panel = self.edit(obj)
+        self.document.removeObject(box.Name)
+        gui_helpers.wait(0.2)
+        self.assertEqual(badge.badge_of(obj), badge.FAILED)
+        self.assertEqual(obj.Status, mesh_object.SOURCE_DELETED)
+        panel.apply()
+        self.assertEqual(panel.said, "The source was deleted. Close this panel.")
+        panel.reject()
+        panel = self.edit(obj)
+        self.assertEqual(panel.certificate.text.text(), "The source was deleted. Close this panel.")
+        self.assertTrue(panel.certificate.button.isHidden())
+        gui_helpers.wait(0.6)  # the estimate is begun
+        self.assertNotIn("NoneType", panel.said)
+        panel.reject()
+
+    def test_the_report_view_has_one_line_for_each_mesh(self):
+        view = FreeCADGui.getMainWindow().findChild(QtGui.QTextEdit, "Report view")
+        view.clear()
+        box, wedge = self.box(), self.wedge()
+        self.apply(self.panel(commands.Triangulate, box))
+        FreeCADGui.Control.closeDialog()
+        self.apply(self.panel(commands.Triangulate, wedge))
+        FreeCADGui.Control.closeDialog()
+        self.document.recompute()
+        gui_helpers.wait(0.2)
+        lines = [line for line in view.toPlainText().splitlines() if "triangles, " in line]
+        self.assertEqual(len(lines), 2, lines)
+        self.assertRegex(lines[0], r"Box quality mesh: \d+ triangles, smallest angle 45°, max\. deviation 0 mm; "
+                                   r"all requested limits are met\.$")
+        self.assertRegex(lines[1], r"Wedge quality mesh: \d+ triangles, .*; target not met: smallest angle 4\.57° ")
+
     def test_the_panel_shows_the_sentence_and_the_place(self):
         source = self.wedge()
         obj = mq.add_quality_mesh(source)
         source.ViewObject.Visibility = False
         panel = self.edit(obj)
-        self.assertIn("missed: smallest angle 4.57 of 25 degrees", panel.certificate.text.text())
+        self.assertIn("Target not met: smallest angle 4.57° (requested 25°)", panel.certificate.text.text())
         self.assertIn("#cc0000", panel.certificate.text.styleSheet())
         self.assertTrue(panel.certificate.button.isVisible())
         self.narrow(panel, "panel_missed")
@@ -106,17 +167,17 @@ class Badges(gui_helpers.PanelTest):
 
     def test_the_panel_says_that_all_is_kept(self):
         panel = self.edit(mq.add_quality_mesh(self.box()))
-        self.assertIn("keeps all", panel.certificate.text.text())
+        self.assertIn("All requested limits are met", panel.certificate.text.text())
         self.assertFalse(panel.certificate.button.isVisible())
 
     def test_a_panel_that_adds_shows_it_after_apply(self):
         panel = self.panel(commands.Triangulate, self.wedge())
         self.assertTrue(panel.certificate.isHidden())
         self.apply(panel)
-        self.assertIn("missed", panel.certificate.text.text())
+        self.assertIn("not met", panel.certificate.text.text())
         panel.options.set_values({"min_angle": 4.0})
         self.apply(panel)
-        self.assertIn("keeps all", panel.certificate.text.text())
+        self.assertIn("All requested limits are met", panel.certificate.text.text())
 
 
 class Updates(gui_helpers.PanelTest):

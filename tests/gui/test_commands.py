@@ -104,7 +104,7 @@ class Commands(gui_helpers.PanelTest):
         self.document.removeObject(box.Name)
         panel.options.set_values({"max_edge": 2.0})
         panel.accept()
-        self.assertIn("not in its document any more", panel.said)
+        self.assertIn("The source was deleted. Close this panel.", panel.said)
         self.assertFalse(panel.jobs)
         self.assertTrue(panel.reject())
 
@@ -115,7 +115,7 @@ class Commands(gui_helpers.PanelTest):
         panel = self.panel(commands.Triangulate, source)
         FreeCAD.closeDocument("Other")
         panel.accept()
-        self.assertIn("not in its document any more", panel.said)
+        self.assertIn("The document was closed. Close this panel.", panel.said)
         self.assertTrue(panel.reject())
 
     def test_every_command_has_its_icon_and_its_own_shortcut(self):
@@ -152,7 +152,7 @@ class Commands(gui_helpers.PanelTest):
         self.addCleanup(lambda: panel.ended or panel.reject())
         self.until(lambda: panel.values is not None)
         obj = self.document.Objects[-1]
-        self.assertEqual((panel.obj, obj.Source, obj.Certificate), (obj, box, "kept"))
+        self.assertEqual((panel.obj, obj.Source, obj.Certificate), (obj, box, "met"))
         self.assertEqual(self.document.UndoNames[0], commands.Triangulate.TEXT)
         self.assertEqual(panel.scene.scene.triangles, obj.Mesh.CountFacets)
         panel.reject()

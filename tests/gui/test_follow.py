@@ -155,7 +155,7 @@ class Follow(gui_helpers.PanelTest):
         self.refresh()
         self.settle()
         self.assertFalse(self.mesh.isValid())
-        self.assertTrue(self.mesh.Status.startswith("failed: min_angle = 80"), self.mesh.Status)
+        self.assertTrue(self.mesh.Status.startswith(f"{mesh_object.FAILED}min_angle = 80"), self.mesh.Status)
         self.assertEqual(self.height(), 10)
         self.mesh.MinAngle = 20
         self.refresh()

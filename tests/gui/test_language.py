@@ -91,7 +91,7 @@ class German(gui_helpers.PanelTest):
                          (27.5, 2.25, "star"))
         self.finish(panel)
         obj = self.document.Objects[-1]
-        self.assertEqual((obj.MaxEdge.Value, obj.Certificate), (2.25, "kept"))
+        self.assertEqual((obj.MaxEdge.Value, obj.Certificate), (2.25, "met"))
         FreeCADGui.setLocale("English")
         mq.update(obj, max_edge=3.5)
         self.assertEqual(obj.MaxEdge.Value, 3.5)
@@ -127,7 +127,7 @@ class German(gui_helpers.PanelTest):
         obj.Label = "Netz"
         panel = commands.panel_of(obj)
         FreeCADGui.Control.showDialog(panel)
-        self.assertIn("kleinster Winkel 4.57 statt 25 Grad bei Dreieck", panel.certificate.text.text())
+        self.assertIn("Ziel nicht erreicht: kleinster Winkel 4.57° (verlangt 25°), Dreieck", panel.certificate.text.text())
         self.no_english(panel.form)
         self.narrow(panel, "panel_missed_de")
         panel.reject()
@@ -143,7 +143,7 @@ class German(gui_helpers.PanelTest):
             self.no_english(panel.form)
         panel.measures.setCurrentIndex(0)
         self.until(lambda: panel.measure is panel.data.measures[0])
-        self.assertIn("eine Ecke von 4.57 Grad, zwischen Edge", panel.worst.item(0).text())
+        self.assertIn("eine Ecke von 4.57° zwischen Edge", panel.worst.item(0).text())
         panel.histogram.pick(int(panel.histogram.counts.argmax()))
         self.no_english(panel.form)
         self.narrow(panel, "panel_quality_de")
@@ -190,7 +190,7 @@ class German(gui_helpers.PanelTest):
         gui_helpers.wait(0.3)
         tips = [tip for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeView)
                 for tip in _tips(tree.model())]
-        self.assertTrue(any("Das Netz hat keine Randkante" in tip for tip in tips), tips[:20])
+        self.assertTrue(any("Das Netz ist wasserdicht" in tip for tip in tips), tips[:20])
 
 
 def _tips(model, parent=None, deep=0):

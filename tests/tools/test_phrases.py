@@ -54,14 +54,33 @@ class Phrases(unittest.TestCase):
                     self.assertIn(part, said)
 
     def test_a_certificate_is_taken_apart(self):
-        text = ("smallest angle 4.57 of 25 degrees at triangle 7: corner of 4.57 degrees between Edge3 "
-                "and Edge5 at Vertex2 on Face4 (3 more triangles are below); distance to the shape "
-                "0.0171 of 0.01 mm at triangle 453 on Face1; not closed: 3 edges have one triangle only")
+        text = ("smallest angle 4.57° (requested 25°), triangle 7 on Face4. Target angle not reachable: the "
+                "shape itself has a corner of 4.57° between Edge3 and Edge5 at Vertex2. 3 more triangles are "
+                "below 25°. Max. deviation 0.0171 mm (requested 0.01 mm), triangle 453 on Face1. Not "
+                "watertight: 1,203 open edges. The surface intersects itself: 2 pairs of triangles cross. "
+                "Face3 and Face14 cross.")
         found = phrases.sentences(text, marked)
-        self.assertEqual(found.count("<"), 8)
-        said = text.replace("corner of 4.57 degrees between", "the part itself has a corner of 4.57 "
-                                                              "degrees there, between")
-        self.assertEqual(re.sub("[<>]", "", found), said)
+        self.assertEqual(found.count("<"), 12)
+        self.assertEqual(re.sub("[<>]", "", found).lower(), text.lower().replace("1,203", "1\u202f203"))
+        self.assertEqual(phrases.sentences(text, lambda phrase: phrase), text)
+
+    def test_sentences_begin_with_a_capital(self):
+        def german(phrase):
+            return {"not watertight: {count} open edges.": "nicht wasserdicht: {count} offene Kanten."}.get(
+                phrase, phrase)
+
+        self.assertEqual(phrases.sentences("Not watertight: 3 open edges.", german),
+                         "Nicht wasserdicht: 3 offene Kanten.")
+        self.assertEqual(phrases.sentences("not watertight: 3 open edges.", german),
+                         "nicht wasserdicht: 3 offene Kanten.")
+
+    def test_what_the_shape_itself_rules_out_is_said(self):
+        reason = "the shape itself has a corner of 3.10° between Edge3 and Edge5 at Vertex2"
+        self.assertTrue(phrases.is_forced(reason + " on Face4"))
+        self.assertEqual(phrases.sentence(reason), f"Target angle not reachable: {reason}.")
+        other = "points cannot be placed any closer in single precision"
+        self.assertFalse(phrases.is_forced(other))
+        self.assertEqual(phrases.sentence(other), "Points cannot be placed any closer in single precision.")
 
     def test_reasons_with_every_ending(self):
         for reason in phrases.REASONS:
@@ -72,9 +91,9 @@ class Phrases(unittest.TestCase):
                 self.assertEqual(found.count("<"), 1 + ending.count("E") + ending.count("F"), found)
 
     def test_lists_of_elements(self):
-        found = phrases.translated("4 of 90 elements are not proven free of folds: triangle 0 on Face1, "
-                                   "tetrahedron 2 of Solid1 and 2 more", marked)
-        self.assertEqual(found.count("<"), 4)
+        found = phrases.translated("4 of 90 elements are not proven valid: triangle 0 on Face1, "
+                                   "tetrahedron 2 of Solid1 and 2 more.", marked)
+        self.assertEqual(found.count("<"), 5)
 
     def test_errors_of_options_name_their_field(self):
         for values in ({"min_angle": 40.0}, {"chord_height": -1.0}, {"max_triangles": 0.5},

@@ -8,6 +8,7 @@ import time
 from collections import Counter
 
 from ..cli import DONE, FAILED, ended_by_sigterm, freecad
+from ..phrases import MET, NOT_MET
 from . import cluster, report, table
 from .ledger import Ledger
 from .part import LOST
@@ -79,17 +80,23 @@ def run(arguments):
         todo = ledger.keep(parts, arguments.retry, arguments.check_content)
         if todo:
             _do(arguments, plan, todo, ledger, len(parts))
-        states = Counter(entry["state"] for entry in ledger.entries())
+        states, missed = Counter(), 0
+        for entry in ledger.entries():
+            states[entry["state"]] += 1
+            missed += entry.get("report", {}).get("verdict") == NOT_MET
         write_results(plan, ledger, len(parts))
     finally:
         ledger.close()
     failed = len(parts) - states["done"]
     summary = {"parts": len(parts), "worked_on": len(todo), "states": dict(sorted(states.items())),
+               "not_met": missed, "verdict": NOT_MET if missed or failed else MET,
                "seconds": round(time.monotonic() - start, 3), "output": str(plan.out)}
     text = f"{failed} of {len(parts)} parts failed" if failed else f"{len(parts)} parts done"
+    if missed:
+        text += f"; {missed} of {states['done']} meshes {'misses' if missed == 1 else 'miss'} a requested limit"
     text += f"; this run did {len(todo)} in {_duration(summary['seconds'])}; see " \
             f"{plan.out / report.NAME}"
-    return {"status": FAILED if failed else DONE, "text": text, "report": summary,
+    return {"status": FAILED if failed else DONE, "text": text, "report": summary, "met": not missed,
             "report_text": "".join(f"{state:<8} {count:>8}\n"
                                    for state, count in sorted(states.items()))}
 

@@ -8,6 +8,7 @@ from array import array
 from collections import Counter
 from dataclasses import dataclass
 
+from ..phrases import MET, NOT_MET
 from ..version import __version__
 from . import charts
 from .whole_file import replacing
@@ -90,6 +91,7 @@ class Findings:
         self.values = [array("d") for _ in self.figures]
         self.worst = [[] for _ in self.figures]
         self.faulty, self.faulty_count = [], 0
+        self.missed, self.missed_count, self.met_count = [], 0, 0
         self.seconds = 0.0
 
     def add(self, entry):
@@ -109,6 +111,12 @@ class Findings:
                 self._keep_worst(i, (-value if figure.worst == "high" else value, entry["part"],
                                      entry["output"]))
         report = entry["report"]
+        self.met_count += report.get("verdict") == MET
+        if report.get("verdict") == NOT_MET:
+            self.missed_count += 1
+            if len(self.missed) < MOST_ROWS:
+                text = " ".join(finding["text"] for finding in report["findings"])
+                self.missed.append((entry["part"], entry["output"], text))
         wrong = [name for name in ("closed", "oriented", "manifold") if report.get(name) is False]
         if wrong:
             self.faulty_count += 1
@@ -153,7 +161,7 @@ def page(plan, findings):
         f"<p>MeshQuality {__version__}. {_text(options)}. {findings.seconds:.0f} s of work in all."
         "</p>",
         _states(findings.states, total), _charts(plan, findings), _causes(findings.causes),
-        _worst(plan, findings), _faulty(findings), "</body></html>\n"])
+        _missed(findings), _worst(plan, findings), _faulty(findings), "</body></html>\n"])
 
 
 def _states(states, total):
@@ -198,6 +206,17 @@ def _worst(plan, findings):
             tables.append(f"<div><h3>{_text(figure.title)}, {'highest' if high else 'lowest'}</h3>"
                           + _table(["", "part"], rows) + "</div>")
     return f'<h2>Worst parts</h2><div class="charts">{"".join(tables)}</div>'
+
+
+def _missed(findings):
+    done = findings.states["done"]
+    if not done:
+        return ""
+    head = f"<h2>Requested limits: met by {findings.met_count} of {done} meshes</h2>"
+    if not findings.missed:
+        return head
+    rows = [[_link(part, output), text] for part, output, text in sorted(findings.missed)]
+    return head + _table(["part", "not met"], rows) + _more(findings.missed_count)
 
 
 def _faulty(findings):

@@ -6,11 +6,11 @@ from functools import partial
 
 import FreeCAD
 
-from .. import frames, options, phrases
+from .. import frames, options, verdict
 from ..boolean_mesh import run
 from ..errors import InvalidInput
 from ..operands import Operands
-from . import certificate, mesh_object
+from . import mesh_object
 from .work import Work
 
 # Name, type, what it says: measured on the mesh that the object holds.
@@ -44,6 +44,10 @@ class MeshBoolean(mesh_object.MeshObject):
         paths = [*obj.SourcePaths, *[""] * len(obj.Sources)]
         return [frames.source_of(source, path) for source, path in zip(obj.Sources, paths)]
 
+    def lacks_source(self, obj):
+        """FreeCAD takes an operand that is deleted out of the list."""
+        return len(obj.Sources) < 2
+
     def holds_mesh(self, obj):
         """A Boolean may be empty."""
         return obj.Mesh.CountFacets == obj.Triangles
@@ -64,8 +68,8 @@ class MeshBoolean(mesh_object.MeshObject):
     def work_on(cls, sources, values, obj=None):
         """The Boolean of these sources."""
         if len(sources) < 2:
-            raise InvalidInput(f"Sources has {len(sources)} objects: choose two or more with a "
-                               "mesh or a shape")
+            count = "1 object" if len(sources) == 1 else f"{len(sources)} objects"
+            raise InvalidInput(f"Sources has {count}: choose two or more with a mesh or a shape")
         values = options.check(options.BOOLEAN, values)
         operands = Operands(sources)
         return Work(cls, sources, values,
@@ -74,36 +78,26 @@ class MeshBoolean(mesh_object.MeshObject):
 
     @classmethod
     def compute(cls, operands, values, progress):
-        """The BooleanMesh of operands that were read, the Mesh.Mesh made of it, the tolerance asked
-        for, and the faults of its certificate.
+        """The BooleanMesh of operands that were read, the Mesh.Mesh made of it, and the findings of its
+        certificate.
         """
-        tolerance = operands.tolerance(values["resolution"], values["tolerance"])
         mesh = run(operands, values, progress)
-        return mesh, mesh.to_mesh(), tolerance, _faults(mesh, tolerance)
+        return mesh, mesh.to_mesh(), verdict.of_boolean(mesh)
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, shown, tolerance, faults = result
+        mesh, shown, findings = result
         mesh_object.show_mesh(obj, shown)
         show_report(obj, mesh.report)
-        obj.AskedTolerance = tolerance
-        mesh_object.show_certificate(obj, mesh.report, True, faults)
-
-
-def _faults(mesh, tolerance):
-    report = mesh.report
-    found = certificate.distance_faults(report.error_bound, tolerance,
-                                        phrases.RESULT_DISTANCE)
-    if report.faults_left:
-        found.append(certificate.Fault(phrases.FAULTS_LEFT.format(count=report.faults_left)))
-    # Of nothing nothing is promised.
-    return found + (certificate.topology_faults(report, True, mesh) if report.triangles else [])
+        mesh_object.show_certificate(obj, mesh.report, True, findings)
+        return mesh.report, findings
 
 
 def show_report(obj, report):
     """Fills the group Quality, and what the certificate says of the distance."""
     mesh_object.show_topology(obj, report)
     obj.Volume, obj.ErrorBound = report.volume, report.error_bound
+    obj.AskedTolerance = report.tolerance_asked
     obj.Retained, obj.Reconstructed = report.retained, report.reconstructed
     obj.FaultsLeft = report.faults_left
     obj.Repaired, obj.Notes = list(report.repaired), list(report.notes)

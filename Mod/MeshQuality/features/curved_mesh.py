@@ -10,7 +10,7 @@ from functools import partial
 
 import FreeCAD
 
-from .. import convert, options
+from .. import convert, options, verdict
 from ..compat import core, property_of
 from ..curved_mesh import ARRAYS, CurvedMesh, curve
 from . import certificate, mesh_object
@@ -106,7 +106,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
         curved = held[1]() if kept \
             else curve(shape, **_elements_values(values), progress=progress)
         tessellation = curved.tessellate(values["deviation"], progress)
-        proof = None if kept else _Proof(curved, certificate.shall_be_closed(shape))
+        proof = None if kept else _Proof(curved, verdict.must_be_closed(shape))
         surface = tessellation.surface()
         return Result(curved, fingerprint, tessellation.deviation,
                       convert.mesh_of_surface(surface),
@@ -124,12 +124,13 @@ class CurvedMeshObject(mesh_object.SourceMesh):
             proof = result.proof
             result.curved.keep_in(obj, result.lists)
             show_report(obj, result.curved.report)
-            mesh_object.show_certificate(obj, proof.topology, proof.closed, proof.faults)
+            mesh_object.show_certificate(obj, proof.topology, proof.closed, proof.findings)
             obj.ElementsFingerprint = result.fingerprint
         obj.ShownDeviation, obj.FaceRuns = result.deviation, result.face_runs
         self.drawing = result.drawing
         mesh_object.show_mesh(obj, result.mesh)
         self.drawing = None
+        return None if result.proof is None else (result.curved.report, result.proof.findings)
 
 
 @dataclass(frozen=True)
@@ -157,15 +158,12 @@ class Result:
 
 
 class _Proof:
-    """What the certificate is made of: the topology of the elements' corners, and the faults."""
+    """What the certificate is made of: the topology of the elements' corners, and the findings."""
 
     def __init__(self, curved, closed):
-        corners = curved.triangles[:, :3]
-        last = corners.max(initial=-1) + 1
-        self.topology = convert.surface_of_arrays(core(), curved.nodes[:last], corners).report
+        self.topology = verdict.topology_of_corners(curved)
         self.closed = closed
-        self.faults = certificate.element_faults(curved) \
-            + certificate.topology_faults(self.topology, closed)
+        self.findings = verdict.of_curved(curved, closed, self.topology)
 
 
 def _elements_values(values):

@@ -5,12 +5,12 @@ import hashlib
 import json
 from functools import partial
 
-from .. import convert, options
+from .. import convert, options, verdict
 from ..api import improve
 from ..compat import core
 from ..errors import InvalidInput
 from ..surface_mesh import SurfaceMesh
-from . import certificate, mesh_object
+from . import mesh_object
 from .work import Work
 
 # Name, type, what it says: measured on the mesh that the object holds.
@@ -32,7 +32,8 @@ class ImprovedMesh(mesh_object.OfOneSource):
     @classmethod
     def work_on(cls, sources, values, obj=None):
         """A better version of the source's mesh."""
-        if sources == [None] or not convert.is_mesh(sources[0]):
+        mesh_object.require_source(sources, obj)
+        if not convert.is_mesh(sources[0]):
             raise InvalidInput("Source is not a mesh: choose one object with a mesh")
         values = options.check(cls.OPTIONS, values)
         mesh = convert.MeshCopy(sources[0])
@@ -41,23 +42,22 @@ class ImprovedMesh(mesh_object.OfOneSource):
 
     @classmethod
     def compute(cls, source, values, progress):
-        """The SurfaceMesh, the Mesh.Mesh made of it, whether it was to be closed, and the faults of
-        its certificate.
+        """The SurfaceMesh, the Mesh.Mesh made of it, whether it was to be closed, and the findings
+        of its certificate.
         """
         given = SurfaceMesh(convert.surface_of_arrays(core(), *source.arrays))
         mesh = improve(given, **values, progress=progress)
         closed = given.report.closed
-        faults = certificate.angle_faults(mesh) + certificate.topology_faults(
-            mesh.report, closed, mesh)
-        return mesh, mesh.to_mesh(), closed, faults
+        return mesh, mesh.to_mesh(), closed, verdict.of_improvement(mesh, closed, progress)
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, shown, closed, faults = result
+        mesh, shown, closed, findings = result
         mesh_object.show_mesh(obj, shown)
         mesh_object.show_topology(obj, mesh.report)
         mesh_object.show_angles(obj, mesh.report)
-        mesh_object.show_certificate(obj, mesh.report, closed, faults)
+        mesh_object.show_certificate(obj, mesh.report, closed, findings)
+        return mesh.report, findings
 
 
 def _digest(mesh, values):

@@ -8,7 +8,7 @@ from functools import partial
 import FreeCAD
 import numpy as np
 
-from .. import convert, frames, options
+from .. import convert, frames, options, verdict
 from ..compat import PlainState, attribute_of, property_of, without_traceback
 from ..errors import Error, InvalidInput
 from . import certificate, distance_bound, placement
@@ -23,28 +23,29 @@ TOPOLOGY = (
 # Of the group Certificate, for every kind of object.
 PROMISES = (
     ("Certificate", "App::PropertyString",
-     "Whether the mesh keeps what was asked for; where not, what it misses and where"),
-    ("AskedClosed", "App::PropertyBool", "The mesh was to have no border edge"),
-    ("Closed", "App::PropertyBool", "The mesh has no border edge"),
+     "Whether the mesh meets all requested limits; where not, which it misses and where"),
+    ("AskedClosed", "App::PropertyBool", "The mesh was to be watertight"),
+    ("Closed", "App::PropertyBool", "The mesh is watertight: it has no open edge"),
     ("Manifold", "App::PropertyBool",
      "The mesh has no edge of three or more triangles and no pinched vertex"),
 )
 CERTIFICATE_FACES = ("CertificateFaces", "App::PropertyStringList",
-                     "CAD faces on which the mesh misses what was asked for")
+                     "CAD faces on which the mesh misses a requested limit")
 CERTIFICATE_PLACE = ("CertificatePlace", "App::PropertyVectorList",
                      "Corners of the triangle where it misses that most")
 AUTOMATIC, MANUAL = "Automatic", "Manual"
 UP_TO_DATE = "up to date"
 COMPUTING = "being computed in the background"
 OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
+SOURCE_DELETED = "out of date: the source was deleted"
 FAILED = "failed: "  # and why
 # The same, of those that promise a smallest angle; see show_angles.
 ANGLES = (
     ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
-    ("Exempt", "App::PropertyStringList", "Triangles below the angle asked for, and why"),
+    ("Exempt", "App::PropertyStringList", "Triangles below the requested angle, and why"),
 )
 ANGLE_PROMISES = (
-    ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was asked for"),
+    ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was requested"),
     ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
 )
 # Kept for the object's own use.
@@ -67,7 +68,8 @@ class MeshObject(PlainState):
                         class method: the Work of an object with these sources and options, `obj`
                         itself where it is there already
     holds_mesh(obj)     whether the mesh of its last result is there
-    take(obj, result)   shows a result
+    take(obj, result)   shows a result; returns its report and the findings of its certificate, or None
+                        where these are not new
     BOUND_BEFORE        the bound on the distance in older versions, where neither value was given
     An error leaves the last good mesh as it is.
     """
@@ -122,8 +124,11 @@ class MeshObject(PlainState):
             self.attach_view(obj.ViewObject)
 
     def onChanged(self, obj, name):
-        """Called by FreeCAD."""
+        """Called by FreeCAD; it takes an object that is deleted out of the properties that name it."""
         distance_bound.follow_change(self, obj, name)
+        if name in ("Source", "Sources") and getattr(obj, "Fingerprint", "") \
+                and not obj.Document.Restoring and self.lacks_source(obj):
+            obj.Status = SOURCE_DELETED
 
     def onBeforeChange(self, obj, name):
         """Called by FreeCAD; undo and redo replace a mesh as fast as show_mesh does."""
@@ -133,6 +138,10 @@ class MeshObject(PlainState):
                 _clear_mesh(obj)
             finally:
                 self._clearing = False
+
+    def lacks_source(self, obj):
+        """Whether something that it is made of was deleted, or never chosen."""
+        return None in self.sources(obj)
 
     @property
     def execute(self):
@@ -150,15 +159,18 @@ class MeshObject(PlainState):
                 work, result = done
                 if isinstance(result, Exception):
                     raise result
-                self.take(obj, result)
+                finished = self.take(obj, result)
                 placement.record(obj, self.frame_of_result(obj, work, result))
                 if FreeCAD.GuiUp:
                     _follow().stop(obj)
                 obj.Fingerprint, obj.Status = work.fingerprint, UP_TO_DATE
+                if finished is not None:
+                    _tell(obj, *finished)
             placement.settle(obj)
         except Exception as error:
             self.error = error
-            obj.Status = f"{FAILED}{error}"
+            deleted = obj.Fingerprint and self.lacks_source(obj)
+            obj.Status = SOURCE_DELETED if deleted else f"{FAILED}{error}"
             if isinstance(error, (Error, ImportError, MemoryError)):
                 raise type(error)(f"{obj.Label}: {error}") from error
             raise
@@ -260,14 +272,34 @@ class SourceMesh(OfOneSource):
     @classmethod
     def work_on(cls, sources, values, obj=None):
         """To mesh the source with these options."""
-        if sources == [None]:
-            raise InvalidInput("Source is empty: choose an object with a shape")
+        require_source(sources, obj)
         values = options.check(cls.OPTIONS, values)
         own, shape = convert.own_shape_of(sources[0]), convert.shape_of(sources[0])
         # Of a container the names of sub-elements are found here, where documents may be asked.
         found = convert.with_resolved_sizes(sources[0], values)
         return Work(cls, sources, values, partial(fingerprint_of, own, found),
                     partial(cls.compute, shape, found))
+
+
+def require_source(sources, obj):
+    """Raises InvalidInput where there is no source, or none any more."""
+    if None not in sources:
+        return
+    if obj is not None and obj.Fingerprint:
+        raise InvalidInput("Source is empty: the source was deleted; choose another one, or delete "
+                           "this mesh")
+    raise InvalidInput("Source is empty: choose an object with a shape")
+
+
+def _tell(obj, report, findings):
+    """Has the report view say in one line what came of an object that was computed."""
+    if FreeCAD.GuiUp:
+        from ..gui.words import translate_phrase
+
+        text = verdict.line(obj.Label, report, findings, translate_phrase)
+    else:
+        text = verdict.line(obj.Label, report, findings)
+    (FreeCAD.Console.PrintWarning if findings else FreeCAD.Console.PrintMessage)(text + "\n")
 
 
 def _follow():
@@ -351,16 +383,16 @@ def show_angles(obj, report):
     obj.Notes = list(report.notes)
 
 
-def show_certificate(obj, report, closed, faults):
+def show_certificate(obj, report, closed, findings):
     """Fills what every kind of object has in the group Certificate.
 
     report  a MeshReport
     closed  whether the mesh was to be closed
     """
     obj.AskedClosed, obj.Closed, obj.Manifold = closed, report.closed, report.manifold
-    obj.Certificate = certificate.sentence(faults)
-    obj.CertificateFaces = certificate.faces(faults)
-    obj.CertificatePlace = [FreeCAD.Vector(*corner) for corner in certificate.place(faults)]
+    obj.Certificate = certificate.sentence(findings)
+    obj.CertificateFaces = certificate.faces(findings)
+    obj.CertificatePlace = [FreeCAD.Vector(*corner) for corner in certificate.place(findings)]
 
 
 def add_options(obj, table):

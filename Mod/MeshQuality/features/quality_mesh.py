@@ -3,9 +3,9 @@
 
 from functools import partial
 
-from .. import options, phrases
+from .. import options, verdict
 from ..api import Memory, triangulate
-from . import certificate, memories, mesh_object
+from . import memories, mesh_object
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
@@ -62,27 +62,21 @@ class QualityMesh(mesh_object.SourceMesh):
     @classmethod
     def compute(cls, shape, values, progress, memory=None):
         """The SurfaceMesh of the shape, the Mesh.Mesh made of it, what FaceRuns gets, whether it was to
-        be closed, the faults of its certificate, and the memory.
+        be closed, the findings of its certificate, and the memory.
         """
         mesh = triangulate(shape, **values, progress=progress, memory=memory)
-        closed = certificate.shall_be_closed(shape)
+        closed = verdict.must_be_closed(shape)
         runs = mesh_object.runs_of_faces(mesh.triangle_face)
-        return mesh, mesh.to_mesh(), runs, closed, _faults(mesh, closed), memory
+        return mesh, mesh.to_mesh(), runs, closed, verdict.of_triangulation(mesh, closed), memory
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, shown, obj.FaceRuns, closed, faults, self.memory = result
+        mesh, shown, obj.FaceRuns, closed, findings, self.memory = result
         memories.use(self)
         mesh_object.show_mesh(obj, shown)
         show_report(obj, mesh.report)
-        mesh_object.show_certificate(obj, mesh.report, closed, faults)
-
-
-def _faults(mesh, closed):
-    found = certificate.angle_faults(mesh) + certificate.chord_faults(mesh)
-    if not mesh.report.complete:
-        found.append(certificate.Fault(phrases.LIMIT))
-    return found + certificate.topology_faults(mesh.report, closed, mesh)
+        mesh_object.show_certificate(obj, mesh.report, closed, findings)
+        return mesh.report, findings
 
 
 def show_report(obj, report):

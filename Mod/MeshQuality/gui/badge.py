@@ -6,15 +6,27 @@ from functools import lru_cache
 
 from PySide import QtCore, QtGui, QtSvg
 
+from ..features import certificate, mesh_object
+
 ICONS = os.path.normpath(os.path.join(os.path.dirname(__file__), os.pardir, os.pardir, os.pardir,
                                       "Resources", "icons"))
-MISSED, OUTDATED = "MeshQuality_missed", "MeshQuality_outdated"
+MISSED, OUTDATED, FAILED = "MeshQuality_missed", "MeshQuality_outdated", "MeshQuality_failed"
 _SIDE = 64  # pixels
 
 
 def path_of(name):
     """The file of an icon."""
     return os.path.join(ICONS, f"{name}.svg")
+
+
+def badge_of(obj):
+    """The badge of a mesh object; None where it is up to date and meets all limits."""
+    status = getattr(obj, "Status", "")
+    if status == mesh_object.SOURCE_DELETED or status.startswith(mesh_object.FAILED):
+        return FAILED
+    if certificate.is_missed(getattr(obj, "Certificate", "")):
+        return MISSED
+    return OUTDATED if status in (mesh_object.OUT_OF_DATE, mesh_object.COMPUTING) else None
 
 
 @lru_cache(maxsize=None)

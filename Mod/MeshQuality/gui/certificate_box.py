@@ -10,9 +10,27 @@ from .. import convert, frames
 from ..features import certificate, mesh_object
 from .places import Mark, select_face
 from .quality_scene import flight_to
-from .words import translated_certificate
+from .words import translated, translated_certificate
 
 translate = FreeCAD.Qt.translate
+
+
+def _words(obj):
+    """What the certificate and the status of an object say."""
+    if certificate.is_missed(obj.Certificate):
+        words = translate("MeshQuality", "Target not met: {}").format(
+            translated_certificate(certificate.said(obj.Certificate)))
+    elif certificate.is_met(obj.Certificate):
+        words = translate("MeshQuality", "All requested limits are met.")
+    else:
+        words = translate("MeshQuality", "Update the mesh to learn whether it meets all requested limits.")
+    if obj.Status == mesh_object.OUT_OF_DATE:
+        words += " " + translate("MeshQuality", "The mesh is out of date: a source or an option has "
+                                                "changed.")
+    elif obj.Status.startswith(mesh_object.FAILED):
+        words += " " + translate("MeshQuality", "The last update failed: {}").format(
+            translated(obj.Status[len(mesh_object.FAILED):]))
+    return words
 
 
 class CertificateBox(QtGui.QWidget):
@@ -27,8 +45,8 @@ class CertificateBox(QtGui.QWidget):
         self.text.setWordWrap(True)
         self.button = QtGui.QPushButton(translate("MeshQuality", "Show where"))
         self.button.setToolTip(translate(
-            "MeshQuality", "Flies to the place, and selects the faces of the part on which the mesh misses "
-                           "what was asked for"))
+            "MeshQuality", "Flies to the place, and selects the faces of the shape on which the mesh misses "
+                           "a requested limit"))
         self.button.clicked.connect(self.show_place)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -43,21 +61,13 @@ class CertificateBox(QtGui.QWidget):
         self.setVisible(obj is not None)
         if obj is None:
             return
-        missed = obj.Certificate.startswith(certificate.MISSED)
-        outdated = obj.Status == mesh_object.OUT_OF_DATE
-        words = translate("MeshQuality", "The mesh keeps all that was asked for.")
-        if missed:
-            words = translate("MeshQuality", "What was asked for is missed: {}").format(
-                translated_certificate(obj.Certificate[len(certificate.MISSED):]))
-        elif obj.Certificate != certificate.KEPT:
-            words = translate("MeshQuality", "Update the mesh to learn whether it keeps what was "
-                                             "asked for.")
-        if outdated:
-            words += " " + translate("MeshQuality", "The mesh is out of date: a source or an option "
-                                                    "has changed.")
-        self.text.setText(words)
-        self.text.setStyleSheet("color: #cc0000" if missed else "")
-        self.button.setVisible(missed and bool(obj.CertificateFaces or obj.CertificatePlace))
+        deleted = obj.Proxy.lacks_source(obj)
+        missed = certificate.is_missed(obj.Certificate)
+        self.text.setText(translate("MeshQuality", "The source was deleted. Close this panel.") if deleted
+                          else _words(obj))
+        self.text.setStyleSheet("color: #cc0000" if missed or deleted else "")
+        self.button.setVisible(not deleted and missed
+                               and bool(obj.CertificateFaces or obj.CertificatePlace))
 
     def show_place(self):
         """Selects those faces of the source, marks where it is worst and flies there; triangles become

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How the document objects behave in the tree and the 3D view: icon with a badge where the mesh
-misses what was asked for or is out of date, editing by double click, the context menu.
+misses a requested limit, is out of date or could not be computed, editing by double click, the context menu.
 """
 
 import FreeCAD
 import FreeCADGui
 
 from ..compat import PlainState
-from ..features import certificate, mesh_object
 from . import badge
 
 translate = FreeCAD.Qt.translate
@@ -28,11 +27,8 @@ class MeshView(PlainState):
         obj = self.view.Object
         # A document that is being read has no proxy yet.
         icon = getattr(obj.Proxy, "COMMAND", "MeshQuality")
-        if getattr(obj, "Certificate", "").startswith(certificate.MISSED):
-            return badge.with_badge(icon, badge.MISSED)
-        if getattr(obj, "Status", "") in (mesh_object.OUT_OF_DATE, mesh_object.COMPUTING):
-            return badge.with_badge(icon, badge.OUTDATED)
-        return badge.path_of(icon)
+        found = badge.badge_of(obj)
+        return badge.with_badge(icon, found) if found else badge.path_of(icon)
 
     def updateData(self, obj, name):
         """A property of the object has changed."""

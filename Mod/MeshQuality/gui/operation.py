@@ -68,8 +68,8 @@ class Operation:
 
     def possible(self, edited):
         """Whether the document still has the sources, and the object that is edited unless None."""
-        needed = [*map(frames.object_of, self.sources), *([edited] if edited is not None else [])]
-        return all(is_there(self.document, obj) for obj in needed if obj is not None)
+        needed = [*self.sources, *([edited] if edited is not None else [])]
+        return all(obj is not None and is_there(self.document, frames.object_of(obj)) for obj in needed)
 
     def at_rest(self):
         """Whether a result can land now."""
@@ -162,6 +162,8 @@ def check(operations, values):
 
     Raises InvalidInput, also where the document has lost what the operations need.
     """
+    if operations[0].document not in FreeCAD.listDocuments():
+        raise InvalidInput("The document was closed. Close this panel.")
     if not all(made.possible(made.obj) for made in operations):
-        raise InvalidInput("what is to be meshed is not in its document any more: close the panel")
+        raise InvalidInput("The source was deleted. Close this panel.")
     return options.check(operations[0].kind.OPTIONS, values)

@@ -96,6 +96,25 @@ TEST(Uniform, ApartAndWithin) {
     EXPECT_NEAR(run(inner, Operation::SymmetricDifference), volume(a) - volume(inner), 1e-9);
 }
 
+/// The bound counts the free cells around the operands, which take part of the rays.
+TEST(Uniform, TheBoundIsWithinTheToleranceThatTheResolutionIsFor) {
+    const mesh::TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 24);
+    const mesh::TriangleMesh b = solids::sphere(Vec3(0.7, 0.4, 0.2), 1.0, 24);
+    const double size = 2.7;  // along x
+    const double exact = std::sqrt(3.0) * size / 64;
+    for (const double tolerance : {0.5, exact, 1.001 * exact, 0.999 * exact, 0.05}) {
+        SCOPED_TRACE(tolerance);
+        const int resolution = uniform_resolution(size, tolerance);
+        EXPECT_LE(uniform_bound(size, resolution), tolerance);
+        const UniformResult r = layered_depth_boolean(a, b, Operation::Union, at_resolution(resolution), nullptr);
+        EXPECT_GT(r.error_bound, 0.0);
+        EXPECT_LE(r.error_bound, tolerance * (1.0 + 1e-12));
+    }
+    const double least = uniform_bound(size, 4097);
+    EXPECT_LE(uniform_bound(size, uniform_resolution(size, least)), least);
+    EXPECT_THROW(uniform_resolution(size, 0.99 * least), InvalidInput);
+}
+
 /// The rays lie where the result can be, however far the other operand reaches.
 TEST(Uniform, ToolsFarLargerThanThePart) {
     const mesh::TriangleMesh ball = solids::sphere(Vec3(0.1, 0.2, 0.3), 1.0, 40);

@@ -159,22 +159,23 @@ TEST(Report, FaultyInputIsNamed) {
 
 TEST(Report, ExemptionsAreSummedUpByCause) {
     MeshReport r = measure(tetrahedron());
-    r.exempt = {{0, "a further vertex would fold the mesh on Face1"},
-                {1, "corner of 7.25 degrees between Edge1 and Edge12 at Vertex3 on Face2"},
-                {2, "corner of 10.00 degrees between Edge4 and Edge5 at Vertex6 on Face10"},
-                {3, "corner of 9 degrees between Edge4 and Edge6 at Vertex6 on Face2"}};
+    r.exempt = {{0, "a further point would fold the mesh on Face1"},
+                {1, "the shape itself has a corner of 7.25° between Edge1 and Edge12 at Vertex3 on Face2"},
+                {2, "the shape itself has a corner of 10.00° between Edge4 and Edge5 at Vertex6 on Face10"},
+                {3, "the shape itself has a corner of 9° between Edge4 and Edge6 at Vertex6 on Face2"}};
     const auto causes = exempt_causes(r);
     ASSERT_EQ(causes.size(), 2u);
-    EXPECT_EQ(causes[0].cause, "corner of # degrees between Edge# and Edge# at Vertex# on Face#");
+    EXPECT_EQ(causes[0].cause, "the shape itself has a corner of #° between Edge# and Edge# at Vertex# on Face#");
     EXPECT_EQ(causes[0].count, 3u);
     EXPECT_EQ(causes[0].first, 1u);
     EXPECT_EQ(causes[0].faces, (std::vector<std::string>{"Face2", "Face10"}));
-    EXPECT_EQ(causes[1].cause, "a further vertex would fold the mesh on Face#");
+    EXPECT_EQ(causes[1].cause, "a further point would fold the mesh on Face#");
     EXPECT_EQ(causes[1].count, 1u);
 
     const std::string text = to_text(r);
-    for (const char* words : {"1 exempted, triangle 0: a further vertex",
-                              "3 exempted of one kind, the first is triangle 1:", "Edge12", "on Face2, Face10"}) {
+    for (const char* words :
+         {"1 triangle below the limit: triangle 0: a further point",
+          "3 triangles below the limit, same cause, e.g. triangle 1:", "Edge12", "on Face2, Face10"}) {
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
     }
     EXPECT_EQ(text.find("triangle 3"), std::string::npos) << text;
@@ -183,7 +184,7 @@ TEST(Report, ExemptionsAreSummedUpByCause) {
 TEST(Report, ManyExemptionsMakeAShortText) {
     MeshReport r = measure(tetrahedron());
     for (int i = 0; i < 1000; ++i) {
-        r.exempt.emplace_back(i, "max_triangles is reached on Face" + std::to_string(i + 1));
+        r.exempt.emplace_back(i, "the triangle limit max_triangles was reached on Face" + std::to_string(i + 1));
     }
     const std::string text = exemptions_text(r);
     EXPECT_LT(text.size(), 300u) << text;
@@ -217,6 +218,36 @@ TEST(Report, TextNamesWhatMatters) {
     for (const char* word : {"closed", "yes", "Vertex3", "0.01 mm", "0.02 mm", "Face7 is missing", "volume"}) {
         EXPECT_NE(text.find(word), std::string::npos) << word << "\n" << text;
     }
+}
+
+TEST(Report, OneLineSaysWhatTheMeshIs) {
+    MeshReport r = measure(tetrahedron());
+    EXPECT_EQ(in_short(r).rfind("4 triangles, closed, smallest angle ", 0), 0u) << in_short(r);
+    EXPECT_EQ(in_short(MeshReport{}), "no triangles");
+    EXPECT_EQ(counted(1, "open edge"), "1 open edge");
+    EXPECT_EQ(counted(1234567, "triangle"), "1,234,567 triangles");
+}
+
+TEST(Report, AnyFaultOrMissedLimitIsOne) {
+    const MeshReport good = measure(tetrahedron());
+    EXPECT_FALSE(has_faults(good));
+    MeshReport r = good;
+    r.min_angle_asked = r.min_angle + 1.0;
+    EXPECT_TRUE(has_faults(r));
+    r = good;
+    r.max_chord_height = 0.02;
+    EXPECT_FALSE(has_faults(r)) << "none was requested";
+    r.chord_height_asked = 0.01;
+    EXPECT_TRUE(has_faults(r));
+    r = good;
+    r.self_intersections = 1;
+    EXPECT_TRUE(has_faults(r));
+    r = good;
+    r.missing = {{0, "no triangulation"}};
+    EXPECT_TRUE(has_faults(r));
+    r = good;
+    r.complete = false;
+    EXPECT_TRUE(has_faults(r));
 }
 
 }  // namespace

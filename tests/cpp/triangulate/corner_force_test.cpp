@@ -24,18 +24,18 @@ Result mesh_wedge(double degrees, double bound) {
 TEST(CornerForce, IsNamedWhereNoFanFits) {
     const Result result = mesh_wedge(0.3, 30.0);
     expect_angles(result, 30.0);
-    EXPECT_GT(told(result, "no such angles fit beside edges that part by 0.30 degrees at Vertex"), 0);
-    EXPECT_EQ(told(result, "would shrink without end"), 0);
+    EXPECT_GT(told(result, "edges of the shape that meet at 0.30° leave no room for larger angles at Vertex"), 0);
+    EXPECT_EQ(told(result, "would become ever shorter"), 0);
 }
 
 TEST(CornerForce, IsNotBlamedWhereAFanFits) {
     for (const double degrees : {1.0, 5.0, 15.0}) {
         SCOPED_TRACE(degrees);
-        EXPECT_EQ(told(mesh_wedge(degrees, 25.0), "no such angles fit"), 0);
+        EXPECT_EQ(told(mesh_wedge(degrees, 25.0), "leave no room for larger angles"), 0);
     }
     // Curves that touch part faster and faster.
     const Result crescent = mesh_of(geometry::make_shape_model(geometry::crescent(10.0, 11.0, 60.0, 55.0)));
-    EXPECT_EQ(told(crescent, "no such angles fit"), 0);
+    EXPECT_EQ(told(crescent, "leave no room for larger angles"), 0);
 }
 
 }  // namespace

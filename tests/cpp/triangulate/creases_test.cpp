@@ -40,7 +40,7 @@ TEST(CreasedParts, PatchesWithoutAreaLeaveNothingBehind) {
         EXPECT_EQ(result.report.euler, 2);
         EXPECT_GE(result.report.min_angle_unexempted, angle);
         for (const auto& [triangle, why] : result.report.exempt) {
-            EXPECT_EQ(why.rfind("corner of 5.71 degrees between ", 0), 0u) << why;
+            EXPECT_EQ(why.rfind("the shape itself has a corner of 5.71° between ", 0), 0u) << why;
         }
         EXPECT_LE(result.report.max_chord_height, 0.024);
         EXPECT_TRUE(result.report.notes.empty()) << result.report.notes.front();

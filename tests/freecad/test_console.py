@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What somebody at the Python console meets: names, completion, one line for each result, help."""
+
+import importlib.util
+import inspect
+import pydoc
+import unittest
+
+import Part
+
+import MeshQuality as mq
+from MeshQuality.version import __version__
+
+
+class Names(unittest.TestCase):
+    def test_the_version(self):
+        self.assertEqual(mq.__version__, __version__)
+
+    def test_completion_has_what_scripts_use_and_nothing_else(self):
+        names = dir(mq)
+        self.assertEqual(set(names), {*mq.__all__, "__version__"})
+        self.assertEqual([name for name in names if name.startswith("_")], ["__version__"])
+        for name in mq.__all__:
+            self.assertTrue(inspect.getdoc(getattr(mq, name)), name)
+            self.assertIsNone(importlib.util.find_spec(f"MeshQuality.{name}"), f"{name} is a module")
+
+    def test_names_that_are_none(self):
+        with self.assertRaisesRegex(AttributeError, "no attribute 'triangulat'"):
+            _ = mq.triangulat
+
+
+class Lines(unittest.TestCase):
+    """repr() says in one line what a thing is."""
+
+    def test_meshes_and_their_reports(self):
+        mesh = mq.triangulate(Part.makeCylinder(5, 10), chord_height=0.1)
+        figures = rf"{len(mesh.triangles):,} triangles, closed, smallest angle [\d.]+°"
+        self.assertRegex(repr(mesh), rf"^<SurfaceMesh: {figures}, all limits met>$")
+        self.assertRegex(repr(mesh.report), rf"^<MeshReport: {figures}, all limits met>$")
+        measured = mq.quality((mesh.vertices, mesh.triangles))
+        self.assertRegex(repr(measured), rf"^<MeshReport: {figures}>$")
+        stopped = mq.triangulate(Part.makeBox(9, 9, 9), max_edge=0.1, max_triangles=2000)
+        self.assertRegex(repr(stopped), r"^<SurfaceMesh: \d,\d{3} triangles, closed, .*, not all limits met>$")
+        opened = mq.quality((mesh.vertices, mesh.triangles[1:]))
+        self.assertIn(" triangles, open, ", repr(opened))
+
+    def test_booleans(self):
+        result = mq.boolean(Part.makeBox(10, 10, 10), Part.makeSphere(6), "union", tolerance=0.1)
+        figures = (rf"{len(result.triangles):,} triangles, closed, smallest angle [\d.]+°, error bound [\de.-]+ mm of "
+                   "0.1 mm, all limits met")
+        self.assertRegex(repr(result), f"^<BooleanMesh: {figures}>$")
+        self.assertRegex(repr(result.report), f"^<BooleanReport: {figures}>$")
+
+    def test_curved_meshes(self):
+        shape = Part.makeCylinder(5, 10)
+        surface, volume = mq.curve(shape), mq.curve(shape, order=1, volume=True)
+        self.assertEqual(repr(surface), f"<CurvedMesh: {len(surface.elements):,} triangles of order 2, all valid>")
+        self.assertEqual(repr(volume), f"<CurvedMesh: {len(volume.elements):,} tetrahedra of order 1, all valid>")
+        self.assertRegex(repr(volume.report), rf"^<CurveReport: {len(volume.elements):,} elements, all valid, shape "
+                                              r"distortion at most [\d.]+, max\. deviation [\de.-]+ mm>$")
+
+    def test_memories(self):
+        memory = mq.Memory()
+        self.assertEqual(repr(memory), "<Memory: 0 calls of triangulate, 0.0 MiB>")
+        mq.triangulate(Part.makeBox(1, 1, 1), memory=memory)
+        self.assertRegex(repr(memory), r"^<Memory: 1 call of triangulate, [\d.]+ MiB>$")
+
+
+class Help(unittest.TestCase):
+    def test_of_the_package(self):
+        page = pydoc.plain(pydoc.render_doc(mq))
+        for heading in ("First steps", "Meshes for scripts", "Objects of the document", "Results and reports",
+                        "Errors"):
+            self.assertIn(f"\n    {heading}", page)
+        functions = page.partition("\nFUNCTIONS\n")[2]
+        for name in mq.__all__:
+            if inspect.isfunction(getattr(mq, name)):
+                self.assertIn(f"\n    {name}(", "\n" + functions)
+        self.assertIn("triangulate(shape, min_angle=25.0, chord_height=None", functions)
+        self.assertIn(f"VERSION\n    {__version__}", page)
+
+    def test_the_page_names_every_function(self):
+        for name in mq.__all__:
+            self.assertIn(name, mq.__doc__.replace("MeshReport", "MeshReport SurfaceMesh"))
+
+    def test_of_a_function_all_its_arguments(self):
+        for function in (mq.triangulate, mq.curve, mq.boolean, mq.improve, mq.quality):
+            page = pydoc.plain(pydoc.render_doc(function))
+            for name in inspect.signature(function).parameters:
+                self.assertRegex(inspect.getdoc(function), rf"\b{name}\b", function.__name__)
+            self.assertIn(f"{function.__name__}(", page)
