@@ -150,10 +150,7 @@ class QualityView(gui_helpers.GuiTest):
         self.assertEqual(panel.data.elements, len(mq.CurvedMesh.of(obj).triangles))
         self.assertGreater(len(panel.data.corners), panel.data.elements)
         self.assertGreaterEqual(panel.values.min(), obj.MinScaledJacobian)
-        behind = mq.CurvedMesh.of(obj)._curved.tetrahedra_behind()
-        self.assertLess(len(np.unique(behind)), obj.Elements)
-        self.assertIn(f"{len(np.unique(behind)):,} of {obj.Elements:,} tetrahedra touch the surface: worst ",
-                      panel.summary.text())
+        self.assertIn(f"{panel.data.elements:,} elements", panel.summary.text())
         self.choose(panel, quality_data.DISTORTION)
         found = mq.CurvedMesh.of(obj).shown_distortion()
         np.testing.assert_array_equal(panel.values, found)

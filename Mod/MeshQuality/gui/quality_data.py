@@ -223,13 +223,6 @@ class QualityData:
         """How many there are."""
         return len(self.face)
 
-    def count_text(self):
-        """Words for how many of which elements are shown; of a volume those at the surface."""
-        if self._curved is None or not len(self._curved.tetrahedra):
-            return translate("MeshQuality", "{} triangles").format(f"{self.elements:,}")
-        return translate("MeshQuality", "{0} of {1} tetrahedra touch the surface").format(
-            f"{self._curved.tetrahedra_at_surface():,}", f"{len(self._curved.tetrahedra):,}")
-
     def shapes(self):
         """(smallest angles, aspects, distortions) of the triangles."""
         if self._shapes is None:

@@ -189,8 +189,8 @@ class QualityPanel:
     def _show(self, measure, found):
         self.measure, self.values, self._bars = measure, found.values, found.histogram
         self._worst = found.worst
-        self._say(translate("MeshQuality", "{0}: worst {1}, mean {2}").format(
-            self.data.count_text(), measure.text(found.values[found.worst[0]]),
+        self._say(translate("MeshQuality", "{0} elements: worst {1}, mean {2}").format(
+            f"{self.data.elements:,}", measure.text(found.values[found.worst[0]]),
             measure.text(_mean(found.values))))
         self.histogram.show_histogram(found.histogram, measure)
         self._list_worst()
