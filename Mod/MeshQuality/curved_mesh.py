@@ -144,6 +144,13 @@ class CurvedMesh:
         behind = self._curved.tetrahedra_behind()
         return np.where(behind >= 0, of_tetrahedra[np.maximum(behind, 0)], of_triangles)
 
+    def tetrahedra_at_surface(self):
+        """How many tetrahedra have a triangle of the surface; 0 without tetrahedra."""
+        if not len(self.tetrahedra):
+            return 0
+        behind = self._curved.tetrahedra_behind()
+        return len(np.unique(behind[behind >= 0]))
+
     def tessellate(self, deviation=None, progress=None):
         """Flat triangles that the curved ones keep within `deviation` mm of.
 
