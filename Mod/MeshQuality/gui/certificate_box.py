@@ -7,6 +7,7 @@ import numpy as np
 from PySide import QtGui
 
 from ..features import certificate, mesh_object
+from . import looks
 from .places import Mark, sub_element
 from .quality_scene import flight_to
 from .words import translated_certificate
@@ -21,6 +22,8 @@ class CertificateBox(QtGui.QWidget):
         super().__init__()
         self._obj = None
         self._modes = {}  # display modes by view, before the place was shown
+        self._visible = {}  # likewise, whether sources were
+        self._selected = None  # likewise, what was selected
         self._mark = self.flight = None
         self.text = QtGui.QLabel()
         self.text.setWordWrap(True)
@@ -63,7 +66,7 @@ class CertificateBox(QtGui.QWidget):
         wires.
         """
         view = self._obj.ViewObject
-        self._modes.setdefault(view, view.DisplayMode)
+        self._remember(view)
         view.DisplayMode = "Wireframe"
         if self._obj.CertificateFaces:
             self._select(self._obj.Source, self._obj.CertificateFaces)
@@ -72,6 +75,15 @@ class CertificateBox(QtGui.QWidget):
             self._look_at(FreeCADGui.getDocument(self._obj.Document.Name).activeView(), corners)
         else:
             FreeCADGui.SendMsgToActiveView("ViewSelection")
+
+    def _remember(self, view):
+        """What is to be as before once the panel closes."""
+        self._modes.setdefault(view, view.DisplayMode)
+        for source in looks.sources_of(self._obj):
+            self._visible.setdefault(source.ViewObject, source.ViewObject.Visibility)
+        if self._selected is None:
+            self._selected = [(part.Object, name) for part in FreeCADGui.Selection.getSelectionEx("", 0)
+                              for name in part.SubElementNames or ("",)]
 
     def _select(self, source, faces):
         source.ViewObject.Visibility = True
@@ -92,8 +104,14 @@ class CertificateBox(QtGui.QWidget):
             self._mark = None
 
     def end(self):
-        """The panel closes: the mesh looks as before."""
+        """The panel closes: mesh, sources and selection are as before."""
         self._end_mark()
         for view, mode in self._modes.items():
             view.DisplayMode = mode
-        self._modes.clear()
+        for view, visible in self._visible.items():
+            view.Visibility = visible
+        if self._selected is not None:
+            FreeCADGui.Selection.clearSelection()
+            for obj, name in self._selected:
+                FreeCADGui.Selection.addSelection(obj, name)
+        self._modes, self._visible, self._selected = {}, {}, None

@@ -13,7 +13,7 @@ from . import background, badge, follow, jobs, operation, preferences
 from .certificate_box import CertificateBox
 from .option_form import OptionForm
 from .preset_box import PresetBox
-from .task_form import ClosesWithDocument, Message, bring_into_sight
+from .task_form import ClosesWithDocument, Message, bring_into_sight, is_in_task_view
 from .words import translated, translated_stage
 
 _PAUSE = 400  # ms without a change before a trial begins
@@ -87,6 +87,10 @@ class MeshPanel:
         self.bar.setRange(0, 1000)
         self.bar.hide()
         self.certificate.show(self._edited())
+
+    def _shows(self):
+        """Whether the panel still tells of its jobs."""
+        return not self._left and is_in_task_view(self.form)
 
     def _edited(self):
         """The object that the panel edits; None when it adds, or edits several."""
@@ -179,7 +183,7 @@ class MeshPanel:
         return job
 
     def _show_progress(self, job):
-        if self._left:
+        if not self._shows():
             return
         self.bar.setValue(int(1000 * job.fraction))
         what = translated_stage(job.stage) if job.stage else jobs.state_text(job.state)
@@ -188,7 +192,7 @@ class MeshPanel:
     def _ended(self, job, watch):
         watch.end()
         self.jobs.remove(job)
-        if self._left:
+        if not self._shows():
             return
         if job.state == jobs.CANCELLED:
             self._say(translate("MeshQuality", "Cancelled; nothing was changed."))

@@ -84,10 +84,10 @@ class Scale:
         """What stands after a number."""
         return self.measure.unit if self._length_unit is None else f" {self._length_unit.name}"
 
-    def number(self, value):
+    def number(self, value, digits=4):
         """A value without its unit."""
         factor = 1.0 if self._length_unit is None else self._length_unit.millimetres
-        return "∞" if np.isinf(value) else f"{value / factor:.4g}"
+        return "∞" if np.isinf(value) else f"{value / factor:.{digits}g}"
 
     def text(self, value):
         """A value with its unit."""

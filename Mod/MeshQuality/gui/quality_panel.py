@@ -20,6 +20,7 @@ from .words import translated
 translate = FreeCAD.Qt.translate
 
 WORST = 50  # elements in the list
+_DIGITS = 3  # of the numbers in the table, which may be 230 pixels wide
 _EDGES = 50_000  # triangles up to which edges are drawn from the beginning
 
 
@@ -97,17 +98,21 @@ class QualityPanel:
         # The panel may be 260 pixels wide.
         self.measures.setSizeAdjustPolicy(
             QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.faces.setHorizontalHeaderLabels([
+            translate("MeshQuality", "Face"), translate("MeshQuality", "Count"),
+            translate("MeshQuality", "Worst"), translate("MeshQuality", "Mean")])
         self.faces.verticalHeader().hide()
         self.faces.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+        self.faces.horizontalHeader().setMinimumSectionSize(0)
         self.faces.horizontalHeader().setStretchLastSection(True)
-        tabs = QtGui.QTabWidget()
-        tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
-        tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
+        self.tabs = QtGui.QTabWidget()
+        self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
+        self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(0, 0, 0, 0)
-        for widget in (of, self.measures, self.meaning, self.summary, self.histogram, self.hint, tabs,
+        for widget in (of, self.measures, self.meaning, self.summary, self.histogram, self.hint, self.tabs,
                        self.edges):
             layout.addWidget(widget)
         self.measures.currentIndexChanged.connect(self._choose_measure)
@@ -238,15 +243,13 @@ class QualityPanel:
 
     def _list_faces(self, faces):
         self._faces = faces
-        unit = f" [{self.scale.unit.strip()}]" if self.scale.unit.strip() else ""
-        self.faces.setHorizontalHeaderLabels([
-            translate("MeshQuality", "Face"), translate("MeshQuality", "Count"),
-            translate("MeshQuality", "Worst") + unit, translate("MeshQuality", "Mean")])
+        unit = self.scale.unit.strip()
+        self.tabs.setTabText(1, translate("MeshQuality", "Faces") + (f" [{unit}]" if unit else ""))
         self.faces.blockSignals(True)
         self.faces.setRowCount(len(faces))
         for i, row in enumerate(faces):
-            texts = (f"Face{row.face + 1}", f"{row.elements:,}", self.scale.number(row.worst),
-                     self.scale.number(row.mean))
+            texts = (f"Face{row.face + 1}", f"{row.elements:,}", self.scale.number(row.worst, _DIGITS),
+                     self.scale.number(row.mean, _DIGITS))
             for k, text in enumerate(texts):
                 self.faces.setItem(i, k, QtGui.QTableWidgetItem(text))
         self.faces.blockSignals(False)

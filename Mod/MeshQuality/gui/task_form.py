@@ -29,15 +29,22 @@ class Message(QtGui.QLabel):
 
 def bring_into_sight(widget):
     """Has the task view, which is one long page, scroll to a widget once that has its place."""
-    QtCore.QTimer.singleShot(0, lambda: _is_in_task_view(widget) and _scroll_to(widget))
+    QtCore.QTimer.singleShot(0, lambda: is_in_task_view(widget) and _scroll_to(widget))
+
+
+def is_in_task_view(widget):
+    """Whether it is a part of a panel that FreeCAD shows; None is none."""
+    # Not asked by parentWidget(): PySide would have the widget's Python object end with that of its parent.
+    try:
+        return widget is not None and widget.window() is not widget
+    except RuntimeError:  # FreeCAD has closed the panel by itself, and deleted what it showed
+        return False
 
 
 def _scroll_to(widget):
-    area = widget.parentWidget()
-    while area is not None:
-        if isinstance(area, QtGui.QScrollArea) and widget.isVisible():
+    for area in widget.window().findChildren(QtGui.QScrollArea):
+        if area.isAncestorOf(widget) and widget.isVisible():
             area.ensureWidgetVisible(widget)
-        area = area.parentWidget()
 
 
 class ClosesWithDocument:
@@ -62,12 +69,5 @@ class ClosesWithDocument:
         """Called by FreeCAD."""
         if document.Name == self._document:
             self.end()
-            if _is_in_task_view(self._form):
+            if is_in_task_view(self._form):
                 self._close()
-
-
-def _is_in_task_view(widget):
-    try:
-        return widget.parentWidget() is not None
-    except RuntimeError:  # FreeCAD has closed the panel by itself, and deleted what it showed
-        return False
