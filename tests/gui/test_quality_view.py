@@ -14,7 +14,7 @@ import Part
 import MeshQuality as mq
 from MeshQuality import convert
 from MeshQuality.compat import core
-from MeshQuality.gui import commands, quality_data, quality_panel, quality_scene
+from MeshQuality.gui import commands, legend, quality_data, quality_panel, quality_scene
 
 MAGENTA = (255, 32, 255)
 
@@ -279,6 +279,69 @@ class QualityView(gui_helpers.GuiTest):
         self.choose(panel, quality_data.DISTANCE)
         self.assertIsNone(panel.data.bound)
         self.assertEqual(panel.scale.goodness(panel.values)[panel.values.argmax()], 0.0)
+
+    def legend_of(self, panel, background):
+        """The pixels of the legend in a picture with this background."""
+        left, low = panel.scene.scene.legend_place(gui_helpers.WIDTH, gui_helpers.HEIGHT)
+        high, width = legend.picture(panel.scale).shape[:2]
+        rows = self.saved(f"quality_legend_{background}", background=background)
+        return rows[gui_helpers.HEIGHT - low - high:gui_helpers.HEIGHT - low, left:left + width]
+
+    def test_the_legend_is_legible_on_any_background(self):
+        panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
+        self.view.viewAxonometric()
+        self.view.fitAll()
+        gui_helpers.wait()
+        counts = []
+        for background in ("White", "Black"):
+            found = self.legend_of(panel, background)
+            plate, text = (found.min(axis=2) > 190), (found.max(axis=2) < 90)
+            self.assertGreater(plate.mean(), 0.5)
+            counts.append(text.sum())
+        self.assertGreater(min(counts), 300)
+        self.assertLess(max(counts), 1.5 * min(counts))
+
+    def area(self, before, after):
+        """Where two pictures of the screen differ: left, top, right, bottom."""
+        rows, columns = np.nonzero(np.abs(before - after).max(axis=2) > 12)
+        self.assertGreater(len(rows), 500)
+        return columns.min(), rows.min(), columns.max(), rows.max()
+
+    def test_the_legend_never_lies_under_the_navigation_cube(self):
+        parameters = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+        self.addCleanup(parameters.RemInt, "CornerNaviCube")
+        self.addCleanup(parameters.RemBool, "ShowNaviCube")
+        window = FreeCADGui.getMainWindow()
+        self.addCleanup(window.resize, window.size())
+        for size in ((1366, 768), (1366, 660)):
+            window.resize(*size)
+            for corner in range(4):
+                with self.subTest(corner=corner, size=size):
+                    parameters.SetInt("CornerNaviCube", corner)
+                    gui_helpers.wait(0.2)
+                    panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
+                    window.showNormal()
+                    window.move(1400 - 1423, 0)  # the right side of the 3D view is on the screen
+                    both = self.screen_with(panel, f"quality_cube_{corner}_{size[1]}")
+                    panel.scene.scene.legend(np.zeros((0, 0, 4), dtype=np.uint8), 0, 0)
+                    cube_alone = self.screen_with(panel)
+                    parameters.SetBool("ShowNaviCube", False)
+                    gui_helpers.wait(0.2)
+                    none = self.screen_with(panel)
+                    parameters.SetBool("ShowNaviCube", True)
+                    panel.reject()
+                    legend_at, cube_at = self.area(both, cube_alone), self.area(cube_alone, none)
+                    apart = legend_at[0] > cube_at[2] or legend_at[2] < cube_at[0] \
+                        or legend_at[1] > cube_at[3] or legend_at[3] < cube_at[1]
+                    self.assertTrue(apart, (legend_at, cube_at))
+
+    def screen_with(self, panel, name=None):
+        self.view.redraw()
+        gui_helpers.wait(0.3)
+        image = gui_helpers.screen()
+        if name:
+            image.save(f"{gui_helpers.PICTURES}/{name}.png")
+        return gui_helpers.pixels_of(image)
 
     def test_no_column_of_the_faces_is_cut_off(self):
         obj = self.meshed(Part.makeCylinder(5, 20), chord_height=0.05)

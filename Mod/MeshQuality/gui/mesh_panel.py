@@ -150,6 +150,8 @@ class MeshPanel:
         if self.jobs:
             return
         self._end_trial()
+        if not self._trials:
+            self.estimate.setText("")
         try:
             values = operation.check(self.operations, self.options.values())
             works = [made.work(values) for made in self.operations]
@@ -219,13 +221,14 @@ class MeshPanel:
                 # FreeCAD takes the panel away when control returns to the event loop.
                 QtCore.QTimer.singleShot(0, lambda: self._afterwards(obj))
 
-    def _say(self, text, error=False):
+    def _say(self, text, error=False, scroll=True):
         self.said = text
-        self.message.say(text, error)
+        self.message.say(text, error, scroll)
 
     def _options_changed(self):
         self._say("")
         self._end_trial()
+        self._trials = []
         self.presets.show(self.options.values(), self._size)
         if self.operations[0].trial is not None:
             self.estimate.setText(translate("MeshQuality", "Counting triangles ..."))
@@ -237,7 +240,7 @@ class MeshPanel:
             trials = [made.trial(values, made.obj) for made in self.operations]
         except Error as error:
             self.estimate.setText("")
-            self._say(translated(error), error=True)
+            self._say(translated(error), error=True, scroll=False)
             return
         self._trial = jobs.queue().add(jobs.Job(
             "Estimate", lambda progress: [trial.compute(progress) for trial in trials],

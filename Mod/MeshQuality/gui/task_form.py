@@ -18,12 +18,12 @@ class Message(QtGui.QLabel):
         self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         self.hide()
 
-    def say(self, text, error=False):
-        """Shows another sentence, where the user sees it."""
+    def say(self, text, error=False, scroll=True):
+        """Shows another sentence, where the user sees it; without scrolling while options are edited."""
         self.setText(text)
         self.setStyleSheet(_ERROR if error else "")
         self.setVisible(bool(text))
-        if text:
+        if text and scroll:
             bring_into_sight(self)
 
 
