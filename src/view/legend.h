@@ -16,8 +16,8 @@ enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
 
 /// A picture of a legend.
 struct LegendPicture {
-    int width = 0, height = 0;        ///< pixels
-    std::vector<std::uint8_t> rgba;   ///< four a pixel, the lowest row first
+    int width = 0, height = 0;       ///< pixels
+    std::vector<std::uint8_t> rgba;  ///< four a pixel, the lowest row first
     Corner left_free = Corner::TopRight;
     int reach = 0;  ///< pixels from that corner in both directions that are not the legend's to cover; 0: none
 };
