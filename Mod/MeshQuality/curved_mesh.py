@@ -133,6 +133,11 @@ class CurvedMesh:
         """float64 (T,): of each triangle, or of the tetrahedron behind it where there is one."""
         return self._shown(self.triangle_quality, self.tetrahedron_quality)
 
+    def tetrahedra_at_surface(self):
+        """How many tetrahedra have a triangle on the surface."""
+        behind = self._curved.tetrahedra_behind()
+        return len(np.unique(behind[behind >= 0]))
+
     def shown_distortion(self, progress=None):
         """float64 (T,), likewise; progress as for curve."""
         tetrahedra = self._distortion("tetrahedron_distortions", progress)
@@ -143,13 +148,6 @@ class CurvedMesh:
             return of_triangles
         behind = self._curved.tetrahedra_behind()
         return np.where(behind >= 0, of_tetrahedra[np.maximum(behind, 0)], of_triangles)
-
-    def tetrahedra_at_surface(self):
-        """How many tetrahedra have a triangle of the surface; 0 without tetrahedra."""
-        if not len(self.tetrahedra):
-            return 0
-        behind = self._curved.tetrahedra_behind()
-        return len(np.unique(behind[behind >= 0]))
 
     def tessellate(self, deviation=None, progress=None):
         """Flat triangles that the curved ones keep within `deviation` mm of.

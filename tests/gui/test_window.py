@@ -13,7 +13,7 @@ import Mesh
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
-from MeshQuality.features import quality_mesh
+from MeshQuality.features import certificate, quality_mesh
 from MeshQuality.gui import background, badge, commands, export_panel, jobs, looks, quality_panel, trial
 
 DARK = """QWidget { background-color: #2b2b2b; color: #dddddd }
@@ -218,6 +218,17 @@ class InPlaceOfSources(gui_helpers.PanelTest):
         self.assertEqual(self.visible(box), [True])
         self.assertEqual(self.document.Objects, [box])
 
+    def test_deleting_the_mesh_shows_its_sources_again(self):
+        sources = self.two_boxes()
+        both = mq.add_boolean(*sources, "union")
+        self.select(both)
+        FreeCADGui.runCommand("Std_Delete")
+        gui_helpers.wait(0.2)
+        self.assertEqual(self.document.Objects, list(sources))
+        self.assertEqual(self.visible(*sources), [True, True])
+        self.document.undo()
+        self.assertEqual(self.visible(*sources), [False, False])
+
     def test_editing_leaves_it_to_the_user_what_is_seen(self):
         box = self.box()
         obj = mq.add_quality_mesh(box)
@@ -239,7 +250,7 @@ class InPlaceOfSources(gui_helpers.PanelTest):
     def test_show_where_leaves_all_as_it_was(self):
         wedge = self.box("Wedge", Length=10, Width=0.2)
         obj = mq.add_quality_mesh(wedge)
-        obj.Certificate, obj.CertificateFaces = "missed: something", ["Face1", "Face2"]
+        obj.Certificate, obj.CertificateFaces = certificate.MISSED + "something", ["Face1", "Face2"]
         self.select(wedge)
         panel = commands.panel_of(obj)
         FreeCADGui.Control.showDialog(panel)

@@ -231,7 +231,8 @@ class QualityData:
                                np.array(shown.edge_lines, dtype=np.int32))
         self.jacobians = np.array(curved.shown_quality)
         self._curved = curved
-        self.tetrahedra, self.shown = len(curved.tetrahedra), curved.tetrahedra_at_surface()
+        self.tetrahedra = len(curved.tetrahedra)
+        self.shown = curved.tetrahedra_at_surface() if self.tetrahedra else 0
 
     @cached_property
     def lines(self):
