@@ -222,10 +222,10 @@ class QualityPanel:
         text = found.scale.text
         worst, mean = text(found.values[found.worst[0]]), text(_mean(found.values))
         if found.of_all is not None:
-            words = translate("MeshQuality", "{0} tetrahedra: worst {1}, mean {2}\n"
-                                             "Shown are the {3} at the surface: worst {4}, mean {5}")
-            return words.format(f"{self.data.tetrahedra:,}", *map(text, found.of_all),
-                                f"{self.data.shown:,}", worst, mean)
+            everything = translate("MeshQuality", "{0} tetrahedra: worst {1}, mean {2}")
+            shown = translate("MeshQuality", "Shown are the {0} at the surface: worst {1}, mean {2}")
+            return "\n".join((everything.format(f"{self.data.tetrahedra:,}", *map(text, found.of_all)),
+                              shown.format(f"{self.data.shown:,}", worst, mean)))
         words = translate("MeshQuality", "{0} elements: worst {1}, mean {2}") if self.data.curved \
             else translate("MeshQuality", "{0} triangles: worst {1}, mean {2}")
         return words.format(f"{self.data.elements:,}", worst, mean)
