@@ -14,6 +14,8 @@ from MeshQuality.gui import mesh_panel, preferences
 
 PICTURES = os.environ.get("MESHQUALITY_GUI_PICTURES", ".")
 WIDTH, HEIGHT = 700, 500
+DARK = """QWidget { background-color: #2b2b2b; color: #dddddd }
+QLineEdit, QAbstractSpinBox, QComboBox, QListWidget, QTableWidget { background-color: #3c3c3c }"""
 LIMIT = 60  # seconds for what a test waits for
 
 

@@ -10,6 +10,7 @@ import gui_helpers
 import Mesh
 import numpy as np
 import Part
+from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality import convert
@@ -301,6 +302,18 @@ class QualityView(gui_helpers.GuiTest):
         self.assertGreater(min(counts), 300)
         self.assertLess(max(counts), 1.5 * min(counts))
 
+    def test_the_panel_is_legible_in_a_dark_theme(self):
+        app = QtGui.QApplication.instance()
+        self.addCleanup(app.setStyleSheet, app.styleSheet())
+        app.setStyleSheet(gui_helpers.DARK)
+        panel = self.open(self.meshed(Part.makeCylinder(5, 20), chord_height=0.05))
+        panel.tabs.setCurrentIndex(1)
+        gui_helpers.wait(0.3)
+        self.screen_with(panel, "quality_dark_theme")
+        panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_quality_dark_theme.png")
+        axis = gui_helpers.pixels_of(panel.histogram.grab().toImage())[-12:]
+        self.assertGreater((axis.min(axis=2) > 150).sum(), 20)
+
     def area(self, before, after):
         """Where two pictures of the screen differ: left, top, right, bottom."""
         rows, columns = np.nonzero(np.abs(before - after).max(axis=2) > 12)
@@ -313,6 +326,7 @@ class QualityView(gui_helpers.GuiTest):
         self.addCleanup(parameters.RemBool, "ShowNaviCube")
         window = FreeCADGui.getMainWindow()
         self.addCleanup(window.resize, window.size())
+        self.addCleanup(window.move, window.pos())
         for size in ((1366, 768), (1366, 660)):
             window.resize(*size)
             for corner in range(4):

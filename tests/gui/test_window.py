@@ -16,9 +16,6 @@ import MeshQuality as mq
 from MeshQuality.features import certificate, quality_mesh
 from MeshQuality.gui import background, badge, commands, export_panel, jobs, looks, quality_panel, trial
 
-DARK = """QWidget { background-color: #2b2b2b; color: #dddddd }
-QLineEdit, QAbstractSpinBox, QComboBox, QListWidget, QTableWidget { background-color: #3c3c3c }"""
-
 
 def in_sight(widget):
     """Whether all of a widget lies within what its task view shows."""
@@ -97,7 +94,7 @@ class SmallScreen(gui_helpers.PanelTest):
             if dark:
                 before = QtGui.QApplication.instance().styleSheet()
                 self.addCleanup(QtGui.QApplication.instance().setStyleSheet, before)
-                QtGui.QApplication.instance().setStyleSheet(DARK)
+                QtGui.QApplication.instance().setStyleSheet(gui_helpers.DARK)
             panel = self.panel(commands.Triangulate, self.box())
             panel.options.set_values({"max_edge": 0.01})
             self.scrolled_down(panel)
