@@ -276,20 +276,20 @@ class Background(gui_helpers.PanelTest):
 
     def test_the_work_goes_on_without_its_panel(self):
         box = self.box()
-        job = self.begin(box, max_edge=0.15)
+        job = self.begin(box, max_edge=0.1)
         self.assertTrue(job.active)
         indicator = background.indicator()
         self.until(indicator.isVisible)
         self.assertIn("Quality mesh: ", indicator.text.text())
         gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "window_background.png"))
         # Another panel can be used meanwhile.
-        other = self.panel(commands.Curve, box)
-        self.assertTrue(other.form.isVisible())
+        other = self.panel(commands.Triangulate, box)
+        self.until(lambda: "once other work has ended" in other.estimate.text())
         other.reject()
         self.until(lambda: not job.active)
         self.assertEqual(job.state, jobs.DONE)
         obj = self.document.Objects[-1]
-        self.assertEqual((obj.Source, obj.MaxEdge.Value), (box, 0.15))
+        self.assertEqual((obj.Source, obj.MaxEdge.Value), (box, 0.1))
         self.assertFalse(box.ViewObject.Visibility)
         self.assertFalse(indicator.isVisible())
         self.assertEqual(self.document.UndoNames[0], commands.Triangulate.TEXT)

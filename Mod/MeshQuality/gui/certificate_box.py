@@ -7,7 +7,6 @@ import numpy as np
 from PySide import QtGui
 
 from ..features import certificate, mesh_object
-from . import looks
 from .places import Mark, sub_element
 from .quality_scene import flight_to
 from .words import translated_certificate
@@ -79,7 +78,8 @@ class CertificateBox(QtGui.QWidget):
     def _remember(self, view):
         """What is to be as before once the panel closes."""
         self._modes.setdefault(view, view.DisplayMode)
-        for source in looks.sources_of(self._obj):
+        source = getattr(self._obj, "Source", None)
+        if source is not None:
             self._visible.setdefault(source.ViewObject, source.ViewObject.Visibility)
         if self._selected is None:
             self._selected = [(part.Object, name) for part in FreeCADGui.Selection.getSelectionEx("", 0)

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the 3D view shows once a mesh is there: the mesh with its edges in place of its sources."""
 
+import FreeCAD
+
+from ..features import mesh_object
+
 _EDGES = "Flat Lines"
 _MOST = 200_000  # triangles: the edges of more cover the surface, and take as long to draw as that
 
@@ -19,10 +23,9 @@ def show_in_place_of_sources(obj):
 
 def sources_of(obj):
     """The document objects that a mesh is made of; none of an imported one, or of a shape."""
-    if not obj.isDerivedFrom("Mesh::Feature"):
-        return []
-    sources = [getattr(obj, "Source", None), *getattr(obj, "Sources", [])]
-    return [source for source in sources if source is not None]
+    proxy = getattr(obj, "Proxy", None)
+    sources = proxy.sources(obj) if isinstance(proxy, mesh_object.MeshObject) else []
+    return [source for source in sources if isinstance(source, FreeCAD.DocumentObject)]
 
 
 def all_sources_of(obj):

@@ -231,8 +231,11 @@ class MeshPanel:
         self._trials = []
         self.presets.show(self.options.values(), self._size)
         if self.operations[0].trial is not None:
-            self.estimate.setText(translate("MeshQuality", "Counting triangles ..."))
+            self._counting()
             self._timer.start()
+
+    def _counting(self):
+        self.estimate.setText(translate("MeshQuality", "Counting triangles ..."))
 
     def _start_trial(self):
         try:
@@ -242,9 +245,11 @@ class MeshPanel:
             self.estimate.setText("")
             self._say(translated(error), error=True, scroll=False)
             return
+        if len(jobs.queue()):
+            self.estimate.setText(translate("MeshQuality", "The triangles are counted once other work has ended."))
         self._trial = jobs.queue().add(jobs.Job(
             "Estimate", lambda progress: [trial.compute(progress) for trial in trials],
-            lambda _: self._show_estimate(trials), quiet=True))
+            lambda _: self._show_estimate(trials), quiet=True, prepare=self._counting))
 
     def _show_estimate(self, trials):
         self._trials = trials

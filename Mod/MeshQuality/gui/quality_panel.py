@@ -165,14 +165,19 @@ class QualityPanel:
         if measure.title in self._found:
             self._show(measure, self._found[measure.title])
             return
-        self._say(translate("MeshQuality", "Measuring ..."))
+        self._measuring()
+        if len(jobs.queue()):
+            self._say(translate("MeshQuality", "It is measured once other work has ended."))
         self._job = jobs.queue().add(jobs.Job(
             measure.title, lambda progress: self._compute(measure, progress),
-            lambda found: self._take(measure, found), quiet=True))
+            lambda found: self._take(measure, found), quiet=True, prepare=self._measuring))
         job = self._job
         job.changed.connect(lambda: job.active and job.fraction and self._say(
             translate("MeshQuality", "Measuring: {0} %").format(round(100 * job.fraction))))
         job.ended.connect(lambda: job.error and self._say(translated(job.error)))
+
+    def _measuring(self):
+        self._say(translate("MeshQuality", "Measuring ..."))
 
     def _compute(self, measure, progress):
         self.data.prepare()
