@@ -140,6 +140,11 @@ class CurvedMesh:
         """float64 (T,): of each triangle, or of the tetrahedron behind it where there is one."""
         return self._shown(self.triangle_quality, self.tetrahedron_quality)
 
+    def tetrahedra_at_surface(self):
+        """How many tetrahedra have a triangle on the surface."""
+        behind = self._curved.tetrahedra_behind()
+        return len(np.unique(behind[behind >= 0]))
+
     def shown_distortion(self, progress=None):
         """float64 (T,), likewise; progress as for curve."""
         tetrahedra = self._distortion("tetrahedron_distortions", progress)

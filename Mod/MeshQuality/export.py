@@ -28,14 +28,18 @@ def export_curved_mesh(obj, path):
 
 def checked(path):
     """The path as absolute text; raises IoError where nothing can be written there."""
+    endings = " or ".join(CURVED_FORMATS)
+    if not os.fspath(path):
+        raise IoError(f"the file has no name: give one that ends in {endings}")
     path = os.path.abspath(os.fspath(path))
     folder, extension = os.path.dirname(path), os.path.splitext(path)[1].lower()
+    if os.path.isdir(path):
+        raise IoError(f"{path} is a folder and cannot be written: give the name of a file that ends in {endings}")
     if extension not in CURVED_FORMATS:
-        raise IoError(f"{path}: a name that ends in {' or '.join(CURVED_FORMATS)} is needed, not in "
-                      f"'{extension}'")
+        raise IoError(f"{path}: curved elements are written into files with a name that ends in {endings}")
     if not os.path.isdir(folder):
         raise IoError(f"{path}: there is no folder {folder}")
-    if os.path.isdir(path) or not os.access(folder, os.W_OK):
+    if not os.access(folder, os.W_OK):
         raise IoError(f"{path} cannot be written")
     return path
 

@@ -40,13 +40,49 @@ std::vector<Colour> colours_of(const Array<std::uint8_t>& array) {
     return colours;
 }
 
+view::LegendPicture legend_of(const Array<std::uint8_t>& rows, int corner, int reach) {
+    if (rows.size() == 0) {
+        return {};
+    }
+    if (rows.ndim() != 3 || rows.shape(2) != 4 || corner < 0 || corner > 3) {
+        throw InvalidInput("a legend is given as (height, width, 4) numbers and a corner from 0 to 3");
+    }
+    view::LegendPicture picture;
+    picture.width = static_cast<int>(rows.shape(1));
+    picture.height = static_cast<int>(rows.shape(0));
+    picture.rgba.assign(rows.data(), rows.data() + rows.size());
+    picture.left_free = static_cast<view::Corner>(corner);
+    picture.reach = reach;
+    return picture;
+}
+
+void bind_legend(py::class_<QualityScene>& scenes) {
+    scenes
+        .def(
+            "legend",
+            [](QualityScene& scene, const Array<std::uint8_t>& rows, int corner, int reach) {
+                scene.legend().show(legend_of(rows, corner, reach));
+            },
+            py::arg("rows"), py::arg("corner"), py::arg("reach"),
+            "uint8 (height, width, 4): a picture, the lowest row first, and the corner of the view that it leaves free "
+            "(0 to 3: top left, top right, bottom left, bottom right) so many pixels far; no row: no legend.")
+        .def(
+            "legend_place",
+            [](QualityScene& scene, short width, short height) {
+                const auto place = scene.legend().place_in({width, height});
+                return std::pair(place[0], place[1]);
+            },
+            py::arg("width"), py::arg("height"),
+            "Where the picture's lower left corner is in a view of so many pixels, in pixels from the view's.");
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_view, m) {
     m.doc() = "What MeshQuality draws in FreeCAD's 3D view, by Coin.";
     bind_errors(m);
-    py::class_<QualityScene>(m, "QualityScene", "A coloured mesh with edges, lit triangles and a legend.")
-        .def(py::init<>())
+    py::class_<QualityScene> scenes(m, "QualityScene", "A coloured mesh with edges, lit triangles and a legend.");
+    scenes.def(py::init<>())
         .def_property_readonly("name", &QualityScene::name, "By which coin.SoNode.getByName finds the root node.")
         .def_property_readonly("triangles", [](QualityScene& scene) { return scene.triangles().count(); })
         .def(
@@ -86,12 +122,8 @@ PYBIND11_MODULE(_view, m) {
             [](QualityScene& scene, const Array<float>& corners) {
                 scene.light_up(corners.data(), rows(corners, 9, "corners"));
             },
-            py::arg("corners"), "Lights up triangles, float32 (n, 3, 3), instead of those before.")
-        .def(
-            "legend",
-            [](QualityScene& scene, const std::string& title, const Array<std::uint8_t>& colours,
-               const std::vector<std::string>& labels) { scene.legend(title, colours_of(colours), labels); },
-            py::arg("title"), py::arg("colours"), py::arg("labels"), "Colours from bottom to top; none: no legend.");
+            py::arg("corners"), "Lights up triangles, float32 (n, 3, 3), instead of those before.");
+    bind_legend(scenes);
 }
 
 }  // namespace mq::python

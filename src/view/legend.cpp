@@ -1,99 +1,104 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "view/legend.h"
 
-#include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoDepthBuffer.h>
-#include <Inventor/nodes/SoFaceSet.h>
-#include <Inventor/nodes/SoFont.h>
-#include <Inventor/nodes/SoLightModel.h>
+#include <Inventor/nodes/SoImage.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
-#include <Inventor/nodes/SoSeparator.h>
-#include <Inventor/nodes/SoText2.h>
 #include <Inventor/nodes/SoTranslation.h>
-#include <Inventor/nodes/SoVertexProperty.h>
 
-#include "view/overlay.h"
+#include <algorithm>
+
+#include "base/error.h"
 
 namespace mq::view {
 
 namespace {
 
-// The window reaches from -1 to 1 in both directions.
-constexpr float kLeft = 0.92F, kRight = 0.96F, kBottom = -0.6F, kTop = 0.6F;
-constexpr float kGap = 0.015F;
-constexpr float kTextHeight = 0.02F;
-constexpr float kFontSize = 13.0F;  // pixels
+constexpr int kMargin = 10;  // pixels between the picture and the window's edge
 
-SoSeparator* text(const std::string& words, float x, float y) {
-    auto* separator = new SoSeparator;
-    auto* place = new SoTranslation;
-    place->translation.setValue(x, y, 0.0F);
-    auto* label = new SoText2;
-    label->string.setValue(words.c_str());
-    label->justification = SoText2::RIGHT;
-    separator->addChild(place);
-    separator->addChild(label);
-    return separator;
-}
-
-SoFaceSet* bar(const std::vector<Colour>& colours) {
-    auto* points = new SoVertexProperty;
-    points->materialBinding = SoVertexProperty::PER_FACE;
-    const float step = (kTop - kBottom) / static_cast<float>(colours.size());
-    int n = 0;
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        const float low = kBottom + step * static_cast<float>(i);
-        points->orderedRGBA.set1Value(static_cast<int>(i), packed(colours[i]));
-        points->vertex.set1Value(n++, kLeft, low, 0.0F);
-        points->vertex.set1Value(n++, kRight, low, 0.0F);
-        points->vertex.set1Value(n++, kRight, low + step, 0.0F);
-        points->vertex.set1Value(n++, kLeft, low + step, 0.0F);
-    }
-    auto* faces = new SoFaceSet;
-    faces->vertexProperty = points;
-    faces->numVertices.setNum(static_cast<int>(colours.size()));
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        faces->numVertices.set1Value(static_cast<int>(i), 4);
-    }
-    return faces;
-}
-
-}  // namespace
-
-SoSeparator* make_legend() {
-    Overlay::initClass();
-    return new Overlay;
-}
-
-void fill_legend(SoSeparator& legend, const std::string& title, const std::vector<Colour>& colours,
-                 const std::vector<std::string>& labels) {
-    legend.removeAllChildren();
-    if (colours.empty()) {
-        return;
-    }
-    auto* camera = new SoOrthographicCamera;
+SoOrthographicCamera* whole_window() {
+    auto* camera = new SoOrthographicCamera;  // sees from -1 to 1 in both directions
     camera->viewportMapping = SoCamera::LEAVE_ALONE;
     camera->position.setValue(0.0F, 0.0F, 1.0F);
     camera->height = 2.0F;
     camera->nearDistance = 0.5F;
     camera->farDistance = 2.0F;
+    return camera;
+}
+
+SoImage* image_of(const LegendPicture& picture) {
+    auto* image = new SoImage;
+    image->vertAlignment = SoImage::BOTTOM;
+    image->horAlignment = SoImage::LEFT;
+    image->image.setValue(SbVec2s(static_cast<short>(picture.width), static_cast<short>(picture.height)), 4,
+                          picture.rgba.data());
+    return image;
+}
+
+/// The coordinate of the window from -1 to 1 at a pixel.
+float window_coordinate(int pixel, int pixels) {
+    // A little inside of the pixel, so that rounding does not lead to the one before.
+    return (2.0F * (static_cast<float>(pixel) + 0.25F)) / static_cast<float>(std::max(pixels, 1)) - 1.0F;
+}
+
+}  // namespace
+
+SO_NODE_SOURCE(Legend);
+
+void Legend::initClass() {
+    Overlay::initClass();
+    if (getClassTypeId() == SoType::badType()) {
+        SO_NODE_INIT_CLASS(Legend, Overlay, "Overlay");
+    }
+}
+
+Legend::Legend() {
+    SO_NODE_CONSTRUCTOR(Legend);
+}
+
+void Legend::show(const LegendPicture& picture) {
+    if (picture.rgba.size() != std::size_t{4} * picture.width * picture.height) {
+        throw InvalidInput("a legend of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+                           " pixels was given " + std::to_string(picture.rgba.size()) + " numbers, not four a pixel");
+    }
+    removeAllChildren();
+    picture_ = picture;
+    window_ = SbVec2s(0, 0);
+    if (picture.rgba.empty()) {
+        return;
+    }
     auto* in_front = new SoDepthBuffer;
     in_front->test = FALSE;
-    auto* light = new SoLightModel;
-    light->model = SoLightModel::BASE_COLOR;
-    auto* font = new SoFont;
-    font->size = kFontSize;
-    auto* ink = new SoBaseColor;
-    ink->rgb.setValue(0.0F, 0.0F, 0.0F);
-    for (SoNode* node : {static_cast<SoNode*>(camera), static_cast<SoNode*>(in_front), static_cast<SoNode*>(light),
-                         static_cast<SoNode*>(bar(colours)), static_cast<SoNode*>(font), static_cast<SoNode*>(ink)}) {
-        legend.addChild(node);
+    place_ = new SoTranslation;
+    addChild(whole_window());
+    addChild(in_front);
+    addChild(place_);
+    addChild(image_of(picture));
+}
+
+SbVec2s Legend::place_in(const SbVec2s& window) const {
+    int right = window[0] - kMargin, low = kMargin, high = window[1] - kMargin;
+    const bool at_top = picture_.left_free == Corner::TopRight;
+    if (picture_.reach > 0 && (at_top || picture_.left_free == Corner::BottomRight)) {
+        if (high - low - picture_.reach >= picture_.height) {
+            (at_top ? high : low) += at_top ? -picture_.reach : picture_.reach;
+        } else {
+            right -= picture_.reach;
+        }
     }
-    legend.addChild(text(title, kRight, kTop + 3.0F * kTextHeight));
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        const float part = labels.size() > 1 ? static_cast<float>(i) / static_cast<float>(labels.size() - 1) : 0.0F;
-        legend.addChild(text(labels[i], kLeft - kGap, kBottom + part * (kTop - kBottom) - 0.5F * kTextHeight));
+    return {static_cast<short>(right - picture_.width), static_cast<short>((low + high - picture_.height) / 2)};
+}
+
+void Legend::begin_drawing(const SbVec2s& window) {
+    if (window == window_ || getNumChildren() == 0) {
+        return;
     }
+    window_ = window;
+    const SbVec2s place = place_in(window);
+    // It is being drawn: nobody needs to be told to draw it again.
+    const SbBool told = place_->translation.enableNotify(FALSE);
+    place_->translation.setValue(window_coordinate(place[0], window[0]), window_coordinate(place[1], window[1]), 0.0F);
+    place_->translation.enableNotify(told);
 }
 
 }  // namespace mq::view

@@ -15,10 +15,12 @@ void Overlay::initClass() {
 
 Overlay::Overlay() {
     SO_NODE_CONSTRUCTOR(Overlay);
+    renderCaching = OFF;
 }
 
 void Overlay::GLRenderBelowPath(SoGLRenderAction* action) {
     if (action->isRenderingDelayedPaths()) {
+        begin_drawing(action->getViewportRegion().getViewportSizePixels());
         SoSeparator::GLRenderBelowPath(action);
     } else {
         action->addDelayedPath(action->getCurPath()->copy());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <Inventor/SbVec2s.h>
 #include <Inventor/nodes/SoSeparator.h>
 
 namespace mq::view {
@@ -21,6 +22,8 @@ class Overlay : public SoSeparator {
 
   protected:
     ~Overlay() override = default;
+    /// Called before it is drawn in a window of this size in pixels.
+    virtual void begin_drawing(const SbVec2s& window) { static_cast<void>(window); }
 };
 
 }  // namespace mq::view

@@ -58,7 +58,8 @@ QualityScene::QualityScene() {
     root_->setName(name_.c_str());
     make_triangles();
     make_lit();
-    legend_ = make_legend();
+    Legend::initClass();
+    legend_ = new Legend;
     root_->addChild(legend_);
     show(nullptr, 0);
     draw_edges(nullptr, 0, {});
@@ -161,11 +162,6 @@ void QualityScene::light_up(const float* corners, std::size_t triangles) {
     lit_->vertex.setValues(0, static_cast<int>(4 * triangles), reinterpret_cast<const float(*)[3]>(rounds.data()));
     set_runs(lit_faces_->numVertices, triangles, 4);
     set_runs(lit_outlines_->numVertices, triangles, 4);
-}
-
-void QualityScene::legend(const std::string& title, const std::vector<Colour>& colours,
-                          const std::vector<std::string>& labels) {
-    fill_legend(*legend_, title, colours, labels);
 }
 
 }  // namespace mq::view

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "view/colour.h"
+#include "view/legend.h"
 #include "view/shaded_triangles.h"
 
 class SoAction;
@@ -51,8 +51,7 @@ class QualityScene {
     /// Lights up other triangles than before: they are drawn over the others with thick outlines, so that the smallest
     /// one is seen from afar.
     void light_up(const float* corners, std::size_t triangles);
-    /// Colours from bottom to top, and labels spread evenly over them; none: no legend.
-    void legend(const std::string& title, const std::vector<Colour>& colours, const std::vector<std::string>& labels);
+    Legend& legend() { return *legend_; }
 
   private:
     static void begin_drawing(void* scene, SoAction* action);
@@ -72,7 +71,7 @@ class QualityScene {
     SoVertexProperty* lit_ = nullptr;
     SoFaceSet* lit_faces_ = nullptr;
     SoLineSet* lit_outlines_ = nullptr;
-    SoSeparator* legend_ = nullptr;
+    Legend* legend_ = nullptr;
 };
 
 }  // namespace mq::view

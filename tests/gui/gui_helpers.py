@@ -14,6 +14,8 @@ from MeshQuality.gui import mesh_panel, preferences
 
 PICTURES = os.environ.get("MESHQUALITY_GUI_PICTURES", ".")
 WIDTH, HEIGHT = 700, 500
+DARK = """QWidget { background-color: #2b2b2b; color: #dddddd }
+QLineEdit, QAbstractSpinBox, QComboBox, QListWidget, QTableWidget { background-color: #3c3c3c }"""
 LIMIT = 60  # seconds for what a test waits for
 
 
@@ -22,6 +24,18 @@ def wait(seconds=0.05):
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         QtGui.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+
+
+def screen():
+    """What the screen shows, as a picture; that of a widget has no 3D view."""
+    return QtGui.QGuiApplication.primaryScreen().grabWindow(0).toImage()
+
+
+def pixels_of(image):
+    """A picture as (height, width, 3) numbers."""
+    image = image.convertToFormat(QtGui.QImage.Format_RGB888)
+    rows = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(image.height(), -1)
+    return rows[:, :3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
 
 
 class GuiTest(helpers.DocumentTest):
@@ -46,14 +60,13 @@ class GuiTest(helpers.DocumentTest):
         wait()
         return self.saved(name, folder)
 
-    def saved(self, name, folder=PICTURES):
+    def saved(self, name, folder=PICTURES, background="White"):
         """The same, from where the camera is."""
         path = os.path.join(folder, f"{name}.png")
-        self.view.saveImage(path, WIDTH, HEIGHT, "White")
-        image = QtGui.QImage(path).convertToFormat(QtGui.QImage.Format_RGB888)
+        self.view.saveImage(path, WIDTH, HEIGHT, background)
+        image = QtGui.QImage(path)
         self.assertEqual((image.width(), image.height()), (WIDTH, HEIGHT))
-        rows = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(HEIGHT, -1)
-        return rows[:, :3 * WIDTH].reshape(HEIGHT, WIDTH, 3).astype(int)
+        return pixels_of(image)
 
 
 class PanelTest(GuiTest):

@@ -108,15 +108,33 @@ class Commands(gui_helpers.PanelTest):
         self.assertFalse(panel.jobs)
         self.assertTrue(panel.reject())
 
-    def test_a_document_closed_before_ok_is_said_in_the_panel(self):
+    def test_a_document_closed_before_ok_closes_the_panel(self):
+        for edited in (False, True):
+            other = FreeCAD.newDocument("Other")
+            source = other.addObject("Part::Box", "Box")
+            other.recompute()
+            if edited:
+                panel = commands.panel_of(mq.add_quality_mesh(source))
+                FreeCADGui.Control.showDialog(panel)
+            else:
+                panel = self.panel(commands.Triangulate, source)
+            self.assertTrue(FreeCADGui.Control.activeDialog())
+            FreeCAD.closeDocument("Other")
+            self.until(lambda: not FreeCADGui.Control.activeDialog())
+
+    def test_the_document_of_a_panel_that_is_gone_closes_no_other(self):
         other = FreeCAD.newDocument("Other")
         source = other.addObject("Part::Box", "Box")
         other.recompute()
-        panel = self.panel(commands.Triangulate, source)
+        self.panel(commands.Triangulate, source)
+        FreeCADGui.Control.closeDialog()
+        FreeCAD.setActiveDocument(self.document.Name)
+        self.names.append(other.Name)
+        panel = self.panel(commands.Triangulate, self.box())
         FreeCAD.closeDocument("Other")
-        panel.accept()
-        self.assertIn("The document was closed. Close this panel.", panel.said)
-        self.assertTrue(panel.reject())
+        gui_helpers.wait(0.2)
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        self.assertTrue(panel.form.isVisible())
 
     def test_every_command_has_its_icon_and_its_own_shortcut(self):
         names = [name for name in FreeCADGui.listCommands() if name.startswith("MeshQuality_")]

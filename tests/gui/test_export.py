@@ -68,6 +68,41 @@ class Export(gui_helpers.PanelTest):
             panel.reject()
         self.assertEqual(os.listdir(self.folder), ["folder.msh"])
 
+    def test_a_name_without_an_ending_gets_that_of_the_format(self):
+        obj = self.curved()
+        for index, ending in enumerate((".msh", ".vtu")):
+            panel = self.panel_for(obj, "part")
+            panel.formats.setCurrentIndex(index)
+            self.write(panel)
+            self.assertEqual(panel.said, "")
+            self.assertTrue(os.path.isfile(os.path.join(self.folder, "part" + ending)))
+        self.assertEqual(sorted(os.listdir(self.folder)), ["part.msh", "part.vtu"])
+
+    def test_the_format_follows_the_name_and_the_name_the_format(self):
+        panel = self.panel_for(self.curved(), "part.vtu")
+        self.assertEqual(panel.formats.currentData(), ".vtu")
+        panel.formats.setCurrentIndex(0)
+        self.assertTrue(panel.path.property("fileName").endswith("part.msh"))
+
+    def test_without_a_name_it_says_what_to_do(self):
+        obj = self.curved()
+        panel = self.panel_for(obj, "part.msh")
+        for path, words in (("", "Choose a file"), (self.folder, "is a folder")):
+            panel.path.setProperty("fileName", path)
+            self.write(panel)
+            self.assertIn(words, panel.said)
+            self.assertTrue(FreeCADGui.Control.activeDialog())
+        with self.assertRaisesRegex(mq.IoError, "the file has no name"):
+            mq.export_curved_mesh(obj, "")
+
+    def test_its_document_closed_closes_it(self):
+        other = FreeCAD.newDocument("Other")
+        source = other.addObject("Part::Box", "Box")
+        other.recompute()
+        FreeCADGui.Control.showDialog(export_panel.ExportPanel(mq.add_curved_mesh(source)))
+        FreeCAD.closeDocument("Other")
+        self.until(lambda: not FreeCADGui.Control.activeDialog())
+
     def test_cancel_writes_nothing(self):
         obj = self.curved()
         panel = self.panel_for(obj, "part.msh")

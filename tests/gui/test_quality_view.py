@@ -10,11 +10,12 @@ import gui_helpers
 import Mesh
 import numpy as np
 import Part
+from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality import convert
 from MeshQuality.compat import core
-from MeshQuality.gui import commands, quality_data, quality_panel, quality_scene
+from MeshQuality.gui import commands, legend, quality_data, quality_panel, quality_scene
 
 MAGENTA = (255, 32, 255)
 
@@ -150,13 +151,29 @@ class QualityView(gui_helpers.GuiTest):
         self.assertEqual(panel.data.elements, len(mq.CurvedMesh.of(obj).triangles))
         self.assertGreater(len(panel.data.corners), panel.data.elements)
         self.assertGreaterEqual(panel.values.min(), obj.MinScaledJacobian)
-        self.assertIn(f"{panel.data.elements:,} elements", panel.summary.text())
+        curved = mq.CurvedMesh.of(obj)
+        self.assertIn(f"{obj.Elements:,} tetrahedra: worst {obj.MinScaledJacobian:.4g}, mean "
+                      f"{curved.tetrahedron_quality.mean():.4g}\n", panel.summary.text())
+        at_surface = (curved.node_entity[curved.tetrahedra[:, :4]][:, :, 0] < 3).sum(axis=1) >= 3
+        self.assertLess(panel.data.shown, obj.Elements)
+        self.assertLessEqual(panel.data.shown, at_surface.sum())
+        self.assertIn(f"Shown are the {panel.data.shown:,} at the surface: worst {panel.values.min():.4g}",
+                      panel.summary.text())
         self.choose(panel, quality_data.DISTORTION)
-        found = mq.CurvedMesh.of(obj).shown_distortion()
+        found = curved.shown_distortion()
         np.testing.assert_array_equal(panel.values, found)
         self.assertIn(f"{found.max():.4g}: element {found.argmax()} on Face1",
                       panel.worst.item(0).text())
-        self.assertIn(f"worst {found.max():.4g}", panel.summary.text())
+        self.assertIn(f"tetrahedra: worst {obj.MaxShapeDistortion:.4g}", panel.summary.text())
+        self.assertIn(f"surface: worst {found.max():.4g}", panel.summary.text())
+
+    def test_means_are_those_of_the_properties(self):
+        source = self.document.addObject("Part::Torus", "Torus")
+        self.document.recompute()
+        obj = mq.add_curved_mesh(source, order=2)
+        panel = self.open(obj)
+        self.assertEqual(panel.summary.text(), f"{obj.Elements:,} elements: worst {obj.MinScaledJacobian:.4g}, "
+                                               f"mean {obj.MeanDistortion:.4g}")
 
     def test_folded_elements_are_the_worst_of_all(self):
         obj = self.meshed(Part.makeBox(3, 4, 5))
@@ -164,8 +181,9 @@ class QualityView(gui_helpers.GuiTest):
         values = np.full(panel.data.elements, 1.5)
         values[3] = np.inf
         measure = quality_data.DISTORTION
+        scale = panel.data.scale(measure, values)
         panel._show(measure, quality_panel._Found(
-            values, np.zeros((len(values), 4)), None, quality_data.Histogram.of(values, measure),
+            values, scale, None, np.zeros((len(values), 4)), None, quality_data.Histogram.of(values, scale),
             panel.data.faces(values, measure), measure.order(values)))
         self.assertIn("worst ∞, mean 1.5", panel.summary.text())
         self.assertTrue(panel.worst.item(0).text().startswith("∞: element 3 on Face"))
@@ -181,6 +199,7 @@ class QualityView(gui_helpers.GuiTest):
         obj = self.meshed(Part.makeBox(3, 4, 5))
         graph = self.view.getSceneGraph()
         children = graph.getNumChildren()
+        obj.Source.ViewObject.Visibility = True
         panel = self.open(obj)
         self.assertFalse(obj.ViewObject.Visibility or obj.Source.ViewObject.Visibility)
         self.assertEqual(graph.getNumChildren(), children + 1)
@@ -188,6 +207,174 @@ class QualityView(gui_helpers.GuiTest):
         self.assertTrue(obj.ViewObject.Visibility and obj.Source.ViewObject.Visibility)
         self.assertEqual(graph.getNumChildren(), children)
         self.assertFalse(FreeCADGui.Control.activeDialog())
+
+    def test_all_that_a_mesh_was_made_of_is_hidden_meanwhile(self):
+        boxes = [self.box("First"), self.box("Second")]
+        boxes[1].Placement.Base = FreeCAD.Vector(4, 4, 4)
+        self.document.recompute()
+        mesh = mq.add_quality_mesh(boxes[0])
+        both = mq.add_boolean(mesh, boxes[1], "union")
+        better = mq.add_improved_mesh(both)
+        shown, hidden = [boxes[0], boxes[1], both, better], [mesh]
+        for obj in shown:
+            obj.ViewObject.Visibility = True
+        panel = self.open(better)
+        self.assertFalse(any(obj.ViewObject.Visibility for obj in shown + hidden))
+        panel.reject()
+        self.assertTrue(all(obj.ViewObject.Visibility for obj in shown))
+        self.assertFalse(any(obj.ViewObject.Visibility for obj in hidden))
+
+    def test_the_hint_follows_the_measure(self):
+        panel = self.open(self.meshed(Part.makeSphere(5), chord_height=0.05))
+        first = panel.hint.text()
+        panel.histogram.pick(int(panel.histogram.counts.argmax()))
+        self.assertNotEqual(panel.hint.text(), first)
+        self.choose(panel, quality_data.ASPECT)
+        self.assertEqual(panel.hint.text(), first)
+        self.assertEqual(panel.histogram.chosen, -1)
+
+    def in_units(self, schema):
+        before = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
+        FreeCAD.Units.setSchema(schema)
+        self.addCleanup(FreeCAD.Units.setSchema, before)
+
+    def test_lengths_are_in_the_users_unit_with_all_their_digits(self):
+        obj = self.meshed(Part.makeCylinder(5, 20), chord_height=0.05)
+        for schema, unit, factor in ((0, "µm", 1e-3), (3, "in", 25.4), (7, "ft", 304.8), (5, "in", 25.4)):
+            with self.subTest(schema):
+                self.in_units(schema)
+                panel = self.open(obj)
+                self.choose(panel, quality_data.DISTANCE)
+                worst = f"{panel.values.max() / factor:.4g}"
+                self.assertGreater(float(worst), 0.0)
+                self.assertIn(f"worst {worst} {unit}", panel.summary.text())
+                self.assertTrue(panel.worst.item(0).text().startswith(f"{worst} {unit}: element"))
+                self.assertEqual(panel.tabs.tabText(1), f"Faces [{unit}]")
+                self.assertEqual(panel.faces.item(0, 2).text(), f"{panel.values.max() / factor:.3g}")
+                self.assertIn(f"bound of {0.05 / factor:.4g} {unit}", panel.meaning.text())
+                self.assertIn(unit, panel.histogram.words(0))
+                self.picture(f"quality_unit_{schema}")
+                panel.reject()
+
+    def test_red_is_beyond_the_bound_of_the_distance_only(self):
+        obj = self.meshed(Part.makeCylinder(5, 20), chord_height=0.05)
+        self.assertLessEqual(obj.MaxChordHeight.Value, 0.05)
+        panel = self.open(obj)
+        self.choose(panel, quality_data.DISTANCE)
+        self.assertGreater(panel.values.max(), 0.03)
+        self.assertGreaterEqual(panel.scale.goodness(panel.values).min(), 0.59)
+        self.assertEqual(share_of(self.picture("quality_within")[:, :560], (200, 30, 30), 70), 0.0)
+        panel.reject()
+        obj.AskedChordHeight = 0.01
+        panel = self.open(obj)
+        self.choose(panel, quality_data.DISTANCE)
+        red = panel.scale.goodness(panel.values) == 0.0
+        np.testing.assert_array_equal(red, panel.values > 0.01)
+        self.assertTrue(red.any() and not red.all())
+        self.assertGreater(share_of(self.picture("quality_beyond")[:, :560], (200, 30, 30), 70), 0.05)
+
+    def test_without_a_bound_the_largest_distance_is_red(self):
+        obj = self.meshed(Part.makeCylinder(5, 20))
+        panel = self.open(obj)
+        self.choose(panel, quality_data.DISTANCE)
+        self.assertIsNone(panel.data.bound)
+        self.assertEqual(panel.scale.goodness(panel.values)[panel.values.argmax()], 0.0)
+
+    def legend_of(self, panel, background):
+        """The pixels of the legend in a picture with this background."""
+        left, low = panel.scene.scene.legend_place(gui_helpers.WIDTH, gui_helpers.HEIGHT)
+        high, width = legend.picture(panel.scale).shape[:2]
+        rows = self.saved(f"quality_legend_{background}", background=background)
+        return rows[gui_helpers.HEIGHT - low - high:gui_helpers.HEIGHT - low, left:left + width]
+
+    def test_the_legend_is_legible_on_any_background(self):
+        panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
+        self.view.viewAxonometric()
+        self.view.fitAll()
+        gui_helpers.wait()
+        counts = []
+        for background in ("White", "Black"):
+            found = self.legend_of(panel, background)
+            plate, text = (found.min(axis=2) > 190), (found.max(axis=2) < 90)
+            self.assertGreater(plate.mean(), 0.5)
+            counts.append(text.sum())
+        self.assertGreater(min(counts), 300)
+        self.assertLess(max(counts), 1.5 * min(counts))
+
+    def test_the_panel_is_legible_in_a_dark_theme(self):
+        app = QtGui.QApplication.instance()
+        self.addCleanup(app.setStyleSheet, app.styleSheet())
+        app.setStyleSheet(gui_helpers.DARK)
+        panel = self.open(self.meshed(Part.makeCylinder(5, 20), chord_height=0.05))
+        panel.tabs.setCurrentIndex(1)
+        gui_helpers.wait(0.3)
+        self.screen_with(panel, "quality_dark_theme")
+        panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_quality_dark_theme.png")
+        axis = gui_helpers.pixels_of(panel.histogram.grab().toImage())[-12:]
+        self.assertGreater((axis.min(axis=2) > 150).sum(), 20)
+
+    def area(self, before, after):
+        """Where two pictures of the screen differ: left, top, right, bottom."""
+        rows, columns = np.nonzero(np.abs(before - after).max(axis=2) > 12)
+        self.assertGreater(len(rows), 500)
+        return columns.min(), rows.min(), columns.max(), rows.max()
+
+    def test_the_legend_never_lies_under_the_navigation_cube(self):
+        parameters = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+        self.addCleanup(parameters.RemInt, "CornerNaviCube")
+        self.addCleanup(parameters.RemBool, "ShowNaviCube")
+        window = FreeCADGui.getMainWindow()
+        self.addCleanup(window.resize, window.size())
+        self.addCleanup(window.move, window.pos())
+        for size in ((1366, 768), (1366, 660)):
+            window.resize(*size)
+            for corner in range(4):
+                with self.subTest(corner=corner, size=size):
+                    parameters.SetInt("CornerNaviCube", corner)
+                    gui_helpers.wait(0.2)
+                    panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
+                    window.showNormal()
+                    window.move(1400 - 1423, 0)  # the right side of the 3D view is on the screen
+                    both = self.screen_with(panel, f"quality_cube_{corner}_{size[1]}")
+                    panel.scene.scene.legend(np.zeros((0, 0, 4), dtype=np.uint8), 0, 0)
+                    cube_alone = self.screen_with(panel)
+                    parameters.SetBool("ShowNaviCube", False)
+                    gui_helpers.wait(0.2)
+                    none = self.screen_with(panel)
+                    parameters.SetBool("ShowNaviCube", True)
+                    panel.reject()
+                    legend_at, cube_at = self.area(both, cube_alone), self.area(cube_alone, none)
+                    apart = legend_at[0] > cube_at[2] or legend_at[2] < cube_at[0] \
+                        or legend_at[1] > cube_at[3] or legend_at[3] < cube_at[1]
+                    self.assertTrue(apart, (legend_at, cube_at))
+
+    def screen_with(self, panel, name=None):
+        self.view.redraw()
+        gui_helpers.wait(0.3)
+        image = gui_helpers.screen()
+        if name:
+            image.save(f"{gui_helpers.PICTURES}/{name}.png")
+        return gui_helpers.pixels_of(image)
+
+    def test_no_column_of_the_faces_is_cut_off(self):
+        obj = self.meshed(Part.makeCylinder(5, 20), chord_height=0.05)
+        self.in_units(3)
+        panel = self.open(obj)
+        panel.form.setFixedWidth(260)
+        panel.tabs.setCurrentIndex(1)
+        for measure in panel.data.measures:
+            self.choose(panel, measure)
+            gui_helpers.wait(0.1)
+            table = panel.faces
+            panel.form.grab().save(f"{gui_helpers.PICTURES}/panel_faces_{panel.data.measures.index(measure)}.png")
+            self.assertLessEqual(table.horizontalHeader().length(), table.viewport().width())
+            for column in range(4):
+                width = table.columnWidth(column)
+                texts = [table.item(row, column).text() for row in range(table.rowCount())]
+                for text in texts:
+                    self.assertLessEqual(table.fontMetrics().horizontalAdvance(text), width - 4, text)
+                header = table.horizontalHeaderItem(column).text()
+                self.assertLessEqual(table.fontMetrics().horizontalAdvance(header), width - 4, header)
 
     def test_object_or_document_deleted_meanwhile(self):
         panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))

@@ -66,7 +66,8 @@ class Quitting(unittest.TestCase):
 
     def test_it_ends_while_a_job_runs(self):
         for before in ("FreeCAD.closeDocument('Quit')",
-                       "box.Height = 20"):
+                       "box.Height = 20",
+                       "panel.continue_in_background(); box.Height = 20"):
             with self.subTest(before), tempfile.TemporaryDirectory() as folder:
                 status, seconds, state, output = self.quit_while_it_works(folder, before)
                 self.assertEqual(state, "running")

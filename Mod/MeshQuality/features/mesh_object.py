@@ -441,6 +441,7 @@ def add(document, name, title, make):
                 raise proxy.error
             if FreeCAD.GuiUp:
                 _leave_heavy_to_the_user(obj)
+                _show_in_place_of_sources(obj)
             obj.purgeTouched()
         except BaseException:
             document.removeObject(obj.Name)
@@ -453,6 +454,12 @@ def _leave_heavy_to_the_user(obj):
 
     if obj.Mesh.CountFacets > preferences.manual_above():
         obj.Recompute = MANUAL
+
+
+def _show_in_place_of_sources(obj):
+    from ..gui import looks
+
+    looks.show_in_place_of_sources(obj)
 
 
 def update(obj, values, progress=None):

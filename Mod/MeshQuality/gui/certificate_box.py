@@ -40,6 +40,8 @@ class CertificateBox(QtGui.QWidget):
         super().__init__()
         self._obj = None
         self._modes = {}  # display modes by view, before the place was shown
+        self._visible = {}  # likewise, whether sources were
+        self._selected = None  # likewise, what was selected
         self._mark = self.flight = None
         self.text = QtGui.QLabel()
         self.text.setWordWrap(True)
@@ -74,7 +76,7 @@ class CertificateBox(QtGui.QWidget):
         wires.
         """
         view = self._obj.ViewObject
-        self._modes.setdefault(view, view.DisplayMode)
+        self._remember(view)
         view.DisplayMode = "Wireframe"
         if self._obj.CertificateFaces:
             self._select(self._obj.Proxy.sources(self._obj)[0], self._obj.CertificateFaces)
@@ -84,6 +86,16 @@ class CertificateBox(QtGui.QWidget):
             self._look_at(FreeCADGui.getDocument(self._obj.Document.Name).activeView(), corners)
         else:
             FreeCADGui.SendMsgToActiveView("ViewSelection")
+
+    def _remember(self, view):
+        """What is to be as before once the panel closes."""
+        self._modes.setdefault(view, view.DisplayMode)
+        source = getattr(self._obj, "Source", None)
+        if source is not None:
+            self._visible.setdefault(source.ViewObject, source.ViewObject.Visibility)
+        if self._selected is None:
+            self._selected = [(part.Object, name) for part in FreeCADGui.Selection.getSelectionEx("", 0)
+                              for name in part.SubElementNames or ("",)]
 
     def _select(self, source, faces):
         frames.object_of(source).ViewObject.Visibility = True
@@ -104,8 +116,14 @@ class CertificateBox(QtGui.QWidget):
             self._mark = None
 
     def end(self):
-        """The panel closes: the mesh looks as before."""
+        """The panel closes: mesh, sources and selection are as before."""
         self._end_mark()
         for view, mode in self._modes.items():
             view.DisplayMode = mode
-        self._modes.clear()
+        for view, visible in self._visible.items():
+            view.Visibility = visible
+        if self._selected is not None:
+            FreeCADGui.Selection.clearSelection()
+            for obj, name in self._selected:
+                FreeCADGui.Selection.addSelection(obj, name)
+        self._modes, self._visible, self._selected = {}, {}, None

@@ -6,6 +6,7 @@ import numpy as np
 # Where on the scale, red, green, blue: red, yellow, green, blue.
 _STOPS = np.array([[0.0, 0.85, 0.1, 0.1], [0.3, 0.95, 0.85, 0.1], [0.6, 0.2, 0.75, 0.3],
                    [1.0, 0.2, 0.4, 0.9]])
+GREEN = _STOPS[2, 0]
 
 
 def colours_of(goodness):

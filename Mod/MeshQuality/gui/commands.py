@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The commands of the workbench. Each opens its task panel for what is selected."""
 
+from functools import partial
+
 import FreeCAD
 import FreeCADGui
 
-from .. import convert, frames
-from ..api import triangulate
+from .. import frames
 from ..compat import why_no_core
 from ..features import boolean, curved_mesh, improved_mesh, mesh_object, quality_mesh
 from . import quality_panel
@@ -13,19 +14,21 @@ from .binary_panel import BinaryPanel
 from .export_panel import ExportPanel
 from .mesh_panel import MeshPanel
 from .operation import Operation
+from .trial import Trial
 from .update import update_in_background
 
 
 class _Command:
-    """A subclass has NAME, TEXT (also of the undo step), TIP, KEYS, and KIND, the class of the
-    objects that it adds, if any.
+    """A subclass has NAME, TEXT (also of the undo step), TIP, KEYS, KIND, the class of the objects
+    that it adds, if any, and ASKS, whether it opens a panel.
     """
 
     KIND = None
+    ASKS = True
 
     def GetResources(self):
-        return {"Pixmap": self.NAME, "MenuText": self.TEXT + "...", "ToolTip": self.TIP,
-                "Accel": self.KEYS}
+        return {"Pixmap": self.NAME, "MenuText": self.TEXT + ("..." if self.ASKS else ""),
+                "ToolTip": self.TIP, "Accel": self.KEYS}
 
     def IsActive(self):
         return not why_no_core() and not FreeCADGui.Control.activeDialog() \
@@ -60,19 +63,7 @@ class Triangulate(_Command):
     KEYS = "Q, M"
 
     def trial(self, sources):
-        def prepare(values, most):
-            shape = convert.shape_of(sources[0])
-            values = convert.with_resolved_sizes(sources[0], values)
-            limit = min(most, values["max_triangles"] or most)
-
-            def compute(progress):
-                report = triangulate(shape, **{**values, "max_triangles": limit},
-                                     progress=progress).report
-                return report.triangles, report.complete or limit == values["max_triangles"]
-
-            return compute
-
-        return prepare
+        return partial(Trial, self.KIND, sources)
 
 
 class Quick(Triangulate):
@@ -80,6 +71,7 @@ class Quick(Triangulate):
     TEXT = "Quick mesh"
     TIP = "Mesh the selected shape at once, with the values used last, and show its quality in colour"
     KEYS = "Q, Q"
+    ASKS = False
 
     def Activated(self):
         panel = MeshPanel(Triangulate().operations(self.selected()),
@@ -157,6 +149,7 @@ class Update(_Command):
     TEXT = "Update mesh"
     TIP = "Compute the selected meshes anew where a source or an option has changed"
     KEYS = "Q, U"
+    ASKS = False
 
     def Activated(self):
         for obj in self.selected():

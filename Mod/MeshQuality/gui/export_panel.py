@@ -10,9 +10,10 @@ from PySide import QtGui
 from .. import export
 from ..curved_mesh import CurvedMesh
 from ..errors import Error
-from . import jobs, preferences
+from . import badge, jobs, preferences
 from .mesh_panel import title_of
 from .operation import is_there, name_of
+from .task_form import ClosesWithDocument, Message, is_in_task_view
 from .words import translated
 
 translate = FreeCAD.Qt.translate
@@ -30,27 +31,32 @@ class ExportPanel:
         self.job, self.said = None, ""
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title_of("MeshQuality_Export", "Export curved mesh"))
-        of = QtGui.QLabel(translate("MeshQuality", "Of {}, as curved elements of order {}").format(
+        self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Export")))
+        self._document_watch = ClosesWithDocument(self._document, self.form, self._close)
+        of = QtGui.QLabel(translate("MeshQuality", "Mesh: {}, curved elements of order {}").format(
             obj.Label, obj.ElementsOrder))
+        self.formats = QtGui.QComboBox()
+        for extension, title in export.CURVED_FORMATS.items():
+            self.formats.addItem(f"{title} (*{extension})", extension)
         self.path = FreeCADGui.UiLoader().createWidget("Gui::FileChooser")
         self.path.setProperty("acceptMode", 1)  # a file to save
         self.path.setProperty("filter", ";;".join(
             f"{title} (*{extension})" for extension, title in export.CURVED_FORMATS.items()))
         self.path.setProperty("fileName", self._first_path())
-        formats = ", ".join(f"{end} {title}" for end, title in export.CURVED_FORMATS.items())
-        self.path.setToolTip(
-            translate("MeshQuality", "The ending chooses the format: {}").format(formats))
-        self.message, self.bar = QtGui.QLabel(), QtGui.QProgressBar()
+        self.path.setToolTip(translate("MeshQuality", "A name without an ending gets that of the format"))
+        self.message, self.bar = Message(), QtGui.QProgressBar()
         self.bar.setRange(0, 0)
         self.bar.hide()
         layout = QtGui.QVBoxLayout(self.form)
-        for label in (of, self.message):
-            label.setWordWrap(True)
-        for widget in (of, QtGui.QLabel(translate("MeshQuality", "File")), self.path, self.bar, self.message):
+        layout.setContentsMargins(0, 0, 0, 0)
+        of.setWordWrap(True)
+        for widget in (of, self.message, self.bar, QtGui.QLabel(translate("MeshQuality", "Format")), self.formats,
+                       QtGui.QLabel(translate("MeshQuality", "File")), self.path):
             layout.addWidget(widget)
         layout.addStretch()
-        self.path.fileNameChanged.connect(self._path_changed)
         self._path_changed()
+        self.path.fileNameChanged.connect(self._path_changed)
+        self.formats.currentIndexChanged.connect(self._format_changed)
 
     def accept(self):
         """OK: begins to write."""
@@ -63,22 +69,29 @@ class ExportPanel:
         if self.job is not None:
             self.job.cancel()
             return False
-        FreeCADGui.Control.closeDialog()
+        self._close()
         return True
+
+    def _close(self):
+        self._document_watch.end()
+        FreeCADGui.Control.closeDialog()
 
     def _first_path(self):
         folder = preferences.stored().GetString("ExportFolder", "") or os.path.expanduser("~")
         return os.path.join(folder, f"{self.obj.Label}.msh")
 
     def _start(self):
+        path = self._complete_path()
+        if not path:
+            self._say(translate("MeshQuality", "Choose a file, or type its name."), error=True)
+            return
         try:
-            path = export.checked(self.path.property("fileName"))
+            path = export.checked(path)
             curved = CurvedMesh.taken_from(self.obj)
         except (Error, ImportError) as error:
-            self._say(translated(error))
+            self._say(translated(error), error=True)
             return
-        self.path.setEnabled(False)
-        self.bar.show()
+        self._enable(False)
         self._say("")
         self.job = jobs.Job("Export curved mesh", lambda progress: export.write_ahead(curved(), path),
                             lambda forget: self._land(path, forget),
@@ -98,20 +111,42 @@ class ExportPanel:
 
     def _ended(self):
         job, self.job = self.job, None
-        self.bar.hide()
-        self.path.setEnabled(True)
+        if not is_in_task_view(self.form):
+            return
+        self._enable(True)
         if job.state == jobs.DONE:
-            FreeCADGui.Control.closeDialog()
+            self._close()
+        elif job.state == jobs.FAILED:
+            self._say(translated(job.error), error=True)
         else:
-            self._say(translated(job.error) if job.state == jobs.FAILED
-                      else translate("MeshQuality", "Cancelled; no file was written."))
+            self._say(translate("MeshQuality", "Cancelled; no file was written."))
+
+    def _enable(self, enabled):
+        self.bar.setVisible(not enabled)
+        for widget in (self.path, self.formats):
+            widget.setEnabled(enabled)
+
+    def _complete_path(self):
+        """The path, with the ending of the format where it has none."""
+        path = self.path.property("fileName").strip()
+        if path and not os.path.splitext(path)[1] and not os.path.isdir(path):
+            path += self.formats.currentData()
+            self.path.setProperty("fileName", path)
+        return path
+
+    def _format_changed(self, *_):
+        stem, extension = os.path.splitext(self.path.property("fileName"))
+        if extension.lower() in export.CURVED_FORMATS:
+            self.path.setProperty("fileName", stem + self.formats.currentData())
 
     def _path_changed(self, *_):
-        exists = os.path.isfile(self.path.property("fileName"))
+        path = self.path.property("fileName")
+        index = self.formats.findData(os.path.splitext(path)[1].lower())
+        if index >= 0:
+            self.formats.setCurrentIndex(index)
         self._say(translate("MeshQuality", "The file exists and will be replaced.")
-                  if exists else "")
+                  if os.path.isfile(path) else "")
 
-    def _say(self, text):
+    def _say(self, text, error=False):
         self.said = text
-        self.message.setText(text)
-        self.message.setVisible(bool(text))
+        self.message.say(text, error)

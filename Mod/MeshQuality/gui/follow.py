@@ -17,7 +17,7 @@ from PySide import QtCore
 from ..errors import Error
 from ..features import mesh_object
 from ..features.work import Work, handed_over
-from . import jobs, preferences
+from . import background, jobs, preferences
 from .operation import Operation, Watch, at_rest, is_there
 
 translate = FreeCAD.Qt.translate
@@ -119,7 +119,7 @@ class _Follower:
             self._is_there, quiet=True, prepare=self._prepare,
             ready=lambda: at_rest(self._key[0]))
         self.job.ended.connect(self._ended)
-        jobs.tell(self.job)
+        background.tell(self.job, lambda: stop(obj))
 
     def _is_there(self):
         return is_there(self._key[0], self._obj)

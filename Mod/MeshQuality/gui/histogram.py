@@ -22,14 +22,14 @@ class HistogramView(QtGui.QWidget):
         super().__init__()
         self.setMinimumHeight(_HEIGHT)
         self.setMouseTracking(True)
-        self._histogram = self._measure = self._colours = None
+        self._histogram = self._scale = self._colours = None
         self.chosen = -1
 
-    def show_histogram(self, histogram, measure):
-        """Takes a quality_data.Histogram of this measure."""
-        self._histogram, self._measure, self.chosen = histogram, measure, -1
+    def show_histogram(self, histogram, scale):
+        """Takes a quality_data.Histogram and the Scale of its values."""
+        self._histogram, self._scale, self.chosen = histogram, scale, -1
         edges = histogram.edges()
-        goodness = measure.goodness(0.5 * (edges[1:] + edges[:-1]))
+        goodness = scale.goodness(0.5 * (edges[1:] + edges[:-1]))
         self._colours = [QtGui.QColor(*map(int, rgb)) for rgb in colour_scale.bytes_of(goodness)]
         self.update()
 
@@ -47,7 +47,7 @@ class HistogramView(QtGui.QWidget):
     def words(self, bar):
         """What a bar stands for."""
         edges, count = self._histogram.edges(), int(self._histogram.counts[bar])
-        low, high = self._measure.text(edges[bar]), self._measure.text(edges[bar + 1])
+        low, high = self._scale.text(edges[bar]), self._scale.text(edges[bar + 1])
         if bar == 0 or bar == len(self._histogram.counts) - 1:
             words = translate("MeshQuality", "{0} below {1}") if bar == 0 \
                 else translate("MeshQuality", "{0} above {1}")
@@ -89,5 +89,5 @@ class HistogramView(QtGui.QWidget):
         row = QtCore.QRectF(0, height, self.width(), _AXIS)
         ends = QtCore.Qt.AlignLeft, QtCore.Qt.AlignRight
         for number, side in zip((self._histogram.low, self._histogram.high), ends):
-            painter.drawText(row, side | QtCore.Qt.AlignBottom, self._measure.text(number))
+            painter.drawText(row, side | QtCore.Qt.AlignBottom, self._scale.text(number))
         painter.end()

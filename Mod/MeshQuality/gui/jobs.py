@@ -11,11 +11,9 @@ import sys
 import threading
 
 import FreeCAD
-import FreeCADGui
 from PySide import QtCore
 
 from ..errors import Cancelled, Error
-from .words import translated, translated_stage
 
 translate = FreeCAD.Qt.translate
 
@@ -59,6 +57,7 @@ class Job(QtCore.QObject):
         self.title, self.compute, self.take, self.wanted = title, compute, take, wanted
         self.quiet, self.drop, self.prepare, self.ready = quiet, drop, prepare, ready
         self.state, self.fraction, self.stage, self.error = WAITING, 0.0, "", None
+        self.held_up = False  # whether the work has ended, and its result cannot be taken yet
         self._result = None
         self._settled = self._taken = False
         self._thread = None
@@ -106,8 +105,12 @@ class Job(QtCore.QObject):
             self.drop(self._result)
             self._settled = True
         elif self.ready():
+            self.held_up = False
             self._settled = self._taken = True
             self._take()
+        else:
+            self.held_up = True
+            self.changed.emit()
 
     def join(self, seconds):
         """Waits for the thread."""
@@ -195,16 +198,6 @@ def _give_way():
     """
     if sys.platform == "linux":
         os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
-
-
-def tell(job):
-    """Has the status bar show how far a job is."""
-    bar = FreeCADGui.getMainWindow().statusBar()
-    job.changed.connect(lambda: bar.showMessage(
-        f"{job.title}: {translated_stage(job.stage) or state_text(job.state)} "
-        f"{100 * job.fraction:.0f} %"))
-    job.ended.connect(lambda: bar.showMessage(
-        f"{job.title}: {translated(job.error) if job.state == FAILED else state_text(job.state)}"))
 
 
 _queue = None

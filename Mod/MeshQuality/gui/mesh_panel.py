@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The task panel of objects that are computed: options, progress in the background, and errors."""
 
+from functools import partial
+
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
@@ -8,13 +10,13 @@ from PySide import QtCore, QtGui
 from .. import frames
 from ..compat import flags
 from ..errors import Error
-from . import follow, jobs, operation, preferences
+from . import background, badge, follow, jobs, operation, preferences
 from .certificate_box import CertificateBox
 from .option_form import OptionForm
 from .preset_box import PresetBox
+from .task_form import ClosesWithDocument, Message, bring_into_sight, is_in_task_view
 from .words import translated, translated_stage
 
-_TRIAL = 50_000  # triangles of a trial for the estimate
 _PAUSE = 400  # ms without a change before a trial begins
 
 translate = FreeCAD.Qt.translate
@@ -27,7 +29,8 @@ class MeshPanel:
     operations  one for each object, all with the same table
     editing     whether the panel was opened by a double click on its object
     afterwards  afterwards(obj), called with the first object once OK has closed the panel; or None
-    While jobs run Cancel ends them; else it closes the panel. What Apply has done stays.
+    While jobs run Cancel ends them; else it closes the panel. What Apply has done stays. The panel
+    can be closed while they run, too: then the status bar shows them.
     """
 
     def __init__(self, operations, editing=False, afterwards=None):
@@ -36,10 +39,14 @@ class MeshPanel:
         self.said = ""  # the message, which ends with the panel
         self._editing, self._afterwards = editing, afterwards
         self._closing = False  # whether the panel closes once its jobs are done
-        self._trial = None
+        self._trial = None  # the Job
+        self._trials = []  # a Trial for each operation, once they have been computed
+        self._left = False  # whether the jobs go on without the panel
         self._size = max(made.size() for made in operations)
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(title_of(operations[0].kind.COMMAND, operations[0].title))
+        self.form.setWindowIcon(QtGui.QIcon(badge.path_of(operations[0].kind.COMMAND)))
+        self._document_watch = ClosesWithDocument(operations[0].document, self.form, self._document_gone)
         self.options = OptionForm(operations[0].kind.OPTIONS,
                                   [source for made in operations for source in made.sources],
                                   preferences.defaults(operations[0].kind))
@@ -58,24 +65,35 @@ class MeshPanel:
     def _lay_out(self):
         labels = ", ".join(frames.leaf_of(source).Label for made in self.operations
                            for source in made.sources if source is not None)
-        of = QtGui.QLabel(translate("MeshQuality", "Of {}").format(labels))
-        self.estimate, self.message, self.bar = QtGui.QLabel(), QtGui.QLabel(), QtGui.QProgressBar()
+        of = QtGui.QLabel(translate("MeshQuality", "Source: {}").format(labels))
+        self.estimate, self.message, self.bar = QtGui.QLabel(), Message(), QtGui.QProgressBar()
         self.estimate.setVisible(self.operations[0].trial is not None)
         self.certificate = CertificateBox()
         self.button = QtGui.QPushButton(translate("MeshQuality", "Apply"))
         self.button.setToolTip(translate("MeshQuality", "Computes, and leaves the panel open"))
         self.button.clicked.connect(self.apply)
+        self.leave = QtGui.QPushButton(translate("MeshQuality", "Continue in background"))
+        self.leave.setToolTip(translate("MeshQuality", "Closes the panel; the status bar shows the work, and "
+                                                       "can cancel it"))
+        # Once the click is over: the panel goes, and the button with it.
+        self.leave.clicked.connect(lambda: QtCore.QTimer.singleShot(0, self.continue_in_background))
+        self.leave.hide()
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(0, 0, 0, 0)
-        for label in (of, self.estimate, self.message):
+        for label in (of, self.estimate):
             label.setWordWrap(True)
-        for widget in (of, self.certificate, self.presets, self.options, self.estimate,
-                       self.button, self.bar, self.message):
+        # What tells of the work comes first, where it is seen however long the options are.
+        for widget in (of, self.message, self.estimate, self.bar, self.button, self.leave, self.certificate,
+                       self.presets, self.options):
             layout.addWidget(widget)
         layout.addStretch()
         self.bar.setRange(0, 1000)
         self.bar.hide()
         self.certificate.show(self._edited())
+
+    def _shows(self):
+        """Whether the panel still tells of its jobs."""
+        return not self._left and is_in_task_view(self.form)
 
     def _edited(self):
         """The object that the panel edits; None when it adds, or edits several."""
@@ -105,7 +123,23 @@ class MeshPanel:
         self._close()
         return True
 
+    def continue_in_background(self):
+        """Closes the panel while its jobs go on, told of in the status bar. Each lands as one step of
+        undo; one that fails says so in the report view.
+        """
+        self._left = True
+        for job in self.jobs:
+            background.tell(job)
+        self._close()
+
+    def _document_gone(self):
+        """The document is closed: its jobs end by themselves."""
+        self._left, self._editing = True, False
+        self._end_trial()
+        FreeCADGui.Control.closeDialog()
+
     def _close(self):
+        self._document_watch.end()
         self._end_trial()
         if self._edited() is not None:
             self.certificate.end()
@@ -119,34 +153,43 @@ class MeshPanel:
         if self.jobs:
             return
         self._end_trial()
+        if not self._trials:
+            self.estimate.setText("")
         try:
             values = operation.check(self.operations, self.options.values())
             works = [made.work(values) for made in self.operations]
         except (Error, ImportError) as error:
-            self._say(translated(error))
+            self._say(translated(error), error=True)
             return
         self._say("")
         preferences.remember(self.operations[0].kind, values)
-        self.jobs = [self._job(made, work) for made, work in zip(self.operations, works)
+        trials = self._trials or [None] * len(works)
+        self.jobs = [self._job(made, work, trial) for made, work, trial in zip(self.operations, works, trials)
                      if not made.is_done(work)]
+        self._trials = []
         self._enable(not self.jobs)
         self.bar.setValue(0)
         self.bar.setVisible(bool(self.jobs))
+        bring_into_sight(self.bar)
         for job in list(self.jobs):
             jobs.queue().add(job)
         self._close_if_done()
 
-    def _job(self, made, work):
+    def _job(self, made, work, trial):
         watch, edited = operation.Watch(made.sources), made.obj
         if edited is not None:
             follow.stop(edited)
-        job = jobs.Job(made.title, work.result, lambda result: made.land(work, result, watch),
-                       lambda: made.possible(edited), ready=made.at_rest)
+        compute = work.result if trial is None else partial(trial.result_of, work)
+        job = jobs.Job(title_of(made.kind.COMMAND, made.title), compute,
+                       lambda result: made.land(work, result, watch), lambda: made.possible(edited),
+                       ready=lambda: made.at_rest_beside_tasks() if self._left else made.at_rest())
         job.changed.connect(lambda: self._show_progress(job))
         job.ended.connect(lambda: self._ended(job, watch))
         return job
 
     def _show_progress(self, job):
+        if not self._shows():
+            return
         self.bar.setValue(int(1000 * job.fraction))
         what = translated_stage(job.stage) if job.stage else jobs.state_text(job.state)
         self.bar.setFormat(f"{what}: %p %")
@@ -154,10 +197,12 @@ class MeshPanel:
     def _ended(self, job, watch):
         watch.end()
         self.jobs.remove(job)
+        if not self._shows():
+            return
         if job.state == jobs.CANCELLED:
             self._say(translate("MeshQuality", "Cancelled; nothing was changed."))
         elif job.state == jobs.FAILED:
-            self._say(translated(job.error))
+            self._say(translated(job.error), error=True)
         if self.jobs:
             return
         self.bar.hide()
@@ -166,8 +211,10 @@ class MeshPanel:
         self._close_if_done()
 
     def _enable(self, enabled):
-        for widget in (self.presets, self.options, self.button):
+        for widget in (self.presets, self.options):
             widget.setEnabled(enabled)
+        self.button.setVisible(enabled)
+        self.leave.setVisible(not enabled)
 
     def _close_if_done(self):
         if self._closing and not self.jobs and not self.said:
@@ -177,35 +224,40 @@ class MeshPanel:
                 # FreeCAD takes the panel away when control returns to the event loop.
                 QtCore.QTimer.singleShot(0, lambda: self._afterwards(obj))
 
-    def _say(self, text):
+    def _say(self, text, error=False, scroll=True):
         self.said = text
-        self.message.setText(text)
-        self.message.setVisible(bool(text))
+        self.message.say(text, error, scroll)
 
     def _options_changed(self):
         self._say("")
         self._end_trial()
+        self._trials = []
         self.presets.show(self.options.values(), self._size)
         if self.operations[0].trial is not None:
-            self.estimate.setText(translate("MeshQuality", "Counting triangles ..."))
+            self._counting()
             self._timer.start()
+
+    def _counting(self):
+        self.estimate.setText(translate("MeshQuality", "Counting triangles ..."))
 
     def _start_trial(self):
         try:
             values = operation.check(self.operations, self.options.values())
-            trials = [made.trial(values, _TRIAL) for made in self.operations]
+            trials = [made.trial(values, made.obj) for made in self.operations]
         except Error as error:
             self.estimate.setText("")
-            self._say(translated(error))
+            self._say(translated(error), error=True, scroll=False)
             return
+        if len(jobs.queue()):
+            self.estimate.setText(translate("MeshQuality", "The triangles are counted once other work has ended."))
         self._trial = jobs.queue().add(jobs.Job(
-            "Estimate", lambda progress: [trial(progress) for trial in trials],
-            self._show_estimate, quiet=True))
+            "Estimate", lambda progress: [trial.compute(progress) for trial in trials],
+            lambda _: self._show_estimate(trials), quiet=True, prepare=self._counting))
 
-    def _show_estimate(self, found):
-        count = sum(triangles for triangles, _ in found)
-        words = translate("MeshQuality", "{} triangles") \
-            if all(complete for _, complete in found) \
+    def _show_estimate(self, trials):
+        self._trials = trials
+        count = sum(trial.triangles for trial in trials)
+        words = translate("MeshQuality", "{} triangles") if all(trial.complete for trial in trials) \
             else translate("MeshQuality", "More than {} triangles")
         self.estimate.setText(words.format(QtCore.QLocale().toString(count)))
 

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 
 from ..compat import PlainState
-from . import badge
+from . import badge, looks
 
 translate = FreeCAD.Qt.translate
 
@@ -53,6 +53,12 @@ class MeshView(PlainState):
     def unsetEdit(self, view, mode=0):
         """Editing has ended: by the panel, or because the object is no more."""
         FreeCADGui.Control.closeDialog()
+        return True
+
+    def onDelete(self, view, subelements):
+        """The user deletes the object: what it took the place of is seen again. Returns that it may go."""
+        for source in looks.sources_of(view.Object):
+            source.ViewObject.Visibility = True
         return True
 
     def setupContextMenu(self, view, menu):

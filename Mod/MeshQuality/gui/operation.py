@@ -25,8 +25,7 @@ class Operation:
     title    for windows and undo
     kind     class of the object's proxy
     sources  what the mesh is made of: document objects, or pairs (document object, path) as in frames
-    trial    trial(values, most) -> compute(progress) -> (number of triangles, whether these are
-             all), for an estimate with `most` triangles; None: no estimate
+    trial    trial(values, obj) -> Trial with these options, for an estimate; None: no estimate
     obj      the document object, once there is one
     document name of the document
     """
@@ -74,6 +73,15 @@ class Operation:
     def at_rest(self):
         """Whether a result can land now."""
         return at_rest(self.document)
+
+    def at_rest_beside_tasks(self):
+        """The same while the user may have opened another task: the mesh is no part of its step of
+        undo, and would end that too early.
+        """
+        return at_rest(self.document) and not (
+            FreeCADGui.Control.activeDialog() and self.document in FreeCAD.listDocuments()
+            and (FreeCAD.getDocument(self.document).HasPendingTransaction
+                 or FreeCAD.getActiveTransaction()))
 
     @property
     def step(self):

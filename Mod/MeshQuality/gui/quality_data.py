@@ -15,6 +15,8 @@ from ..compat import core, property_of
 from ..curved_mesh import CurvedMesh
 from ..errors import InvalidInput
 from ..features import mesh_object
+from .colour_scale import GREEN
+from .length_unit import LengthUnit
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -30,71 +32,97 @@ class Measure:
 
     title    for people
     help     what the numbers mean to them
-    unit     after a number, with a blank where one is wanted
-    bad      the number that is shown red, or None: the worst one found
+    unit     after a number, with a blank where one is wanted; None: a length, in the user's unit
+    bad      the number that is shown red, or None: see Scale
     good     the number that is shown blue
     values   values(data, progress) -> float64 (elements,); any thread may call it
+    of_all   of_all(data, progress) -> float64 of all tetrahedra of a volume mesh, likewise; None where
+             there is no such number
     """
 
     title: str
     help: str
-    unit: str
+    unit: Optional[str]
     bad: Optional[float]
     good: float
     values: Callable
+    of_all: Optional[Callable] = None
 
     @property
     def low_is_bad(self):
         """Whether small numbers are the bad ones."""
         return self.bad is not None and self.bad < self.good
 
-    def text(self, number):
-        """A number with its unit."""
-        if np.isinf(number):
-            return "∞"
-        return f"{number:.4g}{self.unit}"
-
-    def range(self, values):
-        """(bad, good) numbers of the colour scale for these values."""
-        if self.bad is not None:
-            return self.bad, self.good
-        finite = values[np.isfinite(values)]
-        worst = float(finite.max()) if len(finite) else self.good
-        return max(worst, self.good + 1e-12), self.good
-
-    def goodness(self, values):
-        """float64: 0 where bad, 1 where good."""
-        bad, good = self.range(values)
-        return np.clip((values - bad) / (good - bad), 0.0, 1.0)
-
     def order(self, values):
         """Indices of the elements, the worst first; the lower index where they are alike."""
         return np.argsort(values if self.low_is_bad else -values, kind="stable")
 
 
+class Scale:
+    """How the values of a measure are coloured and written.
+
+    measure
+    low, high  ends of what is shown
+    bound      what the values were to keep within: red is beyond it, green is at it; None: the largest
+               value is red, where the measure has no number for that
+    Made on any thread; its texts are for the window's.
+    """
+
+    def __init__(self, measure, values, bound=None):
+        self.measure, self.bound = measure, bound
+        finite = values[np.isfinite(values)]
+        worst = max(float(finite.max(initial=measure.good)), bound or 0.0, measure.good + 1e-12)
+        self._bad = worst if measure.bad is None else measure.bad
+        self.low, self.high = sorted((self._bad, measure.good))
+
+    @cached_property
+    def _length_unit(self):
+        return LengthUnit.for_lengths_up_to(self.high) if self.measure.unit is None else None
+
+    @property
+    def unit(self):
+        """What stands after a number."""
+        return self.measure.unit if self._length_unit is None else f" {self._length_unit.name}"
+
+    def number(self, value, digits=4):
+        """A value without its unit."""
+        factor = 1.0 if self._length_unit is None else self._length_unit.millimetres
+        return "∞" if np.isinf(value) else f"{value / factor:.{digits}g}"
+
+    def text(self, value):
+        """A value with its unit."""
+        return self.number(value) + ("" if np.isinf(value) else self.unit)
+
+    def goodness(self, values):
+        """float64: 0 where bad, 1 where good."""
+        if self.bound is not None:
+            inside = 1.0 - (1.0 - GREEN) * np.asarray(values) / self.bound
+            return np.where(inside >= GREEN * (1.0 - 1e-9), inside, 0.0)
+        return np.clip((values - self._bad) / (self.measure.good - self._bad), 0.0, 1.0)
+
+
 MIN_ANGLE = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Smallest angle"),
-    QT_TRANSLATE_NOOP("MeshQuality", "60° is best; triangles of a few degrees spoil computations."),
+    QT_TRANSLATE_NOOP("MeshQuality", "60° is ideal; angles of a few degrees harm simulations."),
     "°", 0.0, 60.0, lambda data, _: data.shapes()[0])
 ASPECT = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Longest edge / shortest edge"),
-    QT_TRANSLATE_NOOP("MeshQuality", "1 is best: all edges of a triangle are alike."),
+    QT_TRANSLATE_NOOP("MeshQuality", "1 is ideal: all edges of a triangle have the same length."),
     "", 10.0, 1.0, lambda data, _: data.shapes()[1])
 DISTANCE = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Distance to the shape"),
-    QT_TRANSLATE_NOOP("MeshQuality", "How far each triangle is from the part that was meshed."),
-    " mm", None, 0.0, lambda data, progress: data.distances(progress))
+    QT_TRANSLATE_NOOP("MeshQuality", "Largest distance between each triangle and the source."),
+    None, None, 0.0, lambda data, progress: data.distances(progress))
 # The inverse is what is called a quality: a fifth is what a corner of 7 degrees has.
 DISTORTION = Measure(
-    QT_TRANSLATE_NOOP("MeshQuality", "Distortion of the shape"),
-    QT_TRANSLATE_NOOP("MeshQuality", "How far an element is from equal sides and angles: 1 is best, 5 "
-                                     "is poor, ∞ means that it folds over."),
-    "", 5.0, 1.0, lambda data, progress: data.distortions(progress))
+    QT_TRANSLATE_NOOP("MeshQuality", "Shape distortion"),
+    QT_TRANSLATE_NOOP("MeshQuality", "Deviation from equal sides and angles: 1 = ideal, 5 = poor, ∞ = folded."),
+    "", 5.0, 1.0, lambda data, progress: data.distortions(progress),
+    lambda data, progress: data.distortions_of_all(progress))
 JACOBIAN = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Scaled Jacobian"),
-    QT_TRANSLATE_NOOP("MeshQuality", "How much an element is squeezed by its bending: 1 is as good as "
-                                     "straight, 0 or less means that it folds over."),
-    "", 0.0, 1.0, lambda data, _: data.jacobians)
+    QT_TRANSLATE_NOOP("MeshQuality", "1 = undistorted by its curvature, ≤ 0 = invalid."),
+    "", 0.0, 1.0, lambda data, _: data.jacobians, lambda data, _: data.jacobians_of_all())
 
 
 @dataclass(frozen=True)
@@ -109,9 +137,8 @@ class Histogram:
     counts: np.ndarray
 
     @classmethod
-    def of(cls, values, measure):
-        bad, good = measure.range(values)
-        low, high = min(bad, good), max(bad, good)
+    def of(cls, values, scale):
+        low, high = scale.low, scale.high
         part = (np.nan_to_num(values, nan=low, posinf=high, neginf=low) - low) / (high - low)
         bar = np.clip((part * BARS).astype(int), 0, BARS - 1)
         return cls(low, high, bar, np.bincount(bar, minlength=BARS))
@@ -145,8 +172,11 @@ class QualityData:
               there are few of these
     lines     (float32 (P, 3), int32 runs ended by -1): the elements' edges, made when they are first
               asked for, which takes a second for a million triangles
+    tetrahedra  how many a volume mesh has, else 0; `shown` of them are at the surface, which is
+              what the elements are then
     and before it already
     measures  those that make sense here
+    bound     distance in mm that the mesh was to keep within, or None
     """
 
     def __init__(self, obj):
@@ -157,6 +187,9 @@ class QualityData:
         if obj.Mesh.CountFacets == 0:
             raise InvalidInput(f"{obj.Label} has no triangles")
         self._why = dict(self._reasons(obj))
+        asked = "AskedChordHeight" in obj.PropertiesList and property_of(obj, "AskedChordHeight").Value
+        self.bound = asked or None
+        self.tetrahedra = self.shown = 0
         if getattr(obj, "ElementsOrder", 0):
             self.measures = [JACOBIAN, DISTORTION]
             self._prepare = partial(self._take_curved, CurvedMesh.taken_from(obj),
@@ -197,6 +230,8 @@ class QualityData:
         self._lines = lambda: (points, np.array(shown.edge_lines, dtype=np.int32))
         self.jacobians = np.array(curved.shown_quality)
         self._curved = curved
+        self.tetrahedra = len(curved.tetrahedra)
+        self.shown = curved.tetrahedra_at_surface() if self.tetrahedra else 0
 
     @cached_property
     def lines(self):
@@ -219,6 +254,11 @@ class QualityData:
         return np.rint(np.column_stack(sums) / members[:, None]).astype(np.uint8)
 
     @property
+    def curved(self):
+        """Whether the elements are curved ones."""
+        return self._curved is not None
+
+    @property
     def elements(self):
         """How many there are."""
         return len(self.face)
@@ -234,6 +274,18 @@ class QualityData:
         if self._curved is not None:
             return self._curved.shown_distortion(progress)
         return self.shapes()[2]
+
+    def distortions_of_all(self, progress=None):
+        """The same of each tetrahedron; none without them."""
+        return self._curved.tetrahedron_distortion if self.tetrahedra else np.zeros(0)
+
+    def jacobians_of_all(self):
+        """float64: the scaled Jacobian of each tetrahedron; none without them."""
+        return self._curved.tetrahedron_quality
+
+    def scale(self, measure, values):
+        """The Scale of these values of a measure."""
+        return Scale(measure, values, self.bound if measure is DISTANCE else None)
 
     def distances(self, progress=None):
         """The largest distance of each triangle from the shape that was meshed, mm."""

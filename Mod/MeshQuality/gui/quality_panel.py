@@ -11,15 +11,16 @@ from PySide import QtGui
 
 from ..compat import flags
 from ..errors import Error
-from . import colour_scale, jobs
+from . import badge, colour_scale, jobs, looks
 from .histogram import HistogramView
-from .quality_data import Histogram, QualityData
+from .quality_data import DISTANCE, Histogram, QualityData, Scale
 from .quality_scene import QualityScene
 from .words import translated
 
 translate = FreeCAD.Qt.translate
 
 WORST = 50  # elements in the list
+_DIGITS = 3  # of the numbers in the table, which may be 230 pixels wide
 _EDGES = 50_000  # triangles up to which edges are drawn from the beginning
 
 
@@ -28,6 +29,9 @@ class _Found:
     """What is shown of a measure.
 
     values     float64 (E,)
+    scale      Scale of them
+    of_all     (worst, mean) of all tetrahedra, of which the elements are those at the surface; None
+               where the elements are all there are
     colours    uint8 (T, 4), of the triangles that are drawn
     coarse     uint8 (n, 4), of the coarse ones; None without them
     histogram  Histogram
@@ -36,6 +40,8 @@ class _Found:
     """
 
     values: np.ndarray
+    scale: Scale
+    of_all: Optional[tuple]
     colours: np.ndarray
     coarse: Optional[np.ndarray]
     histogram: Histogram
@@ -44,8 +50,8 @@ class _Found:
 
 
 class QualityPanel:
-    """A panel for FreeCADGui.Control.showDialog. The mesh and its source are hidden meanwhile, as
-    the coloured mesh takes their place.
+    """A panel for FreeCADGui.Control.showDialog. The mesh and what it was made of are hidden meanwhile,
+    as the coloured mesh takes their place.
 
     obj  a document object with a mesh
     """
@@ -53,7 +59,7 @@ class QualityPanel:
     def __init__(self, obj):
         self.obj, self._document = obj, obj.Document.Name
         self.data = QualityData(obj)
-        self.values = self.measure = None
+        self.values = self.measure = self.scale = None
         self.lit = None  # of each element: whether it is lit up
         self.ended = False
         self._found = {}  # values by title of the measure
@@ -66,8 +72,7 @@ class QualityPanel:
             self.scene = None
             self._say(translate(
                 "MeshQuality", "The mesh cannot be drawn in colour: {0}").format(error))
-        self._hidden = [o for o in (obj, getattr(obj, "Source", None))
-                        if self.scene and o is not None and o.ViewObject.Visibility]
+        self._hidden = [o for o in (obj, *looks.all_sources_of(obj)) if self.scene and o.ViewObject.Visibility]
         for hidden in self._hidden:
             hidden.ViewObject.Visibility = False
         FreeCAD.addDocumentObserver(self)
@@ -76,8 +81,9 @@ class QualityPanel:
     def _make_form(self):
         self.form = QtGui.QWidget()
         self.form.setWindowTitle(translate("MeshQuality", "Mesh quality"))
+        self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Analyse")))
         of, self.summary = QtGui.QLabel(
-            translate("MeshQuality", "Of {0}").format(self.obj.Label)), QtGui.QLabel()
+            translate("MeshQuality", "Mesh: {0}").format(self.obj.Label)), QtGui.QLabel()
         self.measures, self.histogram = QtGui.QComboBox(), HistogramView()
         self.meaning, self.hint = QtGui.QLabel(), QtGui.QLabel(_hint())
         self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
@@ -99,13 +105,14 @@ class QualityPanel:
         self.faces.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+        self.faces.horizontalHeader().setMinimumSectionSize(0)
         self.faces.horizontalHeader().setStretchLastSection(True)
-        tabs = QtGui.QTabWidget()
-        tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
-        tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
+        self.tabs = QtGui.QTabWidget()
+        self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
+        self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
         layout = QtGui.QVBoxLayout(self.form)
         layout.setContentsMargins(0, 0, 0, 0)
-        for widget in (of, self.measures, self.meaning, self.summary, self.histogram, self.hint, tabs,
+        for widget in (of, self.measures, self.meaning, self.summary, self.histogram, self.hint, self.tabs,
                        self.edges):
             layout.addWidget(widget)
         self.measures.currentIndexChanged.connect(self._choose_measure)
@@ -153,29 +160,37 @@ class QualityPanel:
 
     def _choose_measure(self, *_):
         measure = self.data.measures[self.measures.currentIndex()]
-        self.meaning.setText(translate("MeshQuality", measure.help))
         if self._job is not None and self._job.active:
             self._job.cancel()
         if measure.title in self._found:
             self._show(measure, self._found[measure.title])
             return
-        self._say(translate("MeshQuality", "Measuring ..."))
+        self._measuring()
+        if len(jobs.queue()):
+            self._say(translate("MeshQuality", "It is measured once other work has ended."))
         self._job = jobs.queue().add(jobs.Job(
             measure.title, lambda progress: self._compute(measure, progress),
-            lambda found: self._take(measure, found), quiet=True))
+            lambda found: self._take(measure, found), quiet=True, prepare=self._measuring))
         job = self._job
         job.changed.connect(lambda: job.active and job.fraction and self._say(
             translate("MeshQuality", "Measuring: {0} %").format(round(100 * job.fraction))))
         job.ended.connect(lambda: job.error and self._say(translated(job.error)))
+
+    def _measuring(self):
+        self._say(translate("MeshQuality", "Measuring ..."))
 
     def _compute(self, measure, progress):
         self.data.prepare()
         if len(self.data.corners) <= _EDGES:
             _ = self.data.lines
         values = np.asarray(measure.values(self.data, progress))
-        colours = colour_scale.bytes_of(measure.goodness(values))[self.data.element]
+        scale, of_all = self.data.scale(measure, values), None
+        if self.data.tetrahedra:
+            whole = measure.of_all(self.data, progress)
+            of_all = whole[measure.order(whole)[0]], _mean(whole)
+        colours = colour_scale.bytes_of(scale.goodness(values))[self.data.element]
         coarse = None if self.data.coarse is None else self.data.coarse_colours(colours)
-        return _Found(values, colours, coarse, Histogram.of(values, measure),
+        return _Found(values, scale, of_all, colours, coarse, Histogram.of(values, scale),
                       self.data.faces(values, measure), measure.order(values)[:WORST])
 
     def _take(self, measure, found):
@@ -188,22 +203,43 @@ class QualityPanel:
 
     def _show(self, measure, found):
         self.measure, self.values, self._bars = measure, found.values, found.histogram
-        self._worst = found.worst
-        self._say(translate("MeshQuality", "{0} elements: worst {1}, mean {2}").format(
-            f"{self.data.elements:,}", measure.text(found.values[found.worst[0]]),
-            measure.text(_mean(found.values))))
-        self.histogram.show_histogram(found.histogram, measure)
+        self._worst, self.scale = found.worst, found.scale
+        self.meaning.setText(self._meaning(measure))
+        self._say(self._summary(found))
+        self.histogram.show_histogram(found.histogram, found.scale)
+        self.hint.setText(_hint())
         self._list_worst()
         self._list_faces(found.faces)
         if self.scene is not None:
-            self.scene.colour(found.colours, found.coarse, measure, found.values)
+            self.scene.colour(found.colours, found.coarse, found.scale)
         self._light_up(np.zeros(self.data.elements, dtype=bool))
+
+    def _meaning(self, measure):
+        words = translate("MeshQuality", measure.help)
+        if measure is not DISTANCE:
+            return words
+        if self.data.bound is None:
+            return words + " " + translate("MeshQuality", "Red: the largest one.")
+        return words + " " + translate("MeshQuality", "Red: larger than the bound of {0}.").format(
+            self.scale.text(self.data.bound))
+
+    def _summary(self, found):
+        text = found.scale.text
+        worst, mean = text(found.values[found.worst[0]]), text(_mean(found.values))
+        if found.of_all is not None:
+            everything = translate("MeshQuality", "{0} tetrahedra: worst {1}, mean {2}")
+            shown = translate("MeshQuality", "Shown are the {0} at the surface: worst {1}, mean {2}")
+            return "\n".join((everything.format(f"{self.data.tetrahedra:,}", *map(text, found.of_all)),
+                              shown.format(f"{self.data.shown:,}", worst, mean)))
+        words = translate("MeshQuality", "{0} elements: worst {1}, mean {2}") if self.data.curved \
+            else translate("MeshQuality", "{0} triangles: worst {1}, mean {2}")
+        return words.format(f"{self.data.elements:,}", worst, mean)
 
     def _list_worst(self):
         self.worst.blockSignals(True)
         self.worst.clear()
         for element in self._worst:
-            text = f"{self.measure.text(self.values[element])}: {self.data.place(element)}"
+            text = f"{self.scale.text(self.values[element])}: {self.data.place(element)}"
             reason = translated(self.data.reason(element))
             item = QtGui.QListWidgetItem(text + (f"\n{reason}" if reason else ""))
             item.setToolTip(reason or translate("MeshQuality", "Click to fly there"))
@@ -212,11 +248,13 @@ class QualityPanel:
 
     def _list_faces(self, faces):
         self._faces = faces
+        unit = self.scale.unit.strip()
+        self.tabs.setTabText(1, translate("MeshQuality", "Faces") + (f" [{unit}]" if unit else ""))
         self.faces.blockSignals(True)
         self.faces.setRowCount(len(faces))
         for i, row in enumerate(faces):
-            texts = (f"Face{row.face + 1}", f"{row.elements:,}", self.measure.text(row.worst),
-                     self.measure.text(row.mean))
+            texts = (f"Face{row.face + 1}", f"{row.elements:,}", self.scale.number(row.worst, _DIGITS),
+                     self.scale.number(row.mean, _DIGITS))
             for k, text in enumerate(texts):
                 self.faces.setItem(i, k, QtGui.QTableWidgetItem(text))
         self.faces.blockSignals(False)

@@ -3,17 +3,12 @@
 
 import importlib
 
-import FreeCAD
 import numpy as np
 from pivy import coin
 from PySide import QtCore
 
-from . import colour_scale
+from . import legend
 
-translate = FreeCAD.Qt.translate
-
-LEGEND = 64  # colours
-LABELS = 5
 _STEPS, _TICK = 16, 25  # of a flight; ms
 _SLOW = 0.05  # seconds of drawing from which on moving is drawn coarsely
 _STILL = 250  # ms without a move after which all is drawn again
@@ -73,19 +68,14 @@ class QualityScene:
         lines = data.lines if wanted else (np.zeros((0, 3)), np.zeros(0, dtype=np.int32))
         self.scene.draw_edges(*lines)
 
-    def colour(self, colours, coarse, measure, values):
+    def colour(self, colours, coarse, scale):
         """uint8 (T, 4) colours of the triangles, (n, 4) of the coarse ones, and the legend of the
-        measure they show.
+        scale that they show.
         """
         self.scene.colour(colours)
         if coarse is not None:
             self.scene.colour_coarse(coarse)
-        bad, good = measure.range(values)
-        low, high = min(bad, good), max(bad, good)
-        numbers = np.linspace(low, high, LEGEND)
-        labels = [measure.text(number) for number in np.linspace(low, high, LABELS)]
-        self.scene.legend(translate("MeshQuality", measure.title),
-                          colour_scale.bytes_of(measure.goodness(numbers)), labels)
+        self.scene.legend(legend.picture(scale), *legend.corner_to_leave())
 
     def light_up(self, corners):
         """Lights up triangles, float32 (n, 3, 3), instead of those before."""

@@ -4,7 +4,7 @@
 import FreeCAD
 
 from ..errors import Error
-from . import follow, jobs
+from . import background, follow, jobs
 from .operation import Operation, Watch
 
 translate = FreeCAD.Qt.translate
@@ -22,7 +22,7 @@ def update_in_background(obj):
         return None
     watch = Watch(made.sources)
     job = jobs.Job(title, work.result, lambda result: made.land(work, result, watch),
-                   lambda: made.possible(obj), ready=made.at_rest)
+                   lambda: made.possible(obj), ready=made.at_rest_beside_tasks)
     job.ended.connect(watch.end)
-    jobs.tell(job)
+    background.tell(job)
     return jobs.queue().add(job)

@@ -76,9 +76,14 @@ TEST_F(Scene, LitTrianglesAreDrawnAgainWithOutlines) {
     EXPECT_EQ(lines(), 0);
 }
 
+LegendPicture picture_of(int width, int height, Corner corner = Corner::TopRight, int reach = 0) {
+    const std::size_t numbers = std::size_t{4} * width * height;
+    return {width, height, std::vector<std::uint8_t>(numbers, 255), corner, reach};
+}
+
 TEST_F(Scene, FitAllDoesNotSeeTheLegend) {
     scene.show(kTwo.data(), 2);
-    scene.legend("Smallest angle", {{255, 0, 0, 255}, {0, 0, 255, 255}}, {"0", "60"});
+    scene.legend().show(picture_of(20, 30));
     SoGetBoundingBoxAction action{SbViewportRegion(400, 300)};
     action.apply(scene.root());
     const SbVec3f size = action.getBoundingBox().getSize();
@@ -87,12 +92,38 @@ TEST_F(Scene, FitAllDoesNotSeeTheLegend) {
 }
 
 TEST_F(Scene, LegendGoesAgain) {
-    const int before = scene.root()->getNumChildren();
-    auto* legend = static_cast<SoSeparator*>(scene.root()->getChild(before - 1));
-    scene.legend("Smallest angle", {{255, 0, 0, 255}}, {"0"});
-    EXPECT_GT(legend->getNumChildren(), 0);
-    scene.legend("", {}, {});
-    EXPECT_EQ(legend->getNumChildren(), 0);
+    scene.legend().show(picture_of(20, 30));
+    EXPECT_GT(scene.legend().getNumChildren(), 0);
+    scene.legend().show({});
+    EXPECT_EQ(scene.legend().getNumChildren(), 0);
+}
+
+TEST_F(Scene, LegendIsGivenAllItsPixels) {
+    LegendPicture picture = picture_of(20, 30);
+    picture.rgba.pop_back();
+    EXPECT_THROW(scene.legend().show(picture), InvalidInput);
+}
+
+TEST_F(Scene, LegendIsAtTheRightAndInTheMiddle) {
+    scene.legend().show(picture_of(100, 200));
+    EXPECT_EQ(scene.legend().place_in({800, 600}), SbVec2s(690, 200));
+}
+
+// The square that is to be left free, and the picture: both within the window, and apart.
+TEST_F(Scene, LegendLeavesACornerFree) {
+    constexpr short kWidth = 100, kHeight = 200, kReach = 150;
+    for (const short high : {600, 400, 300, 220}) {
+        for (const Corner corner : {Corner::TopLeft, Corner::TopRight, Corner::BottomLeft, Corner::BottomRight}) {
+            scene.legend().show(picture_of(kWidth, kHeight, corner, kReach));
+            const SbVec2s place = scene.legend().place_in({800, high});
+            const bool at_left = corner == Corner::TopLeft || corner == Corner::BottomLeft;
+            const bool at_top = corner == Corner::TopLeft || corner == Corner::TopRight;
+            const bool beside = at_left ? place[0] >= kReach : place[0] + kWidth <= 800 - kReach;
+            const bool above_or_below = at_top ? place[1] + kHeight <= high - kReach : place[1] >= kReach;
+            EXPECT_TRUE(beside || above_or_below) << high << " " << static_cast<int>(corner);
+            EXPECT_TRUE(place[0] >= 0 && place[1] >= 0 && place[0] + kWidth <= 800 && place[1] + kHeight <= high);
+        }
+    }
 }
 
 }  // namespace

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The legend of the quality view: what it looks like, and which corner of the view it leaves free."""
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from PySide import QtCore, QtGui
+
+from . import colour_scale
+
+translate = FreeCAD.Qt.translate
+
+COLOURS, LABELS = 64, 5
+TOP_LEFT, TOP_RIGHT, BOTTOM_LEFT, BOTTOM_RIGHT = range(4)  # as FreeCAD numbers corners
+_BAR, _HEIGHT, _MARGIN, _GAP = 18, 180, 8, 6  # pixels
+# Light enough for dark text on whatever is behind it.
+_PLATE, _INK = QtGui.QColor(250, 250, 250, 215), QtGui.QColor(20, 20, 20)
+_CUBE, _AROUND_CUBE = 132, 1.3  # pixels of FreeCAD's cube at first; with its arrows and its menu
+
+
+def picture(scale):
+    """The legend of a quality_data.Scale: uint8 (height, width, 4), the first row at the bottom."""
+    title = translate("MeshQuality", scale.measure.title)
+    labels = [scale.text(number) for number in np.linspace(scale.low, scale.high, LABELS)]
+    font = QtGui.QApplication.font()
+    metrics = QtGui.QFontMetrics(font)
+    line = metrics.height()
+    inner = max(_BAR + _GAP + max(map(metrics.horizontalAdvance, labels)), metrics.horizontalAdvance(title))
+    width, height = inner + 2 * _MARGIN, _HEIGHT + 2 * line + _GAP + 2 * _MARGIN
+    ratio = FreeCADGui.getMainWindow().devicePixelRatioF()
+    image = QtGui.QImage(round(width * ratio), round(height * ratio), QtGui.QImage.Format_RGBA8888)
+    image.setDevicePixelRatio(ratio)
+    image.fill(QtCore.Qt.transparent)
+    painter = QtGui.QPainter(image)
+    painter.setFont(font)
+    painter.setRenderHint(QtGui.QPainter.Antialiasing)
+    painter.setPen(QtCore.Qt.NoPen)
+    painter.setBrush(_PLATE)
+    painter.drawRoundedRect(QtCore.QRectF(0, 0, width, height), 5, 5)
+    painter.setPen(_INK)
+    painter.drawText(QtCore.QRectF(_MARGIN, _MARGIN, inner, line), QtCore.Qt.AlignLeft, title)
+    top = _MARGIN + 1.5 * line + _GAP  # of the bar: labels are as high as a line, and beside its ends
+    _paint_bar(painter, scale, top)
+    for i, label in enumerate(labels):
+        middle = top + _HEIGHT * (1.0 - i / (LABELS - 1))
+        painter.drawText(QtCore.QRectF(_MARGIN + _BAR + _GAP, middle - 0.5 * line, inner, line),
+                         QtCore.Qt.AlignLeft | QtCore.Qt.AlignVCenter, label)
+    painter.end()
+    rows = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(image.height(), image.width(), 4)
+    return rows[::-1].copy()
+
+
+def _paint_bar(painter, scale, top):
+    numbers = np.linspace(scale.low, scale.high, COLOURS)
+    step = _HEIGHT / COLOURS
+    painter.save()
+    painter.setRenderHint(QtGui.QPainter.Antialiasing, False)
+    for i, (red, green, blue, _) in enumerate(colour_scale.bytes_of(scale.goodness(numbers)).tolist()):
+        box = QtCore.QRectF(_MARGIN, top + _HEIGHT - (i + 1) * step, _BAR, step + 1.0)
+        painter.fillRect(box, QtGui.QColor(red, green, blue))
+    painter.restore()
+
+
+def corner_to_leave():
+    """(corner, pixels): where FreeCAD shows its navigation cube, and how far it reaches; 0: nowhere."""
+    view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    cube = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/NaviCube")
+    if not view.GetBool("ShowNaviCube", True):
+        return TOP_RIGHT, 0
+    # FreeCAD has kept the corner in either group.
+    corner = cube.GetInt("CornerNaviCube", view.GetInt("CornerNaviCube", TOP_RIGHT))
+    ratio = FreeCADGui.getMainWindow().devicePixelRatioF()
+    return corner, round(_AROUND_CUBE * ratio * cube.GetInt("CubeSize", _CUBE))

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the 3D view shows once a mesh is there: the mesh with its edges in place of its sources."""
+
+import FreeCAD
+
+from .. import frames
+from ..features import mesh_object
+
+_EDGES = "Flat Lines"
+_MOST = 200_000  # triangles: the edges of more cover the surface, and take as long to draw as that
+
+
+def show_in_place_of_sources(obj):
+    """Hides the sources of a mesh object that was added, and draws its edges. Undo and redo of the
+    step in which the object is added bring the sources back and hide them again.
+    """
+    view = obj.ViewObject
+    # Curved meshes have a display mode of their own, with the edges of the elements.
+    if view.DisplayMode == "Shaded" and obj.Mesh.CountFacets <= _MOST:
+        view.DisplayMode = _EDGES
+    for source in sources_of(obj):
+        source.ViewObject.Visibility = False
+
+
+def sources_of(obj):
+    """The document objects that a mesh is made of, as far as they are seen in one place only; none of
+    an imported mesh.
+    """
+    return [source for source in _sources(obj) if isinstance(source, FreeCAD.DocumentObject)]
+
+
+def all_sources_of(obj):
+    """All that is seen where the mesh is: its sources, those that these are made of in turn, and the
+    links through which they are seen there; each once.
+    """
+    found, pending = [], [obj]
+    while pending:
+        new = [_seen(source) for source in _sources(pending.pop())]
+        new = [source for source in dict.fromkeys(new) if source is not None and source not in found]
+        found += new
+        pending += new
+    return found
+
+
+def _sources(obj):
+    proxy = getattr(obj, "Proxy", None)
+    return proxy.sources(obj) if isinstance(proxy, mesh_object.MeshObject) else []
+
+
+def _seen(source):
+    """The object by which a source is seen in its place: what is below a link is seen elsewhere, too."""
+    path = frames.path_of(source)
+    if not path.endswith("."):
+        return frames.object_of(source)
+    along = frames.object_of(source).getSubObjectList(path)
+    return next((obj for obj in along if obj.isDerivedFrom("App::Link")), along[0])

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the forms of task panels have in common: what they tell is in sight, and they close with the
+document that they are about.
+"""
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+_ERROR = "border: 1px solid #cc0000; padding: 4px"
+
+
+class Message(QtGui.QLabel):
+    """A sentence for the user, with a red frame where it is an error; hidden without one."""
+
+    def __init__(self):
+        super().__init__()
+        self.setWordWrap(True)
+        self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.hide()
+
+    def say(self, text, error=False, scroll=True):
+        """Shows another sentence, where the user sees it; without scrolling while options are edited."""
+        self.setText(text)
+        self.setStyleSheet(_ERROR if error else "")
+        self.setVisible(bool(text))
+        if text and scroll:
+            bring_into_sight(self)
+
+
+def bring_into_sight(widget):
+    """Has the task view, which is one long page, scroll to a widget once that has its place."""
+    QtCore.QTimer.singleShot(0, lambda: is_in_task_view(widget) and _scroll_to(widget))
+
+
+def is_in_task_view(widget):
+    """Whether it is a part of a panel that FreeCAD shows; None is none."""
+    # Not asked by parentWidget(): PySide would have the widget's Python object end with that of its parent.
+    try:
+        return widget is not None and widget.window() is not widget
+    except RuntimeError:  # FreeCAD has closed the panel by itself, and deleted what it showed
+        return False
+
+
+def _scroll_to(widget):
+    for area in widget.window().findChildren(QtGui.QScrollArea):
+        if area.isAncestorOf(widget) and widget.isVisible():
+            area.ensureWidgetVisible(widget)
+
+
+class ClosesWithDocument:
+    """Closes a panel that FreeCAD shows once its document is closed; `end` with the panel.
+
+    document  name
+    close     close(), called where the document goes and the panel is still shown
+    """
+
+    def __init__(self, document, form, close):
+        self._document, self._form, self._close = document, form, close
+        self._active = True
+        FreeCAD.addDocumentObserver(self)
+
+    def end(self):
+        """Watches no longer."""
+        if self._active:
+            self._active = False
+            FreeCAD.removeDocumentObserver(self)
+
+    def slotDeletedDocument(self, document):
+        """Called by FreeCAD."""
+        if document.Name == self._document:
+            self.end()
+            if is_in_task_view(self._form):
+                self._close()
