@@ -90,7 +90,7 @@ class Follow(gui_helpers.PanelTest):
         computed = []
         take = type(self.mesh.Proxy).take
         self.replace_for_test(type(self.mesh.Proxy), "take", lambda proxy, obj, result: (
-            computed.append(obj.Name), take(proxy, obj, result)))
+            computed.append(obj.Name), take(proxy, obj, result))[1])
         mq.update(self.mesh, max_edge=0.2)
         computed.clear()
         for height in (11, 12, 13, 14):

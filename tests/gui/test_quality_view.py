@@ -274,7 +274,8 @@ class QualityView(gui_helpers.GuiTest):
         self.assertGreater(share_of(self.picture("quality_beyond")[:, :560], (200, 30, 30), 70), 0.05)
 
     def test_without_a_bound_the_largest_distance_is_red(self):
-        obj = self.meshed(Part.makeCylinder(5, 20))
+        obj = self.meshed(Part.makeCylinder(5, 20), chord_height=0.05)
+        obj.AskedChordHeight = 0
         panel = self.open(obj)
         self.choose(panel, quality_data.DISTANCE)
         self.assertIsNone(panel.data.bound)

@@ -10,10 +10,11 @@ import FreeCAD
 import FreeCADGui
 import gui_helpers
 import Mesh
+import Part
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
-from MeshQuality.features import certificate, quality_mesh
+from MeshQuality.features import quality_mesh
 from MeshQuality.gui import background, badge, commands, export_panel, jobs, looks, quality_panel, trial
 
 
@@ -245,15 +246,18 @@ class InPlaceOfSources(gui_helpers.PanelTest):
         self.assertEqual(obj.ViewObject.DisplayMode, "Flat Lines")
 
     def test_show_where_leaves_all_as_it_was(self):
-        wedge = self.box("Wedge", Length=10, Width=0.2)
+        wedge = self.document.addObject("Part::Feature", "Wedge")
+        corners = [FreeCAD.Vector(*p) for p in ((0, 0, 0), (10, 0, 0), (10, 0.8, 0), (0, 0, 0))]
+        wedge.Shape = Part.Face(Part.makePolygon(corners)).extrude(FreeCAD.Vector(0, 0, 3))
+        self.document.recompute()
         obj = mq.add_quality_mesh(wedge)
-        obj.Certificate, obj.CertificateFaces = certificate.MISSED + "something", ["Face1", "Face2"]
+        self.assertTrue(obj.CertificateFaces)
         self.select(wedge)
         panel = commands.panel_of(obj)
         FreeCADGui.Control.showDialog(panel)
         panel.certificate.button.click()
         self.assertTrue(wedge.ViewObject.Visibility)
-        self.assertEqual(len(FreeCADGui.Selection.getSelectionEx()[0].SubElementNames), 2)
+        self.assertEqual(len(FreeCADGui.Selection.getSelectionEx()[0].SubElementNames), len(obj.CertificateFaces))
         panel.reject()
         self.assertFalse(wedge.ViewObject.Visibility)
         self.assertEqual(FreeCADGui.Selection.getSelection(), [wedge])
