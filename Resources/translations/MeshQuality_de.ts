@@ -8,10 +8,6 @@
         <translation>Verfahren: entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper werden nach Wang 2010 abgetastet (für zwei Operanden)</translation>
     </message>
     <message>
-        <source>CAD faces on which the mesh misses what was asked for</source>
-        <translation>CAD-Flächen, auf denen das Netz das Verlangte verfehlt</translation>
-    </message>
-    <message>
         <source>Corners of the triangle where it misses that most</source>
         <translation>Ecken des Dreiecks, in dem es das am meisten verfehlt</translation>
     </message>
@@ -68,10 +64,6 @@
         <translation>Größter Abstand zwischen dem Netz und dem verbesserten; 0: Größe / 1000</translation>
     </message>
     <message>
-        <source>Largest distance between the mesh and the shape; 0: any</source>
-        <translation>Größter Abstand zwischen Netz und Form; 0: beliebig</translation>
-    </message>
-    <message>
         <source>Largest distance between the triangles shown and the curved elements; 0: size / 1000</source>
         <translation>Größter Abstand zwischen den gezeigten Dreiecken und den gekrümmten Elementen; 0: Größe / 1000</translation>
     </message>
@@ -92,14 +84,6 @@
         <translation>Größter gemessener Abstand zur Form</translation>
     </message>
     <message>
-        <source>Longest edge of a triangle; 0: any</source>
-        <translation>Längste Kante eines Dreiecks; 0: beliebig</translation>
-    </message>
-    <message>
-        <source>Longest edge on single faces, edges or around vertices: Face3=0.5, Edge7=0.2; 0: nowhere</source>
-        <translation>Längste Kante auf einzelnen Flächen, Kanten oder um Ecken: Face3=0.5, Edge7=0.2; 0: nirgends</translation>
-    </message>
-    <message>
         <source>Mean of that ratio over the elements</source>
         <translation>Mittel dieses Verhältnisses über die Elemente</translation>
     </message>
@@ -110,10 +94,6 @@
     <message>
         <source>Neighbouring triangles agree on outside</source>
         <translation>Benachbarte Dreiecke stimmen überein, wo außen ist</translation>
-    </message>
-    <message>
-        <source>No edge is split into shorter ones than this; 0: any</source>
-        <translation>Keine Kante wird in kürzere als diese geteilt; 0: beliebig</translation>
     </message>
     <message>
         <source>Number of corners of elements</source>
@@ -134,10 +114,6 @@
     <message>
         <source>Of the input and the options of this mesh</source>
         <translation>Von Eingabe und Optionen dieses Netzes</translation>
-    </message>
-    <message>
-        <source>Of the random points of sprinkle; the same seed gives the same mesh</source>
-        <translation>Für die Zufallspunkte; gleicher Startwert gibt das gleiche Netz</translation>
     </message>
     <message>
         <source>Of what the elements were made of</source>
@@ -172,24 +148,12 @@
         <translation>Kleinster Winkel, den jedes Dreieck erreichen soll</translation>
     </message>
     <message>
-        <source>Smallest angle that was asked for</source>
-        <translation>Verlangter kleinster Winkel</translation>
-    </message>
-    <message>
         <source>Smallest ratio of the least to the largest Jacobian of one element: 1 is best, 0 or less is invalid</source>
         <translation>Kleinstes Verhältnis der kleinsten zur größten Jacobi-Determinante eines Elements: 1 ist am besten, 0 oder weniger ist ungültig</translation>
     </message>
     <message>
-        <source>The mesh has no border edge</source>
-        <translation>Das Netz hat keine Randkante</translation>
-    </message>
-    <message>
         <source>The mesh has no edge of three or more triangles and no pinched vertex</source>
         <translation>Das Netz hat keine Kante mit drei oder mehr Dreiecken und keinen Punkt, in dem es sich nur berührt</translation>
-    </message>
-    <message>
-        <source>The mesh was to have no border edge</source>
-        <translation>Das Netz sollte keine Randkante haben</translation>
     </message>
     <message>
         <source>The object whose mesh is improved</source>
@@ -202,14 +166,6 @@
     <message>
         <source>The operands: objects with a mesh or a shape, in their order</source>
         <translation>Die Operanden: Objekte mit einem Netz oder einer Form, in ihrer Reihenfolge</translation>
-    </message>
-    <message>
-        <source>The same as a part of the shape&apos;s largest dimension; 0.01 unless one is given; 0: not given</source>
-        <translation>Dasselbe als Teil der größten Abmessung der Form; 0,01, wenn nichts angegeben ist; 0: ohne Angabe</translation>
-    </message>
-    <message>
-        <source>Triangles below the angle asked for, and why</source>
-        <translation>Dreiecke unter dem verlangten Winkel, und warum</translation>
     </message>
     <message>
         <source>Triangles that are an operand&apos;s own</source>
@@ -260,24 +216,12 @@
         <translation>Ob das Netz das seiner Quellen und Optionen ist</translation>
     </message>
     <message>
-        <source>Whether the mesh keeps what was asked for; where not, what it misses and where</source>
-        <translation>Ob das Netz das Verlangte einhält; wenn nicht, was es verfehlt und wo</translation>
-    </message>
-    <message>
         <source>Which elements are invalid</source>
         <translation>Welche Elemente ungültig sind</translation>
     </message>
     <message>
-        <source>refine inserts points until every angle and distance fits; star (hexagons) and sprinkle (random points) first lay points on the faces, denser where they bend</source>
-        <translation>Entweder werden Punkte eingefügt, bis jeder Winkel und Abstand stimmt, oder es werden zuerst Punkte auf die Flächen gelegt (in Sechsecken oder zufällig), dichter, wo diese gekrümmt sind</translation>
-    </message>
-    <message>
         <source>Elements that were invalid before repair</source>
         <translation>Elemente, die vor der Reparatur ungültig waren</translation>
-    </message>
-    <message>
-        <source>The same as a part of the shape&apos;s largest dimension: 0.001 is a thousandth; 0: any</source>
-        <translation>Dasselbe als Teil der größten Abmessung der Form: 0,001 ist ein Tausendstel; 0: beliebig</translation>
     </message>
     <message>
         <source>What is done with the operands, one after the other from the first on</source>
@@ -288,28 +232,8 @@
         <translation>1: gerade Seiten; 2: quadratische Elemente, wie die meisten FEM-Programme sie brauchen; höchstens 5, mit Tetraedern 4</translation>
     </message>
     <message>
-        <source>Into how many parts the longest side is cut: more parts follow the operands more closely and take longer. Gives the tolerance where that is 0</source>
-        <translation>In wie viele Teile die längste Seite geteilt wird: mehr Teile folgen den Operanden genauer und dauern länger. Bestimmt die Toleranz, wo diese 0 ist</translation>
-    </message>
-    <message>
-        <source>Work ends, incomplete, at this number; 0: 5 million</source>
-        <translation>Die Arbeit endet unvollständig bei dieser Zahl; 0: 5 Millionen</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh and the shape before it is curved; 0: not given</source>
-        <translation>Größter Abstand zwischen Netz und Form, bevor es gekrümmt wird; 0: ohne Angabe</translation>
-    </message>
-    <message>
-        <source>Longest edge of the mesh before it is curved; 0: any</source>
-        <translation>Längste Kante des Netzes, bevor es gekrümmt wird; 0: beliebig</translation>
-    </message>
-    <message>
         <source>Make those elements straight that fold over and cannot be repaired</source>
         <translation>Macht jene Elemente gerade, die umklappen und sich nicht reparieren lassen</translation>
-    </message>
-    <message>
-        <source>No triangle gets a smaller angle than this, unless the part has a sharper corner; beyond about 30 many more triangles are needed</source>
-        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo das Teil selbst eine schärfere Ecke hat; über etwa 30 braucht es viel mehr Dreiecke</translation>
     </message>
     <message>
         <source>Smallest angle of the triangles before they are curved</source>
@@ -318,18 +242,6 @@
     <message>
         <source>How far the worst element is from equal sides and angles: 1 is best, 5 is poor, infinite: it folds over</source>
         <translation>Wie weit das schlechteste Element von gleichen Seiten und Winkeln entfernt ist: 1 ist am besten, 5 ist schlecht, unendlich: es klappt um</translation>
-    </message>
-    <message>
-        <source>Bent edges and faces get at least so many edges for each full turn: 12 to 36 is usual; 0: any</source>
-        <translation>Gebogene Kanten und Flächen erhalten mindestens so viele Dreieckskanten je volle Umdrehung: 12 bis 36 sind üblich; 0: beliebig</translation>
-    </message>
-    <message>
-        <source>How many times longer than their neighbours edges become on the way from fine places to coarse ones: 1.2 is slow, 2 is fast; 0: any</source>
-        <translation>Wievielmal so lang wie ihre Nachbarn Kanten auf dem Weg von feinen zu groben Stellen werden: 1,2 ist langsam, 2 ist schnell; 0: beliebig</translation>
-    </message>
-    <message>
-        <source>Which edges of the shape the mesh follows: all, or feature: not those that the surface crosses smoothly, which triangles then may span</source>
-        <translation>Welchen Kanten der Form das Netz folgt: allen, oder nur scharfen: nicht denen, über die die Fläche glatt hinweggeht; über diese dürfen Dreiecke dann hinwegreichen</translation>
     </message>
     <message>
         <source>With keep_edges = feature: edges are smooth where the surface turns by less than this</source>
@@ -343,6 +255,110 @@
         <source>Faces of the shape that kept their triangles through the last edit</source>
         <translation>Flächen der Form, deren Dreiecke bei der letzten Änderung geblieben sind</translation>
     </message>
+    <message>
+        <source>CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth edges</source>
+        <translation>CAD-Kanten, denen das Netz folgt: alle (all) oder nur scharfe (feature); über glatte dürfen Dreiecke dann hinweggehen</translation>
+    </message>
+    <message>
+        <source>CAD faces on which the mesh misses a requested limit</source>
+        <translation>CAD-Flächen, auf denen das Netz eine verlangte Grenze nicht einhält</translation>
+    </message>
+    <message>
+        <source>Grid cells along the longest side; sets the tolerance if none is given</source>
+        <translation>Gitterzellen entlang der längsten Seite; bestimmt die Toleranz, wenn keine angegeben ist</translation>
+    </message>
+    <message>
+        <source>Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast; 0: any</source>
+        <translation>Wachstumsrate der Kantenlänge von feinen zu groben Bereichen: 1,2 ist langsam, 2 schnell; 0: beliebig</translation>
+    </message>
+    <message>
+        <source>How the distance to the shape is bounded: relative to its size, by a length, or not at all</source>
+        <translation>Wie der Abstand zur Form begrenzt ist: relativ zu ihrer Größe, durch eine Länge oder gar nicht</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh and the shape, as a length</source>
+        <translation>Größter Abstand zwischen Netz und Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh before it is curved and the shape, as a length</source>
+        <translation>Größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Longest edge of a triangle; 0: unlimited</source>
+        <translation>Längste Kante eines Dreiecks; 0: unbegrenzt</translation>
+    </message>
+    <message>
+        <source>Longest edge of the mesh before it is curved; 0: unlimited</source>
+        <translation>Längste Kante des Netzes vor dem Krümmen; 0: unbegrenzt</translation>
+    </message>
+    <message>
+        <source>Longest edge on single faces, along edges or around vertices: Face3=0.5, Edge7=0.2; in containers and links with the path to the object: Box.Face3=0.5</source>
+        <translation>Längste Kante auf einzelnen Flächen, entlang von Kanten oder um Ecken: Face3=0.5, Edge7=0.2; in Containern und Verknüpfungen mit dem Weg zum Objekt: Box.Face3=0.5</translation>
+    </message>
+    <message>
+        <source>No edge is split into shorter ones than this; 0: unlimited</source>
+        <translation>Keine Kante wird in kürzere als diese geteilt; 0: unbegrenzt</translation>
+    </message>
+    <message>
+        <source>No triangle gets a smaller angle, except where the part has a sharper corner; above 30 degrees many more triangles are needed</source>
+        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo das Teil eine spitzere Ecke hat; über 30 Grad werden viel mehr Dreiecke gebraucht</translation>
+    </message>
+    <message>
+        <source>Random seed for the sprinkle method; the same seed gives the same mesh</source>
+        <translation>Startwert des Zufalls für das Verfahren sprinkle; derselbe Wert gibt dasselbe Netz</translation>
+    </message>
+    <message>
+        <source>Smallest angle that was requested</source>
+        <translation>Kleinster verlangter Winkel</translation>
+    </message>
+    <message>
+        <source>Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is usual; 0: any</source>
+        <translation>Kleinste Anzahl der Kanten auf jeder vollen Umdrehung einer gekrümmten Kante oder Fläche: 12 bis 36 sind üblich; 0: beliebig</translation>
+    </message>
+    <message>
+        <source>Stop at this number; the mesh is then incomplete; 0: 5 million</source>
+        <translation>Bei dieser Anzahl aufhören; das Netz ist dann unvollständig; 0: 5 Millionen</translation>
+    </message>
+    <message>
+        <source>The mesh is watertight: it has no open edge</source>
+        <translation>Das Netz ist wasserdicht: es hat keine offene Kante</translation>
+    </message>
+    <message>
+        <source>The mesh was to be watertight</source>
+        <translation>Das Netz sollte wasserdicht sein</translation>
+    </message>
+    <message>
+        <source>The path from each source to its operand, where only a link leads there: Part.Box.</source>
+        <translation>Der Pfad von jeder Quelle zu ihrem Operanden, wo nur eine Verknüpfung dorthin führt: Part.Box.</translation>
+    </message>
+    <message>
+        <source>The path from the source to what is meshed, where only a link leads there: Part.Box.</source>
+        <translation>Der Pfad von der Quelle zu dem, was vernetzt wird, wo nur eine Verknüpfung dorthin führt: Part.Box.</translation>
+    </message>
+    <message>
+        <source>The same as a fraction of the shape&apos;s largest dimension</source>
+        <translation>Derselbe als Anteil an der größten Abmessung der Form</translation>
+    </message>
+    <message>
+        <source>Triangles below the requested angle, and why</source>
+        <translation>Dreiecke unter dem verlangten Winkel, und warum</translation>
+    </message>
+    <message>
+        <source>Where the container of the first source stood when the mesh was computed</source>
+        <translation>Wo der Behälter der ersten Quelle stand, als das Netz berechnet wurde</translation>
+    </message>
+    <message>
+        <source>Where the origin of the triangles&apos; coordinates stood in the document then</source>
+        <translation>Wo der Ursprung der Koordinaten der Dreiecke damals im Dokument stand</translation>
+    </message>
+    <message>
+        <source>Whether the mesh meets all requested limits; where not, which it misses and where</source>
+        <translation>Ob das Netz alle verlangten Grenzen einhält; wenn nicht, welche nicht und wo</translation>
+    </message>
+    <message>
+        <source>refine inserts points until every angle and distance fits; star (hexagons) and sprinkle (random points) first sample the faces, denser where they bend</source>
+        <translation>refine fügt Punkte ein, bis jeder Winkel und Abstand passt; star (Sechsecke) und sprinkle (zufällige Punkte) tasten die Flächen zuerst ab, dichter wo sie sich biegen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -351,28 +367,8 @@
         <translation>Zeigen, wo</translation>
     </message>
     <message>
-        <source>The mesh keeps all that was asked for.</source>
-        <translation>Das Netz hält alles ein, was verlangt war.</translation>
-    </message>
-    <message>
-        <source>What was asked for is missed: {}</source>
-        <translation>Verlangtes ist verfehlt: {}</translation>
-    </message>
-    <message>
-        <source>Update the mesh to learn whether it keeps what was asked for.</source>
-        <translation>Erst nach einer Aktualisierung ist bekannt, ob das Netz das Verlangte einhält.</translation>
-    </message>
-    <message>
         <source>The mesh is out of date: a source or an option has changed.</source>
         <translation>Das Netz ist veraltet: eine Quelle oder eine Option hat sich geändert.</translation>
-    </message>
-    <message>
-        <source>Of {}, as curved elements of order {}</source>
-        <translation>Von {}, als gekrümmte Elemente der Ordnung {}</translation>
-    </message>
-    <message>
-        <source>The ending chooses the format: {}</source>
-        <translation>Die Endung bestimmt das Format: {}</translation>
     </message>
     <message>
         <source>File</source>
@@ -405,10 +401,6 @@
     <message>
         <source>cancelled</source>
         <translation>abgebrochen</translation>
-    </message>
-    <message>
-        <source>Of {}</source>
-        <translation>Von {}</translation>
     </message>
     <message>
         <source>Cancelled; nothing was changed.</source>
@@ -507,10 +499,6 @@
         <translation>Wie Abtastpunkte verbunden werden: im Raum oder in den Parametern (u, v) der Fläche</translation>
     </message>
     <message>
-        <source>Largest distance between the mesh and the shape</source>
-        <translation>Größter Abstand zwischen Netz und Form</translation>
-    </message>
-    <message>
         <source>Largest distance between the triangles shown and the curved elements</source>
         <translation>Größter Abstand zwischen den gezeigten Dreiecken und den gekrümmten Elementen</translation>
     </message>
@@ -547,20 +535,12 @@
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>Most triangles</source>
-        <translation>Höchstzahl der Dreiecke</translation>
-    </message>
-    <message>
         <source>New points</source>
         <translation>Neue Punkte</translation>
     </message>
     <message>
         <source>No edge is split into shorter ones than this</source>
         <translation>Keine Kante wird in kürzere als diese geteilt</translation>
-    </message>
-    <message>
-        <source>Of the random points of sprinkle; the same seed gives the same mesh</source>
-        <translation>Für die Zufallspunkte; gleicher Startwert gibt das gleiche Netz</translation>
     </message>
     <message>
         <source>Operation</source>
@@ -607,14 +587,6 @@
         <translation>Kleinster Winkel</translation>
     </message>
     <message>
-        <source>Straighten faulty elements</source>
-        <translation>Fehlerhafte begradigen</translation>
-    </message>
-    <message>
-        <source>The same as a part of the shape&apos;s largest dimension; 0.01 unless one is given</source>
-        <translation>Dasselbe als Teil der größten Abmessung der Form; 0,01, wenn nichts angegeben ist</translation>
-    </message>
-    <message>
         <source>Tolerance</source>
         <translation>Toleranz</translation>
     </message>
@@ -635,10 +607,6 @@
         <translation>nach Auflösung</translation>
     </message>
     <message>
-        <source>cut off</source>
-        <translation>abziehen</translation>
-    </message>
-    <message>
         <source>exact intersection</source>
         <translation>genauer Schnitt</translation>
     </message>
@@ -653,26 +621,6 @@
     <message>
         <source>in space</source>
         <translation>im Raum</translation>
-    </message>
-    <message>
-        <source>join</source>
-        <translation>vereinigen</translation>
-    </message>
-    <message>
-        <source>keep the common part</source>
-        <translation>Gemeinsames behalten</translation>
-    </message>
-    <message>
-        <source>keep what is in one only</source>
-        <translation>nur Einzelnes behalten</translation>
-    </message>
-    <message>
-        <source>not given</source>
-        <translation>ohne Angabe</translation>
-    </message>
-    <message>
-        <source>refine inserts points until every angle and distance fits; star (hexagons) and sprinkle (random points) first lay points on the faces, denser where they bend</source>
-        <translation>Entweder werden Punkte eingefügt, bis jeder Winkel und Abstand stimmt, oder es werden zuerst Punkte auf die Flächen gelegt (in Sechsecken oder zufällig), dichter, wo diese gekrümmt sind</translation>
     </message>
     <message>
         <source>refine where needed</source>
@@ -723,14 +671,6 @@
         <translation>Die in der 3D-Ansicht ausgewählten Flächen, Kanten und Ecken hinzufügen</translation>
     </message>
     <message>
-        <source>Longest edge on single faces, edges or around vertices: Face3=0.5, Edge7=0.2</source>
-        <translation>Längste Kante auf einzelnen Flächen, Kanten oder um Ecken: Face3=0.5, Edge7=0.2</translation>
-    </message>
-    <message>
-        <source>Shorter edges on</source>
-        <translation>Kürzere Kanten auf</translation>
-    </message>
-    <message>
         <source>nowhere</source>
         <translation>nirgends</translation>
     </message>
@@ -769,10 +709,6 @@
     <message>
         <source>Mesh quality</source>
         <translation>Netzqualität</translation>
-    </message>
-    <message>
-        <source>Of {0}</source>
-        <translation>Von {0}</translation>
     </message>
     <message>
         <source>Draw edges</source>
@@ -815,10 +751,6 @@
         <translation>Auf einen Balken klicken, um zu sehen, wo seine Elemente liegen.</translation>
     </message>
     <message>
-        <source>Flies to the place, and selects the faces of the part on which the mesh misses what was asked for</source>
-        <translation>Fliegt an die Stelle und wählt die Flächen des Teils aus, auf denen das Netz das Verlangte verfehlt</translation>
-    </message>
-    <message>
         <source>Source is empty: choose an object with a shape</source>
         <translation>Es ist keine Quelle angegeben: ein Objekt mit einer Form wählen</translation>
     </message>
@@ -831,10 +763,6 @@
         <translation>Es sind {count} Objekte gewählt: zwei oder mehr mit einem Netz oder einer Form wählen</translation>
     </message>
     <message>
-        <source>The distance to the shape is given twice, as {number} mm and as {number2} of the size: set one of them to 0</source>
-        <translation>Der Abstand zur Form ist doppelt angegeben, als {number} mm und als {number2} der Größe: einen davon auf 0 setzen</translation>
-    </message>
-    <message>
         <source>The shortest edge of {number} mm is longer than the longest edge of {number2} mm</source>
         <translation>Die kürzeste Kante von {number} mm ist länger als die längste Kante von {number2} mm</translation>
     </message>
@@ -843,20 +771,8 @@
         <translation>ein weiterer Punkt würde das Netz falten</translation>
     </message>
     <message>
-        <source>a further point would lie too near to be told apart in the numbers that FreeCAD keeps</source>
-        <translation>ein weiterer Punkt läge so nahe, dass FreeCADs Zahlen ihn nicht mehr unterscheiden</translation>
-    </message>
-    <message>
         <source>a further point would make an edge shorter than the shortest that is allowed</source>
         <translation>ein weiterer Punkt würde eine Kante kürzer machen, als erlaubt ist</translation>
-    </message>
-    <message>
-        <source>a further point would not make the triangles around it better</source>
-        <translation>ein weiterer Punkt würde die Dreiecke um ihn nicht besser machen</translation>
-    </message>
-    <message>
-        <source>a limit ended the work early</source>
-        <translation>eine Grenze hat die Arbeit vorzeitig beendet</translation>
     </message>
     <message>
         <source>at least {number}</source>
@@ -891,24 +807,12 @@
         <translation>Grad</translation>
     </message>
     <message>
-        <source>distance from the exact result {number} of {number2} mm</source>
-        <translation>Abstand vom genauen Ergebnis {number} statt {number2} mm</translation>
-    </message>
-    <message>
-        <source>distance to the shape {number} of {number2} mm</source>
-        <translation>Abstand zur Form {number} statt {number2} mm</translation>
-    </message>
-    <message>
         <source>dividing the space</source>
         <translation>Raum wird geteilt</translation>
     </message>
     <message>
         <source>dividing triangles</source>
         <translation>Dreiecke werden geteilt</translation>
-    </message>
-    <message>
-        <source>edges near the narrow corner at {vertex} would shrink without end</source>
-        <translation>Kanten nahe der engen Ecke bei {vertex} würden endlos kürzer</translation>
     </message>
     <message>
         <source>filling with tetrahedra</source>
@@ -929,10 +833,6 @@
     <message>
         <source>fitting to the shapes</source>
         <translation>Anpassen an die Formen</translation>
-    </message>
-    <message>
-        <source>for no known reason</source>
-        <translation>ohne bekannten Grund</translation>
     </message>
     <message>
         <source>getting nearer to the shape</source>
@@ -1011,18 +911,6 @@
         <translation>keine Änderung innerhalb der Toleranz macht es besser</translation>
     </message>
     <message>
-        <source>not a clean surface: {count} edges of three or more triangles, {count2} points where it only touches itself, {count3} triangles without area</source>
-        <translation>keine saubere Oberfläche: {count} Kanten mit drei oder mehr Dreiecken, {count2} Punkte, in denen sie sich nur berührt, {count3} Dreiecke ohne Fläche</translation>
-    </message>
-    <message>
-        <source>not closed: {count} edges have one triangle only</source>
-        <translation>nicht geschlossen: {count} Kanten haben nur ein Dreieck</translation>
-    </message>
-    <message>
-        <source>on {face}</source>
-        <translation>auf {face}</translation>
-    </message>
-    <message>
         <source>putting the result together</source>
         <translation>Ergebnis wird zusammengesetzt</translation>
     </message>
@@ -1047,10 +935,6 @@
         <translation>Trennen, was sich nur berührt</translation>
     </message>
     <message>
-        <source>smallest angle {number} of {number2} degrees at triangle {count}: {phrase}</source>
-        <translation>kleinster Winkel {number} statt {number2} Grad bei Dreieck {count}: {phrase}</translation>
-    </message>
-    <message>
         <source>sorting the triangles</source>
         <translation>Dreiecke werden sortiert</translation>
     </message>
@@ -1061,34 +945,6 @@
     <message>
         <source>tetrahedron {count} of {solid}</source>
         <translation>Tetraeder {count} von {solid}</translation>
-    </message>
-    <message>
-        <source>the largest number of triangles was reached</source>
-        <translation>die Höchstzahl der Dreiecke ist erreicht</translation>
-    </message>
-    <message>
-        <source>the shape has no usable point there</source>
-        <translation>die Form hat dort keinen brauchbaren Punkt</translation>
-    </message>
-    <message>
-        <source>the surface comes to a point at {vertex} with too little angle around it</source>
-        <translation>die Fläche läuft bei {vertex} in eine Spitze mit zu wenig Winkel darum aus</translation>
-    </message>
-    <message>
-        <source>triangle {count} on {face}</source>
-        <translation>Dreieck {count} auf {face}</translation>
-    </message>
-    <message>
-        <source>what is to be meshed is not in its document any more: close the panel</source>
-        <translation>was vernetzt werden soll, ist nicht mehr in seinem Dokument: den Aufgabenbereich schließen</translation>
-    </message>
-    <message>
-        <source>{count} faults are left that no repair removed</source>
-        <translation>{count} Fehler bleiben, die keine Reparatur beseitigt hat</translation>
-    </message>
-    <message>
-        <source>{count} of {count2} elements are not proven free of folds: {list}</source>
-        <translation>{count} von {count2} Elementen sind nicht nachweislich frei von Falten: {list}</translation>
     </message>
     <message>
         <source>{list} and {count} more</source>
@@ -1123,14 +979,6 @@
         <translation>{option}: {value} geht nicht, verlangt ist: {range}</translation>
     </message>
     <message>
-        <source>{phrase} ({count} more triangles are below)</source>
-        <translation>{phrase} ({count} weitere Dreiecke liegen darunter)</translation>
-    </message>
-    <message>
-        <source>{phrase} at triangle {count}</source>
-        <translation>{phrase} bei Dreieck {count}</translation>
-    </message>
-    <message>
         <source>{phrase} at {edge}</source>
         <translation>{phrase} an {edge}</translation>
     </message>
@@ -1139,32 +987,8 @@
         <translation>{phrase} auf {face}</translation>
     </message>
     <message>
-        <source>The same as a part of the shape&apos;s largest dimension: 0.001 is a thousandth</source>
-        <translation>Dasselbe als Teil der größten Abmessung der Form: 0,001 ist ein Tausendstel</translation>
-    </message>
-    <message>
         <source>What is done with the operands, one after the other from the first on</source>
         <translation>Was mit den Operanden geschieht, nacheinander vom ersten an</translation>
-    </message>
-    <message>
-        <source>60° is best; triangles of a few degrees spoil computations.</source>
-        <translation>60° ist am besten; Dreiecke mit wenigen Grad verderben Berechnungen.</translation>
-    </message>
-    <message>
-        <source>1 is best: all edges of a triangle are alike.</source>
-        <translation>1 ist am besten: alle Kanten eines Dreiecks sind gleich.</translation>
-    </message>
-    <message>
-        <source>How far each triangle is from the part that was meshed.</source>
-        <translation>Wie weit jedes Dreieck vom vernetzten Teil entfernt ist.</translation>
-    </message>
-    <message>
-        <source>How far an element is from equal sides and angles: 1 is best, 5 is poor, ∞ means that it folds over.</source>
-        <translation>Wie weit ein Element von gleichen Seiten und Winkeln entfernt ist: 1 ist am besten, 5 ist schlecht, ∞ heißt, dass es umklappt.</translation>
-    </message>
-    <message>
-        <source>How much an element is squeezed by its bending: 1 is as good as straight, 0 or less means that it folds over.</source>
-        <translation>Wie sehr ein Element durch seine Krümmung gestaucht wird: 1 ist so gut wie gerade, 0 oder weniger heißt, dass es umklappt.</translation>
     </message>
     <message>
         <source>Count</source>
@@ -1183,28 +1007,8 @@
         <translation>Genauigkeit</translation>
     </message>
     <message>
-        <source>Edges are sharp from</source>
-        <translation>Kanten sind scharf ab</translation>
-    </message>
-    <message>
-        <source>Into how many parts the longest side is cut: more parts follow the operands more closely and take longer. Gives the tolerance where that is 0</source>
-        <translation>In wie viele Teile die längste Seite geteilt wird: mehr Teile folgen den Operanden genauer und dauern länger. Bestimmt die Toleranz, wo diese 0 ist</translation>
-    </message>
-    <message>
-        <source>Or as a part of the size</source>
-        <translation>Oder als Teil der Größe</translation>
-    </message>
-    <message>
-        <source>the part itself has a corner of {number} degrees there, between {edge} and {edge2} at {vertex}</source>
-        <translation>das Teil selbst hat dort eine Ecke von {number} Grad, zwischen {edge} und {edge2} bei {vertex}</translation>
-    </message>
-    <message>
         <source>5 million</source>
         <translation>5 Millionen</translation>
-    </message>
-    <message>
-        <source>Work ends, incomplete, at this number</source>
-        <translation>Die Arbeit endet unvollständig bei dieser Zahl</translation>
     </message>
     <message>
         <source>Stop computing</source>
@@ -1251,10 +1055,6 @@
         <translation>{name} hat kein Dreieck mit einem Inhalt, das ein Volumen einschließt</translation>
     </message>
     <message>
-        <source>Largest distance between the mesh and the shape before it is curved</source>
-        <translation>Größter Abstand zwischen Netz und Form, bevor es gekrümmt wird</translation>
-    </message>
-    <message>
         <source>Longest edge of the mesh before it is curved</source>
         <translation>Längste Kante des Netzes, bevor es gekrümmt wird</translation>
     </message>
@@ -1263,48 +1063,16 @@
         <translation>Macht jene Elemente gerade, die umklappen und sich nicht reparieren lassen</translation>
     </message>
     <message>
-        <source>No triangle gets a smaller angle than this, unless the part has a sharper corner; beyond about 30 many more triangles are needed</source>
-        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo das Teil selbst eine schärfere Ecke hat; über etwa 30 braucht es viel mehr Dreiecke</translation>
-    </message>
-    <message>
         <source>Smallest angle of the triangles before they are curved</source>
         <translation>Kleinster Winkel der Dreiecke, bevor sie gekrümmt werden</translation>
-    </message>
-    <message>
-        <source>Distortion of the shape</source>
-        <translation>Verzerrung der Form</translation>
     </message>
     <message>
         <source>separating faces that cross</source>
         <translation>Flächen, die sich schneiden, werden getrennt</translation>
     </message>
     <message>
-        <source>Bent edges and faces get at least so many edges for each full turn: 12 to 36 is usual</source>
-        <translation>Gebogene Kanten und Flächen erhalten mindestens so viele Dreieckskanten je volle Umdrehung: 12 bis 36 sind üblich</translation>
-    </message>
-    <message>
-        <source>Edges on a full circle</source>
-        <translation>Kanten je Vollkreis</translation>
-    </message>
-    <message>
-        <source>Growth of edges</source>
-        <translation>Wachstum der Kanten</translation>
-    </message>
-    <message>
-        <source>How many times longer than their neighbours edges become on the way from fine places to coarse ones: 1.2 is slow, 2 is fast</source>
-        <translation>Wievielmal so lang wie ihre Nachbarn Kanten auf dem Weg von feinen zu groben Stellen werden: 1,2 ist langsam, 2 ist schnell</translation>
-    </message>
-    <message>
-        <source>Edges are smooth below</source>
-        <translation>Kanten sind glatt unter</translation>
-    </message>
-    <message>
         <source>Edges of the shape</source>
         <translation>Kanten der Form</translation>
-    </message>
-    <message>
-        <source>Which edges of the shape the mesh follows: all, or feature: not those that the surface crosses smoothly, which triangles then may span</source>
-        <translation>Welchen Kanten der Form das Netz folgt: allen, oder nur scharfen: nicht denen, über die die Fläche glatt hinweggeht; über diese dürfen Dreiecke dann hinwegreichen</translation>
     </message>
     <message>
         <source>With keep_edges = feature: edges are smooth where the surface turns by less than this</source>
@@ -1317,10 +1085,6 @@
     <message>
         <source>keep sharp ones</source>
         <translation>scharfe behalten</translation>
-    </message>
-    <message>
-        <source>no change of the triangles around makes the angle larger within the bounds</source>
-        <translation>keine Änderung der Dreiecke ringsum macht den Winkel innerhalb der Grenzen größer</translation>
     </message>
     <message>
         <source>releasing smooth edges</source>
@@ -1355,12 +1119,504 @@
         <translation>Danach FreeCAD neu starten. Netze in Dokumenten werden bis dahin so gezeigt, wie sie gespeichert wurden.</translation>
     </message>
     <message>
-        <source>no such angles fit beside edges that part by {number} degrees at {vertex}</source>
-        <translation>neben Kanten, die bei {vertex} um {number} Grad auseinanderlaufen, passen keine solchen Winkel</translation>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>so many triangles there had no room for a further point that it was not divided any finer</source>
-        <translation>so viele Dreiecke hatten dort keinen Platz für einen weiteren Punkt, dass nicht feiner unterteilt wurde</translation>
+        <source>Cancel “{}”; nothing is changed</source>
+        <translation>„{}“ abbrechen; nichts wird geändert</translation>
+    </message>
+    <message>
+        <source>waiting until the open task is closed</source>
+        <translation>wartet, bis die geöffnete Aufgabe geschlossen ist</translation>
+    </message>
+    <message>
+        <source>Target not met: {}</source>
+        <translation>Ziel nicht erreicht: {}</translation>
+    </message>
+    <message>
+        <source>All requested limits are met.</source>
+        <translation>Alle verlangten Grenzen sind eingehalten.</translation>
+    </message>
+    <message>
+        <source>Update the mesh to learn whether it meets all requested limits.</source>
+        <translation>Aktualisieren Sie das Netz, um zu erfahren, ob es alle verlangten Grenzen einhält.</translation>
+    </message>
+    <message>
+        <source>The last update failed: {}</source>
+        <translation>Die letzte Aktualisierung ist fehlgeschlagen: {}</translation>
+    </message>
+    <message>
+        <source>Flies to the place, and selects the faces of the shape on which the mesh misses a requested limit</source>
+        <translation>Fliegt zu der Stelle und wählt die Flächen der Form aus, auf denen das Netz eine verlangte Grenze nicht einhält</translation>
+    </message>
+    <message>
+        <source>The source was deleted. Close this panel.</source>
+        <translation>Die Quelle wurde gelöscht. Schließen Sie dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>Mesh: {}, curved elements of order {}</source>
+        <translation>Netz: {}, gekrümmte Elemente der Ordnung {}</translation>
+    </message>
+    <message>
+        <source>A name without an ending gets that of the format</source>
+        <translation>Ein Name ohne Endung bekommt die des Formats</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Choose a file, or type its name.</source>
+        <translation>Wählen Sie eine Datei, oder geben Sie ihren Namen ein.</translation>
+    </message>
+    <message>
+        <source>Source: {}</source>
+        <translation>Quelle: {}</translation>
+    </message>
+    <message>
+        <source>Continue in background</source>
+        <translation>Im Hintergrund weiter</translation>
+    </message>
+    <message>
+        <source>Closes the panel; the status bar shows the work, and can cancel it</source>
+        <translation>Schließt den Aufgabenbereich; die Statusleiste zeigt die Arbeit und kann sie abbrechen</translation>
+    </message>
+    <message>
+        <source>The triangles are counted once other work has ended.</source>
+        <translation>Die Dreiecke werden gezählt, sobald andere Arbeit beendet ist.</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Set all options to their defaults</source>
+        <translation>Alle Optionen auf ihre Standardwerte setzen</translation>
+    </message>
+    <message>
+        <source>Relative to size</source>
+        <translation>Relativ zur Größe</translation>
+    </message>
+    <message>
+        <source>Absolute</source>
+        <translation>Absolut</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Unbegrenzt</translation>
+    </message>
+    <message>
+        <source>Local sizes are for one object: open the panel for that object alone.</source>
+        <translation>Lokale Größen gelten für ein einziges Objekt: Öffnen Sie das Fenster für dieses Objekt allein.</translation>
+    </message>
+    <message>
+        <source>Not added: {0} is not part of {1}.</source>
+        <translation>Nicht hinzugefügt: {0} ist kein Teil von {1}.</translation>
+    </message>
+    <message>
+        <source>Select faces, edges or vertices of {} in the 3D view first.</source>
+        <translation>Wählen Sie zuerst Flächen, Kanten oder Ecken von {} in der 3D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>60° is ideal; angles of a few degrees harm simulations.</source>
+        <translation>60° sind ideal; Winkel von wenigen Grad schaden Simulationen.</translation>
+    </message>
+    <message>
+        <source>1 is ideal: all edges of a triangle have the same length.</source>
+        <translation>1 ist ideal: alle Kanten eines Dreiecks sind gleich lang.</translation>
+    </message>
+    <message>
+        <source>Largest distance between each triangle and the source.</source>
+        <translation>Größter Abstand jedes Dreiecks von der Quelle.</translation>
+    </message>
+    <message>
+        <source>Shape distortion</source>
+        <translation>Verzerrung der Form</translation>
+    </message>
+    <message>
+        <source>Deviation from equal sides and angles: 1 = ideal, 5 = poor, ∞ = folded.</source>
+        <translation>Abweichung von gleichen Seiten und Winkeln: 1 = ideal, 5 = schlecht, ∞ = umgeklappt.</translation>
+    </message>
+    <message>
+        <source>1 = undistorted by its curvature, ≤ 0 = invalid.</source>
+        <translation>1 = durch die Krümmung nicht verzerrt, ≤ 0 = ungültig.</translation>
+    </message>
+    <message>
+        <source>Mesh: {0}</source>
+        <translation>Netz: {0}</translation>
+    </message>
+    <message>
+        <source>It is measured once other work has ended.</source>
+        <translation>Gemessen wird, sobald andere Arbeit beendet ist.</translation>
+    </message>
+    <message>
+        <source>Red: the largest one.</source>
+        <translation>Rot: der größte.</translation>
+    </message>
+    <message>
+        <source>Red: larger than the bound of {0}.</source>
+        <translation>Rot: größer als die Schranke von {0}.</translation>
+    </message>
+    <message>
+        <source>{0} tetrahedra: worst {1}, mean {2}</source>
+        <translation>{0} Tetraeder: schlechtester {1}, Mittel {2}</translation>
+    </message>
+    <message>
+        <source>Shown are the {0} at the surface: worst {1}, mean {2}</source>
+        <translation>Gezeigt sind die {0} an der Oberfläche: schlechtester {1}, Mittel {2}</translation>
+    </message>
+    <message>
+        <source>{0} triangles: worst {1}, mean {2}</source>
+        <translation>{0} Dreiecke: schlechtestes {1}, Mittel {2}</translation>
+    </message>
+    <message>
+        <source>1 element</source>
+        <translation>1 Element</translation>
+    </message>
+    <message>
+        <source>1 face could not be meshed and was left out: {list}.</source>
+        <translation>1 Fläche konnte nicht vernetzt werden und wurde ausgelassen: {list}.</translation>
+    </message>
+    <message>
+        <source>1 fault remains that no repair removed.</source>
+        <translation>1 Fehler bleibt, den keine Reparatur behoben hat.</translation>
+    </message>
+    <message>
+        <source>1 more element is distorted by more than {number}.</source>
+        <translation>1 weiteres Element ist um mehr als {number} verzerrt.</translation>
+    </message>
+    <message>
+        <source>1 more triangle is below {number}°, at a small corner of the shape too.</source>
+        <translation>1 weiteres Dreieck liegt unter {number}°, auch dieses an einer spitzen Ecke der Form.</translation>
+    </message>
+    <message>
+        <source>1 more triangle is below {number}°.</source>
+        <translation>1 weiteres Dreieck liegt unter {number}°.</translation>
+    </message>
+    <message>
+        <source>1 of {count2} elements is not proven valid: {list}.</source>
+        <translation>1 von {count2} Elementen ist nicht als gültig bewiesen: {list}.</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 Dreieck</translation>
+    </message>
+    <message>
+        <source>1 triangle has no area.</source>
+        <translation>1 Dreieck hat keine Fläche.</translation>
+    </message>
+    <message>
+        <source>CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth edges</source>
+        <translation>CAD-Kanten, denen das Netz folgt: alle (all) oder nur scharfe (feature); über glatte dürfen Dreiecke dann hinweggehen</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Edges per full circle</source>
+        <translation>Kanten je Vollkreis</translation>
+    </message>
+    <message>
+        <source>Feature angle</source>
+        <translation>Kantenwinkel</translation>
+    </message>
+    <message>
+        <source>Grid cells along the longest side; sets the tolerance if none is given</source>
+        <translation>Gitterzellen entlang der längsten Seite; bestimmt die Toleranz, wenn keine angegeben ist</translation>
+    </message>
+    <message>
+        <source>Growth rate</source>
+        <translation>Wachstumsrate</translation>
+    </message>
+    <message>
+        <source>Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast</source>
+        <translation>Wachstumsrate der Kantenlänge von feinen zu groben Bereichen: 1,2 ist langsam, 2 schnell</translation>
+    </message>
+    <message>
+        <source>Intersection</source>
+        <translation>Schnittmenge</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh and the shape, as a length</source>
+        <translation>Größter Abstand zwischen Netz und Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Largest distance between the mesh before it is curved and the shape, as a length</source>
+        <translation>Größter Abstand zwischen dem Netz vor dem Krümmen und der Form, als Länge</translation>
+    </message>
+    <message>
+        <source>Local sizes</source>
+        <translation>Lokale Größen</translation>
+    </message>
+    <message>
+        <source>Longest edge on single faces, along edges or around vertices: Face3=0.5, Edge7=0.2; in containers and links with the path to the object: Box.Face3=0.5</source>
+        <translation>Längste Kante auf einzelnen Flächen, entlang von Kanten oder um Ecken: Face3=0.5, Edge7=0.2; in Containern und Verknüpfungen mit dem Weg zum Objekt: Box.Face3=0.5</translation>
+    </message>
+    <message>
+        <source>Max. deviation</source>
+        <translation>Max. Abweichung</translation>
+    </message>
+    <message>
+        <source>No triangle gets a smaller angle, except where the part has a sharper corner; above 30 degrees many more triangles are needed</source>
+        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo das Teil eine spitzere Ecke hat; über 30 Grad werden viel mehr Dreiecke gebraucht</translation>
+    </message>
+    <message>
+        <source>Random seed for the sprinkle method; the same seed gives the same mesh</source>
+        <translation>Startwert des Zufalls für das Verfahren sprinkle; derselbe Wert gibt dasselbe Netz</translation>
+    </message>
+    <message>
+        <source>Relative deviation</source>
+        <translation>Relative Abweichung</translation>
+    </message>
+    <message>
+        <source>Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is usual</source>
+        <translation>Kleinste Anzahl der Kanten auf jeder vollen Umdrehung einer gekrümmten Kante oder Fläche: 12 bis 36 sind üblich</translation>
+    </message>
+    <message>
+        <source>Source is empty: the source was deleted; choose another one, or delete this mesh</source>
+        <translation>Source ist leer: Die Quelle wurde gelöscht; wählen Sie eine andere, oder löschen Sie dieses Netz</translation>
+    </message>
+    <message>
+        <source>Sources has 1 object: choose two or more with a mesh or a shape</source>
+        <translation>Sources enthält 1 Objekt: Wählen Sie zwei oder mehr mit einem Netz oder einer Form</translation>
+    </message>
+    <message>
+        <source>Stop at this number; the mesh is then incomplete</source>
+        <translation>Bei dieser Anzahl aufhören; das Netz ist dann unvollständig</translation>
+    </message>
+    <message>
+        <source>Straighten invalid elements</source>
+        <translation>Ungültige begradigen</translation>
+    </message>
+    <message>
+        <source>Symmetric difference</source>
+        <translation>Symmetrische Differenz</translation>
+    </message>
+    <message>
+        <source>The document was closed. Close this panel.</source>
+        <translation>Das Dokument wurde geschlossen. Schließen Sie dieses Fenster.</translation>
+    </message>
+    <message>
+        <source>The max. deviation is given twice, as {value} and as {number} of the size: give one of them</source>
+        <translation>Die größte Abweichung ist doppelt angegeben, als {value} und als {number} der Größe: Geben Sie eine davon an</translation>
+    </message>
+    <message>
+        <source>The same as a fraction of the shape&apos;s largest dimension</source>
+        <translation>Derselbe als Anteil an der größten Abmessung der Form</translation>
+    </message>
+    <message>
+        <source>Triangle limit</source>
+        <translation>Höchstzahl der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Union</source>
+        <translation>Vereinigung</translation>
+    </message>
+    <message>
+        <source>a further point would lie closer to its neighbours than they do to each other</source>
+        <translation>ein weiterer Punkt läge näher an seinen Nachbarn als diese aneinander</translation>
+    </message>
+    <message>
+        <source>all requested limits are met.</source>
+        <translation>alle verlangten Grenzen sind eingehalten.</translation>
+    </message>
+    <message>
+        <source>edges at the narrow corner of the shape would become ever shorter at {vertex}</source>
+        <translation>Kanten an der spitzen Ecke der Form würden bei {vertex} immer kürzer</translation>
+    </message>
+    <message>
+        <source>edges of the shape that meet at {number}° leave no room for larger angles at {vertex}</source>
+        <translation>Kanten der Form, die sich bei {vertex} unter {number}° treffen, lassen keinen Platz für größere Winkel</translation>
+    </message>
+    <message>
+        <source>error bound {number} mm</source>
+        <translation>Fehlerschranke {number} mm</translation>
+    </message>
+    <message>
+        <source>error bound {number} mm (requested {number2} mm).</source>
+        <translation>Fehlerschranke {number} mm (verlangt {number2} mm).</translation>
+    </message>
+    <message>
+        <source>greater than {number} {unit}, or &apos;none&apos;</source>
+        <translation>größer als {number} {unit} oder 'none'</translation>
+    </message>
+    <message>
+        <source>local_sizes names {value}, but {name} does not hold that: select it again in the 3D view</source>
+        <translation>Lokale Größen nennen {value}, das gehört aber nicht zu {name}: Wählen Sie es in der 3D-Ansicht neu</translation>
+    </message>
+    <message>
+        <source>max. deviation {number} mm</source>
+        <translation>größte Abweichung {number} mm</translation>
+    </message>
+    <message>
+        <source>max. deviation {number} mm (requested {number2} mm), {phrase}.</source>
+        <translation>größte Abweichung {number} mm (verlangt {number2} mm), {phrase}.</translation>
+    </message>
+    <message>
+        <source>max. deviation {number} mm (requested {number2} mm).</source>
+        <translation>größte Abweichung {number} mm (verlangt {number2} mm).</translation>
+    </message>
+    <message>
+        <source>max. shape distortion {number}</source>
+        <translation>größte Formverzerrung {number}</translation>
+    </message>
+    <message>
+        <source>max. shape distortion {number} (limit {number2}), {phrase}.</source>
+        <translation>größte Formverzerrung {number} (Grenze {number2}), {phrase}.</translation>
+    </message>
+    <message>
+        <source>method uniform does not rule that out, method default does.</source>
+        <translation>das Verfahren uniform schließt das nicht aus, das Verfahren default schon.</translation>
+    </message>
+    <message>
+        <source>no change of the triangles around it makes the angle larger within the limits</source>
+        <translation>keine Änderung der umliegenden Dreiecke vergrößert den Winkel innerhalb der Grenzen</translation>
+    </message>
+    <message>
+        <source>no point of the surface was found there</source>
+        <translation>dort wurde kein Punkt der Oberfläche gefunden</translation>
+    </message>
+    <message>
+        <source>not manifold: 1 edge has three or more triangles.</source>
+        <translation>nicht mannigfaltig: 1 Kante hat drei oder mehr Dreiecke.</translation>
+    </message>
+    <message>
+        <source>not manifold: the surface only touches itself at 1 vertex.</source>
+        <translation>nicht mannigfaltig: Die Oberfläche berührt sich an 1 Punkt nur.</translation>
+    </message>
+    <message>
+        <source>not manifold: the surface only touches itself at {count} vertices.</source>
+        <translation>nicht mannigfaltig: Die Oberfläche berührt sich an {count} Punkten nur.</translation>
+    </message>
+    <message>
+        <source>not manifold: {count} edges have three or more triangles.</source>
+        <translation>nicht mannigfaltig: {count} Kanten haben drei oder mehr Dreiecke.</translation>
+    </message>
+    <message>
+        <source>not watertight: 1 open edge.</source>
+        <translation>nicht wasserdicht: 1 offene Kante.</translation>
+    </message>
+    <message>
+        <source>not watertight: {count} open edges.</source>
+        <translation>nicht wasserdicht: {count} offene Kanten.</translation>
+    </message>
+    <message>
+        <source>points cannot be placed any closer in single precision</source>
+        <translation>Punkte können in einfacher Genauigkeit nicht näher beieinander liegen</translation>
+    </message>
+    <message>
+        <source>refine inserts points until every angle and distance fits; star (hexagons) and sprinkle (random points) first sample the faces, denser where they bend</source>
+        <translation>refine fügt Punkte ein, bis jeder Winkel und Abstand passt; star (Sechsecke) und sprinkle (zufällige Punkte) tasten die Flächen zuerst ab, dichter wo sie sich biegen</translation>
+    </message>
+    <message>
+        <source>smallest angle {number}°</source>
+        <translation>kleinster Winkel {number}°</translation>
+    </message>
+    <message>
+        <source>smallest angle {number}° (requested {number2}°), {phrase}.</source>
+        <translation>kleinster Winkel {number}° (verlangt {number2}°), {phrase}.</translation>
+    </message>
+    <message>
+        <source>target angle not reachable: {phrase}.</source>
+        <translation>Zielwinkel nicht erreichbar: {phrase}.</translation>
+    </message>
+    <message>
+        <source>target not met: {text}</source>
+        <translation>Ziel nicht erreicht: {text}</translation>
+    </message>
+    <message>
+        <source>the mesh is incomplete: a limit ended the work early</source>
+        <translation>das Netz ist unvollständig: Eine Grenze hat die Arbeit vorzeitig beendet</translation>
+    </message>
+    <message>
+        <source>the shape itself has a corner of {number}° between {edge} and {edge2} at {vertex}</source>
+        <translation>die Form selbst hat eine Ecke von {number}° zwischen {edge} und {edge2} bei {vertex}</translation>
+    </message>
+    <message>
+        <source>the surface comes to a point with too little angle around it at {vertex}</source>
+        <translation>die Oberfläche läuft bei {vertex} in eine Spitze mit zu wenig Winkel um sie herum aus</translation>
+    </message>
+    <message>
+        <source>the surface intersects itself: 1 pair of triangles crosses.</source>
+        <translation>die Oberfläche durchdringt sich selbst: 1 Paar von Dreiecken kreuzt sich.</translation>
+    </message>
+    <message>
+        <source>the surface intersects itself: more than {count} pairs of triangles cross.</source>
+        <translation>die Oberfläche durchdringt sich selbst: Mehr als {count} Paare von Dreiecken kreuzen sich.</translation>
+    </message>
+    <message>
+        <source>the surface intersects itself: {count} pairs of triangles cross.</source>
+        <translation>die Oberfläche durchdringt sich selbst: {count} Paare von Dreiecken kreuzen sich.</translation>
+    </message>
+    <message>
+        <source>the triangle limit was reached</source>
+        <translation>die Höchstzahl der Dreiecke wurde erreicht</translation>
+    </message>
+    <message>
+        <source>the triangles on both sides of 1 edge disagree on the outside.</source>
+        <translation>die Dreiecke beiderseits 1 Kante sind sich nicht einig, wo außen ist.</translation>
+    </message>
+    <message>
+        <source>the triangles on both sides of {count} edges disagree on the outside.</source>
+        <translation>die Dreiecke beiderseits von {count} Kanten sind sich nicht einig, wo außen ist.</translation>
+    </message>
+    <message>
+        <source>too many triangles there have no room for a further point, so the face is refined no further</source>
+        <translation>zu viele Dreiecke haben dort keinen Platz für einen weiteren Punkt, daher wird die Fläche nicht weiter verfeinert</translation>
+    </message>
+    <message>
+        <source>triangle {count}</source>
+        <translation>Dreieck {count}</translation>
+    </message>
+    <message>
+        <source>unlimited</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>{count} elements</source>
+        <translation>{count} Elemente</translation>
+    </message>
+    <message>
+        <source>{count} faces could not be meshed and were left out: {list}.</source>
+        <translation>{count} Flächen konnten nicht vernetzt werden und wurden ausgelassen: {list}.</translation>
+    </message>
+    <message>
+        <source>{count} faults remain that no repair removed.</source>
+        <translation>{count} Fehler bleiben, die keine Reparatur behoben hat.</translation>
+    </message>
+    <message>
+        <source>{count} more elements are distorted by more than {number}.</source>
+        <translation>{count} weitere Elemente sind um mehr als {number} verzerrt.</translation>
+    </message>
+    <message>
+        <source>{count} more triangles are below {number}°, all of them at small corners of the shape.</source>
+        <translation>{count} weitere Dreiecke liegen unter {number}°, alle an spitzen Ecken der Form.</translation>
+    </message>
+    <message>
+        <source>{count} more triangles are below {number}°.</source>
+        <translation>{count} weitere Dreiecke liegen unter {number}°.</translation>
+    </message>
+    <message>
+        <source>{count} of {count2} elements are not proven valid: {list}.</source>
+        <translation>{count} von {count2} Elementen sind nicht als gültig bewiesen: {list}.</translation>
+    </message>
+    <message>
+        <source>{count} triangles</source>
+        <translation>{count} Dreiecke</translation>
+    </message>
+    <message>
+        <source>{count} triangles have no area.</source>
+        <translation>{count} Dreiecke haben keine Fläche.</translation>
+    </message>
+    <message>
+        <source>{face} and {face2} cross.</source>
+        <translation>{face} und {face2} kreuzen sich.</translation>
+    </message>
+    <message>
+        <source>{face} crosses itself.</source>
+        <translation>{face} durchdringt sich selbst.</translation>
     </message>
 </context>
 <context>
@@ -1378,28 +1634,12 @@
         <translation>Kleinster Winkel neuer Netze</translation>
     </message>
     <message>
-        <source>Beyond about 30 degrees the triangles grow many</source>
-        <translation>Über etwa 30 Grad werden es sehr viele Dreiecke</translation>
-    </message>
-    <message>
         <source>Begin with the values that were used last</source>
         <translation>Mit den zuletzt benutzten Werten beginnen</translation>
     </message>
     <message>
-        <source>Otherwise panels begin with medium fineness and the angle above</source>
-        <translation>Sonst wird mit mittlerer Feinheit und dem Winkel oben begonnen</translation>
-    </message>
-    <message>
         <source>Updates</source>
         <translation>Aktualisierung</translation>
-    </message>
-    <message>
-        <source>New meshes wait for Update mesh above</source>
-        <translation>Neue Netze warten auf „Netz aktualisieren“ ab</translation>
-    </message>
-    <message>
-        <source>Larger meshes do not follow each change of their source by themselves</source>
-        <translation>Größere Netze folgen nicht von selbst jeder Änderung ihrer Quelle</translation>
     </message>
     <message>
         <source> triangles</source>
@@ -1412,6 +1652,22 @@
     <message>
         <source>Otherwise the window waits until they are computed</source>
         <translation>Sonst wartet das Fenster, bis sie berechnet sind</translation>
+    </message>
+    <message>
+        <source>Above about 30 degrees many more triangles are needed</source>
+        <translation>Über etwa 30 Grad werden viel mehr Dreiecke gebraucht</translation>
+    </message>
+    <message>
+        <source>Angles, relative values and choices: lengths and local sizes stay with their part. Otherwise panels begin with medium fineness and the angle above</source>
+        <translation>Winkel, relative Werte und Auswahlen: Längen und lokale Größen bleiben bei ihrem Teil. Sonst beginnen Fenster mit mittlerer Feinheit und dem Winkel darüber</translation>
+    </message>
+    <message>
+        <source>Do not update new meshes automatically above</source>
+        <translation>Neue Netze nicht von selbst aktualisieren ab</translation>
+    </message>
+    <message>
+        <source>Larger meshes wait until Update mesh is chosen</source>
+        <translation>Größere Netze warten, bis Netz aktualisieren gewählt wird</translation>
     </message>
 </context>
 <context>
@@ -1487,8 +1743,8 @@
         <translation>Vernetzt die gewählte Form sofort mit den zuletzt benutzten Werten und zeigt ihre Qualität farbig</translation>
     </message>
     <message>
-        <source>Quick mesh...</source>
-        <translation>Schnelles Netz...</translation>
+        <source>Quick mesh</source>
+        <translation>Schnelles Netz</translation>
     </message>
 </context>
 <context>
@@ -1509,8 +1765,8 @@
         <translation>Berechnet die gewählten Netze neu, wo sich eine Quelle oder eine Option geändert hat</translation>
     </message>
     <message>
-        <source>Update mesh...</source>
-        <translation>Netz aktualisieren...</translation>
+        <source>Update mesh</source>
+        <translation>Netz aktualisieren</translation>
     </message>
 </context>
 <context>

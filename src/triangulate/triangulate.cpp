@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <ctime>
 #include <map>
 #include <memory>
@@ -169,6 +170,12 @@ std::string release_smooth_edges(Workspace& work, const Options& options, const 
     return released;
 }
 
+void refine_where_faces_cross(Workspace& work, CrossingRefiner& crossings, const std::function<void()>& refine_again) {
+    for (int round = 0; round < kMaxCrossingRounds && split_crossings(work, crossings); ++round) {
+        refine_again();
+    }
+}
+
 // @return what was done about smooth edges, for the report
 std::string refine(Workspace& work, Findings& findings, const Options& options, double chord, StageClock& clock) {
     const int first = work.mesh.vertex_count();
@@ -216,9 +223,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     work.progress.stage("separating crossings", 0.82, 0.85);
     CrossingRefiner crossings(work, segments, findings.crossings);
     const auto separate_crossings = [&] {
-        for (int round = 0; round < kMaxCrossingRounds && split_crossings(work, crossings); ++round) {
-            refine_again();
-        }
+        refine_where_faces_cross(work, crossings, refine_again);
         separate_doubled();
     };
     separate_crossings();
