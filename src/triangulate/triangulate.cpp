@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <ctime>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
