@@ -142,6 +142,12 @@ void run_uniform(BooleanSurface& surface, const OperandFrame& frame, Operation o
     check_uniform(surface, progress);
 }
 
+/// Edges, vertices and triangles at which a surface is not a closed oriented manifold.
+std::size_t surface_faults(const mesh::MeshReport& report) {
+    return report.border_edges + report.nonmanifold_edges + report.misoriented_edges + report.pinched_vertices +
+           report.degenerate_triangles + report.duplicate_triangles;
+}
+
 /// Fills what every report has, and what the caller did before.
 void measure(BooleanSurface& surface, const OperandFrame& frame, const Before& before, Progress& progress) {
     BooleanReport& figures = surface.figures;
@@ -155,6 +161,7 @@ void measure(BooleanSurface& surface, const OperandFrame& frame, const Before& b
         notes.emplace_back("the result is empty: no volume is left");
     } else if (!figures.closed || !figures.oriented || !figures.manifold) {
         notes.emplace_back("the result is not a closed manifold surface: see its faults");
+        figures.faults_left = std::max(figures.faults_left, surface_faults(figures));
     }
     if (!frame.single()) {
         notes.emplace_back(

@@ -226,6 +226,31 @@ class Contacts(BooleanTest):
         self.assertAlmostEqual(result.report.volume, mq.quality(a).volume, delta=0.05)
 
 
+class Unsound(unittest.TestCase):
+    """What is not a closed manifold never passes for sound: faults_left counts it."""
+
+    def checkers(self, turn, base):
+        """Every other cube of a chessboard of 3 x 3 x 3, which touch in edges and corners."""
+        box = mq.triangulate(Part.makeBox(1, 1, 1))
+        places = [(i, j, k) for i in range(3) for j in range(3) for k in range(3) if (i + j + k) % 2 == 0]
+        points = np.vstack([box.vertices + place for place in places])
+        triangles = np.vstack([box.triangles + len(box.vertices) * i for i in range(len(places))])
+        points, index = np.unique(points, axis=0, return_inverse=True)
+        matrix = np.array(FreeCAD.Placement(Vector(*base), turn).toMatrix().A).reshape(4, 4)
+        moved = points @ matrix[:3, :3].T + matrix[:3, 3]
+        return moved.astype(np.float32).astype(float), index.ravel()[triangles]
+
+    def test_faults_are_counted(self):
+        for seed in (21, 23, 55, 1, 2, 3):
+            dice = np.random.default_rng(seed)
+            turn, base = FreeCAD.Rotation(*dice.uniform(0, 360, 3)), dice.uniform(0, 1, 3)
+            for operation in ("union", "difference"):
+                report = mq.boolean(self.checkers(FreeCAD.Rotation(), (0, 0, 0)), self.checkers(turn, base), operation,
+                                    tolerance=1e-4).report
+                sound = report.closed and report.manifold and report.oriented
+                self.assertEqual(report.faults_left == 0, sound, (seed, operation, report.faults_left))
+
+
 class DirtyOperands(BooleanTest):
     def test_a_hole_is_closed_and_reported(self):
         sphere = Mesh.createSphere(1.0, 40)
