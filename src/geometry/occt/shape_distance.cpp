@@ -52,15 +52,58 @@ TopoDS_Shape scaled(const TopoDS_Shape& shape, double factor) {
     return factor == 1.0 ? shape : BRepBuilderAPI_Transform(shape, scaling, true).Shape();
 }
 
+/// A box around a shape.
+class BoundingBox {
+  public:
+    explicit BoundingBox(const TopoDS_Shape& shape) {
+        Bnd_Box box;
+        BRepBndLib::Add(shape, box, false);
+        box.Get(low_[0], low_[1], low_[2], high_[0], high_[1], high_[2]);
+    }
+
+    /// Never more than the distance of what is inside.
+    double distance(const Vec3& p) const { return (low_ - p).cwiseMax(p - high_).cwiseMax(0.0).norm(); }
+
+  private:
+    Vec3 low_;
+    Vec3 high_;
+};
+
+/// One edge, prepared once for many points.
+class EdgeDistance {
+  public:
+    explicit EdgeDistance(const TopoDS_Edge& edge) : curve_(edge), box_(edge) {
+        nearest_.Initialize(curve_, curve_.FirstParameter(), curve_.LastParameter());
+    }
+
+    /// The smaller of the squared distance from the inside of the edge and of what is known.
+    double measure(const Vec3& point, double square) {
+        if (const double bound = box_.distance(point); bound * bound >= square) {
+            return square;
+        }
+        nearest_.Perform(gp_Pnt(point.x(), point.y(), point.z()));
+        for (int i = 1; nearest_.IsDone() && i <= nearest_.NbExt(); ++i) {
+            square = std::min(square, nearest_.SquareDistance(i));
+        }
+        return square;
+    }
+
+  private:
+    BRepAdaptor_Curve curve_;
+    BoundingBox box_;
+    Extrema_ExtPC nearest_;
+};
+
 /// One trimmed face: its inside, its edges and its vertices, each prepared once for many points.
 class FaceDistance {
   public:
     explicit FaceDistance(const TopoDS_Face& face)
-        : surface_(face, false), trimmed_(face, resolution(surface_, BRep_Tool::Tolerance(face))) {
+        : surface_(face, false), trimmed_(face, resolution(surface_, BRep_Tool::Tolerance(face))), box_(face) {
         double u[2];
         double v[2];
         BRepTools::UVBounds(face, u[0], u[1], v[0], v[1]);
         inside_.SetFlag(Extrema_ExtFlag_MIN);
+        inside_.SetAlgo(Extrema_ExtAlgo_Tree);  // the default looks at all samples of the surface for each point
         inside_.Initialize(surface_, u[0], u[1], v[0], v[1], surface_.UResolution(Precision::Confusion()),
                            surface_.VResolution(Precision::Confusion()));
         TopTools_IndexedMapOfShape edges;
@@ -68,7 +111,7 @@ class FaceDistance {
         for (int i = 1; i <= edges.Extent(); ++i) {
             const TopoDS_Edge& edge = TopoDS::Edge(edges(i));
             if (!BRep_Tool::Degenerated(edge) && BRep_Tool::IsGeometric(edge)) {
-                curves_.push_back(std::make_unique<BRepAdaptor_Curve>(edge));
+                edges_.push_back(std::make_unique<EdgeDistance>(edge));
             }
         }
         TopTools_IndexedMapOfShape vertices;
@@ -76,30 +119,24 @@ class FaceDistance {
         for (int i = 1; i <= vertices.Extent(); ++i) {
             corners_.push_back(BRep_Tool::Pnt(TopoDS::Vertex(vertices(i))));
         }
-        Bnd_Box box;
-        BRepBndLib::Add(face, box, false);
-        box.Get(low_[0], low_[1], low_[2], high_[0], high_[1], high_[2]);
     }
 
     /// Never more than the distance.
-    double lower_bound(const Vec3& p) const { return (low_ - p).cwiseMax(p - high_).cwiseMax(0.0).norm(); }
+    double lower_bound(const Vec3& point) const { return box_.distance(point); }
     double measure(const Vec3& point) {
         const gp_Pnt p(point.x(), point.y(), point.z());
         double square = std::numeric_limits<double>::infinity();
+        for (const gp_Pnt& corner : corners_) {
+            square = std::min(square, corner.SquareDistance(p));
+        }
         inside_.Perform(p);
         for (int i = 1; inside_.IsDone() && i <= inside_.NbExt(); ++i) {
             if (inside_.SquareDistance(i) < square && on_face(inside_.Point(i))) {
                 square = inside_.SquareDistance(i);
             }
         }
-        for (const auto& curve : curves_) {
-            const Extrema_ExtPC nearest(p, *curve, curve->FirstParameter(), curve->LastParameter());
-            for (int i = 1; nearest.IsDone() && i <= nearest.NbExt(); ++i) {
-                square = std::min(square, nearest.SquareDistance(i));
-            }
-        }
-        for (const gp_Pnt& corner : corners_) {
-            square = std::min(square, corner.SquareDistance(p));
+        for (const auto& edge : edges_) {
+            square = edge->measure(point, square);
         }
         return std::sqrt(square);
     }
@@ -122,10 +159,9 @@ class FaceDistance {
     BRepAdaptor_Surface surface_;
     BRepTopAdaptor_FClass2d trimmed_;
     Extrema_ExtPS inside_;
-    std::vector<std::unique_ptr<BRepAdaptor_Curve>> curves_;
+    std::vector<std::unique_ptr<EdgeDistance>> edges_;
     std::vector<gp_Pnt> corners_;
-    Vec3 low_;
-    Vec3 high_;
+    BoundingBox box_;
 };
 
 /// `start`: the face to try first; becomes the nearest one, which often is the next point's too.
