@@ -86,10 +86,33 @@ def frame_of(source):
 
     Raises InvalidInput naming a container that is scaled.
     """
+    return _frame_within(object_of(source), containers_of(object_of(source)))
+
+
+def relative_frames(sources):
+    """The frames of sources as they are seen from the container of the first one. Containers around all
+    of them leave no trace, not even in the last digit.
+    """
+    around = [containers_of(object_of(source)) for source in sources]
+    shared = [container for container in around[0] if all(container in others for others in around)]
+    frames = [_frame_within(object_of(source), [c for c in containers if c not in shared])
+              for source, containers in zip(sources, around)]
+    return [relative(frame, frames[0]) for frame in frames]
+
+
+def arrangement_of(sources):
+    """How the containers of several sources stand to each other, as text; empty for fewer than two."""
+    if len(sources) < 2:
+        return ""
+    return ";".join(",".join(f"{number:.9g}" for number in frame.toMatrix().A)
+                    for frame in relative_frames(sources)[1:])
+
+
+def _frame_within(obj, containers):
     frame = FreeCAD.Placement()
-    for container in containers_of(object_of(source)):
+    for container in containers:
         if getattr(container, "Scale", 1.0) != 1.0:
-            raise InvalidInput(f"'{object_of(source).Label}' lies in '{container.Label}', which is scaled: choose "
+            raise InvalidInput(f"'{obj.Label}' lies in '{container.Label}', which is scaled: choose "
                                f"'{container.Label}' itself")
         frame = property_of(container, "Placement").multiply(frame)
     return frame
@@ -112,7 +135,11 @@ def relative_motion(before, now):
 
 
 def relative(placement, frame):
-    """The placement as it is seen from a coordinate system that stands at `frame`."""
+    """The placement as it is seen from a coordinate system that stands at `frame`; exactly an identity
+    where both are the same.
+    """
+    if same(placement, frame):
+        return FreeCAD.Placement()
     return placement if is_identity(frame) else frame.inverse().multiply(placement)
 
 

@@ -7,9 +7,10 @@ import time
 from contextlib import contextmanager
 from functools import cached_property
 
+import FreeCAD
 import numpy as np
 
-from . import convert
+from . import convert, frames
 from .api import triangulate
 from .compat import attribute_of, core
 from .errors import InvalidInput, TopologyError
@@ -39,6 +40,11 @@ class Operands:
         self._letters = letters(len(sources))
         self._names = [f"operand {letter}" for letter in self._letters]
         self._taken = [self._take(i) for i in range(len(sources))]
+        # Only document objects ask for a digest.
+        of_document = all(isinstance(frames.object_of(source), FreeCAD.DocumentObject) for source in sources)
+        self._arrangement = frames.arrangement_of(sources) if of_document else ""
+        self._own_shapes = [None if isinstance(taken, convert.MeshCopy) or not of_document
+                            else convert.own_shape_of(source) for taken, source in zip(self._taken, sources)]
 
     @property
     def surfaces(self):
@@ -70,16 +76,17 @@ class Operands:
         return tolerance or 3.0**0.5 * self._size() / resolution
 
     def digest(self):
-        """A hash of the operands as they were read; the same after saving and loading."""
-        digest = hashlib.sha256()
-        for found in self._found:
-            if isinstance(found, tuple):
-                surface = found[0]
-                for array in (surface.vertices, surface.triangles, surface.origin):
-                    digest.update(str(array.shape).encode())
-                    digest.update(np.ascontiguousarray(array))
-            else:
-                digest.update(convert.shape_text(found))
+        """A hash of document objects as operands, and of how they stand to each other; the same after
+        saving and loading, and after a container around all of them was moved.
+        """
+        digest = hashlib.sha256(self._arrangement.encode())
+        for taken, own_shape in zip(self._taken, self._own_shapes):
+            if own_shape is not None:
+                digest.update(convert.shape_text(own_shape))
+                continue
+            for array in taken.own_arrays:
+                digest.update(str(array.shape).encode())
+                digest.update(np.ascontiguousarray(array))
         return digest.hexdigest()
 
     @contextmanager

@@ -2,6 +2,7 @@
 """Objects stand where the document has them: in containers, groups, bodies, links and link arrays."""
 
 import os
+import subprocess
 import unittest
 
 import FreeCAD
@@ -235,6 +236,24 @@ class Following(PlacementTest):
         self.document.recompute()
         self.check(get(name), get("B"))
 
+    def test_opened_in_a_new_session(self):
+        obj = mq.add_quality_mesh(self.source)
+        path = os.path.join(self.folder, "saved.FCStd")
+        self.document.saveAs(path)
+        script = os.path.join(self.folder, "session.py")
+        with open(script, "w", encoding="utf-8") as stream:
+            stream.write(f"""import FreeCAD, sys
+document = FreeCAD.openDocument({path!r})
+document.getObject("Home").Placement = FreeCAD.Placement()
+document.recompute()
+points = document.getObject({obj.Name!r}).Mesh.Topology[0]
+least = [min(point[k] for point in points) for k in range(3)]
+sys.exit(0 if max(map(abs, least)) < 1e-4 else 3)
+""")
+        done = subprocess.run(["freecadcmd", "-P", os.path.join(helpers.ROOT, "Mod"), script], check=False,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, timeout=120)
+        self.assertEqual(done.returncode, 0)
+
     def test_an_object_of_an_older_version_is_put_in_its_place(self):
         obj = mq.add_quality_mesh(self.source)
         # These computed in the frame of the container, and knew neither property.
@@ -271,6 +290,61 @@ class Booleans(PlacementTest):
         self.document.recompute()
         self.assertAlmostEqual(obj.Volume.Value, 200.0, delta=1e-3)
         self.assert_same_box(box_in_document(obj), (105, 5, 5, 113, 10, 10))
+
+    def test_changes_of_containers_of_one_operand(self):
+        first, second = self.box("First"), self.box("Second")
+        one, two = self.part("One", Placement(), first), self.part("Two", Placement(Vector(5, 5, 5), Rotation()), second)
+        self.document.recompute()
+        obj = mq.add_boolean(first, second, "intersection")
+
+        def check(volume):
+            self.document.recompute()
+            self.assertAlmostEqual(obj.Volume.Value, volume, delta=1e-2)
+
+        check(125.0)
+        self.document.openTransaction("Move")
+        two.Placement.Base = Vector(2, 0, 0)
+        check(800.0)
+        self.document.commitTransaction()
+        self.document.undo()
+        check(125.0)
+        two.removeObject(second)
+        check(1000.0)
+        two.addObject(second)
+        check(125.0)
+        one.Placement.Base = Vector(5, 0, 0)
+        check(250.0)
+        one.removeObject(first)
+        check(125.0)
+        self.document.removeObject(two.Name)
+        check(1000.0)
+
+    def test_what_is_made_of_a_mesh_follows_it(self):
+        source = self.box("B")
+        part = self.part("Part", Placement(Vector(50, 0, 0), Rotation()), source)
+        self.document.recompute()
+        mesh = mq.add_quality_mesh(source)
+        better = mq.add_improved_mesh(mesh)
+        joined = mq.add_boolean(mesh, self.box("Other"), "intersection")
+        self.assertEqual(joined.Triangles, 0)
+        part.removeObject(source)
+        self.document.recompute()
+        self.assert_same_box(box_in_document(mesh), (0, 0, 0, 10, 10, 10))
+        self.assert_same_box(box_in_document(better), (0, 0, 0, 10, 10, 10))
+        self.assertAlmostEqual(joined.Volume.Value, 1000.0, delta=1e-2)
+
+    def test_operands_keep_their_triangles_when_all_containers_move(self):
+        first, second = self.box("First"), self.box("Second")
+        one, two = self.part("One", TURNED, first), self.part("Two", Placement(Vector(3, 3, 3), Rotation()), second)
+        outer = self.part("Outer", Placement(), one, two)
+        self.document.recompute()
+        obj = mq.add_boolean(first, second)
+        before = obj.Mesh.Topology[1]
+        outer.Placement = Placement(Vector(7, 8, 9), Rotation(10, 20, 30))
+        self.document.recompute()
+        self.assertEqual(obj.Mesh.Topology[1], before)
+        self.assert_same_box(box_in_document(obj), box_of(Part.makeCompound(
+            [convert.shape_of(first), convert.shape_of(second)])))
 
     def test_operands_of_one_container_move_with_it(self):
         first, second = self.box("First"), self.box("Second")

@@ -92,7 +92,7 @@ class MeshObject(PlainState):
             obj.setEditorMode(name, 1)
         add_hidden(obj, "Certificate", (CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT))
         older = placement.ORIGIN[0] not in obj.PropertiesList
-        add_hidden(obj, "Mesh", (placement.FRAME, placement.ORIGIN))
+        add_hidden(obj, "Mesh", (placement.FRAME, placement.ORIGIN, placement.ARRANGEMENT))
         if older:  # computed in the frame of its source, whatever container that is in
             obj.MeshOrigin = property_of(obj, "Placement").Base
         obj.setEditorMode("Placement", 1)
@@ -160,7 +160,7 @@ class MeshObject(PlainState):
                 if isinstance(result, Exception):
                     raise result
                 finished = self.take(obj, result)
-                placement.record(obj, self.frame_of_result(obj, work, result))
+                placement.record(obj, self.frame_of_result(obj, work, result), work.arrangement)
                 if FreeCAD.GuiUp:
                     _follow().stop(obj)
                 obj.Fingerprint, obj.Status = work.fingerprint, UP_TO_DATE
@@ -178,18 +178,6 @@ class MeshObject(PlainState):
     def frame_of_result(self, obj, work, result):
         """Where the container of the first source stood when the result was computed."""
         return work.frame
-
-    def follow_containers(self, obj, container):
-        """Called when a container was moved, or got or lost an object."""
-        sources = [source for source in self.sources(obj) if source is not None]
-        below = [container in (frames.object_of(source), *frames.containers_of(frames.object_of(source)))
-                 for source in sources]
-        touched = "Touched" in obj.State
-        moved = placement.settle(obj)
-        if any(below) and not all(below):
-            obj.touch()  # the sources stand to each other in another way
-        elif moved and not touched and not any(below):
-            obj.purgeTouched()  # it stays where it was in the document
 
     def _result(self, obj):
         """The (Work, result) that the object takes; None when it is up to date, is computed in the

@@ -10,25 +10,39 @@ import FreeCAD
 
 from .. import frames
 from ..compat import attribute_of, property_of
+from ..errors import Error
 
 # Name, type, what it says.
 FRAME = ("SourceFrame", "App::PropertyPlacement",
          "Where the container of the first source stood when the mesh was computed")
 ORIGIN = ("MeshOrigin", "App::PropertyVector",
           "Where the origin of the triangles' coordinates stood in the document then")
+ARRANGEMENT = ("SourceArrangement", "App::PropertyString",
+               "How the containers of the other sources stood to that of the first one then")
 
 _OF_CONTAINERS = ("Placement", "LinkPlacement", "Group", "ElementList", "Scale")
-_observer = None
 
 
-def record(obj, frame):
+def record(obj, frame, arrangement):
     """Notes where the mesh was computed that the object has just got.
 
-    frame  the frame of its first source then, see frames.frame_of
+    frame        the frame of its first source then, see frames.frame_of
+    arrangement  of all sources then, see frames.arrangement_of
     """
-    obj.SourceFrame = frame
+    obj.SourceFrame, obj.SourceArrangement = frame, arrangement
     obj.MeshOrigin = attribute_of(property_of(obj, "Mesh"), "Placement").Base
-    _observe()
+
+
+def follow(obj):
+    """Puts the object where its source stands, once a container was moved, or got or lost an object;
+    where the sources stand to each other in another way, the next recompute makes its mesh anew.
+    """
+    try:
+        settle(obj)
+        if frames.arrangement_of(_sources(obj)) != obj.SourceArrangement:
+            obj.touch()
+    except Error:
+        obj.touch()  # its recompute will say what is wrong
 
 
 def settle(obj):
@@ -45,32 +59,60 @@ def settle(obj):
 
 def _wanted(obj):
     """The placement in the document; None without a source."""
-    sources = [source for source in obj.Proxy.sources(obj) if source is not None]
-    if not sources or "SourceFrame" not in obj.PropertiesList:
+    sources = _sources(obj)
+    if not sources:
         return None
     before, now = property_of(obj, "SourceFrame"), frames.frame_of(sources[0])
     origin = frames.translation(property_of(obj, "MeshOrigin"))
     return frames.relative_motion(before, now).multiply(origin)
 
 
-def _observe():
-    """Has meshes follow the containers of all documents from now on."""
-    global _observer
-    if _observer is None:
-        _observer = _Observer()
-        FreeCAD.addDocumentObserver(_observer)
+def _sources(obj):
+    return [source for source in obj.Proxy.sources(obj) if source is not None]
 
 
 class _Observer:
-    """Has meshes follow when a container is moved, or gets or loses an object."""
+    """Has meshes follow when a container is moved, goes, or gets or loses an object."""
 
     def slotChangedObject(self, obj, name):
         """Called by FreeCAD."""
-        if name not in _OF_CONTAINERS or obj.Document.Restoring or obj.Document.Transacting:
-            return
-        if name == "Placement" and not (obj.hasExtension("App::GeoFeatureGroupExtension")
-                                        or getattr(obj, "ElementList", None)):
-            return
-        for mesh in list(obj.Document.Objects):
-            if hasattr(getattr(mesh, "Proxy", None), "follow_containers"):
-                mesh.Proxy.follow_containers(mesh, obj)
+        document = obj.Document
+        if name in _OF_CONTAINERS and _is_container(obj) and not (document.Restoring or document.Transacting):
+            self._follow_all(document)
+
+    def slotDeletedObject(self, obj):
+        """Called by FreeCAD while what the object holds is still in it."""
+        if _is_container(obj):
+            for mesh in _meshes(obj.Document):
+                if any(obj in frames.containers_of(frames.object_of(source)) for source in (mesh, *_sources(mesh))):
+                    mesh.touch()
+
+    def slotUndoDocument(self, document):
+        """Called by FreeCAD."""
+        self._follow_all(document)
+
+    def slotRedoDocument(self, document):
+        """Called by FreeCAD."""
+        self._follow_all(document)
+
+    def slotAbortTransaction(self, document):
+        """Called by FreeCAD."""
+        self._follow_all(document)
+
+    @staticmethod
+    def _follow_all(document):
+        for mesh in _meshes(document):
+            follow(mesh)
+
+
+def _is_container(obj):
+    return obj.hasExtension("App::GroupExtension") or hasattr(obj, "ElementList")
+
+
+def _meshes(document):
+    """The mesh objects of a document that have been computed."""
+    return [obj for obj in document.Objects if hasattr(getattr(obj, "Proxy", None), "sources")
+            and ORIGIN[0] in obj.PropertiesList and obj.Fingerprint]
+
+
+FreeCAD.addDocumentObserver(_Observer())

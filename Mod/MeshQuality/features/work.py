@@ -4,7 +4,7 @@
 from contextlib import contextmanager
 from functools import cached_property
 
-from ..frames import frame_of
+from ..frames import arrangement_of, frame_of
 
 _handed = []
 
@@ -16,6 +16,7 @@ class Work:
     sources  document objects, or pairs (document object, path) as in frames
     values   checked options
     frame    where the container of the first source stands, see frames.frame_of
+    arrangement  how those of the others stand to it, see frames.arrangement_of
     digest   digest() -> what the sources and the options were, in short
     compute  compute(progress) -> result, progress as for triangulate or None
 
@@ -25,7 +26,9 @@ class Work:
     def __init__(self, kind, sources, values, digest, compute):
         self.kind, self.sources, self.values = kind, list(sources), values
         self._digest, self.compute = digest, compute
-        self.frame = frame_of(self.sources[0])
+        known = [source for source in self.sources if source is not None]
+        self.frame = frame_of(known[0]) if known else None
+        self.arrangement = arrangement_of(known)
 
     def tell_apart(self, how):
         """Has the fingerprint say how it is computed, too."""
