@@ -250,8 +250,12 @@ points = document.getObject({obj.Name!r}).Mesh.Topology[0]
 least = [min(point[k] for point in points) for k in range(3)]
 sys.exit(0 if max(map(abs, least)) < 1e-4 else 3)
 """)
-        done = subprocess.run(["freecadcmd", "-P", os.path.join(helpers.ROOT, "Mod"), script], check=False,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, timeout=120)
+        # Documents may load proxies from installed addons only.
+        os.makedirs(os.path.join(self.folder, "home", "Mod"))
+        os.symlink(helpers.ROOT, os.path.join(self.folder, "home", "Mod", "MeshQuality"))
+        done = subprocess.run(["freecadcmd", script], check=False, stdin=subprocess.DEVNULL, timeout=120,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              env={**os.environ, "FREECAD_USER_HOME": os.path.join(self.folder, "home")})
         self.assertEqual(done.returncode, 0)
 
     def test_an_object_of_an_older_version_is_put_in_its_place(self):
