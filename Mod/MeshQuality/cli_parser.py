@@ -211,6 +211,7 @@ def _add_options(one, table, headings=None):
             action = argparse.BooleanOptionalAction if option.default else "store_true"
             group.add_argument(option.flag, action=action, default=option.default,
                                help=option.help)
+            _add_alias(group, option, action=action)
             continue
         if option.is_distance:
             groups[options.DISTANCE] = groups.get(options.DISTANCE) \
@@ -222,6 +223,14 @@ def _add_options(one, table, headings=None):
         group.add_argument(option.flag, type=_type(option), metavar=_metavar(option),
                            default=None if option.is_distance else option.default,
                            help=text.replace("%", "%%"))
+        _add_alias(group, option, type=_type(option))
+
+
+def _add_alias(group, option, **how):
+    """The flag of older versions, which help does not show."""
+    if option.alias:
+        group.add_argument(option.alias_flag, dest=option.name, default=argparse.SUPPRESS,
+                           help=argparse.SUPPRESS, **how)
 
 
 def _type(option):

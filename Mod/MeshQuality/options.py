@@ -3,17 +3,18 @@
 task panels, the command line and the documentation are made. Imports nothing of FreeCAD.
 """
 
+import functools
 import json
 import math
 import numbers
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from .errors import InvalidInput
 
 METHODS = ("refine", "star", "sprinkle")
 CONNECTIVITIES = ("pseudo-delaunay", "parametric")
-INSERTIONS = ("off-centre", "paper")
+INSERTIONS = ("off-centre", "circumcentre")
 KEPT_EDGES = ("all", "feature")
 OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
 BOOLEAN_METHODS = ("default", "uniform")
@@ -31,7 +32,8 @@ class Option:
 
     In panels it is called `title`, and its choices as `choice_titles` says; `rare` ones are folded
     away there. `only_with` is (name of another option, values of that one with which this one has an
-    effect); empty: always.
+    effect); empty: always. `alias` is the name that it had in older versions, `choice_aliases` are those
+    of its choices, {older: present}: scripts, command lines and documents may use them for ever.
     """
 
     name: str
@@ -49,6 +51,8 @@ class Option:
     choice_titles: tuple = ()
     rare: bool = False
     only_with: tuple = ()
+    alias: str = ""
+    choice_aliases: dict = field(default_factory=dict, hash=False)
 
     @property
     def is_sizes(self):
@@ -75,7 +79,17 @@ class Option:
     @property
     def property_name(self):
         """The name of its property on document objects: min_angle -> MinAngle."""
-        return "".join(word.capitalize() for word in self.name.split("_"))
+        return _property_name(self.name)
+
+    @property
+    def alias_property_name(self):
+        """The name of the property in documents of older versions."""
+        return _property_name(self.alias)
+
+    @property
+    def property_choices(self):
+        """What the property may be set to: the older names of choices, too."""
+        return [*self.choices, *self.choice_aliases]
 
     @property
     def property_type(self):
@@ -98,7 +112,12 @@ class Option:
     @property
     def flag(self):
         """Its name on the command line: min_angle -> --min-angle."""
-        return "--" + self.name.replace("_", "-")
+        return _flag(self.name)
+
+    @property
+    def alias_flag(self):
+        """The same of its alias."""
+        return _flag(self.alias)
 
     @property
     def range_text(self):
@@ -130,7 +149,8 @@ class Option:
         if self.is_sizes:
             return _checked_sizes(value, self)
         if self.choices:
-            good = isinstance(value, str) and value in self.choices
+            good = isinstance(value, str) and value in self.property_choices
+            value = self.choice_aliases.get(value, value) if good else value
         elif self.kind is bool:
             good = isinstance(value, bool)
         else:
@@ -147,6 +167,14 @@ class Option:
         if self.low is not None and (value <= self.low if self.above else value < self.low):
             return False
         return self.high is None or value <= self.high
+
+
+def _property_name(name):
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
+def _flag(name):
+    return "--" + name.replace("_", "-")
 
 
 def _says_unbounded(value):
@@ -243,16 +271,18 @@ TRIANGULATE = (
            title="Edges per full circle", rare=True,
            help="Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is "
                 "usual"),
-    Option("growth", float, None, low=1.0, group="Size", title="Growth rate", rare=True,
+    Option("growth_rate", float, None, low=1.0, group="Size", title="Growth rate", rare=True,
+           alias="growth",
            help="Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast"),
     Option("method", str, "refine", choices=METHODS, title="Method", rare=True,
            choice_titles=("refine where needed", "sample in hexagons", "sample at random"),
            help="refine inserts points until every angle and distance fits; star (hexagons) and "
                 "sprinkle (random points) first sample the faces, denser where they bend"),
     Option("insertion", str, "off-centre", choices=INSERTIONS, title="New points",
-           rare=True, choice_titles=("few triangles", "as Aftosmis 1999"),
+           rare=True, choice_titles=("off-centre", "circumcentre"),
+           choice_aliases={"paper": "circumcentre"},
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
-                "triangles, paper is the rule of Aftosmis 1999"),
+                "triangles, circumcentre is the rule of Aftosmis 1999"),
     Option("keep_edges", str, "all", choices=KEPT_EDGES, title="Edges of the shape", rare=True,
            choice_titles=("keep all", "keep sharp ones"),
            help="CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth "
@@ -268,8 +298,8 @@ TRIANGULATE = (
            title="Samples are joined", rare=True, only_with=_SAMPLED,
            choice_titles=("in space", "in face parameters"),
            help="How samples are joined: pseudo-delaunay in space, parametric in (u, v)"),
-    Option("polish", bool, True, group="Sampling", title="Refine after sampling", rare=True,
-           only_with=_SAMPLED,
+    Option("refine_samples", bool, True, group="Sampling", title="Refine after sampling", rare=True,
+           only_with=_SAMPLED, alias="polish",
            help="Refine after sampling, so that the bounds on angle and distance hold"),
     Option("seed", int, 0, low=0, high=2**31 - 1, above=False, group="Sampling",
            title="Random seed", rare=True, only_with=("method", ("sprinkle",)),
@@ -283,7 +313,7 @@ CURVE = (
                 "with tetrahedra 4"),
     Option("volume", bool, False, title="Fill solids with tetrahedra",
            help="Fill the solids with tetrahedra"),
-    Option("straighten", bool, False, title="Straighten invalid elements",
+    Option("straighten_invalid", bool, False, title="Straighten invalid elements", alias="straighten",
            help="Make those elements straight that fold over and cannot be repaired"),
     Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Before curving",
            title="Smallest angle",
@@ -365,6 +395,7 @@ def check(table, values):
     Raises InvalidInput naming the option, its value and its range.
     """
     known = {option.name: option for option in table}
+    values = renamed(table, values)
     for name in values:
         if name not in known:
             raise InvalidInput(f"{name} is not an option: there are {', '.join(known)}")
@@ -375,6 +406,30 @@ def check(table, values):
     if has_distance(table) and all(checked[name] is None for name in DISTANCE):
         checked[DISTANCE[1]] = known[DISTANCE[1]].default
     return checked
+
+
+def renamed(table, values):
+    """The values with the present names of options in place of their aliases.
+
+    Raises InvalidInput where an option is given by both names.
+    """
+    present = {option.alias: option.name for option in table if option.alias}
+    for alias, name in present.items():
+        if alias in values and name in values:
+            raise InvalidInput(f"{alias} is the older name of {name}: give one of them")
+    return {present.get(name, name): value for name, value in values.items()}
+
+
+def takes_aliases(table):
+    """Has a function take options of the table by their aliases, too."""
+    def decorated(function):
+        @functools.wraps(function)
+        def call(*arguments, **values):
+            return function(*arguments, **renamed(table, values))
+
+        return call
+
+    return decorated
 
 
 def _check_sizes(values):
@@ -422,9 +477,11 @@ def bound_of(values):
 
 
 def hashed(values):
-    """JSON text of checked values, for fingerprints: no bound is written as older versions did."""
-    return json.dumps({name: None if value == NO_BOUND else value for name, value in values.items()},
-                      sort_keys=True)
+    """JSON text of checked values, for fingerprints: names, choices and no bound are written as older
+    versions did.
+    """
+    return json.dumps({name: None if value == NO_BOUND else value
+                       for name, value in _by_aliases(values).items()}, sort_keys=True)
 
 
 def to_property(option, value):
@@ -435,9 +492,24 @@ def to_property(option, value):
 
 
 def hand_over(values, core_options):
-    """Sets {option: value} on an object of the core, which has 0 for no bound."""
-    for name, value in values.items():
+    """Sets {option: value} on an object of the core, which has 0 for no bound and the older names."""
+    for name, value in _by_aliases(values).items():
         setattr(core_options, name, _number_of(value))
+
+
+_ALIASED = {option.name: option for option in TRIANGULATE + CURVE if option.alias or option.choice_aliases}
+
+
+def _by_aliases(values):
+    """Checked values with the older names of options and choices, where there are any."""
+    found = {}
+    for name, value in values.items():
+        option = _ALIASED.get(name)
+        if option is not None:
+            name = option.alias or name
+            value = {present: older for older, present in option.choice_aliases.items()}.get(value, value)
+        found[name] = value
+    return found
 
 
 def _number_of(value):

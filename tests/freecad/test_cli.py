@@ -123,7 +123,7 @@ class Triangulate(helpers.DocumentTest):
 
     def test_insertion(self):
         counts = []
-        for rule in ("off-centre", "paper"):
+        for rule in ("off-centre", "circumcentre"):
             status, out, err = run("triangulate", self.step, "--json", "--insertion", rule,
                                    "--min-angle", 30)
             self.assertEqual(status, 0, err)

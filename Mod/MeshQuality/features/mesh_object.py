@@ -11,7 +11,7 @@ import numpy as np
 from .. import convert, frames, options, verdict
 from ..compat import PlainState, attribute_of, property_of, without_traceback
 from ..errors import Error, InvalidInput
-from . import certificate, distance_bound, placement
+from . import aliases, certificate, distance_bound, placement
 from .work import Work, handed_over, result_for
 
 # Name, type, what it says: measured on the mesh that an object holds.
@@ -126,6 +126,7 @@ class MeshObject(PlainState):
     def onChanged(self, obj, name):
         """Called by FreeCAD; it takes an object that is deleted out of the properties that name it."""
         distance_bound.follow_change(self, obj, name)
+        aliases.follow_change(self.OPTIONS, obj, name)
         if name in ("Source", "Sources") and getattr(obj, "Fingerprint", "") \
                 and not obj.Document.Restoring and self.lacks_source(obj):
             obj.Status = SOURCE_DELETED
@@ -398,11 +399,12 @@ def show_certificate(obj, report, closed, findings):
 def add_options(obj, table):
     """A property for each option of the table, with its default."""
     for option in table:
-        name = option.property_name
+        name, value = option.property_name, aliases.first_value(obj, option)
         if add_property(obj, option.property_type, name, option.group, option.property_help):
             if option.choices:
-                setattr(obj, name, list(option.choices))
-            setattr(obj, name, options.to_property(option, option.default))
+                setattr(obj, name, option.property_choices)
+            setattr(obj, name, value)
+    aliases.add(obj, table)
     if options.has_distance(table):
         distance_bound.add(obj, table)
 
@@ -471,7 +473,7 @@ def update(obj, values, progress=None):
         raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
                            "add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
-    values = options.check(table, options.merged(options_of(obj, table), values))
+    values = options.check(table, options.merged(options_of(obj, table), options.renamed(table, values)))
     done = result_for(type(proxy), sources, values)
     if done is None:
         work = proxy.work_on(sources, values, obj)
