@@ -39,7 +39,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            lie on several faces
     feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than
                            this all along
-    allow_missing_faces    mesh the rest of a part whose faces fail, and name them in the report
+    allow_missing_faces    mesh the other faces where some fail, and name those in the report
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
                            the faces' parameters ("parametric")
@@ -57,8 +57,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "min_edge": min_edge, "method": method, "insertion": insertion,
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
         "connectivity": connectivity, "refine_samples": refine_samples, "seed": seed,
-        "local_sizes": local_sizes, "edges_per_circle": edges_per_circle,
-        "growth_rate": growth_rate,
+        "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth_rate": growth_rate,
         "keep_edges": keep_edges, "feature_angle": feature_angle,
     })
     _require_callable(progress)

@@ -132,9 +132,9 @@ class Option:
         unit = f" {self.unit}" if self.unit else ""
         parts = []
         if self.low is not None:
-            parts.append(f"{'greater than' if self.above else 'at least'} {self.low:g}")
+            parts.append(f"{'greater than' if self.above else 'at least'} {self.low:.10g}")
         if self.high is not None:
-            parts.append(f"at most {self.high:g}")
+            parts.append(f"at most {self.high:.10g}")
         return " and ".join(parts) + unit + end
 
     def checked(self, value):
@@ -257,7 +257,7 @@ _SAMPLED = ("method", ("star", "sprinkle"))
 
 TRIANGULATE = (
     Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
-           help="No triangle gets a smaller angle, except where the part has a sharper corner; above "
+           help="No triangle gets a smaller angle, except where the shape has a sharper corner; above "
                 "30 degrees many more triangles are needed"),
     *_distance(0.003, "Accuracy", "mesh"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Size", title="Longest edge",
@@ -268,23 +268,23 @@ TRIANGULATE = (
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size", title="Shortest edge",
            unset="unlimited", rare=True, help="No edge is split into shorter ones than this"),
     Option("edges_per_circle", float, None, low=3.0, above=False, group="Size",
-           title="Edges per full circle", rare=True,
+           title="Edges per full circle", rare=True, unset="no minimum",
            help="Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is "
                 "usual"),
     Option("growth_rate", float, None, low=1.0, group="Size", title="Growth rate", rare=True,
-           alias="growth",
+           alias="growth", unset="unlimited",
            help="Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast"),
     Option("method", str, "refine", choices=METHODS, title="Method", rare=True,
            choice_titles=("refine where needed", "sample in hexagons", "sample at random"),
            help="refine inserts points until every angle and distance fits; star (hexagons) and "
                 "sprinkle (random points) first sample the faces, denser where they bend"),
-    Option("insertion", str, "off-centre", choices=INSERTIONS, title="New points",
+    Option("insertion", str, "off-centre", choices=INSERTIONS, title="Point insertion",
            rare=True, choice_titles=("off-centre", "circumcentre"),
            choice_aliases={"paper": "circumcentre"},
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
                 "triangles, circumcentre is the rule of Aftosmis 1999"),
-    Option("keep_edges", str, "all", choices=KEPT_EDGES, title="Edges of the shape", rare=True,
-           choice_titles=("keep all", "keep sharp ones"),
+    Option("keep_edges", str, "all", choices=KEPT_EDGES, title="CAD edges to keep", rare=True,
+           choice_titles=("all", "only sharp ones"),
            help="CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth "
                 "edges"),
     Option("feature_angle", float, 10.0, unit="degrees", low=0.0, high=40.0,
@@ -292,12 +292,12 @@ TRIANGULATE = (
            help="With keep_edges = feature: edges are smooth where the surface turns by less than this"),
     Option("max_triangles", int, None, low=1, above=False, group="Size", title="Triangle limit",
            rare=True, unset="5 million", help="Stop at this number; the mesh is then incomplete"),
-    Option("allow_missing_faces", bool, False, title="Leave out faces that fail", rare=True,
-           help="Mesh the rest of a part whose faces fail, and name those in the report"),
+    Option("allow_missing_faces", bool, False, title="Skip faces that fail", rare=True,
+           help="Mesh the other faces where some fail; the report names those that were skipped"),
     Option("connectivity", str, "pseudo-delaunay", choices=CONNECTIVITIES, group="Sampling",
-           title="Samples are joined", rare=True, only_with=_SAMPLED,
+           title="Connect samples", rare=True, only_with=_SAMPLED,
            choice_titles=("in space", "in face parameters"),
-           help="How samples are joined: pseudo-delaunay in space, parametric in (u, v)"),
+           help="How samples are connected: pseudo-delaunay in space, parametric in (u, v)"),
     Option("refine_samples", bool, True, group="Sampling", title="Refine after sampling", rare=True,
            only_with=_SAMPLED, alias="polish",
            help="Refine after sampling, so that the bounds on angle and distance hold"),
@@ -308,13 +308,13 @@ TRIANGULATE = (
 
 
 CURVE = (
-    Option("order", int, 2, low=1, high=5, above=False, title="Order of the elements",
+    Option("order", int, 2, low=1, high=5, above=False, title="Element order",
            help="1: straight sides; 2: quadratic elements, which most FEM programs want; at most 5, "
                 "with tetrahedra 4"),
     Option("volume", bool, False, title="Fill solids with tetrahedra",
            help="Fill the solids with tetrahedra"),
     Option("straighten_invalid", bool, False, title="Straighten invalid elements", alias="straighten",
-           help="Make those elements straight that fold over and cannot be repaired"),
+           help="Straighten the elements that stay invalid after all repairs; they deviate more from the shape"),
     Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Before curving",
            title="Smallest angle",
            help="Smallest angle of the triangles before they are curved"),
@@ -328,20 +328,20 @@ CURVE = (
 CURVED_DISPLAY = (
     Option("deviation", float, None, unit="mm", low=0.0, group="Display",
            unset="size / 1000", title="Display accuracy",
-           help="Largest distance between the triangles shown and the curved elements"),
+           help="Largest distance between the flat triangles and the curved elements"),
 )
 
 
 BOOLEAN = (
     Option("operation", str, "union", choices=OPERATIONS, group="Boolean", title="Operation",
            choice_titles=("Union", "Intersection", "Difference", "Symmetric difference"),
-           help="What is done with the operands, one after the other from the first on"),
+           help="Set operation; with more than two operands it is applied in their order"),
     Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
            title="Resolution",
            help="Grid cells along the longest side; sets the tolerance if none is given"),
     Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Tolerance",
            unset="by resolution",
-           help="Largest distance of the result from the exact one"),
+           help="Largest distance between the result and the exact Boolean"),
     Option("method", str, "default", choices=BOOLEAN_METHODS, group="Boolean", title="Method",
            rare=True, choice_titles=("exact intersection", "sampling (Wang 2010)"),
            help="Algorithm: default divides triangles along the exact intersection; uniform is the "
@@ -351,12 +351,12 @@ BOOLEAN = (
 
 IMPROVE = (
     Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
-           help="Smallest angle that every triangle is to reach"),
+           help="Target for the smallest angle of every triangle"),
     Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Tolerance",
-           unset="size / 1000", help="Largest distance between the mesh and its better version"),
+           unset="size / 1000", help="Largest distance between the given mesh and the improved one"),
     Option("feature_angle", float, 35.0, unit="degrees", low=0.0, high=180.0, group="Accuracy",
            title="Feature angle",
-           help="Edges where the surface turns by more than this stay where they are"),
+           help="Edges where the surface turns by more than this are sharp and keep their place"),
 )
 
 

@@ -23,16 +23,16 @@ TOPOLOGY = (
 # Of the group Certificate, for every kind of object.
 PROMISES = (
     ("Certificate", "App::PropertyString",
-     "Whether the mesh meets all requested limits; where not, which it misses and where"),
-    ("AskedClosed", "App::PropertyBool", "The mesh was to be watertight"),
+     "Whether the mesh meets all requested limits; if not, which one is not met and where"),
+    ("AskedClosed", "App::PropertyBool", "A watertight mesh was requested, as the source is closed"),
     ("Closed", "App::PropertyBool", "The mesh is watertight: it has no open edge"),
     ("Manifold", "App::PropertyBool",
      "The mesh has no edge of three or more triangles and no pinched vertex"),
 )
 CERTIFICATE_FACES = ("CertificateFaces", "App::PropertyStringList",
-                     "CAD faces on which the mesh misses a requested limit")
+                     "CAD faces on which a requested limit is not met")
 CERTIFICATE_PLACE = ("CertificatePlace", "App::PropertyVectorList",
-                     "Corners of the triangle where it misses that most")
+                     "Corners of the triangle that is farthest from a requested limit")
 AUTOMATIC, MANUAL = "Automatic", "Manual"
 UP_TO_DATE = "up to date"
 COMPUTING = "being computed in the background"
@@ -49,7 +49,7 @@ ANGLE_PROMISES = (
     ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
 )
 # Kept for the object's own use.
-FINGERPRINT = ("Fingerprint", "App::PropertyString", "Of the input and the options of this mesh")
+FINGERPRINT = ("Fingerprint", "App::PropertyString", "Digest of the sources and the options of this mesh")
 FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
              "Pairs (index of a CAD face, number of successive triangles on it)")
 
@@ -97,11 +97,11 @@ class MeshObject(PlainState):
             obj.MeshOrigin = property_of(obj, "Placement").Base
         obj.setEditorMode("Placement", 1)
         if add_property(obj, "App::PropertyEnumeration", "Recompute", "Update",
-                        "Whether the mesh follows its sources and options by itself, or when it is "
-                        "asked to"):
+                        "Automatic: the mesh follows its sources and options; Manual: only Update mesh "
+                        "computes it again"):
             obj.Recompute = [AUTOMATIC, MANUAL]
         if add_property(obj, "App::PropertyString", "Status", "Update",
-                        "Whether the mesh is that of its sources and options"):
+                        "Whether the mesh is up to date with its sources and options"):
             obj.Status = UP_TO_DATE
         obj.setEditorMode("Status", 1)
 

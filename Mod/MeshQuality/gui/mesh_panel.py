@@ -70,11 +70,11 @@ class MeshPanel:
         self.estimate.setVisible(self.operations[0].trial is not None)
         self.certificate = CertificateBox()
         self.button = QtGui.QPushButton(translate("MeshQuality", "Apply"))
-        self.button.setToolTip(translate("MeshQuality", "Computes, and leaves the panel open"))
+        self.button.setToolTip(translate("MeshQuality", "Computes the mesh and leaves the panel open"))
         self.button.clicked.connect(self.apply)
         self.leave = QtGui.QPushButton(translate("MeshQuality", "Continue in background"))
-        self.leave.setToolTip(translate("MeshQuality", "Closes the panel; the status bar shows the work, and "
-                                                       "can cancel it"))
+        self.leave.setToolTip(translate("MeshQuality", "Closes the panel; the status bar shows the progress "
+                                                       "and can cancel the work"))
         # Once the click is over: the panel goes, and the button with it.
         self.leave.clicked.connect(lambda: QtCore.QTimer.singleShot(0, self.continue_in_background))
         self.leave.hide()
@@ -249,7 +249,7 @@ class MeshPanel:
             self._say(translated(error), error=True, scroll=False)
             return
         if len(jobs.queue()):
-            self.estimate.setText(translate("MeshQuality", "The triangles are counted once other work has ended."))
+            self.estimate.setText(translate("MeshQuality", "The triangles are counted when other work has finished."))
         self._trial = jobs.queue().add(jobs.Job(
             "Estimate", lambda progress: [trial.compute(progress) for trial in trials],
             lambda _: self._show_estimate(trials), quiet=True, prepare=self._counting))
