@@ -335,7 +335,8 @@ CURVED_DISPLAY = (
 BOOLEAN = (
     Option("operation", str, "union", choices=OPERATIONS, group="Boolean", title="Operation",
            choice_titles=("Union", "Intersection", "Difference", "Symmetric difference"),
-           help="Set operation; with more than two operands it is applied in their order"),
+           help="Set operation, applied to the operands in their order; difference: the first one without the "
+                "others"),
     Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
            title="Resolution",
            help="Grid cells along the longest side; sets the tolerance if none is given"),

@@ -352,12 +352,12 @@
         <translation>Größter Abstand zwischen den ebenen Dreiecken und den gekrümmten Elementen; 0: Größe / 1000</translation>
     </message>
     <message>
-        <source>Set operation; with more than two operands it is applied in their order</source>
-        <translation>Mengenoperation; bei mehr als zwei Operanden wird sie der Reihe nach angewandt</translation>
-    </message>
-    <message>
         <source>Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is usual; 0: no minimum</source>
         <translation>Kleinste Anzahl der Kanten auf jeder vollen Umdrehung einer gekrümmten Kante oder Fläche: 12 bis 36 sind üblich; 0: kein Mindestwert</translation>
+    </message>
+    <message>
+        <source>Set operation, applied to the operands in their order; difference: the first one without the others</source>
+        <translation>Mengenoperation, der Reihe nach auf die Operanden angewandt; Differenz: der erste ohne die übrigen</translation>
     </message>
 </context>
 <context>
@@ -1619,12 +1619,16 @@
         <translation>Größter Abstand zwischen den ebenen Dreiecken und den gekrümmten Elementen</translation>
     </message>
     <message>
-        <source>Set operation; with more than two operands it is applied in their order</source>
-        <translation>Mengenoperation; bei mehr als zwei Operanden wird sie der Reihe nach angewandt</translation>
-    </message>
-    <message>
         <source>no minimum</source>
         <translation>kein Mindestwert</translation>
+    </message>
+    <message>
+        <source>Operands: {}</source>
+        <translation>Operanden: {}</translation>
+    </message>
+    <message>
+        <source>Set operation, applied to the operands in their order; difference: the first one without the others</source>
+        <translation>Mengenoperation, der Reihe nach auf die Operanden angewandt; Differenz: der erste ohne die übrigen</translation>
     </message>
 </context>
 <context>

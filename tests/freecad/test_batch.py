@@ -503,7 +503,7 @@ class Report(unittest.TestCase):
             self.assertGreaterEqual(command.write_results(chosen, Lines(), 10), 0.0)
             page = (Path(folder) / "report.html").read_text(encoding="utf-8")
             self.assertIn("2 of 10 parts", page)
-            self.assertIn("<td>yet to be done</td><td>8</td><td>80.00 %</td>", page)
+            self.assertIn("<td>not done yet</td><td>8</td><td>80.00 %</td>", page)
             rows = (Path(folder) / "parts.csv").read_text(encoding="utf-8").splitlines()
             self.assertEqual((len(rows), rows[2].split(",")[0]), (3, "p00001.step"))
 

@@ -142,7 +142,7 @@ class Triangulate(helpers.DocumentTest):
                 (("triangulate", self.step, "--min-angle", "foo"), "--min-angle"),
                 (("triangulate", self.step, "--min-angle", "50"), "34 degrees"),
                 (("triangulate", self.step, "--min-angle", "nan"), "nan"),
-                (("triangulate", self.step, "--insertion", "foo"), "off-centre, paper"),
+                (("triangulate", self.step, "--insertion", "foo"), "off-centre, circumcentre"),
                 (("triangulate", self.step, "--chord-height", "1e-12"), "single precision"),
                 (("triangulate", os.path.join(self.folder, "none.step")), "none.step"),
                 (("triangulate", self.folder + "/part.xyz"), "part.xyz"),

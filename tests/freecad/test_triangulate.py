@@ -264,7 +264,7 @@ class Options(unittest.TestCase):
             mq.triangulate(Part.makeBox(1, 1, 1), min_angel=3)
 
     def test_insertion(self):
-        self.refused("insertion", "'foo'", "off-centre, paper", insertion="foo")
+        self.refused("insertion", "'foo'", "off-centre, circumcentre", insertion="foo")
         self.refused("insertion", "None", insertion=None)
         shape = Part.makeTorus(10, 3)
         default, chosen, paper = (

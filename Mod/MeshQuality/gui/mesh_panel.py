@@ -10,6 +10,7 @@ from PySide import QtCore, QtGui
 from .. import frames
 from ..compat import flags
 from ..errors import Error
+from ..operands import letters
 from . import background, badge, follow, jobs, operation, preferences
 from .certificate_box import CertificateBox
 from .option_form import OptionForm
@@ -63,9 +64,7 @@ class MeshPanel:
         self._options_changed()
 
     def _lay_out(self):
-        labels = ", ".join(frames.leaf_of(source).Label for made in self.operations
-                           for source in made.sources if source is not None)
-        of = QtGui.QLabel(translate("MeshQuality", "Source: {}").format(labels))
+        of = QtGui.QLabel(_sources_text(self.operations))
         self.estimate, self.message, self.bar = QtGui.QLabel(), Message(), QtGui.QProgressBar()
         self.estimate.setVisible(self.operations[0].trial is not None)
         self.certificate = CertificateBox()
@@ -266,6 +265,15 @@ class MeshPanel:
         if self._trial is not None and self._trial.active:
             self._trial.cancel()
         self._trial = None
+
+
+def _sources_text(operations):
+    """Names the sources; operands by their letters, too, as messages do."""
+    labels = [frames.leaf_of(source).Label for made in operations for source in made.sources if source is not None]
+    if len(operations) == 1 and len(labels) > 1:
+        operands = (f"{letter} = {label}" for letter, label in zip(letters(len(labels)), labels))
+        return translate("MeshQuality", "Operands: {}").format(", ".join(operands))
+    return translate("MeshQuality", "Source: {}").format(", ".join(labels))
 
 
 def title_of(command, text):
