@@ -63,11 +63,11 @@ def random_options(dice, size):
         "chord_height_relative": 10 ** dice.uniform(-3.0, -2.0),
         "max_edge": size * dice.uniform(0.05, 0.3),
         "edges_per_circle": dice.choice((12.0, 24.0)),
-        "growth": dice.uniform(1.2, 2.0),
-        "insertion": "paper",
+        "growth_rate": dice.uniform(1.2, 2.0),
+        "insertion": "circumcentre",
     }
     for name, odds in (("chord_height", 0.6), ("max_edge", 0.3), ("edges_per_circle", 0.15),
-                       ("growth", 0.15), ("insertion", 0.1)):
+                       ("growth_rate", 0.15), ("insertion", 0.1)):
         if dice.random() < odds:
             found[name] = choices[name]
     if "chord_height" not in found and dice.random() < 0.5:

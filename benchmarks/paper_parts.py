@@ -18,7 +18,7 @@ import inside_freecad
 
 PAPER = {"die": 2606, "wing_main": 20846, "flap": 15334}
 PAPER_ANGLE = 25
-INSERTIONS = ("off-centre", "paper")
+INSERTIONS = ("off-centre", "circumcentre")
 
 
 def parser():
@@ -85,7 +85,7 @@ def summary(rows_of):
               if row["min_angle_asked"] == PAPER_ANGLE}
         ours = [f"{at[i]['triangles']:11,}" if i in at else " " * 11 for i in INSERTIONS]
         lines.append(f"{name:<10} {part['faces']:5} {PAPER[name]:10,} {ours[0]} {ours[1]}   "
-                     f"{part['reached']['off-centre']}, {part['reached']['paper']} degrees")
+                     f"{part['reached']['off-centre']}, {part['reached']['circumcentre']} degrees")
     lines.append(f"Triangles at {PAPER_ANGLE} degrees, no chord height. The parts are modelled "
                  "after the paper's figures, they are not its parts.")
     return "\n".join(lines)
@@ -100,7 +100,7 @@ def work(arguments):
     results = {}
     for name in PAPER:
         shape = parts.ALL[name]()
-        mesh(shape, arguments.low, "paper", arguments.max_triangles)  # warms up
+        mesh(shape, arguments.low, "circumcentre", arguments.max_triangles)  # warms up
         rows = [mesh(shape, angle, insertion, arguments.max_triangles)
                 for insertion in INSERTIONS
                 for angle in range(arguments.low, arguments.high + 1)]

@@ -46,7 +46,7 @@ def actions(group):
     lines = []
     for action in group._group_actions:
         if isinstance(action, (argparse._HelpAction, argparse._VersionAction,
-                               argparse._SubParsersAction)):
+                               argparse._SubParsersAction)) or action.help == argparse.SUPPRESS:
             continue
         names = ", ".join(f"\\fB{text(flag)}\\fR" for flag in action.option_strings)
         value = f"\\fI{text(action.metavar)}\\fR" if action.metavar else ""
@@ -81,7 +81,7 @@ def page():
         '.\\" SPDX-License-Identifier: LGPL-2.1-or-later',
         '.\\" Made by tools/manual.py from the arguments of bin/meshquality.',
         f'.TH MESHQUALITY 1 "" "MeshQuality {version.__version__}" "User Commands"',
-        ".SH NAME", "meshquality \\- quality meshes of CAD parts and of meshes",
+        ".SH NAME", "meshquality \\- quality meshes of CAD shapes, and operations on meshes",
         ".SH SYNOPSIS", ".B meshquality", "\\fICOMMAND\\fR [options]", ".br",
         ".B meshquality", "\\fICOMMAND\\fR \\fB\\-\\-help\\fR", ".br",
         ".B meshquality \\-\\-version",
@@ -93,7 +93,8 @@ def page():
     for name, parser in commands.choices.items():
         lines += command(name, parser, titles[name])
     lines += [".SH EXIT STATUS", *item("0", "Done."), *item("1", "Failed; of batch: a part failed."),
-              *item("2", "Bad usage or bad input."), ".PP",
+              *item("2", "Bad usage or bad input."),
+              *item("3", "With --strict: done, but a requested limit is not met."), ".PP",
               "The last line on standard error says why."]
     for section, rows in (("ENVIRONMENT", ENVIRONMENT), ("FILES", FILES)):
         lines.append(f".SH {section}")

@@ -7,11 +7,12 @@ from .errors import InvalidInput
 from .surface_mesh import SurfaceMesh
 
 
+@options.takes_aliases(options.TRIANGULATE)
 def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None,
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
                 progress=None, insertion="off-centre", allow_missing_faces=False,
-                connectivity="pseudo-delaunay", polish=True, seed=0, local_sizes=None,
-                edges_per_circle=None, growth=None, keep_edges="all", feature_angle=10.0,
+                connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
+                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0,
                 memory=None):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
@@ -25,24 +26,24 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            triangles on a face, along an edge, around a vertex; of a container or link
                            also {"Box.Face3": 0.5}, with the names of the objects on the way
     edges_per_circle       smallest number of edges for each full turn of a curve or a surface, 3 or more
-    growth                 growth rate of edge length from fine to coarse regions, greater than 1;
+    growth_rate            growth rate of edge length from fine to coarse regions, greater than 1;
                            None: as fast as the angles allow
     method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
     max_triangles          the work ends incomplete at this number; None: 5 million
     progress               callable(fraction 0..1, stage); returning False cancels
     insertion              where a triangle with a small angle gets its new point: "off-centre" needs
-                           fewer triangles, "paper" is the rule of Aftosmis 1999
+                           fewer triangles, "circumcentre" is the rule of Aftosmis 1999
     keep_edges             "all": the mesh follows every edge of the shape; "feature": not those that
                            the surface crosses smoothly, so that tiny edges and slivers between such
                            edges cost no triangles; report.spanning then names the triangles that
                            lie on several faces
     feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than
                            this all along
-    allow_missing_faces    mesh the rest of a part whose faces fail, and name them in the report
+    allow_missing_faces    mesh the other faces where some fail, and name those in the report
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
                            the faces' parameters ("parametric")
-    polish                 of star and sprinkle: refine afterwards, so that the bounds hold
+    refine_samples         of star and sprinkle: refine afterwards, so that the bounds hold
     seed                   of sprinkle's random points
 
     memory                 a Memory of earlier calls: what an edit left alone keeps its triangles
@@ -55,8 +56,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "chord_height_relative": chord_height_relative, "max_edge": max_edge,
         "min_edge": min_edge, "method": method, "insertion": insertion,
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
-        "connectivity": connectivity, "polish": polish, "seed": seed,
-        "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth": growth,
+        "connectivity": connectivity, "refine_samples": refine_samples, "seed": seed,
+        "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth_rate": growth_rate,
         "keep_edges": keep_edges, "feature_angle": feature_angle,
     })
     _require_callable(progress)

@@ -39,7 +39,7 @@ examples:
 """,
     "triangulate": """
 examples:
-  meshquality triangulate part.step -o part.ply              within 0.003 of the part's size
+  meshquality triangulate part.step -o part.ply              max. deviation 0.003 of the size
   meshquality triangulate part.FCStd --object Body -o part.stl --chord-height 0.05
   meshquality triangulate part.step --local-sizes "Face3=0.5, Edge7=0.2" --json
   cat part.brep | meshquality triangulate - --input-format brep -o - --format ply > part.ply
@@ -85,25 +85,25 @@ def parser(batched="triangulate"):
     """The argument parser; `batched` is what `batch` does to each part: its options are taken."""
     top = argparse.ArgumentParser(
         prog="meshquality", formatter_class=Formatter,
-        description="Quality meshes of CAD parts and of meshes. Lengths are in mm, angles in "
+        description="Quality meshes of CAD shapes, and operations on meshes. Lengths are in mm, angles in "
                     "degrees.",
         epilog=EXAMPLES[None].lstrip("\n") + "\nmeshquality COMMAND --help lists the options of a "
                "command.\n" + STATUS)
     top.add_argument("--version", action="version", version=f"meshquality {__version__}")
     commands = top.add_subparsers(title="commands", dest="command", required=True,
                                   metavar="COMMAND")
-    _add_single(commands, "triangulate", "mesh a CAD part",
-                "Triangulates a CAD part with a guaranteed smallest angle.")
-    _add_single(commands, "curve", "make a mesh of curved elements of a CAD part",
-                "Meshes a CAD part with curved triangles or tetrahedra, each proven valid.\n"
+    _add_single(commands, "triangulate", "mesh a CAD shape",
+                "Triangulates a CAD shape with a guaranteed smallest angle and deviation.")
+    _add_single(commands, "curve", "mesh a CAD shape with curved elements",
+                "Meshes a CAD shape with curved triangles or tetrahedra, each proven valid.\n"
                 "By the extension of the output, .msh and .vtu hold the curved elements, .inp and\n"
                 ".unv those of order 1 and 2 for FEM programs, the others flat triangles.")
-    _add_single(commands, "boolean", "join, intersect or subtract closed meshes and shapes",
-                "A Boolean of two or more meshes or CAD parts; the operation is applied from\n"
-                "the first on. The result is closed and free of self-intersections.")
-    _add_single(commands, "improve", "give a mesh better triangles",
+    _add_single(commands, "boolean", "unite, intersect or subtract closed meshes and shapes",
+                "Boolean of two or more meshes or CAD shapes, applied in their order. The result\n"
+                "is closed and free of self-intersections.")
+    _add_single(commands, "improve", "improve the triangles of a mesh",
                 "Improves the triangles of a mesh on its own surface; sharp edges stay.")
-    one = _add_single(commands, "quality", "report on a mesh",
+    one = _add_single(commands, "quality", "measure the quality of a mesh",
                       "Measures a mesh: topology, angles, and its distance to a shape if given.")
     one.add_argument("--shape", metavar="CAD", help="CAD file to measure the distance to")
     _add_batch(commands, batched)
@@ -130,16 +130,17 @@ def _add_single(commands, name, title, description):
     else:
         one.add_argument("input", metavar="INPUT", help=text)
     one.add_argument("--input-format", metavar="NAME",
-                     help="of standard input: " + _names(INPUTS[name]))
+                     help="format of standard input: " + _names(INPUTS[name]))
     if OUTPUTS[name]:
         one.add_argument("-o", "--output", metavar="FILE",
                          help=f"mesh file: {' '.join(OUTPUTS[name])}; -: standard output")
         one.add_argument("--format", metavar="NAME",
-                         help="of the mesh, whatever its file is called: " + _names(OUTPUTS[name]))
+                         help="format of the mesh, whatever the extension: " + _names(OUTPUTS[name]))
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
     if name != "improve":
         one.add_argument("--object", metavar="NAME",
-                         help="of an FCStd file take the object of this name or label only")
+                         help="name or label of the object to take from an FCStd file; default: all "
+                              "final ones")
     one.add_argument("--json", action="store_true",
                      help="print the report as one JSON object on stdout")
     _add_options(one, TABLES[name])
@@ -150,8 +151,8 @@ def _add_single(commands, name, title, description):
 
 def _add_strict(one, start):
     one.add_argument("--strict", action="store_true",
-                     help=f"end with status 3 where {start} misses a requested limit or has faults; see the verdict "
-                          "in --json")
+                     help=f"exit with status 3 where {start} does not meet a requested limit or has faults; see "
+                          "the verdict in --json")
 
 
 def _names(suffixes):
@@ -160,38 +161,37 @@ def _names(suffixes):
 
 def _add_batch(commands, batched):
     one = _new(
-        commands, "batch", "do the same to every part below a folder",
-        "Meshes every part below a folder, on several cores or machines. A part that crashes, hangs\n"
+        commands, "batch", "process every file below a folder",
+        "Meshes every file below a folder, on several cores or machines. A part that crashes, hangs\n"
         "or takes too much memory costs that part only. A second run does what is missing.\n"
-        "Options of the command that is done to each part are taken, too: see those of triangulate,\n"
-        "curve, improve and quality.", "DIR -o OUT")
+        "The options of --command are taken, too: see triangulate, curve, improve and quality.", "DIR -o OUT")
     one.add_argument("folder", metavar="DIR", help="folder with CAD files (meshes for improve and "
-                     "quality); folders in it are searched, too")
+                     "quality); subfolders are searched, too")
     one.add_argument("-o", "--output", metavar="OUT", required=True,
-                     help="folder for meshes/, parts.jsonl (a line a part), parts.csv and report.html")
+                     help="folder for meshes/, parts.jsonl (one line per part), parts.csv and report.html")
     one.add_argument("--command", dest="batched", choices=BATCHED, metavar="NAME",
-                     default="triangulate", help=f"one of {', '.join(BATCHED)} (default: triangulate)")
-    one.add_argument("--format", metavar="NAME", help="of the meshes, see the command (default: ply; "
-                     "of curve: msh)")
+                     default="triangulate",
+                     help=f"command for each part: {', '.join(BATCHED)} (default: triangulate)")
+    one.add_argument("--format", metavar="NAME", help="format of the meshes (default: ply; "
+                     "curve: msh)")
     one.add_argument("--only", action="append", metavar="PATTERN",
-                     help="only files whose path below DIR matches, such as 'gears/*.step'; may be "
-                          "given several times")
-    running = one.add_argument_group("how it is run")
+                     help="only files whose path below DIR matches, such as 'gears/*.step'; can be "
+                          "repeated")
+    running = one.add_argument_group("execution")
     running.add_argument("--jobs", type=int, metavar="N",
-                         help="parts at the same time on this machine (default: as many as it has "
+                         help="parts processed at the same time on this machine (default: number of "
                               "cores)")
     running.add_argument("--scheduler", metavar="ADDRESS",
                          help="use the Dask cluster with this scheduler, such as tcp://host:8786; its "
                               "workers must see DIR, OUT and this program under the same paths")
     running.add_argument("--time-limit", type=float, default=600.0, metavar="SECONDS",
-                         help="a part may take so long (default: 600)")
+                         help="time limit for each part (default: 600)")
     running.add_argument("--memory-limit", type=float, default=4.0, metavar="GIB",
-                         help="a part may take so much memory (default: 4)")
+                         help="memory limit for each part (default: 4)")
     running.add_argument("--retry", action="store_true",
-                         help="do again what failed in earlier runs")
+                         help="repeat the parts that failed in earlier runs")
     running.add_argument("--check-content", action="store_true",
-                         help="read all files again to see whether they changed; else those of the "
-                              "same size and time of change count as the same")
+                         help="compare files by content; default: by size and time of change")
     one.add_argument("--json", action="store_true",
                      help="print a summary as one JSON object on stdout")
     _add_strict(one, "all parts are done, but a mesh")
@@ -211,17 +211,27 @@ def _add_options(one, table, headings=None):
             action = argparse.BooleanOptionalAction if option.default else "store_true"
             group.add_argument(option.flag, action=action, default=option.default,
                                help=option.help)
+            _add_alias(group, option, action=action)
             continue
         if option.is_distance:
             groups[options.DISTANCE] = groups.get(options.DISTANCE) \
                 or group.add_mutually_exclusive_group()
             group = groups[options.DISTANCE]
-        default = "" if option.default is None else f"; default: {option.default}"
+        default = f"; default: {option.unset if option.default is None else option.default}" \
+            if not option.is_sizes and option.name != options.DISTANCE[0] else ""
         text = f"{option.help} ({option.range_text}{default})"
         # The default of the bound on the distance depends on both of its options: options.check has it.
         group.add_argument(option.flag, type=_type(option), metavar=_metavar(option),
                            default=None if option.is_distance else option.default,
                            help=text.replace("%", "%%"))
+        _add_alias(group, option, type=_type(option))
+
+
+def _add_alias(group, option, **how):
+    """The flag of older versions, which help does not show."""
+    if option.alias:
+        group.add_argument(option.alias_flag, dest=option.name, default=argparse.SUPPRESS,
+                           help=argparse.SUPPRESS, **how)
 
 
 def _type(option):

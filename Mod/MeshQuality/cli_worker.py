@@ -210,8 +210,8 @@ def boolean(job):
                else read_shape(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.boolean(sources, **job["options"], progress=progress_line())
     report, where = mesh.report, written(job, mesh.write)
-    return report, f"{_count(report.triangles, 'triangle')}{where}, {report.retained} of them the " \
-                   "operands' own", verdict.of_boolean(mesh)
+    return report, f"{_count(report.triangles, 'triangle')}{where}, {report.retained} of them unchanged from the " \
+                   "operands", verdict.of_boolean(mesh)
 
 
 def improve(job):

@@ -214,7 +214,8 @@ class CurvedMesh:
         return f"<CurvedMesh: {count:,} {kind if count == 1 else plural} of order {self.order}, {valid}>"
 
 
-def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False, shape=None,
+@options.takes_aliases(options.CURVE)
+def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None):
     """A mesh of curved elements on a shape, proven valid element by element.
 
@@ -222,7 +223,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False,
                    `shape`, from which it was made
     order          of the elements: 1 to 5, volumes 1 to 4
     volume         fill the solids with tetrahedra
-    straighten     make elements straight that stay invalid after all repairs
+    straighten_invalid
+                   make elements straight that stay invalid after all repairs
     min_angle, chord_height, chord_height_relative, max_edge
                    of the straight mesh that is curved, as for triangulate; where neither chord
                    height is given it is 0.01 of the largest dimension
@@ -235,15 +237,14 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten=False,
         raise InvalidInput(f"progress = {progress!r} is not callable: give a function of "
                            "(fraction, stage)")
     values = options.check(options.CURVE, {
-        "order": order, "volume": volume, "straighten": straighten, "min_angle": min_angle,
+        "order": order, "volume": volume, "straighten_invalid": straighten_invalid, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative,
         "max_edge": max_edge,
     })
     module = core()
     module.set_fill_program(program("meshquality_fill"))
     curving = module.CurveOptions()
-    for name in ("order", "volume", "straighten"):
-        setattr(curving, name, values.pop(name))
+    options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:
             raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")

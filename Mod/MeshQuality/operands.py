@@ -125,8 +125,8 @@ class Operands:
             yield
         except InvalidInput as error:
             raise InvalidInput(f"{self._names[i]}: {error}; operands are meshes (Mesh.Mesh, "
-                               "SurfaceMesh, arrays (V, F)), shapes, and document objects that "
-                               "have one") from error
+                               "SurfaceMesh, arrays (V, F)), shapes, and document objects with a "
+                               "mesh or a shape") from error
 
     def _size(self):
         """Longest side of the box of all operands, mm."""
@@ -153,11 +153,11 @@ class Operands:
                 from error
         if not mesh.report.complete:
             raise InvalidInput(f"{self._names[i]}, {convert.label_of(self._sources[i])}, has more "
-                               f"than {mesh.report.triangles} triangles at a chord height of "
+                               f"than {mesh.report.triangles} triangles at a max. deviation of "
                                f"{chord_height:g} mm: give a larger tolerance")
-        self.notes.append(f"{self._names[i]} is a shape: its mesh keeps within "
-                          f"{mesh.report.max_chord_height:.3g} mm of it, and the error bound is "
-                          "that of the Boolean of meshes")
+        self.notes.append(f"{self._names[i]} is a shape: its mesh deviates by at most "
+                          f"{mesh.report.max_chord_height:.3g} mm from it; the error bound is that "
+                          "of the Boolean of the meshes")
         return mesh._surface, False, self._found[i]
 
     def explain(self, error):

@@ -3,17 +3,18 @@
 task panels, the command line and the documentation are made. Imports nothing of FreeCAD.
 """
 
+import functools
 import json
 import math
 import numbers
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from .errors import InvalidInput
 
 METHODS = ("refine", "star", "sprinkle")
 CONNECTIVITIES = ("pseudo-delaunay", "parametric")
-INSERTIONS = ("off-centre", "paper")
+INSERTIONS = ("off-centre", "circumcentre")
 KEPT_EDGES = ("all", "feature")
 OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
 BOOLEAN_METHODS = ("default", "uniform")
@@ -31,7 +32,8 @@ class Option:
 
     In panels it is called `title`, and its choices as `choice_titles` says; `rare` ones are folded
     away there. `only_with` is (name of another option, values of that one with which this one has an
-    effect); empty: always.
+    effect); empty: always. `alias` is the name that it had in older versions, `choice_aliases` are those
+    of its choices, {older: present}: scripts, command lines and documents may use them for ever.
     """
 
     name: str
@@ -49,6 +51,8 @@ class Option:
     choice_titles: tuple = ()
     rare: bool = False
     only_with: tuple = ()
+    alias: str = ""
+    choice_aliases: dict = field(default_factory=dict, hash=False)
 
     @property
     def is_sizes(self):
@@ -75,7 +79,17 @@ class Option:
     @property
     def property_name(self):
         """The name of its property on document objects: min_angle -> MinAngle."""
-        return "".join(word.capitalize() for word in self.name.split("_"))
+        return _property_name(self.name)
+
+    @property
+    def alias_property_name(self):
+        """The name of the property in documents of older versions."""
+        return _property_name(self.alias)
+
+    @property
+    def property_choices(self):
+        """What the property may be set to: the older names of choices, too."""
+        return [*self.choices, *self.choice_aliases]
 
     @property
     def property_type(self):
@@ -98,7 +112,12 @@ class Option:
     @property
     def flag(self):
         """Its name on the command line: min_angle -> --min-angle."""
-        return "--" + self.name.replace("_", "-")
+        return _flag(self.name)
+
+    @property
+    def alias_flag(self):
+        """The same of its alias."""
+        return _flag(self.alias)
 
     @property
     def range_text(self):
@@ -113,9 +132,9 @@ class Option:
         unit = f" {self.unit}" if self.unit else ""
         parts = []
         if self.low is not None:
-            parts.append(f"{'greater than' if self.above else 'at least'} {self.low:g}")
+            parts.append(f"{'greater than' if self.above else 'at least'} {self.low:.10g}")
         if self.high is not None:
-            parts.append(f"at most {self.high:g}")
+            parts.append(f"at most {self.high:.10g}")
         return " and ".join(parts) + unit + end
 
     def checked(self, value):
@@ -130,7 +149,8 @@ class Option:
         if self.is_sizes:
             return _checked_sizes(value, self)
         if self.choices:
-            good = isinstance(value, str) and value in self.choices
+            good = isinstance(value, str) and value in self.property_choices
+            value = self.choice_aliases.get(value, value) if good else value
         elif self.kind is bool:
             good = isinstance(value, bool)
         else:
@@ -147,6 +167,14 @@ class Option:
         if self.low is not None and (value <= self.low if self.above else value < self.low):
             return False
         return self.high is None or value <= self.high
+
+
+def _property_name(name):
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
+def _flag(name):
+    return "--" + name.replace("_", "-")
 
 
 def _says_unbounded(value):
@@ -229,7 +257,7 @@ _SAMPLED = ("method", ("star", "sprinkle"))
 
 TRIANGULATE = (
     Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
-           help="No triangle gets a smaller angle, except where the part has a sharper corner; above "
+           help="No triangle gets a smaller angle, except where the shape has a sharper corner; above "
                 "30 degrees many more triangles are needed"),
     *_distance(0.003, "Accuracy", "mesh"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Size", title="Longest edge",
@@ -240,21 +268,23 @@ TRIANGULATE = (
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size", title="Shortest edge",
            unset="unlimited", rare=True, help="No edge is split into shorter ones than this"),
     Option("edges_per_circle", float, None, low=3.0, above=False, group="Size",
-           title="Edges per full circle", rare=True,
+           title="Edges per full circle", rare=True, unset="no minimum",
            help="Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is "
                 "usual"),
-    Option("growth", float, None, low=1.0, group="Size", title="Growth rate", rare=True,
+    Option("growth_rate", float, None, low=1.0, group="Size", title="Growth rate", rare=True,
+           alias="growth", unset="unlimited",
            help="Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast"),
     Option("method", str, "refine", choices=METHODS, title="Method", rare=True,
            choice_titles=("refine where needed", "sample in hexagons", "sample at random"),
            help="refine inserts points until every angle and distance fits; star (hexagons) and "
                 "sprinkle (random points) first sample the faces, denser where they bend"),
-    Option("insertion", str, "off-centre", choices=INSERTIONS, title="New points",
-           rare=True, choice_titles=("few triangles", "as Aftosmis 1999"),
+    Option("insertion", str, "off-centre", choices=INSERTIONS, title="Point insertion",
+           rare=True, choice_titles=("off-centre", "circumcentre"),
+           choice_aliases={"paper": "circumcentre"},
            help="Where a triangle with a small angle gets its new point: off-centre needs fewer "
-                "triangles, paper is the rule of Aftosmis 1999"),
-    Option("keep_edges", str, "all", choices=KEPT_EDGES, title="Edges of the shape", rare=True,
-           choice_titles=("keep all", "keep sharp ones"),
+                "triangles, circumcentre is the rule of Aftosmis 1999"),
+    Option("keep_edges", str, "all", choices=KEPT_EDGES, title="CAD edges to keep", rare=True,
+           choice_titles=("all", "only sharp ones"),
            help="CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth "
                 "edges"),
     Option("feature_angle", float, 10.0, unit="degrees", low=0.0, high=40.0,
@@ -262,14 +292,14 @@ TRIANGULATE = (
            help="With keep_edges = feature: edges are smooth where the surface turns by less than this"),
     Option("max_triangles", int, None, low=1, above=False, group="Size", title="Triangle limit",
            rare=True, unset="5 million", help="Stop at this number; the mesh is then incomplete"),
-    Option("allow_missing_faces", bool, False, title="Leave out faces that fail", rare=True,
-           help="Mesh the rest of a part whose faces fail, and name those in the report"),
+    Option("allow_missing_faces", bool, False, title="Skip faces that fail", rare=True,
+           help="Mesh the other faces where some fail; the report names those that were skipped"),
     Option("connectivity", str, "pseudo-delaunay", choices=CONNECTIVITIES, group="Sampling",
-           title="Samples are joined", rare=True, only_with=_SAMPLED,
+           title="Connect samples", rare=True, only_with=_SAMPLED,
            choice_titles=("in space", "in face parameters"),
-           help="How samples are joined: pseudo-delaunay in space, parametric in (u, v)"),
-    Option("polish", bool, True, group="Sampling", title="Refine after sampling", rare=True,
-           only_with=_SAMPLED,
+           help="How samples are connected: pseudo-delaunay in space, parametric in (u, v)"),
+    Option("refine_samples", bool, True, group="Sampling", title="Refine after sampling", rare=True,
+           only_with=_SAMPLED, alias="polish",
            help="Refine after sampling, so that the bounds on angle and distance hold"),
     Option("seed", int, 0, low=0, high=2**31 - 1, above=False, group="Sampling",
            title="Random seed", rare=True, only_with=("method", ("sprinkle",)),
@@ -278,13 +308,13 @@ TRIANGULATE = (
 
 
 CURVE = (
-    Option("order", int, 2, low=1, high=5, above=False, title="Order of the elements",
+    Option("order", int, 2, low=1, high=5, above=False, title="Element order",
            help="1: straight sides; 2: quadratic elements, which most FEM programs want; at most 5, "
                 "with tetrahedra 4"),
     Option("volume", bool, False, title="Fill solids with tetrahedra",
            help="Fill the solids with tetrahedra"),
-    Option("straighten", bool, False, title="Straighten invalid elements",
-           help="Make those elements straight that fold over and cannot be repaired"),
+    Option("straighten_invalid", bool, False, title="Straighten invalid elements", alias="straighten",
+           help="Straighten the elements that stay invalid after all repairs; they deviate more from the shape"),
     Option("min_angle", float, 20.0, unit="degrees", low=0.0, high=34.0, group="Before curving",
            title="Smallest angle",
            help="Smallest angle of the triangles before they are curved"),
@@ -298,20 +328,21 @@ CURVE = (
 CURVED_DISPLAY = (
     Option("deviation", float, None, unit="mm", low=0.0, group="Display",
            unset="size / 1000", title="Display accuracy",
-           help="Largest distance between the triangles shown and the curved elements"),
+           help="Largest distance between the flat triangles and the curved elements"),
 )
 
 
 BOOLEAN = (
     Option("operation", str, "union", choices=OPERATIONS, group="Boolean", title="Operation",
            choice_titles=("Union", "Intersection", "Difference", "Symmetric difference"),
-           help="What is done with the operands, one after the other from the first on"),
+           help="Set operation, applied to the operands in their order; difference: the first one without the "
+                "others"),
     Option("resolution", int, 512, low=8, high=65536, above=False, group="Boolean",
            title="Resolution",
            help="Grid cells along the longest side; sets the tolerance if none is given"),
     Option("tolerance", float, None, unit="mm", low=0.0, group="Boolean", title="Tolerance",
            unset="by resolution",
-           help="Largest distance of the result from the exact one"),
+           help="Largest distance between the result and the exact Boolean"),
     Option("method", str, "default", choices=BOOLEAN_METHODS, group="Boolean", title="Method",
            rare=True, choice_titles=("exact intersection", "sampling (Wang 2010)"),
            help="Algorithm: default divides triangles along the exact intersection; uniform is the "
@@ -321,12 +352,12 @@ BOOLEAN = (
 
 IMPROVE = (
     Option("min_angle", float, 25.0, unit="degrees", low=0.0, high=34.0, title="Smallest angle",
-           help="Smallest angle that every triangle is to reach"),
+           help="Target for the smallest angle of every triangle"),
     Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Tolerance",
-           unset="size / 1000", help="Largest distance between the mesh and its better version"),
+           unset="size / 1000", help="Largest distance between the given mesh and the improved one"),
     Option("feature_angle", float, 35.0, unit="degrees", low=0.0, high=180.0, group="Accuracy",
            title="Feature angle",
-           help="Edges where the surface turns by more than this stay where they are"),
+           help="Edges where the surface turns by more than this are sharp and keep their place"),
 )
 
 
@@ -365,6 +396,7 @@ def check(table, values):
     Raises InvalidInput naming the option, its value and its range.
     """
     known = {option.name: option for option in table}
+    values = renamed(table, values)
     for name in values:
         if name not in known:
             raise InvalidInput(f"{name} is not an option: there are {', '.join(known)}")
@@ -375,6 +407,30 @@ def check(table, values):
     if has_distance(table) and all(checked[name] is None for name in DISTANCE):
         checked[DISTANCE[1]] = known[DISTANCE[1]].default
     return checked
+
+
+def renamed(table, values):
+    """The values with the present names of options in place of their aliases.
+
+    Raises InvalidInput where an option is given by both names.
+    """
+    present = {option.alias: option.name for option in table if option.alias}
+    for alias, name in present.items():
+        if alias in values and name in values:
+            raise InvalidInput(f"{alias} is the older name of {name}: give one of them")
+    return {present.get(name, name): value for name, value in values.items()}
+
+
+def takes_aliases(table):
+    """Has a function take options of the table by their aliases, too."""
+    def decorated(function):
+        @functools.wraps(function)
+        def call(*arguments, **values):
+            return function(*arguments, **renamed(table, values))
+
+        return call
+
+    return decorated
 
 
 def _check_sizes(values):
@@ -422,9 +478,11 @@ def bound_of(values):
 
 
 def hashed(values):
-    """JSON text of checked values, for fingerprints: no bound is written as older versions did."""
-    return json.dumps({name: None if value == NO_BOUND else value for name, value in values.items()},
-                      sort_keys=True)
+    """JSON text of checked values, for fingerprints: names, choices and no bound are written as older
+    versions did.
+    """
+    return json.dumps({name: None if value == NO_BOUND else value
+                       for name, value in _by_aliases(values).items()}, sort_keys=True)
 
 
 def to_property(option, value):
@@ -435,9 +493,24 @@ def to_property(option, value):
 
 
 def hand_over(values, core_options):
-    """Sets {option: value} on an object of the core, which has 0 for no bound."""
-    for name, value in values.items():
+    """Sets {option: value} on an object of the core, which has 0 for no bound and the older names."""
+    for name, value in _by_aliases(values).items():
         setattr(core_options, name, _number_of(value))
+
+
+_ALIASED = {option.name: option for option in TRIANGULATE + CURVE if option.alias or option.choice_aliases}
+
+
+def _by_aliases(values):
+    """Checked values with the older names of options and choices, where there are any."""
+    found = {}
+    for name, value in values.items():
+        option = _ALIASED.get(name)
+        if option is not None:
+            name = option.alias or name
+            value = {present: older for older, present in option.choice_aliases.items()}.get(value, value)
+        found[name] = value
+    return found
 
 
 def _number_of(value):

@@ -149,37 +149,37 @@ STAGES = {
     "reading the shape": "reading the shape",
     "reading the operands": "reading the operands",
     "meshing shapes": "meshing the shapes",
-    "initial triangulation": "first triangles",
-    "sampling": "laying points on the surface",
-    "refining angles": "improving the angles",
-    "refining to the chord height": "getting nearer to the shape",
+    "initial triangulation": "initial triangulation",
+    "sampling": "sampling the surface",
+    "refining angles": "refining angles",
+    "refining to the chord height": "refining to the max. deviation",
     "separating crossings": "separating faces that cross",
-    "mending": "mending what is left",
-    "taking out vertices": "taking out vertices",
-    "releasing smooth edges": "releasing smooth edges",
+    "mending": "improving the remaining triangles",
+    "taking out vertices": "removing vertices",
+    "releasing smooth edges": "removing smooth edges",
     "checking": "checking the result",
     "improving": "improving",
-    "classifying": "sorting the triangles",
+    "classifying": "classifying the triangles",
     "curving the surface": "curving the surface",
     "repairing the surface": "repairing the surface",
     "filling": "filling with tetrahedra",
     "repairing the volume": "repairing the tetrahedra",
-    "inspecting": "looking at the operands",
-    "finding crossings": "finding where they cross",
+    "inspecting": "checking the operands",
+    "finding crossings": "finding intersections",
     "dividing": "dividing triangles",
-    "extracting": "putting the result together",
+    "extracting": "extracting the result",
     "fitting to the shapes": "fitting to the shapes",
-    "clustering": "grouping the points",
-    "Boolean of samples": "combining the points",
-    "membership": "finding what is inside",
-    "octree": "dividing the space",
+    "clustering": "clustering the samples",
+    "Boolean of samples": "combining the samples",
+    "membership": "finding inside and outside",
+    "octree": "building the octree",
     "stitching": "closing gaps",
-    "contouring": "making the surface",
-    "two-manifold": "separating what only touches",
-    "assembly": "putting the result together",
+    "contouring": "building the surface",
+    "two-manifold": "separating contacts",
+    "assembly": "assembling the result",
     "measuring the distance": "measuring the distance",
     "measuring the distortion": "measuring the distortion",
-    "cutting into triangles": "cutting into triangles",
+    "cutting into triangles": "dividing into triangles",
     "done": "done",
 }
 
@@ -201,28 +201,28 @@ _SHOWN = {
     "the shape has no solids to fill: leave volume off to curve its faces":
         "The shape has no solids to fill with tetrahedra: switch that off to curve its faces",
     "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest":
-        "Faces cannot be meshed: {value}. Repair the shape with Part - Check geometry, or choose under "
-        "More options to leave such faces out",
+        "Faces cannot be meshed: {value}. Repair the shape (Part - Check geometry), or choose to skip "
+        "faces that fail under More options",
     "chord_height is {number} mm: single precision holds this part to {number2} mm only; ask for more "
     "than that":
-        "A distance to the shape of {number} mm is finer than the numbers of a mesh in FreeCAD, which "
-        "hold this part to {number2} mm: ask for more than that",
+        "A max. deviation of {number} mm is below the single precision of meshes in FreeCAD, here "
+        "{number2} mm. Choose a larger value",
     "tolerance is {number} mm: single precision holds these operands to {number2} mm only; ask for "
     "more than that":
-        "A tolerance of {number} mm is finer than the numbers of a mesh in FreeCAD, which hold these "
-        "operands to {number2} mm: ask for more than that",
+        "A tolerance of {number} mm is below the single precision of meshes in FreeCAD, here "
+        "{number2} mm. Choose a larger value",
     "a local size is given for {name}, but the shape has {count} {name2}":
-        "Shorter edges are asked for on {name}, but the shape has only {count} of these",
+        "A local size is given for {name}, but the shape has only {count} {name2}",
     "order is {count}: it goes from 1 to {count2} for volumes":
-        "Elements of order {count} are not possible with tetrahedra: it goes from 1 to {count2}",
+        "Tetrahedra of order {count} are not possible: choose an order from 1 to {count2}",
     "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "
     "walls are too thin for its triangles; ask for a smaller chord height":
-        "The surface could not be filled with tetrahedra: it meets itself, or walls are too thin for "
-        "its triangles. Ask for a smaller distance to the shape ({value})",
+        "The surface could not be filled with tetrahedra: it intersects itself, or walls are too thin for "
+        "its triangles. Choose a smaller max. deviation ({value})",
     "filling the surface with tetrahedra did not come to an end: its triangles do not fit each other "
     "across thin walls; ask for a smaller chord height or shorter edges":
         "The surface could not be filled with tetrahedra: its triangles do not fit each other across thin "
-        "walls. Ask for a smaller distance to the shape or shorter edges",
+        "walls. Choose a smaller max. deviation or shorter edges",
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"

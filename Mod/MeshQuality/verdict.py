@@ -109,15 +109,15 @@ def _figures(report):
     if hasattr(report, "elements"):
         yield _counted(phrases.ELEMENTS, report.elements)
         yield phrases.MAX_DISTORTION.format(number=_number(report.max_shape_distortion))
-        yield phrases.MAX_DEVIATION.format(number=_length(report.max_deviation))
+        yield phrases.MAX_DEVIATION.format(number=_rounded(report.max_deviation))
         return
     yield _counted(phrases.TRIANGLES, report.triangles)
     if report.triangles:
-        yield phrases.SMALLEST_ANGLE.format(number=_number(report.min_angle))
+        yield phrases.SMALLEST_ANGLE.format(number=_rounded(report.min_angle))
     if hasattr(report, "error_bound"):
-        yield phrases.ERROR_BOUND.format(number=_length(report.error_bound))
+        yield phrases.ERROR_BOUND.format(number=_rounded(report.error_bound))
     elif report.max_chord_height >= 0:
-        yield phrases.MAX_DEVIATION.format(number=_length(report.max_chord_height))
+        yield phrases.MAX_DEVIATION.format(number=_rounded(report.max_chord_height))
 
 
 def must_be_closed(shape):
@@ -324,6 +324,9 @@ def _sentence(phrase, /, **places):
     return phrases.upper_first(phrase.format(**places))
 
 
+_ROUNDING = 1e-6
+
+
 def _number(value, digits=3):
     """Three digits; of small angles too, but not in powers of ten."""
     return np.format_float_positional(value, precision=digits, fractional=False, trim="-")
@@ -331,13 +334,15 @@ def _number(value, digits=3):
 
 def _told_apart(value, limit):
     """A value with as many digits as tell it from its limit, three at least."""
+    if value < _ROUNDING <= limit:
+        return "0"
     return next(text for text in (_number(value, digits) for digits in range(3, 18))
                 if float(text) != limit and (float(text) < limit) == (value < limit))
 
 
-def _length(value):
-    """Likewise of mm; less than a nanometre is rounding."""
-    return _number(value) if value >= 1e-6 else "0"
+def _rounded(value):
+    """Likewise of mm and degrees; less than a millionth is rounding."""
+    return _number(value) if value >= _ROUNDING else "0"
 
 
 def _triangle(mesh, triangle):

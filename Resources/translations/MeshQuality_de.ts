@@ -8,34 +8,6 @@
         <translation>Verfahren: entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper werden nach Wang 2010 abgetastet (für zwei Operanden)</translation>
     </message>
     <message>
-        <source>Corners of the triangle where it misses that most</source>
-        <translation>Ecken des Dreiecks, in dem es das am meisten verfehlt</translation>
-    </message>
-    <message>
-        <source>Corners that a repair moved</source>
-        <translation>Ecken, die eine Reparatur verschoben hat</translation>
-    </message>
-    <message>
-        <source>Distance from the exact Boolean that the mesh was to keep within</source>
-        <translation>Verlangter größter Abstand vom genauen Ergebnis</translation>
-    </message>
-    <message>
-        <source>Distance to the shape that the mesh was to keep within; 0: none</source>
-        <translation>Verlangter größter Abstand zur Form; 0: keiner</translation>
-    </message>
-    <message>
-        <source>Edges where the surface turns by more than this stay where they are</source>
-        <translation>Kanten, an denen sich die Fläche um mehr als dies dreht, bleiben, wo sie sind</translation>
-    </message>
-    <message>
-        <source>Elements that are not proven to be free of folds; there should be none</source>
-        <translation>Elemente, deren Faltenfreiheit nicht bewiesen ist; es sollte keine geben</translation>
-    </message>
-    <message>
-        <source>Elements that were made straight, as they stayed invalid</source>
-        <translation>Elemente, die begradigt wurden, weil sie ungültig blieben</translation>
-    </message>
-    <message>
         <source>Enclosed volume</source>
         <translation>Eingeschlossenes Volumen</translation>
     </message>
@@ -48,48 +20,16 @@
         <translation>Füllt die Körper mit Tetraedern</translation>
     </message>
     <message>
-        <source>How far that is off the volume of the shape, as a part of it; -1: the shape has none</source>
-        <translation>Wie weit das vom Volumen der Form abweicht, als Teil davon; -1: die Form hat keines</translation>
-    </message>
-    <message>
-        <source>How samples are joined: pseudo-delaunay in space, parametric in (u, v)</source>
-        <translation>Wie Abtastpunkte verbunden werden: im Raum oder in den Parametern (u, v) der Fläche</translation>
-    </message>
-    <message>
         <source>Largest angle of all triangles</source>
         <translation>Größter Winkel aller Dreiecke</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh and its better version; 0: size / 1000</source>
-        <translation>Größter Abstand zwischen dem Netz und dem verbesserten; 0: Größe / 1000</translation>
-    </message>
-    <message>
-        <source>Largest distance between the triangles shown and the curved elements; 0: size / 1000</source>
-        <translation>Größter Abstand zwischen den gezeigten Dreiecken und den gekrümmten Elementen; 0: Größe / 1000</translation>
     </message>
     <message>
         <source>Largest distance from the exact Boolean of the meshes</source>
         <translation>Größter Abstand vom genauen Ergebnis der Netze</translation>
     </message>
     <message>
-        <source>Largest distance of the elements from the shape</source>
-        <translation>Größter Abstand der Elemente von der Form</translation>
-    </message>
-    <message>
-        <source>Largest distance of the result from the exact one; 0: by resolution</source>
-        <translation>Größter Abstand des Ergebnisses vom genauen Ergebnis; 0: nach Auflösung</translation>
-    </message>
-    <message>
-        <source>Largest measured distance to the shape</source>
-        <translation>Größter gemessener Abstand zur Form</translation>
-    </message>
-    <message>
         <source>Mean of that ratio over the elements</source>
         <translation>Mittel dieses Verhältnisses über die Elemente</translation>
-    </message>
-    <message>
-        <source>Mesh the rest of a part whose faces fail, and name those in the report</source>
-        <translation>Vernetzt den Rest eines Teils, dessen Flächen misslingen, und nennt diese im Bericht</translation>
     </message>
     <message>
         <source>Neighbouring triangles agree on outside</source>
@@ -112,18 +52,6 @@
         <translation>Anzahl der Eckpunkte</translation>
     </message>
     <message>
-        <source>Of the input and the options of this mesh</source>
-        <translation>Von Eingabe und Optionen dieses Netzes</translation>
-    </message>
-    <message>
-        <source>Of what the elements were made of</source>
-        <translation>Wovon die Elemente gemacht sind</translation>
-    </message>
-    <message>
-        <source>Order of the elements that are kept</source>
-        <translation>Ordnung der aufbewahrten Elemente</translation>
-    </message>
-    <message>
         <source>Pairs (index of a CAD face, number of successive triangles on it)</source>
         <translation>Paare (Nummer einer CAD-Fläche, Zahl der Dreiecke in Folge auf ihr)</translation>
     </message>
@@ -132,20 +60,12 @@
         <translation>Verfeinert nach dem Abtasten, damit die Schranken für Winkel und Abstand gelten</translation>
     </message>
     <message>
-        <source>Root mean square of that distance</source>
-        <translation>Quadratisches Mittel dieses Abstands</translation>
-    </message>
-    <message>
         <source>Smallest Jacobian of all elements, each against that of its straight element: 1 is best, 0 or less is invalid</source>
         <translation>Kleinste Jacobi-Determinante aller Elemente, je im Verhältnis zum geraden Element: 1 ist am besten, 0 oder weniger ist ungültig</translation>
     </message>
     <message>
         <source>Smallest angle of all triangles</source>
         <translation>Kleinster Winkel aller Dreiecke</translation>
-    </message>
-    <message>
-        <source>Smallest angle that every triangle is to reach</source>
-        <translation>Kleinster Winkel, den jedes Dreieck erreichen soll</translation>
     </message>
     <message>
         <source>Smallest ratio of the least to the largest Jacobian of one element: 1 is best, 0 or less is invalid</source>
@@ -168,108 +88,32 @@
         <translation>Die Operanden: Objekte mit einem Netz oder einer Form, in ihrer Reihenfolge</translation>
     </message>
     <message>
-        <source>Triangles that are an operand&apos;s own</source>
-        <translation>Dreiecke, die unverändert von einem Operanden stammen</translation>
-    </message>
-    <message>
-        <source>Triangles that were made or changed</source>
-        <translation>Dreiecke, die neu oder verändert sind</translation>
-    </message>
-    <message>
-        <source>What else happened on the way</source>
-        <translation>Was sonst unterwegs geschah</translation>
-    </message>
-    <message>
         <source>What the colours of the elements show</source>
         <translation>Was die Farben der Elemente zeigen</translation>
-    </message>
-    <message>
-        <source>What the elements enclose</source>
-        <translation>Was die Elemente einschließen</translation>
-    </message>
-    <message>
-        <source>What the triangles shown keep within</source>
-        <translation>Wie genau die gezeigten Dreiecke sind</translation>
-    </message>
-    <message>
-        <source>What was done</source>
-        <translation>Was getan wurde</translation>
-    </message>
-    <message>
-        <source>What was repaired in the operands</source>
-        <translation>Was an den Operanden repariert wurde</translation>
-    </message>
-    <message>
-        <source>What was repaired, and how often</source>
-        <translation>Was repariert wurde, und wie oft</translation>
-    </message>
-    <message>
-        <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, paper is the rule of Aftosmis 1999</source>
-        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: so, dass wenige Dreiecke entstehen, oder nach der Regel von Aftosmis 1999</translation>
-    </message>
-    <message>
-        <source>Whether the mesh follows its sources and options by itself, or when it is asked to</source>
-        <translation>Ob das Netz seinen Quellen und Optionen von selbst folgt oder auf Verlangen</translation>
-    </message>
-    <message>
-        <source>Whether the mesh is that of its sources and options</source>
-        <translation>Ob das Netz das seiner Quellen und Optionen ist</translation>
     </message>
     <message>
         <source>Which elements are invalid</source>
         <translation>Welche Elemente ungültig sind</translation>
     </message>
     <message>
-        <source>Elements that were invalid before repair</source>
-        <translation>Elemente, die vor der Reparatur ungültig waren</translation>
-    </message>
-    <message>
-        <source>What is done with the operands, one after the other from the first on</source>
-        <translation>Was mit den Operanden geschieht, nacheinander vom ersten an</translation>
-    </message>
-    <message>
         <source>1: straight sides; 2: quadratic elements, which most FEM programs want; at most 5, with tetrahedra 4</source>
         <translation>1: gerade Seiten; 2: quadratische Elemente, wie die meisten FEM-Programme sie brauchen; höchstens 5, mit Tetraedern 4</translation>
-    </message>
-    <message>
-        <source>Make those elements straight that fold over and cannot be repaired</source>
-        <translation>Macht jene Elemente gerade, die umklappen und sich nicht reparieren lassen</translation>
     </message>
     <message>
         <source>Smallest angle of the triangles before they are curved</source>
         <translation>Kleinster Winkel der Dreiecke, bevor sie gekrümmt werden</translation>
     </message>
     <message>
-        <source>How far the worst element is from equal sides and angles: 1 is best, 5 is poor, infinite: it folds over</source>
-        <translation>Wie weit das schlechteste Element von gleichen Seiten und Winkeln entfernt ist: 1 ist am besten, 5 ist schlecht, unendlich: es klappt um</translation>
-    </message>
-    <message>
         <source>With keep_edges = feature: edges are smooth where the surface turns by less than this</source>
         <translation>Wenn nur scharfe Kanten bleiben: glatt sind Kanten, an denen sich die Fläche um weniger als dies dreht</translation>
-    </message>
-    <message>
-        <source>After an edit, faces that did not change keep their triangles, which is faster; undo gives the mesh that was there. Off: each mesh is made from nothing, and depends on the shape and the options alone</source>
-        <translation>Nach einer Änderung behalten Flächen, die gleich geblieben sind, ihre Dreiecke, was schneller ist; Rückgängig bringt das Netz, das da war. Aus: jedes Netz entsteht von Grund auf und hängt allein von der Form und den Optionen ab</translation>
-    </message>
-    <message>
-        <source>Faces of the shape that kept their triangles through the last edit</source>
-        <translation>Flächen der Form, deren Dreiecke bei der letzten Änderung geblieben sind</translation>
     </message>
     <message>
         <source>CAD edges to keep: all, or only sharp ones (feature); triangles may then cross smooth edges</source>
         <translation>CAD-Kanten, denen das Netz folgt: alle (all) oder nur scharfe (feature); über glatte dürfen Dreiecke dann hinweggehen</translation>
     </message>
     <message>
-        <source>CAD faces on which the mesh misses a requested limit</source>
-        <translation>CAD-Flächen, auf denen das Netz eine verlangte Grenze nicht einhält</translation>
-    </message>
-    <message>
         <source>Grid cells along the longest side; sets the tolerance if none is given</source>
         <translation>Gitterzellen entlang der längsten Seite; bestimmt die Toleranz, wenn keine angegeben ist</translation>
-    </message>
-    <message>
-        <source>Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast; 0: any</source>
-        <translation>Wachstumsrate der Kantenlänge von feinen zu groben Bereichen: 1,2 ist langsam, 2 schnell; 0: beliebig</translation>
     </message>
     <message>
         <source>How the distance to the shape is bounded: relative to its size, by a length, or not at all</source>
@@ -300,10 +144,6 @@
         <translation>Keine Kante wird in kürzere als diese geteilt; 0: unbegrenzt</translation>
     </message>
     <message>
-        <source>No triangle gets a smaller angle, except where the part has a sharper corner; above 30 degrees many more triangles are needed</source>
-        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo das Teil eine spitzere Ecke hat; über 30 Grad werden viel mehr Dreiecke gebraucht</translation>
-    </message>
-    <message>
         <source>Random seed for the sprinkle method; the same seed gives the same mesh</source>
         <translation>Startwert des Zufalls für das Verfahren sprinkle; derselbe Wert gibt dasselbe Netz</translation>
     </message>
@@ -312,20 +152,12 @@
         <translation>Kleinster verlangter Winkel</translation>
     </message>
     <message>
-        <source>Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is usual; 0: any</source>
-        <translation>Kleinste Anzahl der Kanten auf jeder vollen Umdrehung einer gekrümmten Kante oder Fläche: 12 bis 36 sind üblich; 0: beliebig</translation>
-    </message>
-    <message>
         <source>Stop at this number; the mesh is then incomplete; 0: 5 million</source>
         <translation>Bei dieser Anzahl aufhören; das Netz ist dann unvollständig; 0: 5 Millionen</translation>
     </message>
     <message>
         <source>The mesh is watertight: it has no open edge</source>
         <translation>Das Netz ist wasserdicht: es hat keine offene Kante</translation>
-    </message>
-    <message>
-        <source>The mesh was to be watertight</source>
-        <translation>Das Netz sollte wasserdicht sein</translation>
     </message>
     <message>
         <source>The path from each source to its operand, where only a link leads there: Part.Box.</source>
@@ -352,12 +184,180 @@
         <translation>Wo der Ursprung der Koordinaten der Dreiecke damals im Dokument stand</translation>
     </message>
     <message>
-        <source>Whether the mesh meets all requested limits; where not, which it misses and where</source>
-        <translation>Ob das Netz alle verlangten Grenzen einhält; wenn nicht, welche nicht und wo</translation>
-    </message>
-    <message>
         <source>refine inserts points until every angle and distance fits; star (hexagons) and sprinkle (random points) first sample the faces, denser where they bend</source>
         <translation>refine fügt Punkte ein, bis jeder Winkel und Abstand passt; star (Sechsecke) und sprinkle (zufällige Punkte) tasten die Flächen zuerst ab, dichter wo sie sich biegen</translation>
+    </message>
+    <message>
+        <source>A watertight mesh was requested, as the source is closed</source>
+        <translation>Ein wasserdichtes Netz war verlangt, da die Quelle geschlossen ist</translation>
+    </message>
+    <message>
+        <source>After an edit, faces that did not change keep their triangles, which is faster; undo gives the mesh that was there. Off: each mesh is computed from scratch, and depends on the shape and the options alone</source>
+        <translation>Nach einer Änderung behalten Flächen, die gleich blieben, ihre Dreiecke, was schneller ist; Rückgängig gibt das frühere Netz. Aus: jedes Netz wird von Grund auf neu berechnet und hängt nur von Form und Optionen ab</translation>
+    </message>
+    <message>
+        <source>Automatic: the mesh follows its sources and options; Manual: only Update mesh computes it again</source>
+        <translation>Automatic: das Netz folgt seinen Quellen und Optionen; Manual: nur „Netz aktualisieren“ berechnet es neu</translation>
+    </message>
+    <message>
+        <source>CAD faces on which a requested limit is not met</source>
+        <translation>Flächen der Form, auf denen ein verlangter Grenzwert nicht eingehalten ist</translation>
+    </message>
+    <message>
+        <source>Changes that were made</source>
+        <translation>Änderungen am Netz</translation>
+    </message>
+    <message>
+        <source>Corners of the triangle that is farthest from a requested limit</source>
+        <translation>Ecken des Dreiecks, das einen verlangten Grenzwert am weitesten verfehlt</translation>
+    </message>
+    <message>
+        <source>Digest of the source and the options of the elements</source>
+        <translation>Prüfsumme der Quelle und der Optionen der Elemente</translation>
+    </message>
+    <message>
+        <source>Digest of the sources and the options of this mesh</source>
+        <translation>Prüfsumme der Quellen und der Optionen dieses Netzes</translation>
+    </message>
+    <message>
+        <source>Edges where the surface turns by more than this are sharp and keep their place</source>
+        <translation>Kanten, an denen sich die Fläche um mehr als dies dreht, sind scharf und bleiben an ihrem Ort</translation>
+    </message>
+    <message>
+        <source>Elements that were straightened, as they stayed invalid</source>
+        <translation>Elemente, die gerade gemacht wurden, weil sie ungültig blieben</translation>
+    </message>
+    <message>
+        <source>Faces of the shape whose triangles were reused after the last edit</source>
+        <translation>Flächen der Form, deren Dreiecke nach der letzten Änderung weiterverwendet wurden</translation>
+    </message>
+    <message>
+        <source>How samples are connected: pseudo-delaunay in space, parametric in (u, v)</source>
+        <translation>Wie Abtastpunkte verbunden werden: im Raum oder in den Parametern (u, v) der Fläche</translation>
+    </message>
+    <message>
+        <source>Kinds of repairs, and the number of each</source>
+        <translation>Arten von Reparaturen und ihre Anzahl</translation>
+    </message>
+    <message>
+        <source>Largest deviation of an element from equal sides and angles: 1 is ideal, 5 is poor, infinite: folded</source>
+        <translation>Größte Abweichung eines Elements von gleichen Seiten und Winkeln: 1 ist ideal, 5 schlecht, unendlich: umgeklappt</translation>
+    </message>
+    <message>
+        <source>Largest distance between the given mesh and the improved one; 0: size / 1000</source>
+        <translation>Größter Abstand zwischen dem gegebenen und dem verbesserten Netz; 0: Größe / 1000</translation>
+    </message>
+    <message>
+        <source>Largest distance between the result and the exact Boolean; 0: by resolution</source>
+        <translation>Größter Abstand zwischen dem Ergebnis und der exakten Verknüpfung; 0: nach Auflösung</translation>
+    </message>
+    <message>
+        <source>Max. deviation of the elements from the shape</source>
+        <translation>Max. Abweichung der Elemente von der Form</translation>
+    </message>
+    <message>
+        <source>Max. deviation of the triangles shown from the elements</source>
+        <translation>Max. Abweichung der gezeigten Dreiecke von den Elementen</translation>
+    </message>
+    <message>
+        <source>Measured max. deviation from the shape</source>
+        <translation>Gemessene max. Abweichung von der Form</translation>
+    </message>
+    <message>
+        <source>Mesh the other faces where some fail; the report names those that were skipped</source>
+        <translation>Misslingen einige Flächen, die übrigen vernetzen; der Bericht nennt die ausgelassenen</translation>
+    </message>
+    <message>
+        <source>No triangle gets a smaller angle, except where the shape has a sharper corner; above 30 degrees many more triangles are needed</source>
+        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo die Form eine spitzere Ecke hat; über 30 Grad werden viel mehr Dreiecke gebraucht</translation>
+    </message>
+    <message>
+        <source>Number of corners that repairs moved</source>
+        <translation>Anzahl der Ecken, die Reparaturen verschoben haben</translation>
+    </message>
+    <message>
+        <source>Number of elements that are not proven valid; 0 is required</source>
+        <translation>Anzahl der Elemente, deren Gültigkeit nicht bewiesen ist; verlangt ist 0</translation>
+    </message>
+    <message>
+        <source>Number of invalid elements before repair</source>
+        <translation>Anzahl ungültiger Elemente vor der Reparatur</translation>
+    </message>
+    <message>
+        <source>Order of the stored elements</source>
+        <translation>Ordnung der gespeicherten Elemente</translation>
+    </message>
+    <message>
+        <source>Other remarks about the computation</source>
+        <translation>Weitere Bemerkungen zur Berechnung</translation>
+    </message>
+    <message>
+        <source>Relative error of that volume against the volume of the shape; -1: the shape has none</source>
+        <translation>Relativer Fehler dieses Volumens gegenüber dem der Form; -1: die Form hat keines</translation>
+    </message>
+    <message>
+        <source>Repairs of the operands</source>
+        <translation>Reparaturen an den Operanden</translation>
+    </message>
+    <message>
+        <source>Requested largest distance from the exact Boolean</source>
+        <translation>Verlangter größter Abstand von der exakten Verknüpfung</translation>
+    </message>
+    <message>
+        <source>Requested max. deviation from the shape; 0: none</source>
+        <translation>Verlangte max. Abweichung von der Form; 0: keine</translation>
+    </message>
+    <message>
+        <source>Root mean square of that deviation</source>
+        <translation>Quadratisches Mittel dieser Abweichung</translation>
+    </message>
+    <message>
+        <source>Straighten the elements that stay invalid after all repairs; they deviate more from the shape</source>
+        <translation>Elemente gerade machen, die nach allen Reparaturen ungültig bleiben; sie weichen mehr von der Form ab</translation>
+    </message>
+    <message>
+        <source>Target for the smallest angle of every triangle</source>
+        <translation>Ziel für den kleinsten Winkel jedes Dreiecks</translation>
+    </message>
+    <message>
+        <source>Triangles taken unchanged from an operand</source>
+        <translation>Dreiecke, die unverändert von einem Operanden stammen</translation>
+    </message>
+    <message>
+        <source>Triangles that were created or changed</source>
+        <translation>Dreiecke, die erzeugt oder geändert wurden</translation>
+    </message>
+    <message>
+        <source>Volume that the elements enclose</source>
+        <translation>Volumen, das die Elemente einschließen</translation>
+    </message>
+    <message>
+        <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, circumcentre is the rule of Aftosmis 1999</source>
+        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: off-centre braucht weniger Dreiecke, circumcentre (Umkreismittelpunkt) ist die Regel von Aftosmis 1999</translation>
+    </message>
+    <message>
+        <source>Whether the mesh is up to date with its sources and options</source>
+        <translation>Ob das Netz zu seinen Quellen und Optionen passt</translation>
+    </message>
+    <message>
+        <source>Whether the mesh meets all requested limits; if not, which one is not met and where</source>
+        <translation>Ob das Netz alle verlangten Grenzwerte einhält; wenn nicht, welchen nicht und wo</translation>
+    </message>
+    <message>
+        <source>Growth rate of edge length from fine to coarse regions: 1.2 is slow, 2 is fast; 0: unlimited</source>
+        <translation>Wachstumsrate der Kantenlänge von feinen zu groben Bereichen: 1,2 ist langsam, 2 schnell; 0: unbegrenzt</translation>
+    </message>
+    <message>
+        <source>Largest distance between the flat triangles and the curved elements; 0: size / 1000</source>
+        <translation>Größter Abstand zwischen den ebenen Dreiecken und den gekrümmten Elementen; 0: Größe / 1000</translation>
+    </message>
+    <message>
+        <source>Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is usual; 0: no minimum</source>
+        <translation>Kleinste Anzahl der Kanten auf jeder vollen Umdrehung einer gekrümmten Kante oder Fläche: 12 bis 36 sind üblich; 0: kein Mindestwert</translation>
+    </message>
+    <message>
+        <source>Set operation, applied to the operands in their order; difference: the first one without the others</source>
+        <translation>Mengenoperation, der Reihe nach auf die Operanden angewandt; Differenz: der erste ohne die übrigen</translation>
     </message>
 </context>
 <context>
@@ -495,22 +495,6 @@
         <translation>Fein</translation>
     </message>
     <message>
-        <source>How samples are joined: pseudo-delaunay in space, parametric in (u, v)</source>
-        <translation>Wie Abtastpunkte verbunden werden: im Raum oder in den Parametern (u, v) der Fläche</translation>
-    </message>
-    <message>
-        <source>Largest distance between the triangles shown and the curved elements</source>
-        <translation>Größter Abstand zwischen den gezeigten Dreiecken und den gekrümmten Elementen</translation>
-    </message>
-    <message>
-        <source>Largest distance of the result from the exact one</source>
-        <translation>Größter Abstand des Ergebnisses vom genauen Ergebnis</translation>
-    </message>
-    <message>
-        <source>Leave out faces that fail</source>
-        <translation>Misslungene Flächen auslassen</translation>
-    </message>
-    <message>
         <source>Longest edge</source>
         <translation>Längste Kante</translation>
     </message>
@@ -527,16 +511,8 @@
         <translation>Netz</translation>
     </message>
     <message>
-        <source>Mesh the rest of a part whose faces fail, and name those in the report</source>
-        <translation>Vernetzt den Rest eines Teils, dessen Flächen misslingen, und nennt diese im Bericht</translation>
-    </message>
-    <message>
         <source>Method</source>
         <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>New points</source>
-        <translation>Neue Punkte</translation>
     </message>
     <message>
         <source>No edge is split into shorter ones than this</source>
@@ -545,10 +521,6 @@
     <message>
         <source>Operation</source>
         <translation>Operation</translation>
-    </message>
-    <message>
-        <source>Order of the elements</source>
-        <translation>Ordnung der Elemente</translation>
     </message>
     <message>
         <source>Random seed</source>
@@ -565,10 +537,6 @@
     <message>
         <source>Resolution</source>
         <translation>Auflösung</translation>
-    </message>
-    <message>
-        <source>Samples are joined</source>
-        <translation>Punkte verbinden</translation>
     </message>
     <message>
         <source>Sampling</source>
@@ -595,24 +563,12 @@
         <translation>Sehr fein</translation>
     </message>
     <message>
-        <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, paper is the rule of Aftosmis 1999</source>
-        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: so, dass wenige Dreiecke entstehen, oder nach der Regel von Aftosmis 1999</translation>
-    </message>
-    <message>
-        <source>as Aftosmis 1999</source>
-        <translation>wie Aftosmis 1999</translation>
-    </message>
-    <message>
         <source>by resolution</source>
         <translation>nach Auflösung</translation>
     </message>
     <message>
         <source>exact intersection</source>
         <translation>genauer Schnitt</translation>
-    </message>
-    <message>
-        <source>few triangles</source>
-        <translation>wenige Dreiecke</translation>
     </message>
     <message>
         <source>in face parameters</source>
@@ -643,28 +599,12 @@
         <translation>Größe / 1000</translation>
     </message>
     <message>
-        <source>Edges where the surface turns by more than this stay where they are</source>
-        <translation>Kanten, an denen sich die Fläche um mehr als dies dreht, bleiben, wo sie sind</translation>
-    </message>
-    <message>
-        <source>Largest distance between the mesh and its better version</source>
-        <translation>Größter Abstand zwischen dem Netz und dem verbesserten</translation>
-    </message>
-    <message>
-        <source>Smallest angle that every triangle is to reach</source>
-        <translation>Kleinster Winkel, den jedes Dreieck erreichen soll</translation>
-    </message>
-    <message>
         <source>any</source>
         <translation>beliebig</translation>
     </message>
     <message>
         <source>Apply</source>
         <translation>Anwenden</translation>
-    </message>
-    <message>
-        <source>Computes, and leaves the panel open</source>
-        <translation>Berechnet, und lässt den Aufgabenbereich offen</translation>
     </message>
     <message>
         <source>Add the faces, edges and vertices that are selected in the 3D view</source>
@@ -743,14 +683,6 @@
         <translation>{0} Elemente: schlechtestes {1}, Mittel {2}</translation>
     </message>
     <message>
-        <source>Click to fly there</source>
-        <translation>Klicken, um dorthin zu fliegen</translation>
-    </message>
-    <message>
-        <source>Click a bar to see where its elements are.</source>
-        <translation>Auf einen Balken klicken, um zu sehen, wo seine Elemente liegen.</translation>
-    </message>
-    <message>
         <source>Source is empty: choose an object with a shape</source>
         <translation>Es ist keine Quelle angegeben: ein Objekt mit einer Form wählen</translation>
     </message>
@@ -791,24 +723,12 @@
         <translation>Lücken werden geschlossen</translation>
     </message>
     <message>
-        <source>combining the points</source>
-        <translation>Punkte werden verknüpft</translation>
-    </message>
-    <message>
         <source>curving the surface</source>
         <translation>Oberfläche wird gekrümmt</translation>
     </message>
     <message>
-        <source>cutting into triangles</source>
-        <translation>Zerlegung in Dreiecke</translation>
-    </message>
-    <message>
         <source>degrees</source>
         <translation>Grad</translation>
-    </message>
-    <message>
-        <source>dividing the space</source>
-        <translation>Raum wird geteilt</translation>
     </message>
     <message>
         <source>dividing triangles</source>
@@ -819,24 +739,8 @@
         <translation>Füllen mit Tetraedern</translation>
     </message>
     <message>
-        <source>finding what is inside</source>
-        <translation>Inneres wird gesucht</translation>
-    </message>
-    <message>
-        <source>finding where they cross</source>
-        <translation>Schnitte werden gesucht</translation>
-    </message>
-    <message>
-        <source>first triangles</source>
-        <translation>erste Dreiecke</translation>
-    </message>
-    <message>
         <source>fitting to the shapes</source>
         <translation>Anpassen an die Formen</translation>
-    </message>
-    <message>
-        <source>getting nearer to the shape</source>
-        <translation>Annähern an die Form</translation>
     </message>
     <message>
         <source>greater than {number}</source>
@@ -855,36 +759,16 @@
         <translation>größer als {number} {unit}</translation>
     </message>
     <message>
-        <source>grouping the points</source>
-        <translation>Punkte werden gruppiert</translation>
-    </message>
-    <message>
         <source>improving</source>
         <translation>Verbessern</translation>
-    </message>
-    <message>
-        <source>improving the angles</source>
-        <translation>Winkel werden verbessert</translation>
     </message>
     <message>
         <source>its smallest angle lies between two sharp edges that must stay</source>
         <translation>sein kleinster Winkel liegt zwischen zwei scharfen Kanten, die bleiben müssen</translation>
     </message>
     <message>
-        <source>laying points on the surface</source>
-        <translation>Punkte werden auf die Fläche gelegt</translation>
-    </message>
-    <message>
         <source>lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2</source>
         <translation>Längen in mm größer als 0 für Unterelemente, etwa Face3=0.5, Edge7=0.2</translation>
-    </message>
-    <message>
-        <source>looking at the operands</source>
-        <translation>Operanden werden betrachtet</translation>
-    </message>
-    <message>
-        <source>making the surface</source>
-        <translation>Oberfläche entsteht</translation>
     </message>
     <message>
         <source>measuring the distance</source>
@@ -893,10 +777,6 @@
     <message>
         <source>measuring the distortion</source>
         <translation>Verzerrung wird gemessen</translation>
-    </message>
-    <message>
-        <source>mending what is left</source>
-        <translation>Ausbessern</translation>
     </message>
     <message>
         <source>meshing the shapes</source>
@@ -909,10 +789,6 @@
     <message>
         <source>no change within the tolerance makes it better</source>
         <translation>keine Änderung innerhalb der Toleranz macht es besser</translation>
-    </message>
-    <message>
-        <source>putting the result together</source>
-        <translation>Ergebnis wird zusammengesetzt</translation>
     </message>
     <message>
         <source>reading the operands</source>
@@ -929,14 +805,6 @@
     <message>
         <source>repairing the tetrahedra</source>
         <translation>Tetraeder werden repariert</translation>
-    </message>
-    <message>
-        <source>separating what only touches</source>
-        <translation>Trennen, was sich nur berührt</translation>
-    </message>
-    <message>
-        <source>sorting the triangles</source>
-        <translation>Dreiecke werden sortiert</translation>
     </message>
     <message>
         <source>starting</source>
@@ -987,10 +855,6 @@
         <translation>{phrase} auf {face}</translation>
     </message>
     <message>
-        <source>What is done with the operands, one after the other from the first on</source>
-        <translation>Was mit den Operanden geschieht, nacheinander vom ersten an</translation>
-    </message>
-    <message>
         <source>Count</source>
         <translation>Zahl</translation>
     </message>
@@ -1015,36 +879,8 @@
         <translation>Berechnung abbrechen</translation>
     </message>
     <message>
-        <source>A distance to the shape of {number} mm is finer than the numbers of a mesh in FreeCAD, which hold this part to {number2} mm: ask for more than that</source>
-        <translation>Ein Abstand zur Form von {number} mm ist feiner, als die Zahlen eines Netzes in FreeCAD dieses Teil fassen ({number2} mm): mehr als das verlangen</translation>
-    </message>
-    <message>
-        <source>A tolerance of {number} mm is finer than the numbers of a mesh in FreeCAD, which hold these operands to {number2} mm: ask for more than that</source>
-        <translation>Eine Toleranz von {number} mm ist feiner, als die Zahlen eines Netzes in FreeCAD diese Operanden fassen ({number2} mm): mehr als das verlangen</translation>
-    </message>
-    <message>
-        <source>Elements of order {count} are not possible with tetrahedra: it goes from 1 to {count2}</source>
-        <translation>Elemente der Ordnung {count} gehen nicht mit Tetraedern: möglich ist 1 bis {count2}</translation>
-    </message>
-    <message>
-        <source>Faces cannot be meshed: {value}. Repair the shape with Part - Check geometry, or choose under More options to leave such faces out</source>
-        <translation>Flächen lassen sich nicht vernetzen: {value}. Die Form mit Part - Geometrie prüfen reparieren, oder unter Weitere Optionen solche Flächen auslassen</translation>
-    </message>
-    <message>
-        <source>Shorter edges are asked for on {name}, but the shape has only {count} of these</source>
-        <translation>Kürzere Kanten sind auf {name} verlangt, aber die Form hat davon nur {count}</translation>
-    </message>
-    <message>
         <source>The shape has no solids to fill with tetrahedra: switch that off to curve its faces</source>
         <translation>Die Form hat keine Körper, die mit Tetraedern zu füllen wären: dies abschalten, um ihre Flächen zu krümmen</translation>
-    </message>
-    <message>
-        <source>The surface could not be filled with tetrahedra: it meets itself, or walls are too thin for its triangles. Ask for a smaller distance to the shape ({value})</source>
-        <translation>Die Oberfläche ließ sich nicht mit Tetraedern füllen: sie trifft sich selbst, oder Wände sind zu dünn für ihre Dreiecke. Einen kleineren Abstand zur Form verlangen ({value})</translation>
-    </message>
-    <message>
-        <source>The surface could not be filled with tetrahedra: its triangles do not fit each other across thin walls. Ask for a smaller distance to the shape or shorter edges</source>
-        <translation>Die Oberfläche ließ sich nicht mit Tetraedern füllen: ihre Dreiecke passen über dünne Wände hinweg nicht zueinander. Einen kleineren Abstand zur Form oder kürzere Kanten verlangen</translation>
     </message>
     <message>
         <source>the shape has no faces with an area: give a solid, a shell or faces</source>
@@ -1059,10 +895,6 @@
         <translation>Längste Kante des Netzes, bevor es gekrümmt wird</translation>
     </message>
     <message>
-        <source>Make those elements straight that fold over and cannot be repaired</source>
-        <translation>Macht jene Elemente gerade, die umklappen und sich nicht reparieren lassen</translation>
-    </message>
-    <message>
         <source>Smallest angle of the triangles before they are curved</source>
         <translation>Kleinster Winkel der Dreiecke, bevor sie gekrümmt werden</translation>
     </message>
@@ -1071,32 +903,8 @@
         <translation>Flächen, die sich schneiden, werden getrennt</translation>
     </message>
     <message>
-        <source>Edges of the shape</source>
-        <translation>Kanten der Form</translation>
-    </message>
-    <message>
         <source>With keep_edges = feature: edges are smooth where the surface turns by less than this</source>
         <translation>Wenn nur scharfe Kanten bleiben: glatt sind Kanten, an denen sich die Fläche um weniger als dies dreht</translation>
-    </message>
-    <message>
-        <source>keep all</source>
-        <translation>alle behalten</translation>
-    </message>
-    <message>
-        <source>keep sharp ones</source>
-        <translation>scharfe behalten</translation>
-    </message>
-    <message>
-        <source>releasing smooth edges</source>
-        <translation>glatte Kanten freigeben</translation>
-    </message>
-    <message>
-        <source>taking out vertices</source>
-        <translation>Überflüssige Punkte werden entfernt</translation>
-    </message>
-    <message>
-        <source>MeshQuality computes in a binary, which must be made for {0}. None that can be used is here.</source>
-        <translation>MeshQuality rechnet in einem Binärteil, der für {0} gemacht sein muss. Hier ist keiner, der sich benutzen lässt.</translation>
     </message>
     <message>
         <source>On Debian: install the package freecad-meshquality that was made for your release.</source>
@@ -1105,18 +913,6 @@
     <message>
         <source>Elsewhere: unpack the archive of MeshQuality that was made for these versions in place of the folder {0}.</source>
         <translation>Anderswo: das Archiv von MeshQuality, das für diese Versionen gemacht wurde, an Stelle des Ordners {0} auspacken.</translation>
-    </message>
-    <message>
-        <source>From these sources: run bash {0}</source>
-        <translation>Aus diesen Quellen: bash {0} ausführen</translation>
-    </message>
-    <message>
-        <source>From MeshQuality&apos;s sources: run bash tools/build in their folder.</source>
-        <translation>Aus den Quellen von MeshQuality: in deren Ordner bash tools/build ausführen.</translation>
-    </message>
-    <message>
-        <source>Then start FreeCAD again. Meshes that documents hold are shown meanwhile as they were saved.</source>
-        <translation>Danach FreeCAD neu starten. Netze in Dokumenten werden bis dahin so gezeigt, wie sie gespeichert wurden.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1139,16 +935,8 @@
         <translation>Alle verlangten Grenzen sind eingehalten.</translation>
     </message>
     <message>
-        <source>Update the mesh to learn whether it meets all requested limits.</source>
-        <translation>Aktualisieren Sie das Netz, um zu erfahren, ob es alle verlangten Grenzen einhält.</translation>
-    </message>
-    <message>
         <source>The last update failed: {}</source>
         <translation>Die letzte Aktualisierung ist fehlgeschlagen: {}</translation>
-    </message>
-    <message>
-        <source>Flies to the place, and selects the faces of the shape on which the mesh misses a requested limit</source>
-        <translation>Fliegt zu der Stelle und wählt die Flächen der Form aus, auf denen das Netz eine verlangte Grenze nicht einhält</translation>
     </message>
     <message>
         <source>The source was deleted. Close this panel.</source>
@@ -1157,10 +945,6 @@
     <message>
         <source>Mesh: {}, curved elements of order {}</source>
         <translation>Netz: {}, gekrümmte Elemente der Ordnung {}</translation>
-    </message>
-    <message>
-        <source>A name without an ending gets that of the format</source>
-        <translation>Ein Name ohne Endung bekommt die des Formats</translation>
     </message>
     <message>
         <source>Format</source>
@@ -1177,14 +961,6 @@
     <message>
         <source>Continue in background</source>
         <translation>Im Hintergrund weiter</translation>
-    </message>
-    <message>
-        <source>Closes the panel; the status bar shows the work, and can cancel it</source>
-        <translation>Schließt den Aufgabenbereich; die Statusleiste zeigt die Arbeit und kann sie abbrechen</translation>
-    </message>
-    <message>
-        <source>The triangles are counted once other work has ended.</source>
-        <translation>Die Dreiecke werden gezählt, sobald andere Arbeit beendet ist.</translation>
     </message>
     <message>
         <source>Defaults</source>
@@ -1245,18 +1021,6 @@
     <message>
         <source>Mesh: {0}</source>
         <translation>Netz: {0}</translation>
-    </message>
-    <message>
-        <source>It is measured once other work has ended.</source>
-        <translation>Gemessen wird, sobald andere Arbeit beendet ist.</translation>
-    </message>
-    <message>
-        <source>Red: the largest one.</source>
-        <translation>Rot: der größte.</translation>
-    </message>
-    <message>
-        <source>Red: larger than the bound of {0}.</source>
-        <translation>Rot: größer als die Schranke von {0}.</translation>
     </message>
     <message>
         <source>{0} tetrahedra: worst {1}, mean {2}</source>
@@ -1357,10 +1121,6 @@
     <message>
         <source>Max. deviation</source>
         <translation>Max. Abweichung</translation>
-    </message>
-    <message>
-        <source>No triangle gets a smaller angle, except where the part has a sharper corner; above 30 degrees many more triangles are needed</source>
-        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo das Teil eine spitzere Ecke hat; über 30 Grad werden viel mehr Dreiecke gebraucht</translation>
     </message>
     <message>
         <source>Random seed for the sprinkle method; the same seed gives the same mesh</source>
@@ -1618,6 +1378,258 @@
         <source>{face} crosses itself.</source>
         <translation>{face} durchdringt sich selbst.</translation>
     </message>
+    <message>
+        <source>MeshQuality needs a binary file made for {0}. No usable one was found.</source>
+        <translation>MeshQuality braucht eine Binärdatei, die für {0} gemacht ist. Es wurde keine brauchbare gefunden.</translation>
+    </message>
+    <message>
+        <source>From these sources: run ‘bash {0}’ in a terminal.</source>
+        <translation>Aus diesen Quellen: in einem Terminal „bash {0}“ ausführen.</translation>
+    </message>
+    <message>
+        <source>From MeshQuality's sources: run ‘bash tools/build’ in their folder.</source>
+        <translation>Aus den Quellen von MeshQuality: in ihrem Ordner „bash tools/build“ ausführen.</translation>
+    </message>
+    <message>
+        <source>Then restart FreeCAD. Until then, meshes of your documents are shown as they were saved.</source>
+        <translation>Danach FreeCAD neu starten. Bis dahin werden Netze in Ihren Dokumenten so gezeigt, wie sie gespeichert wurden.</translation>
+    </message>
+    <message>
+        <source>Update the mesh to check whether all requested limits are met.</source>
+        <translation>Aktualisieren Sie das Netz, um zu prüfen, ob es alle verlangten Grenzwerte einhält.</translation>
+    </message>
+    <message>
+        <source>Moves the camera there, and selects the faces of the shape on which a requested limit is not met</source>
+        <translation>Führt die Kamera dorthin und wählt die Flächen der Form aus, auf denen ein verlangter Grenzwert nicht eingehalten ist</translation>
+    </message>
+    <message>
+        <source>Without an extension, that of the format is added</source>
+        <translation>Fehlt die Dateiendung, wird die des Formats ergänzt</translation>
+    </message>
+    <message>
+        <source>Computes the mesh and leaves the panel open</source>
+        <translation>Berechnet das Netz und lässt den Aufgabenbereich offen</translation>
+    </message>
+    <message>
+        <source>Closes the panel; the status bar shows the progress and can cancel the work</source>
+        <translation>Schließt den Aufgabenbereich; die Statusleiste zeigt den Fortschritt und kann die Arbeit abbrechen</translation>
+    </message>
+    <message>
+        <source>The triangles are counted when other work has finished.</source>
+        <translation>Die Dreiecke werden gezählt, wenn andere Arbeit beendet ist.</translation>
+    </message>
+    <message>
+        <source>Measuring starts when other work has finished.</source>
+        <translation>Gemessen wird, wenn andere Arbeit beendet ist.</translation>
+    </message>
+    <message>
+        <source>Red: the largest distance of this mesh.</source>
+        <translation>Rot: der größte Abstand dieses Netzes.</translation>
+    </message>
+    <message>
+        <source>Red: more than the requested {0}.</source>
+        <translation>Rot: mehr als die verlangten {0}.</translation>
+    </message>
+    <message>
+        <source>Click to move the camera there</source>
+        <translation>Klicken, um die Kamera dorthin zu führen</translation>
+    </message>
+    <message>
+        <source>Click a bar to highlight its elements.</source>
+        <translation>Auf einen Balken klicken, um seine Elemente hervorzuheben.</translation>
+    </message>
+    <message>
+        <source>A local size is given for {name}, but the shape has only {count} {name2}</source>
+        <translation>Für {name} ist eine lokale Größe angegeben, aber die Form hat nur {count} {name2}</translation>
+    </message>
+    <message>
+        <source>A max. deviation of {number} mm is below the single precision of meshes in FreeCAD, here {number2} mm. Choose a larger value</source>
+        <translation>Eine max. Abweichung von {number} mm liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {number2} mm. Wählen Sie einen größeren Wert</translation>
+    </message>
+    <message>
+        <source>A tolerance of {number} mm is below the single precision of meshes in FreeCAD, here {number2} mm. Choose a larger value</source>
+        <translation>Eine Toleranz von {number} mm liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {number2} mm. Wählen Sie einen größeren Wert</translation>
+    </message>
+    <message>
+        <source>CAD edges to keep</source>
+        <translation>Kanten der Form beibehalten</translation>
+    </message>
+    <message>
+        <source>Connect samples</source>
+        <translation>Abtastpunkte verbinden</translation>
+    </message>
+    <message>
+        <source>Edges where the surface turns by more than this are sharp and keep their place</source>
+        <translation>Kanten, an denen sich die Fläche um mehr als dies dreht, sind scharf und bleiben an ihrem Ort</translation>
+    </message>
+    <message>
+        <source>Element order</source>
+        <translation>Ordnung der Elemente</translation>
+    </message>
+    <message>
+        <source>Faces cannot be meshed: {value}. Repair the shape (Part - Check geometry), or choose to skip faces that fail under More options</source>
+        <translation>Flächen lassen sich nicht vernetzen: {value}. Reparieren Sie die Form (Part - Geometrie überprüfen), oder wählen Sie unter „Weitere Optionen“, misslungene Flächen auszulassen</translation>
+    </message>
+    <message>
+        <source>How samples are connected: pseudo-delaunay in space, parametric in (u, v)</source>
+        <translation>Wie Abtastpunkte verbunden werden: im Raum oder in den Parametern (u, v) der Fläche</translation>
+    </message>
+    <message>
+        <source>Largest distance between the given mesh and the improved one</source>
+        <translation>Größter Abstand zwischen dem gegebenen und dem verbesserten Netz</translation>
+    </message>
+    <message>
+        <source>Largest distance between the result and the exact Boolean</source>
+        <translation>Größter Abstand zwischen dem Ergebnis und der exakten Verknüpfung</translation>
+    </message>
+    <message>
+        <source>Mesh the other faces where some fail; the report names those that were skipped</source>
+        <translation>Misslingen einige Flächen, die übrigen vernetzen; der Bericht nennt die ausgelassenen</translation>
+    </message>
+    <message>
+        <source>No triangle gets a smaller angle, except where the shape has a sharper corner; above 30 degrees many more triangles are needed</source>
+        <translation>Kein Dreieck bekommt einen kleineren Winkel, außer wo die Form eine spitzere Ecke hat; über 30 Grad werden viel mehr Dreiecke gebraucht</translation>
+    </message>
+    <message>
+        <source>Point insertion</source>
+        <translation>Einfügen von Punkten</translation>
+    </message>
+    <message>
+        <source>Skip faces that fail</source>
+        <translation>Misslungene Flächen auslassen</translation>
+    </message>
+    <message>
+        <source>Straighten the elements that stay invalid after all repairs; they deviate more from the shape</source>
+        <translation>Elemente gerade machen, die nach allen Reparaturen ungültig bleiben; sie weichen mehr von der Form ab</translation>
+    </message>
+    <message>
+        <source>Target for the smallest angle of every triangle</source>
+        <translation>Ziel für den kleinsten Winkel jedes Dreiecks</translation>
+    </message>
+    <message>
+        <source>Tetrahedra of order {count} are not possible: choose an order from 1 to {count2}</source>
+        <translation>Tetraeder der Ordnung {count} sind nicht möglich: wählen Sie eine Ordnung von 1 bis {count2}</translation>
+    </message>
+    <message>
+        <source>The surface could not be filled with tetrahedra: it intersects itself, or walls are too thin for its triangles. Choose a smaller max. deviation ({value})</source>
+        <translation>Die Oberfläche ließ sich nicht mit Tetraedern füllen: sie schneidet sich selbst, oder Wände sind zu dünn für ihre Dreiecke. Wählen Sie eine kleinere max. Abweichung ({value})</translation>
+    </message>
+    <message>
+        <source>The surface could not be filled with tetrahedra: its triangles do not fit each other across thin walls. Choose a smaller max. deviation or shorter edges</source>
+        <translation>Die Oberfläche ließ sich nicht mit Tetraedern füllen: ihre Dreiecke passen an dünnen Wänden nicht zueinander. Wählen Sie eine kleinere max. Abweichung oder kürzere Kanten</translation>
+    </message>
+    <message>
+        <source>Where a triangle with a small angle gets its new point: off-centre needs fewer triangles, circumcentre is the rule of Aftosmis 1999</source>
+        <translation>Wo ein Dreieck mit kleinem Winkel seinen neuen Punkt bekommt: off-centre braucht weniger Dreiecke, circumcentre (Umkreismittelpunkt) ist die Regel von Aftosmis 1999</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>assembling the result</source>
+        <translation>Ergebnis wird zusammengesetzt</translation>
+    </message>
+    <message>
+        <source>building the octree</source>
+        <translation>Octree wird aufgebaut</translation>
+    </message>
+    <message>
+        <source>building the surface</source>
+        <translation>Oberfläche wird aufgebaut</translation>
+    </message>
+    <message>
+        <source>checking the operands</source>
+        <translation>Operanden werden geprüft</translation>
+    </message>
+    <message>
+        <source>circumcentre</source>
+        <translation>Umkreismittelpunkt</translation>
+    </message>
+    <message>
+        <source>classifying the triangles</source>
+        <translation>Dreiecke werden zugeordnet</translation>
+    </message>
+    <message>
+        <source>clustering the samples</source>
+        <translation>Abtastpunkte werden gruppiert</translation>
+    </message>
+    <message>
+        <source>combining the samples</source>
+        <translation>Abtastpunkte werden verknüpft</translation>
+    </message>
+    <message>
+        <source>dividing into triangles</source>
+        <translation>Zerlegung in Dreiecke</translation>
+    </message>
+    <message>
+        <source>extracting the result</source>
+        <translation>Ergebnis wird herausgelöst</translation>
+    </message>
+    <message>
+        <source>finding inside and outside</source>
+        <translation>Innen und Außen werden bestimmt</translation>
+    </message>
+    <message>
+        <source>finding intersections</source>
+        <translation>Schnitte werden gesucht</translation>
+    </message>
+    <message>
+        <source>improving the remaining triangles</source>
+        <translation>übrige Dreiecke werden verbessert</translation>
+    </message>
+    <message>
+        <source>initial triangulation</source>
+        <translation>erste Triangulierung</translation>
+    </message>
+    <message>
+        <source>off-centre</source>
+        <translation>off-centre</translation>
+    </message>
+    <message>
+        <source>only sharp ones</source>
+        <translation>nur scharfe</translation>
+    </message>
+    <message>
+        <source>refining angles</source>
+        <translation>Winkel werden verfeinert</translation>
+    </message>
+    <message>
+        <source>refining to the max. deviation</source>
+        <translation>Verfeinern bis zur max. Abweichung</translation>
+    </message>
+    <message>
+        <source>removing smooth edges</source>
+        <translation>glatte Kanten werden entfernt</translation>
+    </message>
+    <message>
+        <source>removing vertices</source>
+        <translation>Eckpunkte werden entfernt</translation>
+    </message>
+    <message>
+        <source>sampling the surface</source>
+        <translation>Oberfläche wird abgetastet</translation>
+    </message>
+    <message>
+        <source>separating contacts</source>
+        <translation>Berührungen werden getrennt</translation>
+    </message>
+    <message>
+        <source>Largest distance between the flat triangles and the curved elements</source>
+        <translation>Größter Abstand zwischen den ebenen Dreiecken und den gekrümmten Elementen</translation>
+    </message>
+    <message>
+        <source>no minimum</source>
+        <translation>kein Mindestwert</translation>
+    </message>
+    <message>
+        <source>Operands: {}</source>
+        <translation>Operanden: {}</translation>
+    </message>
+    <message>
+        <source>Set operation, applied to the operands in their order; difference: the first one without the others</source>
+        <translation>Mengenoperation, der Reihe nach auf die Operanden angewandt; Differenz: der erste ohne die übrigen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -1634,10 +1646,6 @@
         <translation>Kleinster Winkel neuer Netze</translation>
     </message>
     <message>
-        <source>Begin with the values that were used last</source>
-        <translation>Mit den zuletzt benutzten Werten beginnen</translation>
-    </message>
-    <message>
         <source>Updates</source>
         <translation>Aktualisierung</translation>
     </message>
@@ -1646,28 +1654,32 @@
         <translation> Dreiecken</translation>
     </message>
     <message>
-        <source>Meshes follow their source in the background</source>
-        <translation>Netze folgen ihrer Quelle im Hintergrund</translation>
-    </message>
-    <message>
-        <source>Otherwise the window waits until they are computed</source>
-        <translation>Sonst wartet das Fenster, bis sie berechnet sind</translation>
-    </message>
-    <message>
-        <source>Above about 30 degrees many more triangles are needed</source>
-        <translation>Über etwa 30 Grad werden viel mehr Dreiecke gebraucht</translation>
-    </message>
-    <message>
-        <source>Angles, relative values and choices: lengths and local sizes stay with their part. Otherwise panels begin with medium fineness and the angle above</source>
-        <translation>Winkel, relative Werte und Auswahlen: Längen und lokale Größen bleiben bei ihrem Teil. Sonst beginnen Fenster mit mittlerer Feinheit und dem Winkel darüber</translation>
-    </message>
-    <message>
         <source>Do not update new meshes automatically above</source>
         <translation>Neue Netze nicht von selbst aktualisieren ab</translation>
     </message>
     <message>
         <source>Larger meshes wait until Update mesh is chosen</source>
         <translation>Größere Netze warten, bis Netz aktualisieren gewählt wird</translation>
+    </message>
+    <message>
+        <source>Above 30 degrees many more triangles are needed</source>
+        <translation>Über 30 Grad werden viel mehr Dreiecke gebraucht</translation>
+    </message>
+    <message>
+        <source>Start panels with the values used last</source>
+        <translation>Aufgabenbereiche mit den zuletzt benutzten Werten beginnen</translation>
+    </message>
+    <message>
+        <source>Angles, relative values and choices are remembered, lengths and local sizes are not. If unchecked, panels start with medium fineness and the angle above</source>
+        <translation>Winkel, relative Werte und Auswahlen werden gemerkt, Längen und lokale Größen nicht. Sonst beginnen Aufgabenbereiche mit mittlerer Feinheit und dem Winkel oben</translation>
+    </message>
+    <message>
+        <source>Update meshes in the background</source>
+        <translation>Netze im Hintergrund aktualisieren</translation>
+    </message>
+    <message>
+        <source>If unchecked, FreeCAD waits until they are computed</source>
+        <translation>Sonst wartet FreeCAD, bis sie berechnet sind</translation>
     </message>
 </context>
 <context>
@@ -1684,12 +1696,12 @@
 <context>
     <name>MeshQuality_Boolean</name>
     <message>
-        <source>Join, intersect or subtract the selected meshes and shapes, in the order of selection</source>
-        <translation>Vereinigt, schneidet oder subtrahiert die gewählten Netze und Formen in der Reihenfolge der Auswahl</translation>
-    </message>
-    <message>
         <source>Mesh Boolean...</source>
         <translation>Boolesche Netzoperation...</translation>
+    </message>
+    <message>
+        <source>Unite, intersect or subtract the selected meshes and shapes, in the order of selection</source>
+        <translation>Ausgewählte Netze und Formen vereinigen, schneiden oder abziehen, in der Reihenfolge der Auswahl</translation>
     </message>
 </context>
 <context>
@@ -1699,8 +1711,8 @@
         <translation>Gekrümmtes Netz...</translation>
     </message>
     <message>
-        <source>Mesh the selected shapes with curved elements, each proven to be free of folds</source>
-        <translation>Vernetzt die gewählten Formen mit gekrümmten Elementen, jedes nachweislich ohne Falten</translation>
+        <source>Mesh the selected shapes with curved elements, each proven valid</source>
+        <translation>Ausgewählte Formen mit gekrümmten Elementen vernetzen, jedes nachweislich gültig</translation>
     </message>
 </context>
 <context>
@@ -1717,23 +1729,23 @@
 <context>
     <name>MeshQuality_GetBinary</name>
     <message>
-        <source>How to get the binary that MeshQuality needs for its work</source>
-        <translation>Wie man den Binärteil bekommt, den MeshQuality für seine Arbeit braucht</translation>
+        <source>How to get the binary file without which MeshQuality cannot compute</source>
+        <translation>Wie man die Binärdatei bekommt, ohne die MeshQuality nicht rechnen kann</translation>
     </message>
     <message>
-        <source>What is missing...</source>
-        <translation>Was fehlt...</translation>
+        <source>Missing binary...</source>
+        <translation>Fehlende Binärdatei...</translation>
     </message>
 </context>
 <context>
     <name>MeshQuality_Improve</name>
     <message>
-        <source>Better triangles on the surface of the selected meshes; sharp edges stay</source>
-        <translation>Bessere Dreiecke auf der Oberfläche der gewählten Netze; scharfe Kanten bleiben</translation>
-    </message>
-    <message>
         <source>Improve mesh...</source>
         <translation>Netz verbessern...</translation>
+    </message>
+    <message>
+        <source>Improve the triangles of the selected meshes on their surface; sharp edges stay</source>
+        <translation>Dreiecke der ausgewählten Netze auf ihrer Oberfläche verbessern; scharfe Kanten bleiben</translation>
     </message>
 </context>
 <context>
@@ -1761,12 +1773,12 @@
 <context>
     <name>MeshQuality_Update</name>
     <message>
-        <source>Compute the selected meshes anew where a source or an option has changed</source>
-        <translation>Berechnet die gewählten Netze neu, wo sich eine Quelle oder eine Option geändert hat</translation>
-    </message>
-    <message>
         <source>Update mesh</source>
         <translation>Netz aktualisieren</translation>
+    </message>
+    <message>
+        <source>Compute the selected meshes again where a source or an option has changed</source>
+        <translation>Ausgewählte Netze neu berechnen, wo sich eine Quelle oder Option geändert hat</translation>
     </message>
 </context>
 <context>

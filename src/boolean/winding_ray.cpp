@@ -170,7 +170,7 @@ RayWinding winding_in_front(const Soup& soup, const Arrangement& arrangement, co
             }
         }
     }
-    throw TopologyError("it cannot be told how the operands lie around one another: no ray passes between the edges");
+    throw TopologyError("cannot decide whether an operand encloses another: every ray tried meets an edge or a vertex");
 }
 
 }  // namespace mq::boolean

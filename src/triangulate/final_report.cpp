@@ -80,7 +80,7 @@ void report_chord_height(Workspace& work, ChordMeasure& measure, const Output& o
         const std::string face = work.session.topology().name_of({2, work.mesh.face_of(worst.triangle)});
         report.notes.push_back("max. deviation " + std::to_string(worst.distance) + " mm instead of the requested " +
                                std::to_string(asked) + " mm: " +
-                               (!keeps_bounds ? "without polish the samples alone decide"
+                               (!keeps_bounds ? "refine_samples is off, so that the samples alone decide"
                                 : worst.of_the_part
                                     ? "edges of " + face + " deviate from it by more than that"
                                     : "some edges cannot be split without folding or crowding the mesh"));

@@ -31,7 +31,7 @@ void Options::validate() const {
                            ": it must be at least 3, or 0 for no bound; 12 to 36 is usual");
     }
     if (!(growth == 0.0 || (growth > 1.0 && std::isfinite(growth)))) {
-        throw InvalidInput("growth is " + std::to_string(growth) +
+        throw InvalidInput("growth_rate is " + std::to_string(growth) +
                            ": it must be greater than 1, or 0 for no bound; 1.2 to 2 is usual");
     }
     if (chord_height > 0.0 && chord_height_relative > 0.0) {
@@ -42,7 +42,7 @@ void Options::validate() const {
                            " degrees: it must be above 0 and at most 40; 10 is usual");
     }
     if (keep_edges == KeepEdges::Feature && !keeps_bounds()) {
-        throw InvalidInput("keep_edges releases edges after refinement: it needs polish, or the method refine");
+        throw InvalidInput("keep_edges = feature needs refinement: use the method refine, or refine_samples");
     }
     if (max_edge > 0.0 && min_edge > max_edge) {
         throw InvalidInput("min_edge is larger than max_edge");

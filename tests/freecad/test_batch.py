@@ -165,7 +165,7 @@ class Batch(BatchTest):
         self.assertEqual(self.batch()[0], 0)
         status, summary, err = self.batch("--strict")
         self.assertEqual((status, summary["verdict"], summary["not_met"]), (3, "not met", 1), err)
-        self.assertIn("1 of 4 meshes misses a requested limit", err[-1])
+        self.assertIn("1 of 4 meshes does not meet a requested limit", err[-1])
         entry = next(entry for entry in self.lines() if entry["part"] == "wedge.brep")
         self.assertEqual((entry["report"]["verdict"], entry["report"]["findings_count"]), ("not met", 1))
         with open(os.path.join(self.out, "parts.csv"), encoding="utf-8", newline="") as stream:
@@ -480,7 +480,7 @@ class Report(unittest.TestCase):
         # Nobody is among the worst who keeps what was asked for.
         self.assertNotIn("without exempted triangles, degrees, lowest", page)
         self.assertIn("3000 of 3000 parts", page)
-        self.assertIn("<td>0.01</td>", page.partition("distance to the shape by its size, highest")[2])
+        self.assertIn("<td>0.01</td>", page.partition("max. deviation relative to size, highest")[2])
 
     def test_failures_are_gathered_by_cause(self):
         findings = report.Findings("triangulate")
@@ -503,7 +503,7 @@ class Report(unittest.TestCase):
             self.assertGreaterEqual(command.write_results(chosen, Lines(), 10), 0.0)
             page = (Path(folder) / "report.html").read_text(encoding="utf-8")
             self.assertIn("2 of 10 parts", page)
-            self.assertIn("<td>yet to be done</td><td>8</td><td>80.00 %</td>", page)
+            self.assertIn("<td>not done yet</td><td>8</td><td>80.00 %</td>", page)
             rows = (Path(folder) / "parts.csv").read_text(encoding="utf-8").splitlines()
             self.assertEqual((len(rows), rows[2].split(",")[0]), (3, "p00001.step"))
 

@@ -50,7 +50,7 @@ class BooleanCommand(helpers.DocumentTest):
         self.assertEqual(status, 0, err)
         self.assertTrue(out.startswith("triangles"), out)
         self.assertIn("error bound", out)
-        self.assertIn("operands' own", err[-1])
+        self.assertIn("unchanged from the operands", err[-1])
 
     def test_bad_input_ends_with_2_and_says_why(self):
         sheet = os.path.join(self.folder, "sheet.stl")

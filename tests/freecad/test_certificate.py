@@ -75,14 +75,14 @@ class Certificates(CertificateTest):
 
     def test_a_distance_that_is_not_kept(self):
         source = self.feature(Part.makeCylinder(5, 10))
-        obj = mq.add_quality_mesh(source, method="star", polish=False, chord_height=0.01)
+        obj = mq.add_quality_mesh(source, method="star", refine_samples=False, chord_height=0.01)
         self.assertGreater(obj.MaxChordHeight.Value, 0.01)
         self.assertIn("max. deviation 0.0171 mm (requested 0.01 mm)", obj.Certificate)
         self.assertNotIn("smallest angle", obj.Certificate)
 
     def test_a_distance_that_is_not_kept_has_a_place(self):
         source = self.feature(Part.makeCylinder(5, 10, FreeCAD.Vector(30, 0, 0)))
-        values = {"method": "star", "polish": False, "chord_height": 0.01}
+        values = {"method": "star", "refine_samples": False, "chord_height": 0.01}
         obj = mq.add_quality_mesh(source, **values)
         report = mq.triangulate(source, **values).report
         worst = report.max_chord_triangle

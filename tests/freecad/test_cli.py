@@ -123,7 +123,7 @@ class Triangulate(helpers.DocumentTest):
 
     def test_insertion(self):
         counts = []
-        for rule in ("off-centre", "paper"):
+        for rule in ("off-centre", "circumcentre"):
             status, out, err = run("triangulate", self.step, "--json", "--insertion", rule,
                                    "--min-angle", 30)
             self.assertEqual(status, 0, err)
@@ -142,7 +142,7 @@ class Triangulate(helpers.DocumentTest):
                 (("triangulate", self.step, "--min-angle", "foo"), "--min-angle"),
                 (("triangulate", self.step, "--min-angle", "50"), "34 degrees"),
                 (("triangulate", self.step, "--min-angle", "nan"), "nan"),
-                (("triangulate", self.step, "--insertion", "foo"), "off-centre, paper"),
+                (("triangulate", self.step, "--insertion", "foo"), "off-centre, circumcentre"),
                 (("triangulate", self.step, "--chord-height", "1e-12"), "single precision"),
                 (("triangulate", os.path.join(self.folder, "none.step")), "none.step"),
                 (("triangulate", self.folder + "/part.xyz"), "part.xyz"),

@@ -9,6 +9,7 @@ import unittest
 import Part
 
 import MeshQuality as mq
+from MeshQuality import verdict
 from MeshQuality.version import __version__
 
 
@@ -58,6 +59,11 @@ class Lines(unittest.TestCase):
         self.assertEqual(repr(volume), f"<CurvedMesh: {len(volume.elements):,} tetrahedra of order 1, all valid>")
         self.assertRegex(repr(volume.report), rf"^<CurveReport: {len(volume.elements):,} elements, all valid, shape "
                                               r"distortion at most [\d.]+, max\. deviation [\de.-]+ mm>$")
+
+    def test_angles_that_are_rounding_alone(self):
+        report = mq.quality(([(0, 0, 0), (1, 0, 0), (0.5, 1e-12, 0)], [(0, 1, 2)]))
+        self.assertGreater(report.min_angle, 0)
+        self.assertIn("1 triangle, smallest angle 0°;", verdict.line("Scan", report, []))
 
     def test_memories(self):
         memory = mq.Memory()

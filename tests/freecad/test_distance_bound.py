@@ -215,7 +215,10 @@ class Objects(helpers.DocumentTest):
         for given, held in (({"chord_height": "none"}, (None, None)), ({"chord_height": 0.1}, (0.1, None)),
                             ({"chord_height_relative": 0.01}, (None, 0.01))):
             values = options.check(options.TRIANGULATE, given)
-            before = {**values, "chord_height": held[0], "chord_height_relative": held[1]}
+            before = {**values, "chord_height": held[0], "chord_height_relative": held[1],
+                      "insertion": "off-centre", "growth": values["growth_rate"],
+                      "polish": values["refine_samples"]}
+            del before["growth_rate"], before["refine_samples"]
             digest = hashlib.sha256(convert.shape_text(shape))
             digest.update(json.dumps(before, sort_keys=True).encode())
             self.assertEqual(mesh_object.fingerprint_of(shape, values), digest.hexdigest())

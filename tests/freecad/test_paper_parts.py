@@ -12,7 +12,7 @@ import MeshQuality as mq
 
 MIN_ANGLE = 25.0
 PARTS = ("die", "wing_main", "flap")
-INSERTIONS = ("off-centre", "paper")
+INSERTIONS = ("off-centre", "circumcentre")
 
 
 def edge_counts(triangles):
@@ -98,4 +98,4 @@ class PaperParts(unittest.TestCase):
     def test_off_centres_need_fewer_triangles(self):
         for name in PARTS:
             self.assertLessEqual(len(self.meshes[name, "off-centre"].triangles),
-                                 len(self.meshes[name, "paper"].triangles), name)
+                                 len(self.meshes[name, "circumcentre"].triangles), name)

@@ -54,10 +54,10 @@ class Recompute(helpers.DocumentTest):
         with self.assertRaisesRegex(mq.InvalidInput, "recompute"):
             mq.add_quality_mesh(cylinder)
         self.document.recompute()
-        obj = mq.add_quality_mesh(cylinder, insertion="paper")
-        self.assertEqual(obj.Insertion, "paper")
-        self.assertEqual(obj.getEnumerationsOfProperty("Insertion"), ["off-centre", "paper"])
-        expected = mq.triangulate(cylinder, insertion="paper")
+        obj = mq.add_quality_mesh(cylinder, insertion="circumcentre")
+        self.assertEqual(obj.Insertion, "circumcentre")
+        self.assertEqual(obj.getEnumerationsOfProperty("Insertion"), ["off-centre", "circumcentre", "paper"])
+        expected = mq.triangulate(cylinder, insertion="circumcentre")
         self.assertEqual(obj.Triangles, len(expected.triangles))
         fingerprint = obj.Fingerprint
         obj.Insertion = "off-centre"

@@ -50,13 +50,14 @@ class Recipes(helpers.DocumentTest):
             exec(compile(text, guide, "exec"), self.names)
 
     def test_readme(self):
+        names = self.names = {"App": FreeCAD}  # nothing else is there for who follows it
         self.follow("README.md")
-        names = self.names
+        self.addCleanup(FreeCAD.closeDocument, names["document"].Name)
         self.assertGreaterEqual(names["better"].report.min_angle, 25)
         self.assertTrue(names["part"].report.closed and names["part"].report.faults_left == 0)
         self.assertEqual(names["curved"].report.invalid, 0)
         self.assertEqual(sorted(os.listdir(".")), ["part.msh", "part.ply"])
-        kinds = [type(obj.Proxy).__name__ for obj in self.document.Objects if hasattr(obj, "Proxy")]
+        kinds = [type(obj.Proxy).__name__ for obj in names["document"].Objects if hasattr(obj, "Proxy")]
         self.assertEqual(kinds, ["QualityMesh", "CurvedMeshObject", "MeshBoolean"])
 
     def test_improving(self):

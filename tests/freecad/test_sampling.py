@@ -35,7 +35,7 @@ class Sampling(unittest.TestCase):
     def test_raw_meshes_are_sound(self):
         for method in METHODS:
             with self.subTest(method=method):
-                report = mq.triangulate(plate(), method=method, polish=False).report
+                report = mq.triangulate(plate(), method=method, refine_samples=False).report
                 self.assertTrue(report.closed and report.oriented and report.manifold)
                 self.assertEqual(report.min_angle_asked, 0.0)
                 self.assertEqual(report.fallback, [])
@@ -55,11 +55,11 @@ class Sampling(unittest.TestCase):
         self.assertEqual(set(mesh.triangle_face.tolist()), set(range(len(shape.Faces))))
         self.assertEqual(mesh.to_mesh().countSegments(), len(shape.Faces))
 
-    def test_polish_is_on_unless_switched_off_on_the_command_line(self):
+    def test_refining_samples_is_on_unless_switched_off_on_the_command_line(self):
         parser = cli_parser.parser()
-        for flags, expected in (([], True), (["--polish"], True), (["--no-polish"], False)):
+        for flags, expected in (([], True), (["--refine-samples"], True), (["--no-refine-samples"], False)):
             arguments = parser.parse_args(["triangulate", "part.step", *flags])
-            self.assertIs(arguments.polish, expected)
+            self.assertIs(arguments.refine_samples, expected)
             self.assertIs(arguments.allow_missing_faces, False)
 
     def test_cancel(self):

@@ -124,7 +124,7 @@ class SimpleParts(unittest.TestCase):
         ring = Part.makeTorus(6.097066389693372, 6.537007492019581 / 4,
                               FreeCAD.Vector(3.1651895841969404, 0.5824190002692138, 3.217932993368538))
         shape = first.fuse(second).cut(ring)
-        for insertion in ("off-centre", "paper"):
+        for insertion in ("off-centre", "circumcentre"):
             self.check(shape, min_angle=16.526594861165, chord_height_relative=0.003368443955734472,
                        insertion=insertion)
         for min_edge in (0.03, 1.0):  # which gives way to it
@@ -258,18 +258,18 @@ class Options(unittest.TestCase):
     def test_methods(self):
         self.refused("method", "'foo'", "refine", method="foo")
         self.refused("connectivity", "'foo'", "parametric", connectivity="foo")
-        self.refused("polish", "True or False", polish=1)
+        self.refused("refine_samples", "True or False", refine_samples=1)
         self.refused("seed", "-1", "at least 0", seed=-1)
         with self.assertRaises(TypeError):
             mq.triangulate(Part.makeBox(1, 1, 1), min_angel=3)
 
     def test_insertion(self):
-        self.refused("insertion", "'foo'", "off-centre, paper", insertion="foo")
+        self.refused("insertion", "'foo'", "off-centre, circumcentre", insertion="foo")
         self.refused("insertion", "None", insertion=None)
         shape = Part.makeTorus(10, 3)
         default, chosen, paper = (
             mq.triangulate(shape, **options) for options in
-            ({}, {"insertion": "off-centre"}, {"insertion": "paper"}))
+            ({}, {"insertion": "off-centre"}, {"insertion": "circumcentre"}))
         self.assertEqual(default.vertices.tobytes(), chosen.vertices.tobytes())
         self.assertNotEqual(default.vertices.tobytes(), paper.vertices.tobytes())
         self.assertGreaterEqual(paper.report.min_angle_unexempted, 25.0)

@@ -6,6 +6,8 @@ from unittest import mock
 import FreeCAD
 import FreeCADGui
 import gui_helpers
+import Mesh
+from PySide import QtGui
 
 import MeshQuality as mq
 from MeshQuality.gui import commands, jobs, quality_panel
@@ -43,6 +45,24 @@ class Commands(gui_helpers.PanelTest):
         sources = self.two_boxes()
         self.finish(self.panel(commands.Triangulate, *sources))
         self.assertEqual([obj.Source for obj in self.document.Objects[2:]], list(sources))
+
+    def test_operands_have_the_letters_of_messages(self):
+        first, second = self.two_boxes()
+        panel = self.panel(commands.Boolean, first, second)
+        texts = [label.text() for label in panel.form.findChildren(QtGui.QLabel)]
+        self.assertIn(f"Operands: A = {first.Label}, B = {second.Label}", texts)
+        panel.reject()
+
+    def test_lengths_have_room_in_a_narrow_panel(self):
+        source = self.document.addObject("Mesh::Feature", "Scan")
+        source.Mesh = Mesh.createSphere(5.0, 20)
+        panel = self.panel(commands.Improve, source)
+        self.narrow(panel, "panel_improve_narrow")
+        for name in ("min_angle", "tolerance", "feature_angle"):
+            box = panel.options.field(name)
+            text = box.lineEdit().text() if hasattr(box, "lineEdit") else box.text()
+            self.assertGreater(box.width(), box.fontMetrics().boundingRect(text).width() + 25, name)
+        panel.reject()
 
     def test_the_estimate_is_the_number_of_triangles(self):
         panel = self.panel(commands.Triangulate, self.box())

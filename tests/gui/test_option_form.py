@@ -55,7 +55,7 @@ class FormTest(gui_helpers.PanelTest):
 
 class Unchanged(FormTest):
     VALUES = {"min_angle": 21.23456789, "chord_height": 0.1234567891, "max_edge": 1.1234567,
-              "min_edge": 0.05, "growth": 1.23456789, "local_sizes": {"Face3": 0.7654321987}}
+              "min_edge": 0.05, "growth_rate": 1.23456789, "local_sizes": {"Face3": 0.7654321987}}
 
     def test_ok_without_an_edit_leaves_every_option_as_it_was(self):
         obj = mq.add_quality_mesh(self.box(), **self.VALUES)
@@ -239,7 +239,7 @@ class Effective(FormTest):
     def test_options_without_effect_are_disabled(self):
         panel = self.panel(commands.Triangulate, self.box())
         panel.options.more.setChecked(True)
-        names = ("connectivity", "polish", "seed", "feature_angle")
+        names = ("connectivity", "refine_samples", "seed", "feature_angle")
         self.assertEqual(self.enabled(panel, *names), [False] * 4)
         panel.options.field("method").setCurrentIndex(1)
         self.assertEqual(self.enabled(panel, *names), [True, True, False, False])

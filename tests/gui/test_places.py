@@ -12,7 +12,7 @@ from MeshQuality import convert
 from MeshQuality.gui import commands, mesh_panel, places
 from MeshQuality.gui.quality_data import QualityData
 
-COARSE = {"method": "star", "polish": False, "chord_height": 0.01}  # misses its distance
+COARSE = {"method": "star", "refine_samples": False, "chord_height": 0.01}  # misses its distance
 
 
 class Places(gui_helpers.PanelTest):

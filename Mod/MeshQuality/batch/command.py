@@ -91,14 +91,18 @@ def run(arguments):
     summary = {"parts": len(parts), "worked_on": len(todo), "states": dict(sorted(states.items())),
                "not_met": missed, "verdict": NOT_MET if missed or failed else MET,
                "seconds": round(time.monotonic() - start, 3), "output": str(plan.out)}
-    text = f"{failed} of {len(parts)} parts failed" if failed else f"{len(parts)} parts done"
+    text = f"{failed} of {_parts(len(parts))} failed" if failed else f"{_parts(len(parts))} done"
     if missed:
-        text += f"; {missed} of {states['done']} meshes {'misses' if missed == 1 else 'miss'} a requested limit"
-    text += f"; this run did {len(todo)} in {_duration(summary['seconds'])}; see " \
+        text += f"; {missed} of {states['done']} meshes {'does' if missed == 1 else 'do'} not meet a requested limit"
+    text += f"; {_parts(len(todo))} processed in {_duration(summary['seconds'])}; see " \
             f"{plan.out / report.NAME}"
     return {"status": FAILED if failed else DONE, "text": text, "report": summary, "met": not missed,
             "report_text": "".join(f"{state:<8} {count:>8}\n"
                                    for state, count in sorted(states.items()))}
+
+
+def _parts(count):
+    return "1 part" if count == 1 else f"{count} parts"
 
 
 def write_results(plan, ledger, total):

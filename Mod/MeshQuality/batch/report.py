@@ -18,9 +18,9 @@ _OPEN = "not closed"
 WORST, SUCH_AS, MOST_ROWS = 10, 5, 100
 
 _STATES = {
-    "done": "meshed", "input": "input that cannot be worked on", "failed": "failed",
+    "done": "meshed", "input": "unusable input", "failed": "failed",
     "crash": "crashed", "timeout": "over the time limit", "memory": "over the memory limit",
-    "lost": "workers lost", "todo": "yet to be done",
+    "lost": "worker lost", "todo": "not done yet",
 }
 
 
@@ -61,17 +61,17 @@ _COMMON = (
 _FLAT = (
     Figure("smallest angle, degrees", _of("min_angle"), limits=(0.0, 60.0), worst="low",
            asked="min_angle"),
-    Figure("smallest angle without exempted triangles, degrees", _of("min_angle_unexempted"),
+    Figure("smallest angle without exempt triangles, degrees", _of("min_angle_unexempted"),
            limits=(0.0, 60.0), worst="low", asked="min_angle"),
-    Figure("exempted triangles", _of("exempt_count"), log=True),
-    Figure("distance to the shape by its size", _relative("max_chord_height"), log=True),
+    Figure("exempt triangles", _of("exempt_count"), log=True),
+    Figure("max. deviation relative to size", _relative("max_chord_height"), log=True),
     Figure("triangles", _of("triangles"), log=True),
     *_COMMON,
 )
 _CURVED = (
     Figure("invalid elements", _of("invalid"), log=True),
     Figure("smallest scaled Jacobian", _of("min_scaled_jacobian"), limits=(0.0, 1.0), worst="low"),
-    Figure("largest deviation, mm", _of("max_deviation"), log=True),
+    Figure("max. deviation, mm", _of("max_deviation"), log=True),
     Figure("elements", _of("elements"), log=True),
     *_COMMON,
 )
@@ -158,7 +158,7 @@ def page(plan, findings):
         '<meta name="viewport" content="width=device-width">',
         f"<title>{_text(title)}</title><style>{_STYLE}</style></head><body>",
         f"<h1>{_text(title)}</h1>",
-        f"<p>MeshQuality {__version__}. {_text(options)}. {findings.seconds:.0f} s of work in all."
+        f"<p>MeshQuality {__version__}. {_text(options)}. {findings.seconds:.0f} s of computation in total."
         "</p>",
         _states(findings.states, total), _charts(plan, findings), _causes(findings.causes),
         _missed(findings), _worst(plan, findings), _faulty(findings), "</body></html>\n"])
@@ -169,7 +169,7 @@ def _states(states, total):
              f'{states[state]}"></span>' for state in _STATES if states[state]]
     rows = [[_STATES[state], states[state], f"{100 * states[state] / total:.2f} %"]
             for state in _STATES if states[state]]
-    return f'<div class="bar">{"".join(parts)}</div>' + _table(["", "parts", "of all"], rows)
+    return f'<div class="bar">{"".join(parts)}</div>' + _table(["", "parts", "share"], rows)
 
 
 def _charts(plan, findings):
@@ -187,7 +187,7 @@ def _causes(causes):
             for (state, _), (count, error, names)
             in sorted(causes.items(), key=lambda item: (-item[1][0], item[0]))]
     return "<h2>Parts that failed, by cause</h2>" + _table(
-        ["state", "parts", "the first says", "such as"], rows[:MOST_ROWS]) + _more(len(rows))
+        ["state", "parts", "first error", "examples"], rows[:MOST_ROWS]) + _more(len(rows))
 
 
 def _more(count):

@@ -17,16 +17,16 @@ from .work import Work
 MEASURED = (
     *mesh_object.TOPOLOGY,
     ("Volume", "App::PropertyVolume", "Enclosed volume"),
-    ("Retained", "App::PropertyInteger", "Triangles that are an operand's own"),
-    ("Reconstructed", "App::PropertyInteger", "Triangles that were made or changed"),
-    ("Repaired", "App::PropertyStringList", "What was repaired in the operands"),
-    ("Notes", "App::PropertyStringList", "What else happened on the way"),
+    ("Retained", "App::PropertyInteger", "Triangles taken unchanged from an operand"),
+    ("Reconstructed", "App::PropertyInteger", "Triangles that were created or changed"),
+    ("Repaired", "App::PropertyStringList", "Repairs of the operands"),
+    ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
 )
 
 # Name, type, what it says: beside mesh_object.PROMISES.
 PROMISES = (
     ("AskedTolerance", "App::PropertyLength",
-     "Distance from the exact Boolean that the mesh was to keep within"),
+     "Requested largest distance from the exact Boolean"),
     ("ErrorBound", "App::PropertyLength", "Largest distance from the exact Boolean of the meshes"),
     ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
 )

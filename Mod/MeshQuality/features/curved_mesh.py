@@ -20,7 +20,7 @@ _MEASURED = (
     ("Elements", "App::PropertyInteger", "Number of tetrahedra, or of triangles without a volume",
      "elements"),
     ("Vertices", "App::PropertyInteger", "Number of corners of elements", "vertices"),
-    ("InvalidBefore", "App::PropertyInteger", "Elements that were invalid before repair",
+    ("InvalidBefore", "App::PropertyInteger", "Number of invalid elements before repair",
      "invalid_before"),
     ("InvalidElements", "App::PropertyStringList", "Which elements are invalid",
      "invalid_elements"),
@@ -33,26 +33,26 @@ _MEASURED = (
     ("MeanDistortion", "App::PropertyFloat", "Mean of that ratio over the elements",
      "mean_distortion"),
     ("MaxShapeDistortion", "App::PropertyFloat",
-     "How far the worst element is from equal sides and angles: 1 is best, 5 is poor, infinite: it "
-     "folds over", "max_shape_distortion"),
-    ("MaxDeviation", "App::PropertyLength", "Largest distance of the elements from the shape",
+     "Largest deviation of an element from equal sides and angles: 1 is ideal, 5 is poor, infinite: "
+     "folded", "max_shape_distortion"),
+    ("MaxDeviation", "App::PropertyLength", "Max. deviation of the elements from the shape",
      "max_deviation"),
-    ("RmsDeviation", "App::PropertyLength", "Root mean square of that distance", "rms_deviation"),
-    ("EnclosedVolume", "App::PropertyVolume", "What the elements enclose", "volume"),
+    ("RmsDeviation", "App::PropertyLength", "Root mean square of that deviation", "rms_deviation"),
+    ("EnclosedVolume", "App::PropertyVolume", "Volume that the elements enclose", "volume"),
     ("VolumeError", "App::PropertyFloat",
-     "How far that is off the volume of the shape, as a part of it; -1: the shape has none",
+     "Relative error of that volume against the volume of the shape; -1: the shape has none",
      "volume_error"),
     ("Straightened", "App::PropertyStringList",
-     "Elements that were made straight, as they stayed invalid", "straightened"),
-    ("MovedVertices", "App::PropertyInteger", "Corners that a repair moved", "moved_vertices"),
-    ("Repairs", "App::PropertyStringList", "What was repaired, and how often", "repairs"),
-    ("Notes", "App::PropertyStringList", "What else happened on the way", "notes"),
+     "Elements that were straightened, as they stayed invalid", "straightened"),
+    ("MovedVertices", "App::PropertyInteger", "Number of corners that repairs moved", "moved_vertices"),
+    ("Repairs", "App::PropertyStringList", "Kinds of repairs, and the number of each", "repairs"),
+    ("Notes", "App::PropertyStringList", "Other remarks about the computation", "notes"),
 )
 
 # Name, type, what it says: beside mesh_object.PROMISES.
 PROMISES = (
     ("Invalid", "App::PropertyInteger",
-     "Elements that are not proven to be free of folds; there should be none"),
+     "Number of elements that are not proven valid; 0 is required"),
 )
 
 
@@ -67,9 +67,9 @@ class CurvedMeshObject(mesh_object.SourceMesh):
     MEASURED = tuple((name, kind, text) for name, kind, text, _ in _MEASURED)
     HIDDEN = (
         *mesh_object.SourceMesh.HIDDEN,
-        ("ElementsOrder", "App::PropertyInteger", "Order of the elements that are kept"),
-        ("ElementsFingerprint", "App::PropertyString", "Of what the elements were made of"),
-        ("ShownDeviation", "App::PropertyLength", "What the triangles shown keep within"),
+        ("ElementsOrder", "App::PropertyInteger", "Order of the stored elements"),
+        ("ElementsFingerprint", "App::PropertyString", "Digest of the source and the options of the elements"),
+        ("ShownDeviation", "App::PropertyLength", "Max. deviation of the triangles shown from the elements"),
         *((name, "App::PropertyFloatList", f"The array {array} of the elements, row by row")
           for name, array in ARRAYS.items()),
     )

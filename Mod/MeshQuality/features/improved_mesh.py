@@ -17,7 +17,7 @@ from .work import Work
 MEASURED = (
     *mesh_object.TOPOLOGY,
     *mesh_object.ANGLES,
-    ("Notes", "App::PropertyStringList", "What was done"),
+    ("Notes", "App::PropertyStringList", "Changes that were made"),
 )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from .. import convert, frames, options, verdict
 from ..compat import PlainState, attribute_of, property_of, without_traceback
 from ..errors import Error, InvalidInput
-from . import certificate, distance_bound, placement
+from . import aliases, certificate, distance_bound, placement
 from .work import Work, handed_over, result_for
 
 # Name, type, what it says: measured on the mesh that an object holds.
@@ -23,16 +23,16 @@ TOPOLOGY = (
 # Of the group Certificate, for every kind of object.
 PROMISES = (
     ("Certificate", "App::PropertyString",
-     "Whether the mesh meets all requested limits; where not, which it misses and where"),
-    ("AskedClosed", "App::PropertyBool", "The mesh was to be watertight"),
+     "Whether the mesh meets all requested limits; if not, which one is not met and where"),
+    ("AskedClosed", "App::PropertyBool", "A watertight mesh was requested, as the source is closed"),
     ("Closed", "App::PropertyBool", "The mesh is watertight: it has no open edge"),
     ("Manifold", "App::PropertyBool",
      "The mesh has no edge of three or more triangles and no pinched vertex"),
 )
 CERTIFICATE_FACES = ("CertificateFaces", "App::PropertyStringList",
-                     "CAD faces on which the mesh misses a requested limit")
+                     "CAD faces on which a requested limit is not met")
 CERTIFICATE_PLACE = ("CertificatePlace", "App::PropertyVectorList",
-                     "Corners of the triangle where it misses that most")
+                     "Corners of the triangle that is farthest from a requested limit")
 AUTOMATIC, MANUAL = "Automatic", "Manual"
 UP_TO_DATE = "up to date"
 COMPUTING = "being computed in the background"
@@ -49,7 +49,7 @@ ANGLE_PROMISES = (
     ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
 )
 # Kept for the object's own use.
-FINGERPRINT = ("Fingerprint", "App::PropertyString", "Of the input and the options of this mesh")
+FINGERPRINT = ("Fingerprint", "App::PropertyString", "Digest of the sources and the options of this mesh")
 FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
              "Pairs (index of a CAD face, number of successive triangles on it)")
 
@@ -97,11 +97,11 @@ class MeshObject(PlainState):
             obj.MeshOrigin = property_of(obj, "Placement").Base
         obj.setEditorMode("Placement", 1)
         if add_property(obj, "App::PropertyEnumeration", "Recompute", "Update",
-                        "Whether the mesh follows its sources and options by itself, or when it is "
-                        "asked to"):
+                        "Automatic: the mesh follows its sources and options; Manual: only Update mesh "
+                        "computes it again"):
             obj.Recompute = [AUTOMATIC, MANUAL]
         if add_property(obj, "App::PropertyString", "Status", "Update",
-                        "Whether the mesh is that of its sources and options"):
+                        "Whether the mesh is up to date with its sources and options"):
             obj.Status = UP_TO_DATE
         obj.setEditorMode("Status", 1)
 
@@ -126,6 +126,7 @@ class MeshObject(PlainState):
     def onChanged(self, obj, name):
         """Called by FreeCAD; it takes an object that is deleted out of the properties that name it."""
         distance_bound.follow_change(self, obj, name)
+        aliases.follow_change(self.OPTIONS, obj, name)
         if name in ("Source", "Sources") and getattr(obj, "Fingerprint", "") \
                 and not obj.Document.Restoring and self.lacks_source(obj):
             obj.Status = SOURCE_DELETED
@@ -386,11 +387,12 @@ def show_certificate(obj, report, closed, findings):
 def add_options(obj, table):
     """A property for each option of the table, with its default."""
     for option in table:
-        name = option.property_name
+        name, value = option.property_name, aliases.first_value(obj, option)
         if add_property(obj, option.property_type, name, option.group, option.property_help):
             if option.choices:
-                setattr(obj, name, list(option.choices))
-            setattr(obj, name, options.to_property(option, option.default))
+                setattr(obj, name, option.property_choices)
+            setattr(obj, name, value)
+    aliases.add(obj, table)
     if options.has_distance(table):
         distance_bound.add(obj, table)
 
@@ -459,7 +461,7 @@ def update(obj, values, progress=None):
         raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
                            "add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
-    values = options.check(table, options.merged(options_of(obj, table), values))
+    values = options.check(table, options.merged(options_of(obj, table), options.renamed(table, values)))
     done = result_for(type(proxy), sources, values)
     if done is None:
         work = proxy.work_on(sources, values, obj)

@@ -12,16 +12,16 @@ MEASURED = (
     *mesh_object.TOPOLOGY,
     *mesh_object.ANGLES,
     ("ReusedFaces", "App::PropertyInteger",
-     "Faces of the shape that kept their triangles through the last edit"),
-    ("Notes", "App::PropertyStringList", "What else happened on the way"),
+     "Faces of the shape whose triangles were reused after the last edit"),
+    ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
 )
 
 # Name, type, what it says: beside mesh_object.PROMISES.
 PROMISES = (
     *mesh_object.ANGLE_PROMISES,
     ("AskedChordHeight", "App::PropertyLength",
-     "Distance to the shape that the mesh was to keep within; 0: none"),
-    ("MaxChordHeight", "App::PropertyLength", "Largest measured distance to the shape"),
+     "Requested max. deviation from the shape; 0: none"),
+    ("MaxChordHeight", "App::PropertyLength", "Measured max. deviation from the shape"),
 )
 
 
@@ -44,7 +44,7 @@ class QualityMesh(mesh_object.SourceMesh):
         if mesh_object.add_property(
                 obj, "App::PropertyBool", "Reuse", "Update",
                 "After an edit, faces that did not change keep their triangles, which is faster; undo gives "
-                "the mesh that was there. Off: each mesh is made from nothing, and depends on the shape "
+                "the mesh that was there. Off: each mesh is computed from scratch, and depends on the shape "
                 "and the options alone"):
             obj.Reuse = True
 

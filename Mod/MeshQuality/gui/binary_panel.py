@@ -17,7 +17,7 @@ class BinaryPanel:
 
     def __init__(self):
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(title_of("MeshQuality_GetBinary", "What is missing"))
+        self.form.setWindowTitle(title_of("MeshQuality_GetBinary", "Missing binary"))
         self.text = QtGui.QLabel("\n\n".join(sentences()))
         self.text.setWordWrap(True)
         self.text.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
@@ -31,18 +31,18 @@ def sentences():
     """What is missing, and the ways to get it: paragraphs."""
     build = os.path.join(compat.HOME, "tools", "build")
     found = [
-        translate("MeshQuality", "MeshQuality computes in a binary, which must be made for {0}. "
-                                 "None that can be used is here.").format(compat.versions()),
+        translate("MeshQuality", "MeshQuality needs a binary file made for {0}. "
+                                 "No usable one was found.").format(compat.versions()),
         translate("MeshQuality", "On Debian: install the package freecad-meshquality that was made for your "
                                  "release."),
         translate("MeshQuality", "Elsewhere: unpack the archive of MeshQuality that was made for these "
                                  "versions in place of the folder {0}.").format(compat.HOME),
     ]
     if os.path.exists(build):
-        found.append(translate("MeshQuality", "From these sources: run bash {0}").format(build))
+        found.append(translate("MeshQuality", "From these sources: run ‘bash {0}’ in a terminal.").format(build))
     else:
         found.append(translate(
-            "MeshQuality", "From MeshQuality's sources: run bash tools/build in their folder."))
-    found.append(translate("MeshQuality", "Then start FreeCAD again. Meshes that documents hold are shown "
-                                          "meanwhile as they were saved."))
+            "MeshQuality", "From MeshQuality's sources: run ‘bash tools/build’ in their folder."))
+    found.append(translate("MeshQuality", "Then restart FreeCAD. Until then, meshes of your documents are shown "
+                                          "as they were saved."))
     return found

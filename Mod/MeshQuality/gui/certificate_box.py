@@ -23,7 +23,7 @@ def _words(obj):
     elif certificate.is_met(obj.Certificate):
         words = translate("MeshQuality", "All requested limits are met.")
     else:
-        words = translate("MeshQuality", "Update the mesh to learn whether it meets all requested limits.")
+        words = translate("MeshQuality", "Update the mesh to check whether all requested limits are met.")
     if obj.Status == mesh_object.OUT_OF_DATE:
         words += " " + translate("MeshQuality", "The mesh is out of date: a source or an option has "
                                                 "changed.")
@@ -47,8 +47,8 @@ class CertificateBox(QtGui.QWidget):
         self.text.setWordWrap(True)
         self.button = QtGui.QPushButton(translate("MeshQuality", "Show where"))
         self.button.setToolTip(translate(
-            "MeshQuality", "Flies to the place, and selects the faces of the shape on which the mesh misses "
-                           "a requested limit"))
+            "MeshQuality", "Moves the camera there, and selects the faces of the shape on which a requested "
+                           "limit is not met"))
         self.button.clicked.connect(self.show_place)
         layout = QtGui.QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

@@ -87,7 +87,7 @@ class Curve(_Command):
     KIND = curved_mesh.CurvedMeshObject
     NAME = KIND.COMMAND
     TEXT = "Curved mesh"
-    TIP = "Mesh the selected shapes with curved elements, each proven to be free of folds"
+    TIP = "Mesh the selected shapes with curved elements, each proven valid"
     KEYS = "Q, C"
 
 
@@ -95,7 +95,7 @@ class Boolean(_Command):
     KIND = boolean.MeshBoolean
     NAME = KIND.COMMAND
     TEXT = "Mesh Boolean"
-    TIP = "Join, intersect or subtract the selected meshes and shapes, in the order of selection"
+    TIP = "Unite, intersect or subtract the selected meshes and shapes, in the order of selection"
     KEYS = "Q, B"
 
     def selected(self):
@@ -124,7 +124,7 @@ class Improve(_Command):
     KIND = improved_mesh.ImprovedMesh
     NAME = KIND.COMMAND
     TEXT = "Improve mesh"
-    TIP = "Better triangles on the surface of the selected meshes; sharp edges stay"
+    TIP = "Improve the triangles of the selected meshes on their surface; sharp edges stay"
     KEYS = "Q, I"
 
     def selected(self):
@@ -147,7 +147,7 @@ class Export(_Command):
 class Update(_Command):
     NAME = "MeshQuality_Update"
     TEXT = "Update mesh"
-    TIP = "Compute the selected meshes anew where a source or an option has changed"
+    TIP = "Compute the selected meshes again where a source or an option has changed"
     KEYS = "Q, U"
     ASKS = False
 
@@ -162,8 +162,8 @@ class Update(_Command):
 
 class GetBinary(_Command):
     NAME = "MeshQuality_GetBinary"
-    TEXT = "What is missing"
-    TIP = "How to get the binary that MeshQuality needs for its work"
+    TEXT = "Missing binary"
+    TIP = "How to get the binary file without which MeshQuality cannot compute"
     KEYS = ""
 
     def IsActive(self):

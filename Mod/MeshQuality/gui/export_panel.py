@@ -43,7 +43,7 @@ class ExportPanel:
         self.path.setProperty("filter", ";;".join(
             f"{title} (*{extension})" for extension, title in export.CURVED_FORMATS.items()))
         self.path.setProperty("fileName", self._first_path())
-        self.path.setToolTip(translate("MeshQuality", "A name without an ending gets that of the format"))
+        self.path.setToolTip(translate("MeshQuality", "Without an extension, that of the format is added"))
         self.message, self.bar = Message(), QtGui.QProgressBar()
         self.bar.setRange(0, 0)
         self.bar.hide()
@@ -107,7 +107,7 @@ class ExportPanel:
         finally:
             forget()
         preferences.stored().SetString("ExportFolder", os.path.dirname(path))
-        FreeCAD.Console.PrintMessage(f"{path} was written\n")
+        FreeCAD.Console.PrintMessage(f"Written: {path}\n")
 
     def _ended(self):
         job, self.job = self.job, None

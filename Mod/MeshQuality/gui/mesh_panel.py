@@ -10,6 +10,7 @@ from PySide import QtCore, QtGui
 from .. import frames
 from ..compat import flags
 from ..errors import Error
+from ..operands import letters
 from . import background, badge, follow, jobs, operation, preferences
 from .certificate_box import CertificateBox
 from .option_form import OptionForm
@@ -63,18 +64,16 @@ class MeshPanel:
         self._options_changed()
 
     def _lay_out(self):
-        labels = ", ".join(frames.leaf_of(source).Label for made in self.operations
-                           for source in made.sources if source is not None)
-        of = QtGui.QLabel(translate("MeshQuality", "Source: {}").format(labels))
+        of = QtGui.QLabel(_sources_text(self.operations))
         self.estimate, self.message, self.bar = QtGui.QLabel(), Message(), QtGui.QProgressBar()
         self.estimate.setVisible(self.operations[0].trial is not None)
         self.certificate = CertificateBox()
         self.button = QtGui.QPushButton(translate("MeshQuality", "Apply"))
-        self.button.setToolTip(translate("MeshQuality", "Computes, and leaves the panel open"))
+        self.button.setToolTip(translate("MeshQuality", "Computes the mesh and leaves the panel open"))
         self.button.clicked.connect(self.apply)
         self.leave = QtGui.QPushButton(translate("MeshQuality", "Continue in background"))
-        self.leave.setToolTip(translate("MeshQuality", "Closes the panel; the status bar shows the work, and "
-                                                       "can cancel it"))
+        self.leave.setToolTip(translate("MeshQuality", "Closes the panel; the status bar shows the progress "
+                                                       "and can cancel the work"))
         # Once the click is over: the panel goes, and the button with it.
         self.leave.clicked.connect(lambda: QtCore.QTimer.singleShot(0, self.continue_in_background))
         self.leave.hide()
@@ -249,7 +248,7 @@ class MeshPanel:
             self._say(translated(error), error=True, scroll=False)
             return
         if len(jobs.queue()):
-            self.estimate.setText(translate("MeshQuality", "The triangles are counted once other work has ended."))
+            self.estimate.setText(translate("MeshQuality", "The triangles are counted when other work has finished."))
         self._trial = jobs.queue().add(jobs.Job(
             "Estimate", lambda progress: [trial.compute(progress) for trial in trials],
             lambda _: self._show_estimate(trials), quiet=True, prepare=self._counting))
@@ -266,6 +265,15 @@ class MeshPanel:
         if self._trial is not None and self._trial.active:
             self._trial.cancel()
         self._trial = None
+
+
+def _sources_text(operations):
+    """Names the sources; operands by their letters, too, as messages do."""
+    labels = [frames.leaf_of(source).Label for made in operations for source in made.sources if source is not None]
+    if len(operations) == 1 and len(labels) > 1:
+        operands = (f"{letter} = {label}" for letter, label in zip(letters(len(labels)), labels))
+        return translate("MeshQuality", "Operands: {}").format(", ".join(operands))
+    return translate("MeshQuality", "Source: {}").format(", ".join(labels))
 
 
 def title_of(command, text):

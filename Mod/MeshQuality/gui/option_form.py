@@ -14,6 +14,7 @@ translate = FreeCAD.Qt.translate
 
 _LARGEST = 2**31 - 1
 _WIDE = 150  # pixels that a list of sizes needs
+_NUMBER = 90  # pixels that a number with its unit needs
 _ARROW = 42  # pixels of a box with choices beside its text
 _DIGITS = 3  # of a value that is converted between relative and absolute
 
@@ -274,6 +275,7 @@ class _Quantity(_Field):
 
     def __init__(self, option):
         super().__init__(option, QuantityBox(option.unit))
+        self.widget.setMinimumWidth(_NUMBER)
         self.widget.valueChanged.connect(self._changed)
 
     def read(self):

@@ -62,9 +62,9 @@ def _last(kind):
     """Values that were used last; {} when there are none, or of another version's options."""
     text = stored().GetString(_entry(kind), "")
     try:
-        values = _of_any_part(kind, json.loads(text)) if text else {}
-        options.check(kind.OPTIONS, values)
-        return values
+        values = options.renamed(kind.OPTIONS, json.loads(text)) if text else {}
+        checked = options.check(kind.OPTIONS, _of_any_part(kind, values))
+        return {name: checked[name] for name in _of_any_part(kind, values)}
     except (ValueError, AttributeError, InvalidInput):
         FreeCAD.Console.PrintLog(f"MeshQuality: last values of {kind.COMMAND} are not used: {text}\n")
         return {}

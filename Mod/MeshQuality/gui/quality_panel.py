@@ -167,7 +167,7 @@ class QualityPanel:
             return
         self._measuring()
         if len(jobs.queue()):
-            self._say(translate("MeshQuality", "It is measured once other work has ended."))
+            self._say(translate("MeshQuality", "Measuring starts when other work has finished."))
         self._job = jobs.queue().add(jobs.Job(
             measure.title, lambda progress: self._compute(measure, progress),
             lambda found: self._take(measure, found), quiet=True, prepare=self._measuring))
@@ -219,8 +219,8 @@ class QualityPanel:
         if measure is not DISTANCE:
             return words
         if self.data.bound is None:
-            return words + " " + translate("MeshQuality", "Red: the largest one.")
-        return words + " " + translate("MeshQuality", "Red: larger than the bound of {0}.").format(
+            return words + " " + translate("MeshQuality", "Red: the largest distance of this mesh.")
+        return words + " " + translate("MeshQuality", "Red: more than the requested {0}.").format(
             self.scale.text(self.data.bound))
 
     def _summary(self, found):
@@ -242,7 +242,7 @@ class QualityPanel:
             text = f"{self.scale.text(self.values[element])}: {self.data.place(element)}"
             reason = translated(self.data.reason(element))
             item = QtGui.QListWidgetItem(text + (f"\n{reason}" if reason else ""))
-            item.setToolTip(reason or translate("MeshQuality", "Click to fly there"))
+            item.setToolTip(reason or translate("MeshQuality", "Click to move the camera there"))
             self.worst.addItem(item)
         self.worst.blockSignals(False)
 
@@ -302,7 +302,7 @@ def _mean(values):
 
 
 def _hint():
-    return translate("MeshQuality", "Click a bar to see where its elements are.")
+    return translate("MeshQuality", "Click a bar to highlight its elements.")
 
 
 _shown = None
