@@ -191,7 +191,7 @@ def triangulate(job):
     mesh = mq.triangulate(shape, **job["options"], progress=progress_line())
     report, where = mesh.report, written(job, mesh.write)
     return report, _count(report.triangles, "triangle") + where, \
-        verdict.of_triangulation(mesh, verdict.must_be_closed(shape))
+        verdict.of_triangulation(mesh, verdict.must_be_closed(shape), job["options"])
 
 
 def curve(job):

@@ -24,9 +24,11 @@ def shape_text(shape):
 
 def label_of(source):
     """How messages name a shape or a document object."""
-    if isinstance(source, tuple):
-        return label_of(source[0])
-    label = getattr(source, "Label", None)
+    obj, path = frames.object_of(source), frames.path_of(source)
+    label = getattr(obj, "Label", None)
+    if path.endswith("."):
+        leaf = obj.getSubObject(path, retType=1)
+        label = f"{leaf.Label if leaf is not None else path.rstrip('.')} in {label}"
     return f"'{label}'" if label else "the shape"
 
 
@@ -59,12 +61,29 @@ def own_shape_of(source):
         raise InvalidInput("a Part.Shape or a document object with a shape is needed, not "
                            f"{type(source).__name__}")
     if shape.isNull():
-        remedy = "" if isinstance(obj, Part.Shape) else "; recompute the document, if it is new"
-        raise InvalidInput(f"{label_of(source)} is null: it has no geometry{remedy}")
+        raise InvalidInput(f"{label_of(source)} is null: it has no geometry{_remedy(source)}")
     if not shape.Faces:
         raise InvalidInput(f"{label_of(source)} has no faces (its type is {shape.ShapeType}): "
                            "give a solid, a shell or faces")
     return shape
+
+
+def size_of(source):
+    """The largest dimension in mm of what shape_of gives; 0 where that is nothing."""
+    try:
+        box = attribute_of(shape_of(source), "BoundBox")
+    except InvalidInput:
+        return 0.0
+    return max(box.XLength, box.YLength, box.ZLength)
+
+
+def _remedy(source):
+    obj = frames.object_of(source)
+    if not isinstance(obj, FreeCAD.DocumentObject):
+        return ""
+    if frames.leaf_of(source).hasExtension("App::GroupExtension"):
+        return "; what is hidden in a container does not count: show it"
+    return "; recompute the document, if it is new"
 
 
 def is_mesh(candidate):
@@ -88,19 +107,22 @@ class MeshCopy:
     """A Mesh.Mesh, a Mesh feature or a link as it is now, for work on another thread."""
 
     def __init__(self, source):
-        mesh, self._matrix = _mesh_and_matrix(source)
+        self._parts = [(mesh.copy(), matrix) for mesh, matrix in _meshes_and_matrices(source)]
         self._frame = None
         if isinstance(frames.object_of(source), FreeCAD.DocumentObject):
             frame = frames.frame_of(source)
             self._frame = None if frames.is_identity(frame) else frame.toMatrix()
-        self._mesh = mesh.copy()
 
     @cached_property
     def own_arrays(self):
         """What `arrays` gives with the placement of the mesh alone; one thread at a time may ask."""
-        arrays = _arrays(self._mesh, self._matrix)
-        self._mesh = None
-        return arrays
+        arrays = [_arrays(mesh, matrix) for mesh, matrix in self._parts]
+        self._parts = None
+        if len(arrays) == 1:
+            return arrays[0]
+        starts = np.cumsum([0, *(len(vertices) for vertices, _ in arrays)])
+        return (np.concatenate([vertices for vertices, _ in arrays]),
+                np.concatenate([triangles + start for (_, triangles), start in zip(arrays, starts)]).astype(np.int32))
 
     @cached_property
     def arrays(self):
@@ -145,19 +167,25 @@ def _bms_by_file(mesh):
         os.unlink(path)
 
 
-def _mesh_and_matrix(source):
-    """The Mesh.Mesh of a mesh or a document object, and the matrix of its own placement."""
+def _meshes_and_matrices(source):
+    """[(Mesh.Mesh, the matrix of its own placement), ...] of a mesh or a document object: one of each, or
+    one for each element of a link array.
+    """
     obj, path = frames.object_of(source), frames.path_of(source)
-    if isinstance(obj, FreeCAD.DocumentObject):
-        found, matrix = obj, FreeCAD.Matrix()
-        if path:
-            found, matrix = obj.getSubObject(path, retType=1, matrix=matrix)
-        # A link lends its object's mesh, but in the object's place.
-        linked, matrix = found.getLinkedObject(True, matrix, not path)
-        if linked != obj:
-            return linked.Mesh, matrix
-    mesh = getattr(source, "Mesh", source)
-    return mesh, attribute_of(mesh, "Placement").toMatrix()
+    if not isinstance(obj, FreeCAD.DocumentObject):
+        return [(source, attribute_of(source, "Placement").toMatrix())]
+    leaf = frames.leaf_of(source)
+    if getattr(leaf, "ElementCount", 0):
+        elements = [name for name in leaf.getSubObjects() if name.endswith(".")]
+        return [found for name in elements for found in _meshes_and_matrices((obj, path + name))]
+    found, matrix = obj, FreeCAD.Matrix()
+    if path:
+        found, matrix = obj.getSubObject(path, retType=1, matrix=matrix)
+    # A link lends its object's mesh, but in the object's place.
+    linked, matrix = found.getLinkedObject(True, matrix, not path)
+    if linked == obj:
+        return [(obj.Mesh, attribute_of(obj.Mesh, "Placement").toMatrix())]
+    return [(linked.Mesh, matrix)]
 
 
 def surface_of_arrays(module, vertices, triangles, measured=True):

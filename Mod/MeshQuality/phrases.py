@@ -38,6 +38,7 @@ MORE_FORCED = ("1 more triangle is below {number}°, at a small corner of the sh
                "{count} more triangles are below {number}°, all of them at small corners of the shape.")
 SHAPE_DISTANCE = "max. deviation {number} mm (requested {number2} mm)."
 SHAPE_DISTANCE_AT = "max. deviation {number} mm (requested {number2} mm), {phrase}."
+LONGEST_EDGE = "longest edge {number} mm (requested {number2} mm), {phrase}."
 RESULT_DISTANCE = "error bound {number} mm (requested {number2} mm)."
 LIMIT = "the mesh is incomplete: a limit ended the work early"
 FAULTS_LEFT = ("1 fault remains that no repair removed.",
@@ -54,7 +55,7 @@ ON_FACE = "{phrase} on {face}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, *CROSSING, CROSSING_MANY, FACES_CROSS,
     CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, DISTORTED, *MORE_DISTORTED, AND_MORE,
+    LONGEST_EDGE, RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, DISTORTED, *MORE_DISTORTED, AND_MORE,
     TRIANGLE, TETRAHEDRON,
 )
 

@@ -125,9 +125,9 @@ def must_be_closed(shape):
     return bool(shape.Solids) and sum(len(solid.Faces) for solid in shape.Solids) >= len(shape.Faces)
 
 
-def of_triangulation(mesh, closed):
-    """Findings of a SurfaceMesh that triangulate made."""
-    return [*angles(mesh), *deviation(mesh), *_incomplete(mesh.report), *_missing_faces(mesh.report),
+def of_triangulation(mesh, closed, values=None):
+    """Findings of a SurfaceMesh that triangulate made with these options."""
+    return [*angles(mesh), *deviation(mesh), *edges(mesh, values or {}), *_incomplete(mesh.report), *_missing_faces(mesh.report),
             *topology(mesh.report, closed, mesh), *_crossings(mesh.report)]
 
 
@@ -220,6 +220,27 @@ def deviation(mesh):
     found = _too_far(report.max_chord_height, report.chord_height_asked,
                      phrases.SHAPE_DISTANCE_AT, phrase=_triangle(mesh, worst))
     return [Finding(finding.text, _names(mesh, [worst]), _corners(mesh, worst)) for finding in found]
+
+
+def edges(mesh, values):
+    """Of a SurfaceMesh: its longest edges, where max_edge or the local sizes of faces bound them."""
+    faces = {int(name[4:]) - 1: size for name, size in (values.get("local_sizes") or {}).items()
+             if name.startswith("Face")}
+    if not (faces or values.get("max_edge")) or not len(mesh.triangles):
+        return []
+    corners = mesh.vertices[mesh.triangles]
+    longest = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    allowed = np.full(len(longest), values.get("max_edge") or np.inf)
+    for face, size in faces.items():
+        on_face = np.asarray(mesh.triangle_face) == face
+        allowed[on_face] = np.minimum(allowed[on_face], size)
+    worst = int(np.argmax(longest / allowed))
+    # Rounding to single precision may lengthen an edge by a millionth.
+    if longest[worst] <= allowed[worst] * (1.0 + 1e-5):
+        return []
+    beyond = np.flatnonzero(longest > allowed * (1.0 + 1e-5))
+    return [Finding(finding.text, _names(mesh, beyond), _corners(mesh, worst)) for finding in _too_far(
+        longest[worst], allowed[worst], phrases.LONGEST_EDGE, phrase=_triangle(mesh, worst))]
 
 
 def _too_far(measured, asked, phrase, /, **places):

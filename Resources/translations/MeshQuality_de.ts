@@ -359,6 +359,10 @@
         <source>Set operation, applied to the operands in their order; difference: the first one without the others</source>
         <translation>Mengenoperation, der Reihe nach auf die Operanden angewandt; Differenz: der erste ohne die übrigen</translation>
     </message>
+    <message>
+        <source>How the containers of the other sources stood to that of the first one then</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1629,6 +1633,10 @@
     <message>
         <source>Set operation, applied to the operands in their order; difference: the first one without the others</source>
         <translation>Mengenoperation, der Reihe nach auf die Operanden angewandt; Differenz: der erste ohne die übrigen</translation>
+    </message>
+    <message>
+        <source>longest edge {number} mm (requested {number2} mm), {phrase}.</source>
+        <translation>längste Kante {number} mm (verlangt {number2} mm), {phrase}.</translation>
     </message>
 </context>
 <context>

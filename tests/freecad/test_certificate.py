@@ -187,6 +187,19 @@ class WhatNoMeshShouldHave(CertificateTest):
         source.Mesh = mq.triangulate(self.crossing_solid()).to_mesh()
         self.assertIn("surface intersects itself", mq.add_improved_mesh(source).Certificate)
 
+    def test_edges_that_are_longer_than_requested(self):
+        ball = Part.makeSphere(5)
+        for values in ({"max_edge": 0.5}, {"local_sizes": {"Face1": 0.5}}):
+            given = {"method": "star", "refine_samples": False, "chord_height": "none", **values}
+            mesh = mq.triangulate(ball, **given)
+            sides = mesh.vertices[mesh.triangles]
+            longest = np.linalg.norm(sides - np.roll(sides, 1, axis=1), axis=2).max()
+            self.assertGreater(longest, 0.5)
+            finding = next(f for f in verdict.of_triangulation(mesh, True, given) if "longest edge" in f.text.lower())
+            self.assertEqual(finding.faces, ("Face1",))
+            fine = mq.triangulate(ball, chord_height="none", **values)
+            self.assertEqual(verdict.of_triangulation(fine, True, values), [])
+
     def test_faces_that_were_left_out(self):
         class Report:
             triangles, min_angle, min_angle_asked, complete, self_intersections = 2, 45.0, 25.0, True, 0

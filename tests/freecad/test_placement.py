@@ -488,3 +488,23 @@ class Assembly(PlacementTest):
         volume = sum(self.in_document(body).Volume for body in self.bodies)
         self.assertAlmostEqual(mesh.report.volume, volume, delta=1e-3 * volume)
         self.assertEqual(mesh.report.components, 18)
+
+
+class LinkArrays(PlacementTest):
+    def test_an_array_of_a_mesh_is_all_of_its_elements(self):
+        feature = self.add("Mesh::Feature", "Scan", Mesh=mq.triangulate(Part.makeBox(1, 1, 1)).to_mesh())
+        feature.Placement.Base = Vector(8, 0, 0)
+        for shown in (True, False):
+            array = self.add("App::Link", "Array", LinkedObject=feature, ShowElement=shown)
+            array.ElementCount = 2
+            array.Placement.Base = Vector(0, 0, 50)
+            self.document.recompute()
+            array.PlacementList = [Placement(Vector(0, 0, 0), Rotation()), Placement(Vector(0, 20, 0), Rotation())]
+            if shown:
+                array.ElementList[1].Placement.Base = Vector(0, 20, 0)
+                array.ElementList[0].Placement.Base = Vector(0, 0, 0)
+            self.document.recompute()
+            points, triangles = convert.arrays_of_mesh(array)
+            self.assertEqual(len(triangles), 24)
+            self.assert_same_box(box_of(points), (0, 0, 50, 1, 21, 51))
+            self.assertEqual(mq.quality(array).components, 2)

@@ -10,7 +10,6 @@ from contextlib import contextmanager
 
 from .. import convert, options
 from ..compat import property_of
-from ..errors import Error
 
 PROPERTY = "DistanceBound"
 _VALUES = {options.ABSOLUTE: "ChordHeight", options.RELATIVE: "ChordHeightRelative"}
@@ -45,7 +44,7 @@ def follow_change(proxy, obj, name):
         return
     if not (document.Restoring or document.Transacting):
         with _while_settling(obj):
-            _settle(obj, _bound_after(obj, name), _shape_size(proxy, obj))
+            _settle(obj, _bound_after(obj, name), lambda: convert.size_of(proxy.sources(obj)[0]))
     _show_chosen(obj)
 
 
@@ -88,25 +87,14 @@ def _same_as_before(obj, bound, size):
     relative = next(option.default for option in obj.Proxy.OPTIONS
                     if option.name == options.DISTANCE[1])
     if bound == options.ABSOLUTE:
-        return _rounded((_number(obj, "ChordHeightRelative") or relative) * size)
+        before = _number(obj, "ChordHeightRelative")
+        return _rounded((before if before > 0.0 else relative) * size)
     length = _number(obj, "ChordHeight")
     return min(_rounded(length / size), 1.0) if length and size else relative
 
 
 def _rounded(number):
     return float(f"{number:.{_DIGITS}g}")
-
-
-def _shape_size(proxy, obj):
-    """A function that gives the largest dimension of the shape in mm, 0 where there is none."""
-    def size():
-        try:
-            box = convert.shape_of(proxy.sources(obj)[0]).BoundBox
-        except Error:
-            return 0.0
-        return max(box.XLength, box.YLength, box.ZLength)
-
-    return size
 
 
 def _show_chosen(obj):

@@ -67,7 +67,7 @@ class QualityMesh(mesh_object.SourceMesh):
         mesh = triangulate(shape, **values, progress=progress, memory=memory)
         closed = verdict.must_be_closed(shape)
         runs = mesh_object.runs_of_faces(mesh.triangle_face)
-        return mesh, mesh.to_mesh(), runs, closed, verdict.of_triangulation(mesh, closed), memory
+        return mesh, mesh.to_mesh(), runs, closed, verdict.of_triangulation(mesh, closed, values), memory
 
     def take(self, obj, result):
         """Shows the mesh and its report."""

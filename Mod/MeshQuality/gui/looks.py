@@ -19,7 +19,15 @@ def show_in_place_of_sources(obj):
     if view.DisplayMode == "Shaded" and obj.Mesh.CountFacets <= _MOST:
         view.DisplayMode = _EDGES
     for source in sources_of(obj):
-        source.ViewObject.Visibility = False
+        if not _counts_for_others(source):
+            source.ViewObject.Visibility = False
+
+
+def _counts_for_others(source):
+    """Whether a container around the object is used by something: what is hidden in it would be lost there."""
+    around = frames.containers_of(source)
+    return any(user not in around and not user.isDerivedFrom("App::Origin")
+               for container in around for user in container.InList)
 
 
 def sources_of(obj):

@@ -8,7 +8,7 @@ background, and is handed over to it.
 import FreeCAD
 import FreeCADGui
 
-from .. import frames, options
+from .. import convert, frames, options
 from ..errors import InvalidInput
 from ..features import mesh_object
 from ..features.work import handed_over
@@ -47,10 +47,7 @@ class Operation:
 
     def size(self):
         """Largest dimension of the source in mm, for people; 0: unknown."""
-        source = frames.object_of(self.sources[0])
-        box = getattr(getattr(source, "ViewObject", None), "getBoundingBox", None)
-        box = box() if box else None
-        return max(box.XLength, box.YLength, box.ZLength) if box and box.isValid() else 0.0
+        return convert.size_of(self.sources[0])
 
     def values(self):
         """The options of the object, {} without one."""

@@ -4,11 +4,12 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from .. import convert, options
+from .. import convert, frames, options
 from ..errors import Error
 from ..options import text_of_sizes
 from .picked import picked
 from .quantities import QuantityBox
+from .words import translated
 
 translate = FreeCAD.Qt.translate
 
@@ -100,11 +101,7 @@ class OptionForm(QtGui.QWidget):
 
     def _size(self):
         """Largest dimension of the first source in mm; 0: unknown."""
-        try:
-            box = convert.shape_of(self._sources[0]).BoundBox if self._sources else None
-        except Error:
-            box = None
-        return max(box.XLength, box.YLength, box.ZLength) if box else 0.0
+        return convert.size_of(self._sources[0]) if self._sources else 0.0
 
     def _fold(self, shown):
         self.more.setArrowType(QtCore.Qt.DownArrow if shown else QtCore.Qt.RightArrow)
@@ -398,9 +395,14 @@ class _Sizes(_Field):
                 "MeshQuality", "Local sizes are for one object: open the panel for that object alone."))
             return
         source = self._sources[0]
-        names, others = picked(source)
+        label = frames.leaf_of(source).Label
+        try:
+            names, others = picked(source)
+            size = convert.shape_of(source).BoundBox.DiagonalLength / 100
+        except Error as error:
+            self._refuse(translated(error))
+            return
         written = [part.strip() for part in self.text.text().split(",") if part.strip()]
-        size = convert.shape_of(source).BoundBox.DiagonalLength / 100
         for name in names:
             if not any(part.split("=")[0].strip() == name for part in written):
                 written.append(f"{name}={size:.3g}")
@@ -409,11 +411,10 @@ class _Sizes(_Field):
         self._changed()
         if others:
             self._refuse(translate("MeshQuality", "Not added: {0} is not part of {1}.").format(
-                ", ".join(others), source.Label))
+                ", ".join(others), label))
         elif not names:
             self._refuse(translate(
-                "MeshQuality", "Select faces, edges or vertices of {} in the 3D view first.").format(
-                    source.Label))
+                "MeshQuality", "Select faces, edges or vertices of {} in the 3D view first.").format(label))
 
     def _changed(self, *_):
         self._refuse("")

@@ -65,6 +65,9 @@ class QuantityBox(QtGui.QDoubleSpinBox):
         self._unit = unit
         self._exact = ("", 0.0)  # a text that was shown, and what it stands for
         super().__init__()
+        # Parts of what is being typed are values, too ("1 m" of "1 mm"): only what is finished counts, and what
+        # says no length leaves the value as it was.
+        self.setKeyboardTracking(False)
         self.setDecimals(_DECIMALS)
         self.setRange(0.0, _LARGEST)
         self.setMinimumWidth(60)
