@@ -24,6 +24,12 @@ Results and reports
     A mesh has NumPy arrays (vertices, triangles, ...), to_mesh() for a Mesh.Mesh, write(path) by extension, and its
     report: a MeshReport, BooleanReport or CurveReport. print(mesh.report) tells what was measured and requested.
 
+Callbacks
+    progress(fraction, stage) of a long call is called by the thread that called. It may return False, which raises
+    Cancelled; what it raises comes out as it is; it may call functions of MeshQuality, undo, close documents and delete
+    objects. update() raises Error where its object is gone then or its source another one, and changes nothing.
+    Work of daemon threads is cancelled when Python ends.
+
 Errors
     Error and its subclasses InvalidInput, TopologyError, GeometryError, Cancelled, IoError, MissingBinary. Their text
     names the sub-element at fault and the remedy.

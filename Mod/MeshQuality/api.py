@@ -25,7 +25,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     local_sizes            {"Face3": 0.5, "Edge7": 0.2, "Vertex1": 0.1}: longest edges in mm of the
                            triangles on a face, along an edge, around a vertex; of a container or link
                            also {"Box.Face3": 0.5}, with the names of the objects on the way
-    edges_per_circle       smallest number of edges for each full turn of a curve or a surface, 3 or more
+    edges_per_circle       smallest number of edges for each full turn of a curve or a surface, 3 to 10000
     growth_rate            growth rate of edge length from fine to coarse regions, greater than 1;
                            None: as fast as the angles allow
     method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
@@ -60,7 +60,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth_rate": growth_rate,
         "keep_edges": keep_edges, "feature_angle": feature_angle,
     })
-    _require_callable(progress)
+    require_callable(progress)
     live_shape = convert.shape_of(shape)
     values = convert.with_resolved_sizes(shape, values)
     module = core()
@@ -85,9 +85,9 @@ class Memory:
 
     def __init__(self, most_runs=8, most_bytes=2**29):
         for name, value in (("most_runs", most_runs), ("most_bytes", most_bytes)):
-            if not isinstance(value, int) or value < 0:
+            if not isinstance(value, int) or not 0 <= value < 2**63:
                 raise InvalidInput(f"{name} = {value!r} is not allowed: it must be a whole number, "
-                                   "at least 0")
+                                   "at least 0 and less than 2^63")
         self.held = core().Memory(most_runs, most_bytes)
 
     def __len__(self):
@@ -126,7 +126,7 @@ def improve(mesh, min_angle=25.0, tolerance=None, feature_angle=35.0, progress=N
     """
     values = options.check(options.IMPROVE, {
         "min_angle": min_angle, "tolerance": tolerance, "feature_angle": feature_angle})
-    _require_callable(progress)
+    require_callable(progress)
     module = core()
     core_options = module.ImproveOptions()
     options.hand_over(values, core_options)
@@ -157,11 +157,12 @@ def quality(mesh, shape=None, progress=None):
     surface = _surface_of(mesh)
     if shape is None:
         return surface.report
-    _require_callable(progress)
+    require_callable(progress)
     return core().measure_against(surface, convert.shape_of(shape), progress)
 
 
-def _require_callable(progress):
+def require_callable(progress):
+    """Raises InvalidInput unless the progress is None or can be called."""
     if progress is not None and not callable(progress):
         raise InvalidInput(f"progress = {progress!r} is not callable: give a function of "
                            "(fraction, stage)")
@@ -188,11 +189,12 @@ def update(obj, progress=None, **values):
     values    options to change; the others stay as they are, but a bound on the distance replaces the
               one that was there
 
-    Raises what adding such an object raises, and then leaves it as it was.
+    Raises what adding such an object raises, and then leaves it as it was; Error where progress has
+    removed it, closed its document or changed what it is made of.
     """
     from .features import mesh_object
 
-    _require_callable(progress)
+    require_callable(progress)
     mesh_object.update(obj, values, progress)
 
 

@@ -2,7 +2,7 @@
 """BooleanMesh: a Boolean of closed meshes, and how it is made."""
 
 from . import options
-from .api import _require_callable
+from .api import require_callable
 from .compat import core
 from .errors import Error, InvalidInput
 from .operands import Operands, part_of
@@ -56,7 +56,7 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
         "operation": operation, "resolution": resolution, "tolerance": tolerance,
         "method": method,
     })
-    _require_callable(progress)
+    require_callable(progress)
     sources = list(a) if b is None else [a, b]
     if not sources:
         raise InvalidInput("the list of operands is empty")

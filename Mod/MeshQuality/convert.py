@@ -11,7 +11,7 @@ import numpy as np
 
 from . import frames
 from .compat import attribute_of, core
-from .errors import InvalidInput
+from .errors import InvalidInput, IoError
 
 _MANY = 5000  # numbers that take longer than a millisecond
 _BMS_HEAD = 264  # magic, version and comment; then two counts, points, facets and the box
@@ -30,6 +30,20 @@ def label_of(source):
         leaf = obj.getSubObject(path, retType=1)
         label = f"{leaf.Label if leaf is not None else path.rstrip('.')} in {label}"
     return f"'{label}'" if label else "the shape"
+
+
+def file_name(path):
+    """The name of a file to write, as bytes; it need not be UTF-8.
+
+    Raises InvalidInput for what is no path, IoError for a name that no file can have.
+    """
+    try:
+        name = os.fsencode(path)
+    except (TypeError, UnicodeError) as error:
+        raise InvalidInput(f"the name of a file is needed, not {path!r}: give a text or a path") from error
+    if b"\0" in name:
+        raise IoError(f"{path!r} has a NUL character, which no name of a file can have: take it out")
+    return name
 
 
 def shape_of(source):
@@ -190,16 +204,31 @@ def _meshes_and_matrices(source):
 
 def surface_of_arrays(module, vertices, triangles, measured=True):
     """A Surface of the core module, of (V, 3) numbers and (T, 3) indices; raises InvalidInput."""
+    vertices = _plain_array(vertices, "vertices", "numbers", "iuf")
+    triangles = _plain_array(triangles, "triangles", "whole numbers", "iu")
+    return module.surface_from_arrays(vertices.astype(np.float64, copy=False),
+                                    triangles.astype(np.int64, copy=False), measured=measured)
+
+
+def _plain_array(given, name, wanted, kinds):
+    """An array of one of these kinds of dtype. NumPy would make numbers of texts and of the real parts of
+    complex numbers, and forget which numbers are masked.
+    """
     try:
-        vertices = np.asarray(vertices, dtype=np.float64)
-        triangles = np.asarray(triangles)
-    except (TypeError, ValueError) as error:
+        array = np.asanyarray(given)
+    except (TypeError, ValueError, OverflowError) as error:
         raise InvalidInput(f"a mesh as arrays needs (V, 3) numbers and (T, 3) indices: {error}") \
             from error
-    if triangles.size and not np.issubdtype(triangles.dtype, np.integer):
-        raise InvalidInput(f"triangles must be whole numbers, not {triangles.dtype}")
-    return module.surface_from_arrays(vertices, triangles.astype(np.int64, copy=False),
-                                    measured=measured)
+    if np.ma.isMaskedArray(array):
+        if np.ma.is_masked(array):
+            raise InvalidInput(f"{name} is an array with masked numbers: take these out")
+        array = array.data
+    array = np.asarray(array)
+    if array.size and array.dtype.kind not in kinds:
+        raise InvalidInput(f"{name} must be {wanted}, not {array.dtype}")
+    if not array.size:
+        array = np.zeros(array.shape)
+    return array
 
 
 def mesh_of_surface(surface):

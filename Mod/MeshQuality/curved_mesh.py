@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """CurvedMesh: a mesh of high-order elements, and how it is made."""
 
-import os
-
 import numpy as np
 
 from . import convert, frames, options
+from .api import require_callable
 from .compat import core, program
 from .errors import InvalidInput
 from .surface_mesh import SurfaceMesh
@@ -65,14 +64,13 @@ class CurvedMesh:
     @classmethod
     def taken_from(cls, obj):
         """A function that makes what `of` gives of the object as it is now; any thread may call it."""
+        _require_elements(obj)
         return cls.kept_in(obj, frames.motion_of(obj))
 
     @classmethod
     def kept_in(cls, obj, motion=None):
         """The same with the elements where they were computed, or moved from there by a placement."""
-        if not getattr(obj, "ElementsOrder", 0):
-            raise InvalidInput(f"{convert.label_of(obj)} holds no curved mesh: give an object of "
-                               "add_curved_mesh that was computed")
+        _require_elements(obj)
         order, lists = obj.ElementsOrder, {name: getattr(obj, name) for name in ARRAYS}
 
         def make():
@@ -163,12 +161,12 @@ class CurvedMesh:
         `element` (by triangle: index of its curved triangle), `edge_lines` (the curved triangles'
         edges as runs of vertices, each followed by -1), `normals` of the curved triangles and three
         `triangle_normals` a triangle.
-        Raises InvalidInput when that takes more than 20 million triangles; Cancelled.
+        Raises InvalidInput when that takes more than 20 million triangles, or is finer than single
+        precision; Cancelled.
         """
-        if deviation is not None and not deviation > 0:
-            raise InvalidInput(f"deviation = {deviation!r} is not allowed: it must be greater than "
-                               "0 mm")
-        return self._curved.tessellate(deviation or 0.0, progress)
+        values = options.check(options.CURVED_DISPLAY, {"deviation": deviation})
+        require_callable(progress)
+        return self._curved.tessellate(values["deviation"] or 0.0, progress)
 
     def to_mesh(self, deviation=None):
         """A Mesh.Mesh of the curved triangles as `tessellate` cuts them; one segment a CAD face."""
@@ -203,7 +201,7 @@ class CurvedMesh:
         """Writes .msh (Gmsh 4.1, ASCII, with a physical group a CAD entity) or .vtu (VTK) by
         extension, in mm. Raises IoError naming the path.
         """
-        self._curved.write(os.fspath(path))
+        self._curved.write(convert.file_name(path))
 
     def __repr__(self):
         count, kind = len(self.elements), "tetrahedron" if len(self.tetrahedra) else "triangle"
@@ -212,6 +210,12 @@ class CurvedMesh:
         folded = int((~(quality > 0.0)).sum())
         valid = f"{folded:,} not proven valid" if folded else "all valid"
         return f"<CurvedMesh: {count:,} {kind if count == 1 else plural} of order {self.order}, {valid}>"
+
+
+def _require_elements(obj):
+    if not getattr(obj, "ElementsOrder", 0):
+        raise InvalidInput(f"{convert.label_of(obj)} holds no curved mesh: give an object of "
+                           "add_curved_mesh that was computed")
 
 
 @options.takes_aliases(options.CURVE)
@@ -233,9 +237,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
-    if progress is not None and not callable(progress):
-        raise InvalidInput(f"progress = {progress!r} is not callable: give a function of "
-                           "(fraction, stage)")
+    require_callable(progress)
     values = options.check(options.CURVE, {
         "order": order, "volume": volume, "straighten_invalid": straighten_invalid, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative,

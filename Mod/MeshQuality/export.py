@@ -3,6 +3,7 @@
 
 import os
 
+from .convert import file_name
 from .curved_mesh import CurvedMesh
 from .errors import IoError
 
@@ -29,9 +30,10 @@ def export_curved_mesh(obj, path):
 def checked(path):
     """The path as absolute text; raises IoError where nothing can be written there."""
     endings = " or ".join(CURVED_FORMATS)
-    if not os.fspath(path):
+    path = os.fsdecode(file_name(path))
+    if not path:
         raise IoError(f"the file has no name: give one that ends in {endings}")
-    path = os.path.abspath(os.fspath(path))
+    path = os.path.abspath(path)
     folder, extension = os.path.dirname(path), os.path.splitext(path)[1].lower()
     if os.path.isdir(path):
         raise IoError(f"{path} is a folder and cannot be written: give the name of a file that ends in {endings}")

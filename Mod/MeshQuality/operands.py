@@ -21,6 +21,8 @@ from .surface_mesh import SurfaceMesh
 # coordinates within 4 times the shape's size.
 _FINEST_CHORD = 4.0 * 3.0**0.5 * 2.0**-24
 _FRAME = 4.0
+# Of the size of all operands: what a Boolean asks for at least.
+_FINEST_TOLERANCE = 4.0 * 2.0**-23
 
 
 class Operands:
@@ -65,7 +67,7 @@ class Operands:
         if not shapes:
             return False
         with self._stage("meshing shapes"):
-            wanted = self.tolerance(resolution, tolerance)
+            wanted = self._possible(self.tolerance(resolution, tolerance))
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
                 self._found[i] = self._mesh_shape(i, 0.5 * wanted, part)
@@ -74,6 +76,16 @@ class Operands:
     def tolerance(self, resolution, tolerance):
         """The tolerance in mm: as it was given, else by the resolution."""
         return tolerance or 3.0**0.5 * self._size() / resolution
+
+    def _possible(self, tolerance):
+        """The tolerance; raises InvalidInput where it is finer than the core can keep, before shapes are
+        meshed as finely.
+        """
+        least = _FINEST_TOLERANCE * self._size()
+        if tolerance < least:
+            raise InvalidInput(f"tolerance is {tolerance:.4g} mm: single precision holds these operands to {least:.4g} "
+                               "mm only; ask for more than that")
+        return tolerance
 
     def digest(self):
         """A hash of document objects as operands, and of how they stand to each other; the same after

@@ -162,7 +162,7 @@ class Option:
         return value
 
     def _in_range(self, value):
-        if not math.isfinite(value):
+        if isinstance(value, float) and not math.isfinite(value):
             return False
         if self.low is not None and (value <= self.low if self.above else value < self.low):
             return False
@@ -195,7 +195,10 @@ def _plain_number(value, option):
         what = "a whole number" if option.kind is int else "a number"
         raise InvalidInput(f"{option.name} = {value!r} is not allowed: it must be {what}, "
                            f"{option.range_text}")
-    return option.kind(value)
+    try:
+        return option.kind(value)
+    except OverflowError:  # a whole number beyond the largest float
+        return math.inf
 
 
 def _checked_sizes(value, option):
@@ -204,7 +207,7 @@ def _checked_sizes(value, option):
     try:
         found = {str(name): float(getattr(length, "Value", length))
                  for name, length in dict(sizes).items()}
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         found = None
     if found is None or not all(_NAME.fullmatch(name) and math.isfinite(length) and length > 0
                                 for name, length in found.items()):
@@ -213,7 +216,7 @@ def _checked_sizes(value, option):
     return found or None
 
 
-_SUB_ELEMENT = re.compile(r"(Vertex|Edge|Face)([1-9]\d*)")
+_SUB_ELEMENT = re.compile(r"(Vertex|Edge|Face)([1-9]\d{0,8})")
 # In containers and links behind the names of the objects on the way: "Group.Box.Face6".
 _NAME = re.compile(rf"(?:\w+\.)*{_SUB_ELEMENT.pattern}")
 _SIZE = re.compile(r"([\w.]+)\s*=\s*([^\s=]+)\s*(?:mm)?")
@@ -267,7 +270,8 @@ TRIANGULATE = (
                 "containers and links with the path to the object: Box.Face3=0.5"),
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size", title="Shortest edge",
            unset="unlimited", rare=True, help="No edge is split into shorter ones than this"),
-    Option("edges_per_circle", float, None, low=3.0, above=False, group="Size",
+    # Single precision does not tell more edges a circle from the circle: they are within 5e-8 of its radius.
+    Option("edges_per_circle", float, None, low=3.0, high=10000.0, above=False, group="Size",
            title="Edges per full circle", rare=True, unset="no minimum",
            help="Smallest number of edges along each full turn of a curved edge or face: 12 to 36 is "
                 "usual"),
@@ -290,7 +294,7 @@ TRIANGULATE = (
     Option("feature_angle", float, 10.0, unit="degrees", low=0.0, high=40.0,
            title="Feature angle", rare=True, only_with=("keep_edges", ("feature",)),
            help="With keep_edges = feature: edges are smooth where the surface turns by less than this"),
-    Option("max_triangles", int, None, low=1, above=False, group="Size", title="Triangle limit",
+    Option("max_triangles", int, None, low=1, high=2**31 - 1, above=False, group="Size", title="Triangle limit",
            rare=True, unset="5 million", help="Stop at this number; the mesh is then incomplete"),
     Option("allow_missing_faces", bool, False, title="Skip faces that fail", rare=True,
            help="Mesh the other faces where some fail; the report names those that were skipped"),

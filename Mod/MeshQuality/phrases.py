@@ -121,6 +121,12 @@ CORE_ERRORS = (
     "than that",
     "tolerance is {number} mm: single precision holds these operands to {number2} mm only; ask for "
     "more than that",
+    "{option} is {number} mm: single precision holds edges of this part from {number2} mm on; ask for more "
+    "than that",
+    "the local size of {name} is {number} mm: single precision holds edges of this part from {number2} mm "
+    "on; ask for more than that",
+    "method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; ask for "
+    "a resolution of at most {count2}, a tolerance of at least {number3} mm, or use method 'default'",
     "a local size is given for {name}, but the shape has {count} {name2}",
     "order is {count}: it goes from 1 to {count2} for volumes",
     "filling the surface with tetrahedra did not come to an end: its triangles do not fit each other "

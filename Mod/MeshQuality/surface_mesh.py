@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """SurfaceMesh: what the algorithms return."""
 
-import os
-
 from . import convert
 
 
@@ -43,7 +41,7 @@ class SurfaceMesh:
 
         Raises IoError naming the path.
         """
-        self._surface.write(os.fspath(path))
+        self._surface.write(convert.file_name(path))
 
     def __repr__(self):
         return repr(self.report).replace(type(self.report).__name__, type(self).__name__, 1)

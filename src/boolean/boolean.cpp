@@ -2,6 +2,7 @@
 #include "boolean/boolean.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -148,9 +149,12 @@ class Run {
                                                      : std::string());
         }
         if (tolerance_ < 4.0 * kSingleUnit * size_) {
-            throw InvalidInput("tolerance is " + std::to_string(tolerance_) +
-                               " mm: single precision holds these operands to " +
-                               std::to_string(4.0 * kSingleUnit * size_) + " mm only; ask for more than that");
+            std::array<char, 160> text;
+            std::snprintf(text.data(), text.size(),
+                          "tolerance is %.4g mm: single precision holds these operands to %.4g mm only; ask for more "
+                          "than that",
+                          tolerance_, 4.0 * kSingleUnit * size_);
+            throw InvalidInput(text.data());
         }
     }
 

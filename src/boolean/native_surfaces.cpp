@@ -234,7 +234,7 @@ class Fitting {
     void take(const NativeOperand& operand, geometry::Engine::Batch& batch,
               std::vector<std::pair<Candidate*, Constraint*>>& asked) {
         progress_.check();
-        const geometry::Engine::Answers answers = engine_.ask(operand.model, batch);
+        const geometry::Engine::Answers answers = engine_.ask(operand.model, batch, &progress_);
         for (std::size_t i = 0; i < answers.size(); ++i) {
             const geometry::Answer& answer = answers[i];
             auto& [candidate, constraint] = asked[i];

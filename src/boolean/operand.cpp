@@ -244,12 +244,17 @@ std::string operand_name(std::size_t index, std::size_t count) {
 
 Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress) {
     require_usable(mesh, name);
+    look_for_cancel(progress);
     SurfaceDraft draft = draft_of(mesh, name);
+    look_for_cancel(progress);
     weld(draft);
+    look_for_cancel(progress);
     draft.find_twins();
+    look_for_cancel(progress);
     if (!is_fit(draft)) {
         repair(draft, progress);
     }
+    look_for_cancel(progress);
     if (draft.triangles.empty()) {
         throw InvalidInput(name + " has no triangle with an area that encloses a volume");
     }

@@ -2,6 +2,7 @@
 #include "boolean/uniform.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -127,6 +128,56 @@ Box working_box(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operat
     return (box.low.array() > box.high.array()).any() ? Box() : box;
 }
 
+/// What the samples take at most, in bytes: sampling one operand, sorted samples of both, and those of the result.
+constexpr double kBytesPerSample = 40.0;
+constexpr double kBytesPerRay = 9.0 * sizeof(std::uint32_t);
+constexpr double kMostBytes = 2.0 * (1 << 30);
+
+/// How many samples the rays of the grid get, about: of each triangle in each direction its projected area, and no more
+/// than the part of its box that lies in the grid.
+double count_samples_about(const OperandPair& pair, const SampleGrid& grid) {
+    double count = 0.0;
+    for (const mesh::Triangle& t : pair.triangles) {
+        const std::array<Vec3, 3> p = {grid.to_grid(pair.points[t[0]]), grid.to_grid(pair.points[t[1]]),
+                                       grid.to_grid(pair.points[t[2]])};
+        const Vec3 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]).cwiseMax(0.0);
+        const Vec3 high = p[0].cwiseMax(p[1]).cwiseMax(p[2]).cwiseMin(static_cast<double>(grid.cells()));
+        const Vec3 side = (high - low).cwiseMax(0.0);
+        const Vec3 area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).cwiseAbs();
+        for (int a = 0; a < 3; ++a) {
+            count += std::min(area[a], side[(a + 1) % 3] * side[(a + 2) % 3]);
+        }
+    }
+    return count;
+}
+
+double bytes_about(const OperandPair& pair, const SampleGrid& grid) {
+    const double rays = grid.rays();
+    return kBytesPerSample * count_samples_about(pair, grid) + kBytesPerRay * rays * rays;
+}
+
+/// @throws InvalidInput naming the resolution that would do
+void require_memory(const OperandPair& pair, const Box& box, int resolution) {
+    const SampleGrid asked(box, resolution);
+    const double bytes = bytes_about(pair, asked);
+    if (!(bytes > kMostBytes)) {
+        return;
+    }
+    int possible = asked.rays();
+    double least = bytes;
+    while (possible > kLowestResolution && least > kMostBytes) {
+        possible = (possible - 1) / 2 + 1;
+        least = bytes_about(pair, SampleGrid(box, possible));
+    }
+    const double side = box.empty() ? 0.0 : box.largest_side();
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "method 'uniform' would take about %.2g GB at the resolution %d: it can take %.2g GB; ask for a "
+                  "resolution of at most %d, a tolerance of at least %.4g mm, or use method 'default'",
+                  bytes / (1 << 30), resolution, kMostBytes / (1 << 30), possible, uniform_bound(side, possible));
+    throw InvalidInput(text);
+}
+
 /// One run of the method; the stages in their order.
 class UniformBoolean {
   public:
@@ -137,6 +188,7 @@ class UniformBoolean {
           progress_(progress),
           pair_(a, b),
           grid_(working_box(a, b, operation), options.resolution) {
+        require_memory(pair_, working_box(a, b, operation), options.resolution);
         result_.mesh.origin = a.origin;
         result_.spacing = grid_.spacing();
     }

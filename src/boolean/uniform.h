@@ -60,8 +60,9 @@ struct UniformResult {
 ///
 /// The result is closed, oriented and 2-manifold in its connections. As in the paper it is not guaranteed to be free of
 /// self-intersections where it was reconstructed, and features thinner than the distance between rays may be lost.
-/// @throws InvalidInput for an option out of range, an operand that is not closed, not oriented or inside out, or
-///     operands with different origins
+/// @throws InvalidInput for an option out of range, a resolution whose samples would take more than 2 GB, an operand
+/// that
+///     is not closed, not oriented or inside out, or operands with different origins
 /// @throws Cancelled
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
                                     const UniformOptions& options, Progress* progress);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <set>
+#include <string>
 #include <tuple>
 
 #include "base/error.h"
@@ -33,6 +35,7 @@ class Classifier {
         if (vertex_entity_.size() != mesh_.vertices.size() || triangle_face_.size() != mesh_.triangles.size()) {
             throw InvalidInput("the mesh does not say which CAD entities it lies on: curve one made by triangulate()");
         }
+        require_entities();
         join_vertices();
         join_triangles();
         put_on_nodes_and_edges();
@@ -42,6 +45,30 @@ class Classifier {
     }
 
   private:
+    /// A mesh of another shape, or of this one before it was changed or moved, is told by its vertices that are to lie
+    /// on vertices of the shape.
+    void require_entities() const {
+        constexpr double kNear = 4e-3;  // of the size: vertices of rough shapes lie beside the ends of their edges
+        const double near = kNear * topology_.box.largest_side();
+        const std::array<std::size_t, 3> counts = {topology_.nodes.size(), topology_.edges.size(),
+                                                   topology_.faces.size()};
+        for (std::size_t v = 0; v < vertex_entity_.size(); ++v) {
+            const auto [dimension, index] = vertex_entity_[v];
+            const bool known = dimension >= 0 && dimension <= 2 && index >= 0 &&
+                               static_cast<std::size_t>(index) < counts[static_cast<std::size_t>(dimension)];
+            if (known && dimension != 0) {
+                continue;
+            }
+            const geometry::Node* node = known ? &topology_.nodes[static_cast<std::size_t>(index)] : nullptr;
+            if (node == nullptr ||
+                (mesh_.vertices[v] + mesh_.origin - node->point).norm() > near + 2.0 * node->tolerance) {
+                throw InvalidInput("the mesh does not belong to the shape: its vertex " + std::to_string(v) +
+                                   " is not on " + geometry::name_of({dimension, index}) +
+                                   "; give the shape that it was made from, where it was");
+            }
+        }
+    }
+
     /// Volumes have vertices of their own; the same point on the same entity is one vertex.
     void join_vertices() {
         std::map<std::tuple<int, int, double, double, double>, int> known;

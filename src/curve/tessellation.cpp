@@ -2,7 +2,9 @@
 #include "curve/tessellation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "base/distance.h"
 #include "base/error.h"
@@ -112,6 +114,14 @@ class Tessellator {
           grid_(box_of(mesh)),
           pace_(progress),
           max_triangles_(max_triangles) {
+        if (deviation > 0.0 && deviation < 4.0 * grid_.resolution()) {
+            std::array<char, 160> text;
+            std::snprintf(
+                text.data(), text.size(),
+                "deviation is %.4g mm: single precision holds this mesh to %.4g mm only; ask for more than that",
+                deviation, 4.0 * grid_.resolution());
+            throw InvalidInput(text.data());
+        }
         const double asked = deviation > 0.0 ? deviation : 1e-3 * box_of(mesh).largest_side();
         result_.deviation = std::max(asked, 4.0 * grid_.resolution());
         result_.mesh.origin = grid_.origin();
@@ -318,8 +328,11 @@ class Tessellator {
 
     void keep(const Piece& piece) {
         if (result_.mesh.triangles.size() == max_triangles_) {
-            throw InvalidInput("a deviation of " + std::to_string(result_.deviation) + " mm takes more than " +
-                               std::to_string(max_triangles_) + " triangles: ask for a larger one");
+            std::array<char, 120> text;
+            std::snprintf(text.data(), text.size(),
+                          "a deviation of %.4g mm takes more than %zu triangles: ask for a larger one",
+                          result_.deviation, max_triangles_);
+            throw InvalidInput(text.data());
         }
         result_.mesh.triangles.push_back(piece.corners);
         result_.mesh.triangle_face.push_back(mesh_.triangle_face[static_cast<std::size_t>(element_)]);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/engine.h"
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -29,7 +31,15 @@ struct Job {
     const std::function<void()>* work = nullptr;
     std::promise<void> done;
     std::uint64_t generation = 0;
+    std::uint64_t number = 0;  ///< of all jobs of the engine, in the order in which they came
 };
+
+/// How long nobody looks whether a caller who waits was cancelled: much less than the 0.2 s that users may notice.
+constexpr std::chrono::milliseconds kBetweenLooks(20);
+
+bool is_cancelled(const Progress* progress) {
+    return progress != nullptr && progress->cancelled();
+}
 
 }  // namespace
 
@@ -38,13 +48,18 @@ class Engine::Impl {
     Impl(Mode mode, std::size_t capacity) : mode_(mode), capacity_(capacity > 0 ? capacity : 1) {}
     ~Impl();
     std::future<Answers> submit(const std::shared_ptr<Model>& model, Batch batch);
-    void run(const std::function<void()>& work);
+    Answers ask(const std::shared_ptr<Model>& model, Batch batch, const Progress* progress);
+    void run(const std::function<void()>& work, const Progress* progress);
     void cancel();
     void shut_down();
     std::uint64_t queries() const { return queries_.load(std::memory_order_relaxed); }
 
   private:
-    bool push(Job& job);
+    bool push(Job& job, const Progress* progress);
+    std::future<Answers> hand_over(Job& job, const Progress* progress);
+    template <typename Result>
+    void wait(const std::future<Result>& result, std::uint64_t number, const Progress* progress);
+    bool withdraw(std::uint64_t number);
     void serve();
     void finish(Job& job);
     Answers answer(const std::shared_ptr<Model>& model, const Batch& batch, std::uint64_t generation);
@@ -57,6 +72,7 @@ class Engine::Impl {
     std::condition_variable not_empty_;
     std::condition_variable not_full_;
     std::deque<Job> queue_;
+    std::uint64_t jobs_ = 0;
     bool stopping_ = false;
     std::mutex join_mutex_;
     std::thread worker_;
@@ -70,19 +86,49 @@ Engine::Impl::~Impl() {
     shut_down();
 }
 
-/// Waits for room in the queue. @returns false, with the job untouched, when the engine is or gets shut down.
-bool Engine::Impl::push(Job& job) {
+/// Waits for room in the queue, and numbers the job.
+/// @returns false, with the job untouched, when the engine is or gets shut down.
+/// @throws Cancelled
+bool Engine::Impl::push(Job& job, const Progress* progress) {
     std::unique_lock<std::mutex> lock(mutex_);
-    not_full_.wait(lock, [this] { return stopping_ || queue_.size() < capacity_; });
+    while (!not_full_.wait_for(lock, kBetweenLooks, [this] { return stopping_ || queue_.size() < capacity_; })) {
+        look_for_cancel(progress);
+    }
     if (stopping_) {
         return false;
     }
+    job.number = ++jobs_;
     if (!worker_.joinable()) {
         worker_ = std::thread([this] { serve(); });
     }
     queue_.push_back(std::move(job));
     lock.unlock();
     not_empty_.notify_one();
+    return true;
+}
+
+/// Waits for the result of a job, which is withdrawn when the caller is cancelled before its turn has come.
+/// @throws Cancelled
+template <typename Result>
+void Engine::Impl::wait(const std::future<Result>& result, std::uint64_t number, const Progress* progress) {
+    while (result.wait_for(kBetweenLooks) != std::future_status::ready) {
+        if (is_cancelled(progress) && withdraw(number)) {
+            progress->check();
+        }
+    }
+}
+
+/// Takes a job out of the queue. @returns false when it is not there any more.
+bool Engine::Impl::withdraw(std::uint64_t number) {
+    Job withdrawn;  // let go after the lock
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = std::find_if(queue_.begin(), queue_.end(), [&](const Job& job) { return job.number == number; });
+    if (found == queue_.end()) {
+        return false;
+    }
+    withdrawn = std::move(*found);
+    queue_.erase(found);
+    not_full_.notify_one();
     return true;
 }
 
@@ -140,25 +186,39 @@ Engine::Answers Engine::Impl::answer(const std::shared_ptr<Model>& model, const 
 
 std::future<Engine::Answers> Engine::Impl::submit(const std::shared_ptr<Model>& model, Batch batch) {
     Job job;
-    job.generation = generation_.load();
     job.model = model;
     job.batch = std::move(batch);
+    return hand_over(job, nullptr);
+}
+
+Engine::Answers Engine::Impl::ask(const std::shared_ptr<Model>& model, Batch batch, const Progress* progress) {
+    Job job;
+    job.model = model;
+    job.batch = std::move(batch);
+    std::future<Answers> answers = hand_over(job, progress);
+    wait(answers, job.number, progress);
+    return answers.get();
+}
+
+/// Has a batch answered; the job keeps its number.
+std::future<Engine::Answers> Engine::Impl::hand_over(Job& job, const Progress* progress) {
+    job.generation = generation_.load();
     std::future<Answers> future = job.answers.get_future();
     if (mode_ == Mode::Direct) {
         std::unique_lock<std::mutex> lock(mutex_);
         const bool refused = stopping_;
         lock.unlock();
-        job.answers.set_value(refused ? stopped(job.batch.size()) : answer(model, job.batch, job.generation));
+        job.answers.set_value(refused ? stopped(job.batch.size()) : answer(job.model, job.batch, job.generation));
     } else if (on_own_thread()) {
         // Waiting for the queue here would be waiting for oneself.
         finish(job);
-    } else if (!push(job)) {
+    } else if (!push(job, progress)) {
         job.answers.set_value(stopped(job.batch.size()));
     }
     return future;
 }
 
-void Engine::Impl::run(const std::function<void()>& work) {
+void Engine::Impl::run(const std::function<void()>& work, const Progress* progress) {
     if (mode_ == Mode::Direct || on_own_thread()) {
         work();
         return;
@@ -166,9 +226,10 @@ void Engine::Impl::run(const std::function<void()>& work) {
     Job job;
     job.work = &work;
     std::future<void> done = job.done.get_future();
-    if (!push(job)) {
+    if (!push(job, progress)) {
         throw Cancelled("the geometry engine has been shut down");
     }
+    wait(done, job.number, progress);
     done.get();
 }
 
@@ -222,16 +283,16 @@ std::future<Engine::Answers> Engine::submit(const std::shared_ptr<Model>& model,
     return impl_->submit(model, std::move(batch));
 }
 
-Engine::Answers Engine::ask(const std::shared_ptr<Model>& model, Batch batch) {
-    return submit(model, std::move(batch)).get();
+Engine::Answers Engine::ask(const std::shared_ptr<Model>& model, Batch batch, const Progress* progress) {
+    return impl_->ask(model, std::move(batch), progress);
 }
 
-Answer Engine::ask(const std::shared_ptr<Model>& model, const Query& query) {
-    return submit(model, Batch{query}).get().front();
+Answer Engine::ask(const std::shared_ptr<Model>& model, const Query& query, const Progress* progress) {
+    return impl_->ask(model, Batch{query}, progress).front();
 }
 
-void Engine::run(const std::function<void()>& work) {
-    impl_->run(work);
+void Engine::run(const std::function<void()>& work, const Progress* progress) {
+    impl_->run(work, progress);
 }
 
 void Engine::cancel() {

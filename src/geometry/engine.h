@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/progress.h"
 #include "geometry/model.h"
 
 namespace mq::geometry {
@@ -32,12 +33,16 @@ class Engine {
 
     /// Hands a batch over and returns at once; the answers come in the batch's order.
     std::future<Answers> submit(const std::shared_ptr<Model>& model, Batch batch);
-    Answers ask(const std::shared_ptr<Model>& model, Batch batch);
-    Answer ask(const std::shared_ptr<Model>& model, const Query& query);
+    /// The same, waiting for the answers. A batch whose turn has not come yet is withdrawn once `progress` is
+    /// cancelled.
+    /// @throws Cancelled
+    Answers ask(const std::shared_ptr<Model>& model, Batch batch, const Progress* progress = nullptr);
+    Answer ask(const std::shared_ptr<Model>& model, const Query& query, const Progress* progress = nullptr);
 
     /// Runs `work` on the engine's thread and waits for it: building a model, for one. What `work` throws is thrown
-    /// here, in the caller's thread.
-    void run(const std::function<void()>& work);
+    /// here, in the caller's thread. Work that has not begun is withdrawn once `progress` is cancelled.
+    /// @throws Cancelled
+    void run(const std::function<void()>& work, const Progress* progress = nullptr);
 
     /// Drops all batches that wait; they and the rest of the running one are answered with Status::Stopped.
     void cancel();

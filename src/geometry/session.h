@@ -30,7 +30,7 @@ class Session {
             return {};  // not worth waking the engine's thread
         }
         if (batch.size() <= kPiece) {
-            return engine_.ask(model_, std::move(batch));
+            return engine_.ask(model_, std::move(batch), progress_);
         }
         Engine::Answers all;
         all.reserve(batch.size());
@@ -38,18 +38,18 @@ class Session {
             check();
             const auto first = batch.begin() + static_cast<std::ptrdiff_t>(from);
             const auto last = batch.begin() + static_cast<std::ptrdiff_t>(std::min(from + kPiece, batch.size()));
-            Engine::Answers some = engine_.ask(model_, Engine::Batch(first, last));
+            Engine::Answers some = engine_.ask(model_, Engine::Batch(first, last), progress_);
             std::move(some.begin(), some.end(), std::back_inserter(all));
         }
         return all;
     }
-    Answer ask(const Query& query) { return engine_.ask(model_, query); }
+    Answer ask(const Query& query) { return engine_.ask(model_, query, progress_); }
     /// Calls `work(model)` on the engine's thread.
     /// @throws Cancelled.
     template <typename Work>
     void run(const Work& work) {
         check();
-        engine_.run([&] { work(*model_); });
+        engine_.run([&] { work(*model_); }, progress_);
     }
 
   private:

@@ -148,7 +148,8 @@ std::size_t surface_faults(const mesh::MeshReport& report) {
 }
 
 /// Fills what every report has, and what the caller did before.
-void measure(BooleanSurface& surface, const OperandFrame& frame, const Before& before, Progress& progress) {
+void measure(BooleanSurface& surface, const OperandFrame& frame, Operation operation, const Before& before,
+             Progress& progress) {
     BooleanReport& figures = surface.figures;
     const Stopwatch measuring;
     auto notes = std::move(figures.notes);
@@ -156,7 +157,14 @@ void measure(BooleanSurface& surface, const OperandFrame& frame, const Before& b
     const std::int64_t crossings = figures.self_intersections;
     static_cast<mesh::MeshReport&>(figures) = mesh::measure(surface.mesh, &progress);
     figures.self_intersections = crossings;
-    if (surface.mesh.triangles.empty()) {
+    if (surface.mesh.triangles.empty() && operation == Operation::SymmetricDifference) {
+        std::array<char, 160> text;
+        std::snprintf(text.data(), text.size(),
+                      "the result is empty: the operands are the same within the tolerance of %.4g mm; a smaller "
+                      "tolerance shows smaller differences",
+                      figures.tolerance_asked);
+        notes.emplace_back(text.data());
+    } else if (surface.mesh.triangles.empty()) {
         notes.emplace_back("the result is empty: no volume is left");
     } else if (!figures.closed || !figures.oriented || !figures.manifold) {
         notes.emplace_back("the result is not a closed manifold surface: see its faults");
@@ -192,7 +200,7 @@ void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std
         native[i].mesh = frame.meshes()[i];
         native[i].faces = &operands[i]->mesh.triangle_face;
         if (shapes[i].shape != nullptr) {
-            engine.run([&] { native[i].model = geometry::make_shape_model(*shapes[i].shape, &progress); });
+            engine.run([&] { native[i].model = geometry::make_shape_model(*shapes[i].shape, &progress); }, &progress);
         }
     }
     BooleanReport& figures = surface.figures;
@@ -234,7 +242,7 @@ std::shared_ptr<BooleanSurface> run_boolean(const std::vector<PythonOperand>& op
             result->figures.tolerance_asked = limit;
             fit_to_shapes(*result, frame, surfaces, shapes, limit, handle);
         }
-        measure(*result, frame, before, handle);
+        measure(*result, frame, wanted, before, handle);
         result->figures.cpu_seconds = before.cpu_seconds + watch_all.cpu();
         result->report = result->figures;
         return result;

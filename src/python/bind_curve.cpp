@@ -94,9 +94,9 @@ CurvedPointer curve_shape(const PartShape& part, const curve::Options& options, 
         const double start = curve::cpu_seconds();
         std::shared_ptr<geometry::Model> model;
         handle.stage("reading the shape", 0.0, 0.0);
-        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle, geometry::Creases::Cut); });
+        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle, geometry::Creases::Cut); }, &handle);
         auto mesh = std::make_shared<CurvedMesh>(curved(engine, model, straight, options, handle));
-        engine.run([&] { mesh->report.cad_volume = geometry::solid_content(*part.shape); });
+        engine.run([&] { mesh->report.cad_volume = geometry::solid_content(*part.shape); }, &handle);
         mesh->report.cpu_seconds = curve::cpu_seconds() - start;
         return mesh;
     });
@@ -110,9 +110,9 @@ CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape&
         std::shared_ptr<geometry::Model> model;
         const bool pieces = !surface.mesh.triangle_piece.empty();
         const geometry::Creases creases = pieces ? geometry::Creases::Cut : geometry::Creases::Keep;
-        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle, creases); });
+        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle, creases); }, &handle);
         auto mesh = std::make_shared<CurvedMesh>(curve::curve(engine, model, surface.mesh, options, &handle));
-        engine.run([&] { mesh->report.cad_volume = geometry::solid_content(*part.shape); });
+        engine.run([&] { mesh->report.cad_volume = geometry::solid_content(*part.shape); }, &handle);
         return mesh;
     });
 }

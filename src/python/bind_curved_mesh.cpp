@@ -11,6 +11,7 @@
 #include "mesh/report.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
+#include "python/python_lock.h"
 #include "python/watch.h"
 #include "triangulate/triangulate.h"
 
@@ -143,7 +144,7 @@ void bind_tessellation(py::module_& m) {
         return view<double>(normals.data(), normals.size(), 3, self);
     });
     cls.def_readonly("deviation", &Tessellation::deviation, "mm");
-    cls.def("surface", &surface_of, "A Surface of the triangles.", py::call_guard<py::gil_scoped_release>());
+    cls.def("surface", &surface_of, "A Surface of the triangles.", py::call_guard<FreedLock>());
 }
 
 }  // namespace
@@ -181,7 +182,7 @@ void bind_curved_mesh(py::module_& m) {
     cls.def("tetrahedron_distortions", &measured_distortions<curve::tetrahedron_distortions>,
             py::arg("progress") = py::none(), "float64 (E,): likewise.");
     cls.def("tessellate", &tessellated, py::arg("deviation"), py::arg("progress") = py::none());
-    cls.def("write", &curve::write, py::arg("path"), py::call_guard<py::gil_scoped_release>());
+    cls.def("write", &curve::write, py::arg("path"), py::call_guard<FreedLock>());
     m.def("curved_from_arrays", &from_arrays, py::arg("order"), py::arg("arrays"),
           "A Curved of the arrays that one has, by their names; raises InvalidInput.");
 }

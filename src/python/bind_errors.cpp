@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <cstring>
+
 #include "base/error.h"
 #include "python/bindings.h"
 
@@ -11,7 +13,12 @@ namespace {
 /// The classes live in Python, so that they can be caught where the extension module is missing.
 void raise(const char* name, const std::exception& error) {
     const py::object type = py::module_::import("MeshQuality.errors").attr(name);
-    PyErr_SetString(type.ptr(), error.what());
+    // Names of files need not be UTF-8.
+    PyObject* text = PyUnicode_DecodeUTF8(error.what(), static_cast<py::ssize_t>(std::strlen(error.what())), "replace");
+    if (text != nullptr) {
+        PyErr_SetObject(type.ptr(), text);
+        Py_DECREF(text);
+    }
 }
 
 /// Calls a function of Python; an error of ours that it raises gets no traceback. Of others it is needed.

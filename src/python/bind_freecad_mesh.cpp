@@ -12,6 +12,7 @@
 #include "mesh/io.h"
 #include "python/bindings.h"
 #include "python/freecad_mesh.h"
+#include "python/python_lock.h"
 #include "triangulate/triangulate.h"
 
 namespace py = pybind11;
@@ -45,7 +46,7 @@ bool fill_mesh(const py::object& mesh, const Surface& surface) {
     if (!inner.reachable()) {
         return false;
     }
-    const py::gil_scoped_release release;
+    const FreedLock free;
     std::istringstream bms(mesh::to_bms(surface.mesh));
     if (!inner.read(bms)) {
         return false;
@@ -64,7 +65,7 @@ py::object bms_of_mesh(const py::object& mesh) {
     }
     auto bms = std::make_unique<std::string>();
     {
-        const py::gil_scoped_release release;
+        const FreedLock free;
         std::ostringstream stream;
         inner.write(stream);
         *bms = stream.str();

@@ -15,6 +15,7 @@
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"
+#include "python/python_lock.h"
 #include "triangulate/triangulate.h"
 
 namespace py = pybind11;
@@ -53,7 +54,7 @@ SurfacePointer surface_from_arrays(
     TriangleMesh& mesh = surface->mesh;
     mesh.vertices.resize(rows(vertices, "vertices"));
     mesh.triangles.resize(rows(triangles, "triangles"));
-    const py::gil_scoped_release release;
+    const FreedLock free;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         std::copy_n(vertices.data() + 3 * v, 3, mesh.vertices[v].data());
     }
@@ -83,7 +84,7 @@ py::tuple triangle_shapes(const Surface& surface) {
     double* aspect = aspects.mutable_data();
     double* distortion = distortions.mutable_data();
     {
-        const py::gil_scoped_release release;
+        const FreedLock free;
         for (const mesh::Triangle& t : mesh.triangles) {
             const mesh::TriangleShape shape =
                 mesh::shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
@@ -99,7 +100,7 @@ py::tuple triangle_shapes(const Surface& surface) {
 py::tuple clustered(const py::array_t<float, py::array::c_style | py::array::forcecast>& corners, std::size_t wanted) {
     mesh::Clusters found;
     {
-        const py::gil_scoped_release release;
+        const FreedLock free;
         found = mesh::cluster(corners.data(), static_cast<std::size_t>(corners.size() / 9), wanted);
     }
     const auto count = static_cast<py::ssize_t>(found.corners.size() / 9);
@@ -248,11 +249,11 @@ void bind_mesh(py::module_& m) {
         .def_readonly("report", &Surface::report)
         .def(
             "write", [](const Surface& self, const std::string& path) { mesh::write(self.mesh, path); },
-            py::arg("path"), py::call_guard<py::gil_scoped_release>())
+            py::arg("path"), py::call_guard<FreedLock>())
         .def("to_bms", [](const Surface& self) {
             std::string bms;
             {
-                const py::gil_scoped_release release;
+                const FreedLock free;
                 bms = mesh::to_bms(self.mesh);
             }
             return py::bytes(bms);

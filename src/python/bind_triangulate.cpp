@@ -3,19 +3,25 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "base/single_grid.h"
 #include "geometry/occt/brep_text.h"
+#include "geometry/occt/shape_content.h"
 #include "geometry/occt/shape_distance.h"
 #include "geometry/occt/shape_model.h"
 #include "mesh/samples.h"
 #include "python/bindings.h"
 #include "python/engine.h"
 #include "python/part_shape.h"
+#include "python/python_lock.h"
 #include "python/stopwatch.h"
 #include "python/watch.h"
 #include "triangulate/memory.h"
@@ -33,6 +39,31 @@ using triangulate::Result;
 constexpr const char* kCopied =
     "this build of FreeCAD cannot share its shapes: the mesh was made from a copy that was passed as BREP text";
 
+/// Thin parts lose volume to the numbers of a mesh in FreeCAD, whatever the options are.
+void note_lost_volume(Result& result, const PartShape& part, geometry::Engine& engine, const Progress& progress) {
+    constexpr double kThin = 2e-3;  // of the volume: what the rounding of all vertices can change it by
+    constexpr double kLost = 1e-2;  // of the volume
+    const mesh::MeshReport& report = result.report;
+    if (!report.closed || report.box.empty()) {
+        return;
+    }
+    const double resolution = SingleGrid(report.box).resolution();
+    if (report.area * resolution < kThin * std::abs(report.volume)) {
+        return;
+    }
+    double content = 0.0;
+    engine.run([&] { content = geometry::solid_content(*part.shape); }, &progress);
+    const double lost = content - report.volume;
+    if (content > 0.0 && std::abs(lost) > kLost * content) {
+        std::array<char, 200> text;
+        std::snprintf(text.data(), text.size(),
+                      "the part is so thin that single precision changes its volume from %.4g to %.4g mm^3: it holds "
+                      "coordinates of this part to %.2g mm",
+                      content, report.volume, resolution);
+        result.report.notes.emplace_back(text.data());
+    }
+}
+
 std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& options, const py::object& progress,
                                           triangulate::Memory* memory) {
     options.validate();
@@ -41,10 +72,11 @@ std::shared_ptr<Result> triangulate_shape(const PartShape& part, const Options& 
         const Stopwatch watch_all;
         std::shared_ptr<geometry::Model> model;
         handle.stage("reading the shape", 0.0, 0.0);
-        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle, geometry::Creases::Cut); });
+        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle, geometry::Creases::Cut); }, &handle);
         const double reading = watch_all.wall();
         auto result = std::make_shared<Result>(triangulate::triangulate(engine, model, options, &handle, memory));
         result->report.seconds.insert(result->report.seconds.begin(), {"read the shape", reading});
+        note_lost_volume(*result, part, engine, handle);
         result->report.cpu_seconds = watch_all.cpu();
         if (!part.live) {
             result->report.notes.push_back(kCopied);
@@ -134,7 +166,7 @@ py::tuple shape_identity(const py::object& shape, bool copy) {
 py::bytes brep_text(const PartShape& part) {
     std::string text;
     {
-        const py::gil_scoped_release release;
+        const FreedLock free;
         text = geometry::write_brep_text(*part.shape);
     }
     return py::bytes(text);

@@ -8,7 +8,7 @@ namespace mq::python {
 /// The geometry engine of the process, started on first use. Call it with the GIL held.
 geometry::Engine& shared_engine();
 
-/// Ends the engine's thread. Registered to run before the interpreter goes.
+/// Ends the engine's thread, which must have nothing to do; see end_with_python.
 void stop_shared_engine();
 
 }  // namespace mq::python

@@ -3,7 +3,7 @@
 
 #include "geometry/occt/shape_model.h"
 #include "python/bindings.h"
-#include "python/engine.h"
+#include "python/running_work.h"
 
 namespace py = pybind11;
 
@@ -44,5 +44,5 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_curve(m);
     mq::python::bind_boolean(m);
     mq::python::bind_improve(m);
-    py::module_::import("atexit").attr("register")(py::cpp_function(&mq::python::stop_shared_engine));
+    py::module_::import("atexit").attr("register")(py::cpp_function(&mq::python::end_with_python));
 }

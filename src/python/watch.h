@@ -9,6 +9,8 @@
 #include <future>
 
 #include "base/progress.h"
+#include "python/python_lock.h"
+#include "python/running_work.h"
 
 namespace mq::python {
 
@@ -43,7 +45,12 @@ class Watcher {
         called_ = now;
         fraction_ = fraction;
         stage_ = stage;
-        if (callback_(fraction, stage).is(pybind11::bool_(false))) {
+        const pybind11::tuple arguments = pybind11::make_tuple(fraction, stage);
+        PyObject* answer = outliving_python([&] { return PyObject_CallObject(callback_.ptr(), arguments.ptr()); });
+        if (answer == nullptr) {
+            throw pybind11::error_already_set();
+        }
+        if (pybind11::reinterpret_steal<pybind11::object>(answer).is(pybind11::bool_(false))) {
             progress_.cancel();
         }
     }
@@ -71,15 +78,16 @@ auto watch(const pybind11::object& callback, Work&& work) {
     Progress progress;
     Watcher watcher(progress, callback);
     watcher.look();
+    RunningWork running(progress);
     auto future = std::async(std::launch::async, [&] {
+        const RunningWork::End end(running);
         progress.check();
         return work(progress);
     });
     {
-        pybind11::gil_scoped_release release;
+        FreedLock free;
         while (future.wait_for(kSlice) != std::future_status::ready) {
-            pybind11::gil_scoped_acquire acquire;
-            watcher.look();
+            free.locked([&] { watcher.look(); });
         }
     }
     watcher.rethrow();

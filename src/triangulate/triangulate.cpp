@@ -2,13 +2,16 @@
 #include "triangulate/triangulate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -51,6 +54,12 @@ double cpu_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+/// Lengths may be tiny.
+std::string in_digits(double number) {
+    std::array<char, 32> buffer;
+    return {buffer.data(), static_cast<std::size_t>(std::snprintf(buffer.data(), buffer.size(), "%.4g", number))};
+}
+
 double chord_height(const Options& options, const Box& box) {
     return options.chord_height > 0.0 ? options.chord_height : options.chord_height_relative * box.largest_side();
 }
@@ -62,8 +71,19 @@ void check_against_part(const Options& options, const geometry::Topology& topolo
     }
     const double chord = chord_height(options, topology.box);
     if (chord > 0.0 && chord < 4.0 * grid.resolution()) {
-        throw InvalidInput("chord_height is " + std::to_string(chord) + " mm: single precision holds this part to " +
-                           std::to_string(4.0 * grid.resolution()) + " mm only; ask for more than that");
+        throw InvalidInput("chord_height is " + in_digits(chord) + " mm: single precision holds this part to " +
+                           in_digits(4.0 * grid.resolution()) + " mm only; ask for more than that");
+    }
+    const auto require_edges = [&](const std::string& name, double length) {
+        if (length > 0.0 && length < grid.shortest_side()) {
+            throw InvalidInput(name + " is " + in_digits(length) +
+                               " mm: single precision holds edges of this part from " +
+                               in_digits(grid.shortest_side()) + " mm on; ask for more than that");
+        }
+    };
+    require_edges("max_edge", options.max_edge);
+    for (const LocalSize& size : options.local_sizes) {
+        require_edges("the local size of " + geometry::name_of({size.dimension, size.index}), size.max_edge);
     }
 }
 

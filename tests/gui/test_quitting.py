@@ -67,7 +67,9 @@ class Quitting(unittest.TestCase):
     def test_it_ends_while_a_job_runs(self):
         for before in ("FreeCAD.closeDocument('Quit')",
                        "box.Height = 20",
-                       "panel.continue_in_background(); box.Height = 20"):
+                       "panel.continue_in_background(); box.Height = 20",
+                       "import threading, Part, MeshQuality as mq; threading.Thread(target=lambda: mq.triangulate("
+                       "Part.makeSphere(10), chord_height=0.0005), daemon=True).start()"):
             with self.subTest(before), tempfile.TemporaryDirectory() as folder:
                 status, seconds, state, output = self.quit_while_it_works(folder, before)
                 self.assertEqual(state, "running")

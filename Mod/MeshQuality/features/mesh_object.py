@@ -454,7 +454,8 @@ def _show_in_place_of_sources(obj):
 
 def update(obj, values, progress=None):
     """Gives the object those options and computes it, as one undo step of its own or as a part of
-    the transaction that is open. On an error all stays as it was.
+    the transaction that is open. On an error all stays as it was; also where `progress` has removed
+    the object, closed its document or changed what it is made of.
     """
     proxy = getattr(obj, "Proxy", None)
     if not isinstance(proxy, MeshObject):
@@ -465,7 +466,10 @@ def update(obj, values, progress=None):
     done = result_for(type(proxy), sources, values)
     if done is None:
         work = proxy.work_on(sources, values, obj)
+        label = obj.Label
         done = work, None if proxy.is_result(obj, work) else work.result(progress)
+        if progress is not None and done[1] is not None:
+            _require_unchanged(obj, label, values, work)
     with _undo_step(obj.Document, f"Update {obj.Label}"):
         set_options(obj, table, values)
         if done[1] is None:
@@ -478,6 +482,20 @@ def update(obj, values, progress=None):
         obj.purgeTouched()
         for dependent in obj.InList:
             dependent.touch()
+
+
+def _require_unchanged(obj, label, values, work):
+    """Raises Error where scripts have taken away meanwhile what the result is for."""
+    try:
+        there = obj.Document.getObject(obj.Name) == obj
+    except (ReferenceError, RuntimeError, AttributeError):
+        there = False
+    if not there:
+        raise Error(f"'{label}' was removed, or its document closed, while it was computed: nothing was changed")
+    now = obj.Proxy.work_on(obj.Proxy.sources(obj), values, obj)
+    if now.fingerprint != work.fingerprint:
+        raise Error(f"the source of '{label}' was changed while the mesh was computed: the mesh stays as it was; "
+                    "update it again")
 
 
 @contextmanager

@@ -62,8 +62,11 @@ ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const Progres
     place_ = definitions_.place();
     std::vector<std::string> failures;
     const OrderedShape entities = creases == Creases::Cut ? cut_at_creases(shape, failures, progress) : ordered(shape);
+    look_for_cancel(progress);
     topology_ = build_topology(entities, live_, progress);
+    look_for_cancel(progress);
     sew_collapsed_pieces(entities, topology_, live_);
+    look_for_cancel(progress);
     topology_.faults.insert(topology_.faults.end(), failures.begin(), failures.end());
     edges_.resize(live_.edges.size());
     faces_.resize(live_.faces.size());

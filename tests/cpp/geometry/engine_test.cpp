@@ -134,6 +134,42 @@ TEST(Engine, SubmitWaitsWhileTheQueueIsFull) {
     }
 }
 
+TEST(Engine, WithdrawsWhatACancelledCallerWaitsFor) {
+    Engine engine(Engine::Mode::Threaded, 2);
+    const auto model = std::make_shared<EchoModel>();
+    model->held = true;
+    std::future<Engine::Answers> running = engine.submit(model, numbered(1));
+    wait_until(model->started);
+    Progress progress;
+    std::atomic<int> cancelled{0};
+    bool ran = false;
+    const auto count_cancelled = [&](const auto& call) {
+        try {
+            call();
+        } catch (const Cancelled&) {
+            ++cancelled;
+        }
+    };
+    // Two wait in the queue, and one for room in it.
+    std::thread asker([&] { count_cancelled([&] { engine.ask(model, numbered(1), &progress); }); });
+    std::thread runner([&] { count_cancelled([&] { engine.run([&] { ran = true; }, &progress); }); });
+    std::thread waiter([&] { count_cancelled([&] { engine.ask(model, numbered(1), &progress); }); });
+    std::this_thread::sleep_for(40ms);
+    EXPECT_EQ(cancelled, 0);
+    const auto start = std::chrono::steady_clock::now();
+    progress.cancel();
+    asker.join();
+    runner.join();
+    waiter.join();
+    EXPECT_LT(std::chrono::steady_clock::now() - start, 200ms);
+    EXPECT_EQ(cancelled, 3);
+    model->held = false;
+    EXPECT_EQ(running.get().front().status, Status::Ok);
+    EXPECT_EQ(engine.ask(model, Query::edge_point(0, 7.0)).t, 7.0);
+    EXPECT_FALSE(ran);
+    EXPECT_EQ(engine.queries(), 2u);
+}
+
 TEST(Engine, CancelDropsWhatWaitsAndCutsTheRunningBatchShort) {
     Engine engine;
     const auto model = std::make_shared<EchoModel>();

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/progress.h"
+
+namespace mq::python {
+
+/// An operation that runs on a thread of its own, which Python does not know. All of them are cancelled and waited for
+/// when Python ends: what they work with is taken down after that.
+class RunningWork {
+  public:
+    /// @throws Cancelled once Python has begun to end
+    explicit RunningWork(Progress& progress);
+    ~RunningWork() { end(); }
+    RunningWork(const RunningWork&) = delete;
+    RunningWork& operator=(const RunningWork&) = delete;
+
+    void cancel() { progress_.cancel(); }
+    /// The work has ended. Idempotent; any thread may call it.
+    void end();
+
+    /// Ends a piece of work when the scope is left.
+    class End {
+      public:
+        explicit End(RunningWork& work) : work_(work) {}
+        ~End() { work_.end(); }
+        End(const End&) = delete;
+        End& operator=(const End&) = delete;
+
+      private:
+        RunningWork& work_;
+    };
+
+  private:
+    Progress& progress_;
+};
+
+/// Cancels all work, ends the geometry engine, and lets no more work begin. Registered to run before the interpreter
+/// goes; call it with Python's lock held. Work that does not end soon, which only foreign code can cause, is left
+/// alone, and the process then ends without taking down what that works with.
+void end_with_python();
+
+}  // namespace mq::python
