@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """CurvedMesh: a mesh of high-order elements, and how it is made."""
 
-import os
 
 import numpy as np
 
@@ -203,7 +202,7 @@ class CurvedMesh:
         """Writes .msh (Gmsh 4.1, ASCII, with a physical group a CAD entity) or .vtu (VTK) by
         extension, in mm. Raises IoError naming the path.
         """
-        self._curved.write(os.fspath(path))
+        self._curved.write(path_for_core(path))
 
     def __repr__(self):
         count, kind = len(self.elements), "tetrahedron" if len(self.tetrahedra) else "triangle"

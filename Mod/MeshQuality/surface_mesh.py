@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """SurfaceMesh: what the algorithms return."""
 
-import os
-
 from . import convert
+from .files import path_for_core
 
 
 class SurfaceMesh:
@@ -43,7 +42,7 @@ class SurfaceMesh:
 
         Raises IoError naming the path.
         """
-        self._surface.write(os.fspath(path))
+        self._surface.write(path_for_core(path))
 
     def __repr__(self):
         return repr(self.report).replace(type(self.report).__name__, type(self).__name__, 1)
