@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """CurvedMesh: a mesh of high-order elements, and how it is made."""
 
-
 import numpy as np
 
 from . import convert, frames, options
 from .compat import core, program
 from .errors import InvalidInput
+from .files import path_for_core
 from .surface_mesh import SurfaceMesh
 
 # The arrays that make up a curved mesh, and what document objects call them.

@@ -59,7 +59,8 @@ def client_of(scheduler=None, jobs=None, dashboard=False):
                     _local_cluster(jobs or cores(), scratch, dashboard) as cluster, \
                     Client(cluster) as client:
                 if dashboard:
-                    print(f"meshquality: Dask's dashboard is at {cluster.dashboard_link}", file=sys.stderr)
+                    port = cluster.scheduler.services["dashboard"].port
+                    print(f"meshquality: Dask's dashboard is at http://127.0.0.1:{port}", file=sys.stderr)
                 yield client
             return
         try:
@@ -94,7 +95,7 @@ def _local_cluster(threads, scratch, dashboard):
         pass
 
     # Where another program has the port, Dask takes another one and warns.
-    warnings.filterwarnings("ignore", "\nPort ", UserWarning)
+    warnings.filterwarnings("ignore", "Port ", UserWarning)
     shown = {"dashboard": True, "dashboard_address": DASHBOARD} if dashboard else {}
     return SpecCluster(
         scheduler={"cls": Scheduler if dashboard else QuietScheduler,

@@ -42,6 +42,8 @@ class Ledger:
             if chosen and not chosen(entry["part"]):
                 kept[entry["part"]] = entry
                 continue
+            kept.pop(entry["part"], None)  # the last line of a part counts
+            doubtful.pop(entry["part"], None)
             part = known.get(entry["part"])
             if part and self._stands(entry, part, retry):
                 same = (entry["size"], entry["mtime_ns"]) == (part.size, part.mtime_ns)
@@ -106,6 +108,7 @@ class Ledger:
                 yield json.loads(stream.readline())
 
     def _replace(self, entries):
+        self._close_stream()
         with replacing(self.path, encoding="utf-8") as stream:
             stream.writelines(json.dumps(entry) + "\n" for entry in entries)
 
@@ -132,10 +135,13 @@ class Ledger:
 
     def close(self):
         """Gives the folder free."""
+        self._close_stream()
+        self._lock.close()
+
+    def _close_stream(self):
         if self._stream is not None:
             self._stream.close()
             self._stream = None
-        self._lock.close()
 
 
 def _say_damaged(path, number):
