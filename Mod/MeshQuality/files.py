@@ -110,7 +110,7 @@ def _move(ready, path):
             raise
         near = unfinished(path, "")
         try:
-            shutil.copyfile(ready, near)
+            shutil.copy(ready, near)
             os.replace(near, path)
         finally:
             remove_if_there(near)

@@ -3,9 +3,11 @@
 line with the reason.
 """
 
+import contextlib
 import errno
 import json
 import os
+import signal
 import socket
 import stat
 import subprocess
@@ -45,6 +47,11 @@ def listening(pid):
     return found
 
 
+def end_if_there(pid):
+    with contextlib.suppress(ProcessLookupError):
+        os.kill(pid, signal.SIGKILL)
+
+
 class Started(BatchTest):
     """Commands that a test ends in its own way."""
 
@@ -77,6 +84,9 @@ class Started(BatchTest):
     def assert_ends_with_its_owner(self, script, owner):
         self.assertTrue(wait_until(lambda: self.freecads(script)))
         time.sleep(0.3)  # into its work
+        for pid in self.freecads(script):
+            os.kill(pid, signal.SIGSTOP)  # as in a reader of OpenCASCADE, none of its code can look for its owner
+            self.addCleanup(end_if_there, pid)
         owner.kill()
         owner.wait()
         self.assertTrue(wait_until(lambda: not processes_with(self.mark), 2), processes_with(self.mark))
@@ -97,13 +107,32 @@ class Owners(Started):
         code = ("import sys, time; sys.platform = 'other'; from MeshQuality import limits; limits.end_with_owner(); "
                 "print('ready', flush=True); time.sleep(60)")
         with limits.ownership() as (ends, owner):
-            worker = subprocess.Popen([sys.executable if "python" in sys.executable else "/usr/bin/python3", "-c", code],
+            worker = subprocess.Popen(["/usr/bin/python3", "-c", code],
                                       stdout=subprocess.PIPE, pass_fds=ends,
                                       env={**os.environ, **owner, "PYTHONPATH": os.path.join(helpers.ROOT, "Mod")})
             self.addCleanup(worker.stdout.close)
             self.assertEqual(worker.stdout.readline(), b"ready\n")
             self.assertIsNone(worker.poll())
         self.assertEqual(worker.wait(5), 1)
+
+    @unittest.skipUnless(sys.platform.startswith("linux"), "the kernel of Linux has the signal")
+    def test_code_that_never_returns_to_python_ends_too(self):
+        """As in a reader of OpenCASCADE, which keeps the lock of the interpreter."""
+        work = ("import ctypes; from MeshQuality import limits; limits.end_with_owner(); print('ready', flush=True); "
+                "ctypes.PyDLL(None).sleep(60)")
+        own = ("import subprocess, sys; from MeshQuality import limits\n"
+               "with limits.ownership() as (ends, owner):\n"
+               "    subprocess.run(['/usr/bin/python3', '-c', sys.argv[1]], pass_fds=ends, "
+               "env={**__import__('os').environ, **owner})")
+        owner = subprocess.Popen(
+            ["/usr/bin/python3", "-c", own, work], stdout=subprocess.PIPE,
+            env={**os.environ, "MESHQUALITY_TEST": self.mark, "PYTHONPATH": os.path.join(helpers.ROOT, "Mod")})
+        self.addCleanup(owner.stdout.close)
+        self.assertEqual(owner.stdout.readline(), b"ready\n")
+        time.sleep(0.1)
+        owner.kill()
+        owner.wait()
+        self.assertTrue(wait_until(lambda: not processes_with(self.mark), 2))
 
     def test_the_fill_program_ends_when_nobody_waits_for_its_answer(self):
         program = os.path.join(helpers.ROOT, "Mod", "MeshQuality", "meshquality_fill")
@@ -222,7 +251,8 @@ class Folders(Started):
             self.assertEqual((status, summary["states"]), (1, {"done": 2, "input": 4}))
             errors = {entry["part"]: entry["error"] for entry in self.lines() if entry["state"] == "input"}
             for name in ("pipe", "device", "folder", "socket"):
-                self.assertEqual(sum(error.endswith(f"is a {name}, not a file") for error in errors.values()), 1, errors)
+                said = [error for error in errors.values() if error.endswith(f"is a {name}, not a file")]
+                self.assertEqual(len(said), 1, errors)
 
     def test_only_leaves_the_lines_of_others_alone(self):
         self.shape("cone.brep", Part.makeCone(5, 0, 10))
@@ -337,7 +367,8 @@ class FullDisk(unittest.TestCase):
 
     def test_the_part_is_done_again_without_being_asked(self):
         task = {"bytes": 2**30}
-        found = part._outcome({"status": 1, "text": "the disk is full", "limit": "disk", "seconds": 1.0, "peak": 0}, task)
+        result = {"status": 1, "text": "the disk is full", "limit": "disk", "seconds": 1.0, "peak": 0}
+        found = part._outcome(result, task)
         self.assertEqual(found["state"], part.DISK)
         chosen = plan.Plan(Path(self.folder), Path(self.folder, "out"), "triangulate", {}, ".ply", 1.0, 1.0)
         lines = ledger.Ledger(chosen)

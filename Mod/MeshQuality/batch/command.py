@@ -11,7 +11,7 @@ from ..cli import DONE, FAILED, ended_by_sigterm, freecad
 from ..phrases import MET, NOT_MET
 from . import cluster, report, table
 from .ledger import Ledger
-from .part import LOST
+from .part import AGAIN
 from .plan import find_parts, matches, plan_of
 
 SYSTEM_PYTHON = "/usr/bin/python3"
@@ -122,7 +122,7 @@ def _do(arguments, plan, todo, ledger, total):
     def finished(entry):
         ledger.add(entry)
         line.add(entry)
-        lost[0] = lost[0] + 1 if entry["state"] == LOST else 0
+        lost[0] = lost[0] + 1 if entry["state"] in AGAIN else 0
         if lost[0] == MOST_LOST:
             raise OSError(f"{MOST_LOST} parts in a row could not be worked on, {entry['part']} "
                           f"because: {entry['error']}")
