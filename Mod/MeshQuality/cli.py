@@ -7,13 +7,16 @@ what is on its command line, and the result comes back in one, because FreeCAD p
 
 import json
 import os
+import select
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 
-from . import options
+from . import files, limits, options
 from .cli_parser import (
     CAD_SUFFIXES,
     FEM_SUFFIXES,
@@ -50,6 +53,9 @@ def job_of(arguments):
         raise Error("a Boolean needs two inputs or more")
     job["options"] = take_options(job, TABLES[command])
     job["suffix"] = suffix_of_output(job)
+    for flag, value in (("--time-limit", job["time_limit"]), ("--memory-limit", job["memory_limit"])):
+        if value is not None and not 0 < value < float("inf"):
+            raise Error(f"{flag} {value:g} is not allowed: it must be greater than 0")
     if job.get("output") == STANDARD and job["json"]:
         raise Error("--json and the mesh cannot both go to standard output: name a file with -o")
     return job
@@ -72,9 +78,17 @@ def require_input(path, suffixes, input_format=None):
                         + " ".join(suffix[1:] for suffix in suffixes))
         require_format("--input-format", input_format, suffixes)
     elif path:
-        if not os.path.isfile(path):
-            raise Error(f"there is no file '{path}'")
+        _require_file(path)
         _require_suffix(path, suffixes)
+
+
+def _require_file(path):
+    try:
+        kind = files.kind_of(os.stat(path).st_mode)
+    except (OSError, ValueError):
+        raise Error(f"there is no file '{path}'") from None
+    if kind:
+        raise Error(f"'{path}' is {kind}, not a file")
 
 
 def require_format(flag, name, suffixes):
@@ -108,6 +122,8 @@ def suffix_of_output(job):
                     + " ".join(suffix[1:] for suffix in known))
     else:
         suffix = _require_suffix(path, known)
+    if path != STANDARD and os.path.isdir(path):
+        raise Error(f"'{path}' is a folder: give the name of a file with -o")
     if path != STANDARD and not os.path.isdir(os.path.dirname(path)):
         raise Error(f"there is no folder '{os.path.dirname(path)}' to write to")
     if job["command"] == "curve":
@@ -129,6 +145,11 @@ def require_curved_output(job, suffix):
 
 def freecad():
     """FreeCAD's console program; MESHQUALITY_FREECADCMD overrides. Raises OSError."""
+    for name in ("TMPDIR", "TEMP", "TMP"):  # FreeCAD ends at its start where it cannot use it
+        folder = os.environ.get(name)
+        if folder and not (os.path.isdir(folder) and os.access(folder, os.W_OK | os.X_OK)):
+            raise OSError(f"{name} names '{folder}', which is no folder that can be written to: FreeCAD needs "
+                          "one for temporary files")
     chosen = os.environ.get("MESHQUALITY_FREECADCMD")
     for name in [chosen] if chosen else ["freecadcmd", "FreeCADCmd", "freecad.cmd"]:
         path = shutil.which(name)
@@ -144,46 +165,102 @@ def freecad_command(script):
     return [freecad(), "-P", os.path.dirname(package), os.path.join(package, script)]
 
 
-def _use_standard_input(job, folder):
-    """Puts a file in the place of standard input. Returns its path, or None."""
-    if STANDARD not in job["inputs"] + [job.get("shape")]:
-        return None
-    path = os.path.join(folder, "input." + job["input_format"].lower())
+def _use_stand_ins(job, folder, deadline):
+    """Puts files in the place of standard input, and of files with names that FreeCAD cannot take.
+
+    Returns {path of the file: what to call it}.
+    """
+    names = {}
+    for given in {*job["inputs"], job.get("shape")} - {None}:
+        suffix = "." + job["input_format"] if given == STANDARD else os.path.splitext(given)[1]
+        path = os.path.join(folder, f"input{len(names)}{suffix.lower()}")
+        if given == STANDARD:
+            _copy_standard_input(path, deadline)
+            names[path] = "standard input"
+        elif not files.is_utf8(given):
+            os.symlink(given, path)
+            names[path] = f"'{given}'"
+        else:
+            continue
+        job["inputs"] = [path if name == given else name for name in job["inputs"]]
+        for name in ("input", "shape"):
+            if job.get(name) == given:
+                job[name] = path
+    return names
+
+
+def _copy_standard_input(path, deadline):
+    """Raises TimeoutError where it does not end in time."""
+    if sys.stdin is None:
+        raise OSError("standard input is closed")
     with open(path, "wb") as stream:
-        shutil.copyfileobj(sys.stdin.buffer, stream)
-    job["inputs"] = [path if name == STANDARD else name for name in job["inputs"]]
-    for name in ("input", "shape"):
-        if job.get(name) == STANDARD:
-            job[name] = path
-    return path
+        while True:
+            if deadline is not None and os.name == "posix":
+                select.select([sys.stdin], [], [], max(0.0, deadline - time.monotonic()))
+            if deadline is not None and time.monotonic() > deadline:
+                raise TimeoutError("standard input did not end in time")
+            block = sys.stdin.buffer.read1(2**20)
+            if not block:
+                return
+            stream.write(block)
 
 
-def _run_in_freecad(job, folder):
+def _run_in_freecad(job, folder, deadline):
     """The result {"status", "text", "report", "met"} of the job, from a FreeCAD of its own."""
     job_path = os.path.join(folder, "job.json")
     result_path = os.path.join(folder, "result.json")
     with open(job_path, "w", encoding="utf-8") as stream:
         json.dump({**job, "result": result_path}, stream)
-    code = _wait_for(subprocess.Popen(
-        freecad_command("cli_worker.py"), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-        env={**os.environ, "MESHQUALITY_JOB": job_path}))
+    environment = {**os.environ, "MESHQUALITY_JOB": job_path, "MESHQUALITY_TERMINAL": str(int(_at_terminal()))}
+    with limits.ownership() as (ends, owner):
+        process = subprocess.Popen(
+            freecad_command("cli_worker.py"), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE, pass_fds=ends, env={**environment, **owner})
+        code, words = _wait_for(process, deadline)
     try:
         with open(result_path, encoding="utf-8") as stream:
-            return json.load(stream)
+            result = json.load(stream)
     except (OSError, ValueError):
-        how = f"was ended by signal {-code}" if code < 0 else f"ended with status {code}"
-        return {"status": FAILED, "text": f"FreeCAD {how} and left no result"}
+        result = {"status": FAILED, "text": f"{limits.how_it_ended(code, words)}; it left no result"}
+        if limits.ran_out_of_memory(words):
+            result["limit"] = "memory"
+    if result.get("limit") == "memory" and job["memory_limit"]:
+        result["text"] = f"it took more memory than --memory-limit allows, {job['memory_limit']:g} GiB"
+    return result
 
 
-def _wait_for(process):
-    """The exit code of the process, which does not outlive this one when that is told to end."""
+def _at_terminal():
+    return sys.stderr is not None and sys.stderr.isatty()
+
+
+def _wait_for(process, deadline):
+    """(exit code, last words) of the process, which does not outlive this one when that is told to end.
+
+    What it writes to stderr is handed on. Raises TimeoutError after the deadline.
+    """
+    words = bytearray()
+
+    def hand_on():
+        while block := os.read(process.stderr.fileno(), 65536):
+            words.extend(block)
+            del words[:-20000]
+            if sys.stderr is not None:
+                sys.stderr.write(block.decode(errors="replace"))
+                sys.stderr.flush()
+
+    reader = threading.Thread(target=hand_on, daemon=True)
     with ended_by_sigterm():
+        reader.start()
         try:
-            return process.wait()
+            code = process.wait(None if deadline is None else max(0.0, deadline - time.monotonic()))
+        except subprocess.TimeoutExpired as error:
+            raise TimeoutError("FreeCAD did not end in time") from error
         finally:
             if process.poll() is None:
                 process.kill()
                 process.wait()
+            reader.join(5)  # what the process started may hold its stderr
+    return code, words.decode(errors="replace")
 
 
 class ended_by_sigterm:  # noqa: N801 - used like a function
@@ -201,16 +278,28 @@ class ended_by_sigterm:  # noqa: N801 - used like a function
 
 def _run(job):
     """The result of the job, its mesh written."""
+    deadline = None if job["time_limit"] is None else time.monotonic() + job["time_limit"]
+    freecad()  # says at once where there is none
+    to_stdout = job.get("output") == STANDARD
+    if to_stdout and sys.stdout is None:
+        raise OSError("standard output is closed")
     with tempfile.TemporaryDirectory(prefix="meshquality-") as folder:
-        names = {_use_standard_input(job, folder): "standard input"}
-        to_stdout = job.get("output") == STANDARD
-        if to_stdout:
-            job["output"] = os.path.join(folder, "output" + job["suffix"])
-            names[job["output"]] = "standard output"
-        result = _run_in_freecad(job, folder)
+        job["scratch"] = folder
+        try:
+            names = _use_stand_ins(job, folder, deadline)
+            if to_stdout:
+                job["output"] = os.path.join(folder, "output" + job["suffix"])
+                names[job["output"]] = "standard output"
+            if job.get("output"):
+                job["ready"] = files.unfinished(os.path.realpath(job["output"]), job["suffix"])
+            result = _run_in_freecad(job, folder, deadline)
+        except TimeoutError:
+            return {"status": FAILED, "text": f"it took longer than --time-limit allows, {job['time_limit']:g} s"}
+        finally:
+            if job.get("ready"):
+                files.remove_if_there(job["ready"])
         for path, name in names.items():
-            if path:
-                result["text"] = result["text"].replace(f"'{path}'", name).replace(path, name)
+            result["text"] = result["text"].replace(f"'{path}'", name).replace(path, name)
         if to_stdout and result["status"] == DONE:
             with open(job["output"], "rb") as stream:
                 shutil.copyfileobj(stream, sys.stdout.buffer)
@@ -233,25 +322,46 @@ def main(arguments=None):
     except Error as error:
         result = {"status": USAGE, "text": str(error)}
     except BrokenPipeError:
-        # Nobody reads standard output any more; Python must not try once more when it ends.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _give_up(sys.stdout)
         result = {"status": FAILED, "text": "standard output was closed before all was written"}
     except OSError as error:
         result = {"status": FAILED, "text": str(error)}
     except KeyboardInterrupt:
         remedy = ": run it again to go on" if parsed.command == "batch" else ""
         result = {"status": FAILED, "text": "interrupted" + remedy}
-    _print(result, parsed)
+    if not _print(result, parsed):
+        return result["status"] or FAILED
     missed = parsed.strict and result["status"] == DONE and not result["met"]
     return MISSED if missed else result["status"]
 
 
+def _give_up(stream):
+    """Nobody takes what is written there any more; Python must not try once more when it ends."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
 def _print(result, parsed):
+    """Whether all could be printed."""
+    good = True
     if parsed.json:
         failure = {} if result["status"] == DONE else {"error": result["text"]}
-        print(json.dumps({**result.get("report", {}), **failure}))
+        good = _put(json.dumps({**result.get("report", {}), **failure}) + "\n", sys.stdout)
     elif "report_text" in result:
         # Standard output may hold the mesh.
         held = getattr(parsed, "output", None) == STANDARD and parsed.command != "batch"
-        print(result["report_text"], end="", file=sys.stderr if held else sys.stdout)
-    print(f"meshquality: {result['text']}", file=sys.stderr)
+        good = _put(result["report_text"], sys.stderr if held else sys.stdout)
+    lost = "" if good else "; the report could not be written to standard output"
+    return _put(f"meshquality: {result['text']}{lost}\n", sys.stderr) and good
+
+
+def _put(text, stream):
+    """Whether the stream took the text."""
+    if stream is None:  # it was closed before Python started
+        return False
+    try:
+        stream.write(text)
+        stream.flush()
+    except OSError:
+        _give_up(stream)
+        return False
+    return True

@@ -143,6 +143,11 @@ def _add_single(commands, name, title, description):
                               "final ones")
     one.add_argument("--json", action="store_true",
                      help="print the report as one JSON object on stdout")
+    running = one.add_argument_group("limits")
+    running.add_argument("--time-limit", type=float, metavar="SECONDS",
+                         help="end with status 1 after this time, reading and checks included (default: none)")
+    running.add_argument("--memory-limit", type=float, metavar="GIB",
+                         help="end with status 1 beyond this memory; on Linux (default: none)")
     _add_options(one, TABLES[name])
     if name == "curve":
         _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)
@@ -188,6 +193,9 @@ def _add_batch(commands, batched):
                          help="time limit for each part (default: 600)")
     running.add_argument("--memory-limit", type=float, default=4.0, metavar="GIB",
                          help="memory limit for each part (default: 4)")
+    running.add_argument("--dashboard", action="store_true",
+                         help="show Dask's dashboard at http://127.0.0.1:8787 while it runs, to all users of this "
+                              "machine")
     running.add_argument("--retry", action="store_true",
                          help="repeat the parts that failed in earlier runs")
     running.add_argument("--check-content", action="store_true",

@@ -11,10 +11,12 @@ import traceback
 import FreeCAD
 
 import MeshQuality as mq
-from MeshQuality import convert, verdict
+from MeshQuality import convert, files, limits, verdict
 from MeshQuality.cli import DONE, FAILED, USAGE
 from MeshQuality.compat import core
 from MeshQuality.cli_parser import CURVED_SUFFIXES, FEM_SUFFIXES, MESH_SUFFIXES
+
+_GRACE = 30  # seconds beyond the limit, after which it ends without its owner
 
 REPORT_FIELDS = (
     "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
@@ -120,9 +122,14 @@ def read_mesh(path):
     return mesh
 
 
+def _is_shown():
+    """Whether stderr, which the caller hands on, ends at a terminal."""
+    return os.environ.get("MESHQUALITY_TERMINAL") == "1"
+
+
 def progress_line():
     """A progress callback: a line for people at a terminal, and the end when the caller is gone."""
-    visible, parent = sys.stderr.isatty(), os.getppid()
+    visible, parent = _is_shown(), os.getppid()
     last = [0.0]
 
     def show(fraction, stage):
@@ -141,7 +148,7 @@ def progress_line():
 
 def end_progress_line():
     """Takes the progress line away."""
-    if sys.stderr.isatty():
+    if _is_shown():
         print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
@@ -154,19 +161,20 @@ def written(job, write):
     if not path:
         return ""
     path = os.path.realpath(path)
-    if os.path.exists(path) and not os.path.isfile(path):
-        write(path)  # a pipe or a device
-        return f" in {path}"
-    ready = os.path.join(os.path.dirname(path), f".{os.path.basename(path)}.{os.getpid()}.part")
-    ready += job["suffix"]
+    ready = job["ready"]
+    if (os.path.exists(path) and not os.path.isfile(path)) or not files.is_utf8(ready):
+        # Not beside a pipe or a device; nor where FreeCAD cannot write.
+        ready = os.path.join(job["scratch"], "mesh" + job["suffix"])
     try:
         write(ready)
-        os.replace(ready, path)
-    except mq.IoError as error:
+        files.put_in_place(ready, path)
+    except (mq.IoError, OSError) as error:
+        # Asked while what was written still takes the room.
+        if (isinstance(error, OSError) and files.is_full(error)) or files.disk_is_full(ready):
+            raise files.DiskFull(f"'{path}' cannot be written: the disk is full") from error
         raise mq.IoError(str(error).replace(ready, path)) from error
     finally:
-        if os.path.exists(ready):
-            os.remove(ready)
+        files.remove_if_there(ready)
     return f" in {path}"
 
 
@@ -245,6 +253,10 @@ def run(job):
                         "quality": quality}[job["command"]](job)
     except mq.InvalidInput as error:
         return {"status": USAGE, "text": str(error)}
+    except files.DiskFull as error:
+        return {"status": FAILED, "text": str(error), "limit": "disk"}
+    except MemoryError as error:
+        return {"status": FAILED, "text": f"there is not enough memory: {error or 'MemoryError'}", "limit": "memory"}
     except mq.Error as error:
         return {"status": FAILED, "text": str(error)}
     except Exception as error:  # noqa: BLE001 - whatever it is, the caller must hear of it
@@ -262,6 +274,11 @@ def run(job):
 def main():
     with open(os.environ["MESHQUALITY_JOB"], encoding="utf-8") as stream:
         job = json.load(stream)
+    limits.end_with_owner()
+    if job["memory_limit"]:
+        limits.limit_memory(int(job["memory_limit"] * 2**30))
+    if job["time_limit"]:
+        limits.end_itself_after(int(job["time_limit"]) + _GRACE)
     result = run(job)
     with open(job["result"], "w", encoding="utf-8") as stream:
         json.dump(result, stream)

@@ -5,11 +5,14 @@ Dask's workers only wait: the work is done by the FreeCADs that they start, see 
 machine one worker of as many threads as there are jobs, in this process, is enough.
 """
 
+import itertools
 import logging
 import os
 import socket
+import sys
 import urllib.parse
 import uuid
+import warnings
 from contextlib import contextmanager
 from tempfile import TemporaryDirectory
 
@@ -21,6 +24,7 @@ from .part import LOST
 AHEAD = 4
 LEAST_AHEAD = 32
 WAIT_FOR_WORKERS = 60.0
+DASHBOARD = "127.0.0.1:8787"
 CHECK_EVERY = 200  # parts: how often the number of workers is asked for
 
 
@@ -32,13 +36,14 @@ def cores():
 
 
 @contextmanager
-def client_of(scheduler=None, jobs=None):
+def client_of(scheduler=None, jobs=None, dashboard=False):
     """A Dask client: of the cluster at `scheduler`, or of one in this process with `jobs` threads.
 
-    Raises Error where there is no such cluster, or no worker in it.
+    The latter talks within this process and listens nowhere, but for its dashboard, for this machine
+    only. Raises Error where there is no such cluster, or no worker in it.
     """
     import dask
-    from distributed import Client, LocalCluster
+    from distributed import Client
 
     for name in list(logging.root.manager.loggerDict):
         # What matters is raised, and the line on stderr is the command's. Some of Dask's loggers have
@@ -51,10 +56,11 @@ def client_of(scheduler=None, jobs=None):
                           "distributed.worker.memory.spill": False}):
         if scheduler is None:
             with TemporaryDirectory(prefix="meshquality-") as scratch, \
-                    LocalCluster(n_workers=1, threads_per_worker=jobs or cores(), processes=False,
-                                 dashboard_address=None, memory_limit=0,
-                                 local_directory=scratch) as cluster, \
+                    _local_cluster(jobs or cores(), scratch, dashboard) as cluster, \
                     Client(cluster) as client:
+                if dashboard:
+                    port = cluster.scheduler.services["dashboard"].port
+                    print(f"meshquality: Dask's dashboard is at http://127.0.0.1:{port}", file=sys.stderr)
                 yield client
             return
         try:
@@ -69,6 +75,33 @@ def client_of(scheduler=None, jobs=None):
                 raise Error(f"the Dask cluster at {scheduler} has no workers: start some with "
                             f"dask-worker {scheduler}") from error
             yield client
+
+
+def _local_cluster(threads, scratch, dashboard):
+    """A scheduler and a worker in this process that exchange objects, without any port.
+
+    Dask's LocalCluster starts servers of HTTP for both on all addresses, whatever it is told.
+    """
+    from distributed import Scheduler, SpecCluster, Worker
+
+    class Unheard:
+        def start_http_server(self, *_, **__):
+            """Listens nowhere."""
+
+    class QuietScheduler(Unheard, Scheduler):
+        pass
+
+    class QuietWorker(Unheard, Worker):
+        pass
+
+    # Where another program has the port, Dask takes another one and warns.
+    warnings.filterwarnings("ignore", "Port ", UserWarning)
+    shown = {"dashboard": True, "dashboard_address": DASHBOARD} if dashboard else {}
+    return SpecCluster(
+        scheduler={"cls": Scheduler if dashboard else QuietScheduler,
+                   "options": {"protocol": "inproc://", **shown}},
+        workers={0: {"cls": QuietWorker, "options": {
+            "protocol": "inproc://", "nthreads": threads, "memory_limit": 0, "local_directory": scratch}}})
 
 
 def _require_listener(address):
@@ -107,13 +140,15 @@ def run(client, plan, parts, finished, work=None):
 
     folder = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
     batch, work = uuid.uuid4().hex, work or shipped("part", "run")
-    waiting, tasks = iter(parts), {}
+    waiting, tasks, numbers = iter(parts), {}, itertools.count()
     flow = as_completed(with_results=True, raise_errors=False)
 
     def submit(count):
         for part in [part for _, part in zip(range(count), waiting)]:
+            # Keys travel as UTF-8, which not all names are.
+            name = part.name.encode(errors="replace").decode()
             future = client.submit(work, folder, plan.task(part), batch, pure=False,
-                                   key=f"{batch[:8]}-{part.name}")
+                                   key=f"{batch[:8]}-{next(numbers)}-{name}")
             tasks[future.key] = part
             flow.add(future)
 

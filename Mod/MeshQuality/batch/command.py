@@ -11,8 +11,8 @@ from ..cli import DONE, FAILED, ended_by_sigterm, freecad
 from ..phrases import MET, NOT_MET
 from . import cluster, report, table
 from .ledger import Ledger
-from .part import LOST
-from .plan import find_parts, plan_of
+from .part import AGAIN
+from .plan import find_parts, matches, plan_of
 
 SYSTEM_PYTHON = "/usr/bin/python3"
 INTERIM_SECONDS = 60.0  # at least, between looks at what is done so far; they take 2 % of the time
@@ -77,14 +77,19 @@ def run(arguments):
     parts = find_parts(plan, arguments.only)
     ledger = Ledger(plan)
     try:
-        todo = ledger.keep(parts, arguments.retry, arguments.check_content)
+        chosen = (lambda name: matches(name, arguments.only)) if arguments.only else None
+        todo = ledger.keep(parts, arguments.retry, arguments.check_content, chosen)
+        # Table and report show the parts that --only left alone, too.
+        total = len(parts) + sum(chosen is not None and not chosen(entry["part"])
+                                 for entry in ledger.entries())
         if todo:
-            _do(arguments, plan, todo, ledger, len(parts))
+            _do(arguments, plan, todo, ledger, total)
         states, missed = Counter(), 0
         for entry in ledger.entries():
-            states[entry["state"]] += 1
-            missed += entry.get("report", {}).get("verdict") == NOT_MET
-        write_results(plan, ledger, len(parts))
+            if chosen is None or chosen(entry["part"]):
+                states[entry["state"]] += 1
+                missed += entry.get("report", {}).get("verdict") == NOT_MET
+        write_results(plan, ledger, total)
     finally:
         ledger.close()
     failed = len(parts) - states["done"]
@@ -121,7 +126,7 @@ def _do(arguments, plan, todo, ledger, total):
     def finished(entry):
         ledger.add(entry)
         line.add(entry)
-        lost[0] = lost[0] + 1 if entry["state"] == LOST else 0
+        lost[0] = lost[0] + 1 if entry["state"] in AGAIN else 0
         if lost[0] == MOST_LOST:
             raise OSError(f"{MOST_LOST} parts in a row could not be worked on, {entry['part']} "
                           f"because: {entry['error']}")
@@ -129,7 +134,8 @@ def _do(arguments, plan, todo, ledger, total):
             took = write_results(plan, ledger, total)
             due[0] = time.monotonic() + max(INTERIM_SECONDS, 50 * took)
 
-    with ended_by_sigterm(), cluster.client_of(arguments.scheduler, arguments.jobs) as client:
+    with ended_by_sigterm(), cluster.client_of(arguments.scheduler, arguments.jobs,
+                                                    arguments.dashboard) as client:
         try:
             cluster.run(client, plan, todo, finished)
         finally:

@@ -13,8 +13,10 @@ import signal
 import subprocess
 import tempfile
 import threading
+from concurrent.futures import ThreadPoolExecutor
 
 from ..cli import freecad_command
+from ..limits import how_it_ended, ran_out_of_memory
 
 START_SECONDS = 120.0
 MOST_JOBS = 1000
@@ -33,6 +35,15 @@ class NotStarted(Exception):  # noqa: N818
     """There is no FreeCAD to do a job: not the job's doing."""
 
 
+# Linux ends the FreeCADs with the thread that started them (see limits), which may be one of Dask's that
+# comes and goes: so one thread that stays starts them all.
+_starter = ThreadPoolExecutor(1)
+
+
+def _started(*arguments, **options):
+    return _starter.submit(subprocess.Popen, *arguments, **options).result()
+
+
 class FreeCad:
     """One FreeCAD. `jobs` is how many it has done."""
 
@@ -45,7 +56,7 @@ class FreeCad:
         environment.pop("MESHQUALITY_JOB", None)
         # In a session of its own, so that Ctrl-C reaches the batch only, and so that what it
         # starts can be ended with it.
-        self._process = subprocess.Popen(
+        self._process = _started(
             freecad_command(os.path.join("batch", "serve.py")), stdin=subprocess.PIPE,
             stdout=subprocess.PIPE, stderr=self._words, env=environment, start_new_session=True)
         self.pid = self._process.pid
@@ -94,15 +105,10 @@ class FreeCad:
     def _died(self, code):
         self._words.seek(0, os.SEEK_END)
         self._words.seek(max(0, self._words.tell() - 20000))
-        words = self._words.read().decode(errors="replace").strip()
-        how = f"by signal {signal.Signals(-code).name}" if code < 0 else f"with status {code}"
-        # FreeCAD catches some signals itself and says so above a list of calls.
-        lines = words.splitlines()
-        said = [line for line in lines if "signal" in line or "terminate" in line] or lines[-1:]
-        last = f": {said[0].strip()[:200]}" if said else ""
-        if "bad_alloc" in words or "MemoryError" in words:
+        words = self._words.read().decode(errors="replace")
+        if ran_out_of_memory(words):
             return Died("memory", f"took more than {self._bytes / 2**30:g} GiB of memory")
-        return Died("crash", f"FreeCAD ended {how}{last}")
+        return Died("crash", how_it_ended(code, words))
 
     def kill(self):
         """Ends it and all that it started."""

@@ -4,20 +4,29 @@
 import hashlib
 import os
 import socket
+import tempfile
+import time
 
 from ..cli import DONE, USAGE
+from ..files import UNFINISHED_OF_BATCH, is_full, is_utf8, open_regular, remove_if_there, unfinished
 from . import freecads
 
-# The state of a part that nobody could begin or end; a later run does it without being asked.
-LOST = "lost"
+# The state of a part that nobody could begin or end, and of one whose mesh had no room.
+LOST, DISK = "lost", "disk"
+# A later run does these without being asked: they say nothing of the part.
+AGAIN = (LOST, DISK)
 
 
-def digest_of(path):
-    """SHA-256 of a file, as text."""
-    digest = hashlib.sha256()
-    with open(path, "rb") as stream:
-        while block := stream.read(2**20):
+def digest_of(path, seconds=float("inf")):
+    """SHA-256 of a regular file, as text; raises OSError, TimeoutError where it takes too long."""
+    digest, end = hashlib.sha256(), time.monotonic() + seconds
+    with open_regular(path) as stream:
+        left = os.fstat(stream.fileno()).st_size  # no more: a file may grow without end
+        while left > 0 and (block := stream.read(min(2**20, left))):
             digest.update(block)
+            left -= len(block)
+            if time.monotonic() > end:
+                raise TimeoutError(f"took more than {seconds:g} s to read")
     return digest.hexdigest()
 
 
@@ -29,11 +38,12 @@ def run(task, batch):
     entry = {name: task[name] for name in ("part", "key", "size", "mtime_ns", "output")}
     entry["host"] = socket.gethostname()
     try:
-        entry["digest"] = digest_of(task["path"])
+        entry["digest"] = digest_of(task["path"], task["seconds"])
         if task["output_path"]:
             os.makedirs(os.path.dirname(task["output_path"]), exist_ok=True)
     except OSError as error:
-        return {**entry, "digest": None, "state": "input", "error": str(error), "attempts": 0}
+        state = "timeout" if isinstance(error, TimeoutError) else DISK if is_full(error) else "input"
+        return {**entry, "digest": None, "output": None, "state": state, "error": str(error), "attempts": 0}
     pool = freecads.pool(batch)
     found, used = _attempt(task, pool, fresh=False)
     if found["state"] in ("crash", "memory", "failed") and used and not pool.closed:
@@ -46,10 +56,23 @@ def run(task, batch):
 
 def _attempt(task, pool, fresh):
     """(what came of the part, whether its FreeCAD had done others before)."""
+    with tempfile.TemporaryDirectory(prefix="meshquality-") as scratch:
+        path = task["path"]
+        if not is_utf8(path):
+            path = os.path.join(scratch, "part" + os.path.splitext(path)[1].lower())
+            os.symlink(task["path"], path)
+        found, used = _run(task, path, scratch, pool, fresh)
+        if "error" in found:
+            found["error"] = found["error"].replace(path, task["path"])
+        return found, used
+
+
+def _run(task, path, scratch, pool, fresh):
+    output = task["output_path"]
+    ready = unfinished(output, task["suffix"], UNFINISHED_OF_BATCH) if output else None
     job = {"command": task["command"], "options": task["options"], "suffix": task["suffix"],
-           "deviation": task["deviation"],
-           "inputs": [task["path"]], "input": task["path"], "output": task["output_path"],
-           "seconds": task["seconds"]}
+           "deviation": task["deviation"], "inputs": [path], "input": path, "output": output,
+           "ready": ready, "scratch": scratch, "seconds": task["seconds"]}
     used = False
     try:
         freecad = pool.take(task["bytes"], fresh)
@@ -60,8 +83,8 @@ def _attempt(task, pool, fresh):
             good = result["status"] in (DONE, USAGE)
         finally:
             pool.give_back(freecad, good)
-            if not good:
-                _remove_unfinished(task, freecad.pid)
+            if ready:
+                remove_if_there(ready)
     except freecads.NotStarted as error:
         return {"state": LOST, "error": str(error), "attempts": 0}, False
     except freecads.Died as end:
@@ -69,21 +92,13 @@ def _attempt(task, pool, fresh):
     return {"attempts": 1, **_outcome(result, task)}, used
 
 
-def _remove_unfinished(task, pid):
-    """Removes the mesh that a FreeCAD was writing when it was ended; see cli_worker.written."""
-    if task["output_path"]:
-        folder, name = os.path.split(task["output_path"])
-        path = os.path.join(folder, f".{name}.{pid}.part{task['suffix']}")
-        if os.path.exists(path):
-            os.remove(path)
-
-
 def _outcome(result, task):
     found = {"seconds": round(result["seconds"], 4), "peak_mib": result["peak"] // 2**20}
     if result["status"] == DONE:
         return {"state": "done", **found, "report": result["report"]}
     state = "input" if result["status"] == USAGE else "failed"
-    full = "MemoryError" in result["text"] or result["peak"] > 0.9 * task["bytes"]
-    if state == "failed" and full:
+    if state == "failed" and result.get("limit") == DISK:
+        state = DISK
+    elif state == "failed" and (result.get("limit") == "memory" or result["peak"] > 0.9 * task["bytes"]):
         state = "memory"
     return {"state": state, **found, "error": result["text"]}

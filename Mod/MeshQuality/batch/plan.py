@@ -12,9 +12,11 @@ from typing import NamedTuple
 from .. import cli
 from ..cli_parser import INPUTS, OUTPUTS, TABLES
 from ..errors import Error
+from ..files import kind_of
 from ..version import __version__
 
 MESHES = "meshes"
+_LONGEST_NAME = 255  # bytes, of most file systems
 _DEFAULT_FORMAT = {"triangulate": "ply", "improve": "ply", "curve": "msh"}
 
 
@@ -49,8 +51,14 @@ class Plan:
         return hashlib.sha256(said.encode()).hexdigest()[:16]
 
     def output_of(self, name):
-        """The mesh of a part, relative to `out`; None without one."""
-        return f"{MESHES}/{name}{self.suffix}" if self.suffix else None
+        """The mesh of a part, relative to `out`; None without one. Names that are too long are cut."""
+        if not self.suffix:
+            return None
+        folder, slash, leaf = name.rpartition("/")
+        if len(os.fsencode(leaf + self.suffix)) > _LONGEST_NAME:
+            digest = hashlib.sha256(os.fsencode(leaf)).hexdigest()[:16]
+            leaf = os.fsencode(leaf)[:_LONGEST_NAME - 30].decode(errors="ignore") + "~" + digest
+        return f"{MESHES}/{folder}{slash}{leaf}{self.suffix}"
 
     def task(self, part):
         """All that a worker must know to do the part, as plain data."""
@@ -71,7 +79,8 @@ def plan_of(arguments):
     folder, out = Path(arguments.folder).absolute(), Path(arguments.output).absolute()
     if not folder.is_dir():
         raise Error(f"there is no folder '{folder}'")
-    if out.resolve() == folder.resolve():
+    meshes = (out / MESHES).resolve()
+    if out.resolve() == folder.resolve() or meshes in (folder.resolve(), *folder.resolve().parents):
         raise Error("the results need a folder of their own: name another one with -o")
     if out.exists() and not out.is_dir():
         raise Error(f"'{out}' is a file: the results need a folder")
@@ -92,32 +101,53 @@ def plan_of(arguments):
                 arguments.time_limit, arguments.memory_limit, job["deviation"])
 
 
+def matches(name, patterns):
+    """Whether the name of a part is one that --only chose."""
+    return not patterns or any(fnmatch.fnmatch(name, pattern) for pattern in patterns)
+
+
 def find_parts(plan, patterns=None):
     """The Parts below the folder, the largest files first: those that take long must not come last.
 
-    Hidden files and folders are left out. Raises Error where there are none.
+    Hidden files and folders are left out, and so is the folder of the results by whatever path it is
+    named. Folders named like a part are one where there is no part in them: their line says why it was
+    not done. Raises Error where there are none.
     """
-    known, found = INPUTS[plan.command], []
+    known, found, named = INPUTS[plan.command], [], []
+    results = [status for status in map(_status, (plan.out, plan.out / MESHES)) if status]
     for path, folders, names in os.walk(plan.folder):
-        folders[:] = [name for name in folders
-                      if not name.startswith(".") and Path(path, name) != plan.out]
-        for name in names:
+        folders[:] = [name for name in folders if not name.startswith(".")
+                      and not any(_is_same(os.path.join(path, name), result) for result in results)]
+        for name in names + folders:
             if name.startswith(".") or not name.lower().endswith(known):
                 continue
             full = os.path.join(path, name)
             relative = os.path.relpath(full, plan.folder).replace(os.sep, "/")
-            if patterns and not any(fnmatch.fnmatch(relative, pattern) for pattern in patterns):
-                continue
-            found.append(_part(relative, full))
+            if matches(relative, patterns):
+                (named if name in folders else found).append(_part(relative, full))
+    found += [folder for folder in named
+              if not any(part.name.startswith(folder.name + "/") for part in found)]
     if not found:
         raise Error(f"there is no file to work on in '{plan.folder}': it must hold "
                     f"{' '.join(known)}" + (" that match --only" if patterns else ""))
     return sorted(found, key=lambda part: (-part.size, part.name))
 
 
-def _part(name, path):
+def _status(path):
     try:
-        status = os.stat(path)
-    except OSError:  # a link to nowhere: that it cannot be read is said of the part later
+        return os.stat(path)
+    except OSError:
+        return None
+
+
+def _is_same(path, status):
+    found = _status(path)
+    return found is not None and os.path.samestat(found, status)
+
+
+def _part(name, path):
+    status = _status(path)
+    # Of a link to nowhere, a pipe or a device that it cannot be read is said later, in its line.
+    if status is None or kind_of(status.st_mode):
         return Part(name, 0, 0)
     return Part(name, status.st_size, status.st_mtime_ns)

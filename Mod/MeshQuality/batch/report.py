@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from ..phrases import MET, NOT_MET
 from ..version import __version__
-from . import charts
+from . import charts, table
 from .whole_file import replacing
 
 NAME = "report.html"
@@ -20,7 +20,7 @@ WORST, SUCH_AS, MOST_ROWS = 10, 5, 100
 _STATES = {
     "done": "meshed", "input": "unusable input", "failed": "failed",
     "crash": "crashed", "timeout": "over the time limit", "memory": "over the memory limit",
-    "lost": "worker lost", "todo": "not done yet",
+    "lost": "worker lost", "disk": "disk full", "todo": "not done yet",
 }
 
 
@@ -130,6 +130,25 @@ class Findings:
         if len(rows) >= 50 * WORST:
             rows.sort(key=lambda row: row[:2])
             del rows[WORST:]
+
+
+def can_show(entry, command):
+    """Whether the entry has what table and report take from it, each value of its type."""
+    if entry["state"] not in _STATES or entry["state"] == "todo":
+        return False
+    if not isinstance(entry.get("seconds", 0.0), (int, float)):
+        return False
+    if entry["state"] != "done":
+        return isinstance(entry.get("error"), str)
+    report = entry.get("report")
+    try:
+        values = [figure.value(entry) for figure in figures_of(command)]
+        texts = [finding["text"] for finding in report.get("findings", [])]
+        table.row_of(entry)
+    except (AttributeError, KeyError, TypeError, ValueError, IndexError):
+        return False
+    return all(value is None or isinstance(value, (int, float)) for value in values) \
+        and all(isinstance(text, str) for text in texts)
 
 
 def kind_of(error):
@@ -260,7 +279,7 @@ table { border-collapse: collapse; } td, th { text-align: left; padding: .15em 1
 .bar { display: flex; height: 1.2em; gap: 2px; margin: 1em 0; } .bar span { min-width: 3px; }
 .done { background: #3a7d44; } .input { background: #999; } .failed { background: #d98e04; }
 .crash { background: #b3261e; } .timeout { background: #7b4fa3; } .memory { background: #2b6cb0; }
-.lost { background: #000; } .todo { background: #e5e5e5; }
+.lost { background: #000; } .disk { background: #666; } .todo { background: #e5e5e5; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(24em, 1fr)); gap: 1.5em; }
 .chart { width: 100%; } .chart rect { fill: #3b6ea5; } .chart line { stroke: #555; }
 .chart .mark { stroke: #b3261e; stroke-dasharray: 4 3; }

@@ -4,7 +4,6 @@
 import ctypes
 import json
 import os
-import signal
 import sys
 import threading
 import time
@@ -13,17 +12,9 @@ import FreeCAD
 
 from MeshQuality import cli_worker
 from MeshQuality.batch import LONG_LIST, SHOWN_OF_LIST
+from MeshQuality.limits import end_itself_after, end_with_owner, limit_memory
 
 _GRACE = 30  # seconds beyond the limit of a job
-
-
-def limit_memory(bytes_allowed):
-    """Has memory run out beyond so many bytes of data; on Linux only."""
-    if sys.platform.startswith("linux"):
-        import resource
-
-        resource.setrlimit(resource.RLIMIT_DATA, (bytes_allowed, bytes_allowed))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
 def forget_peak():
@@ -38,12 +29,6 @@ def forget_peak():
             stream.write("5")
     except OSError:
         return
-
-
-def end_itself_after(seconds):
-    """Should nobody else do it, even in the middle of a call that never returns; 0: not at all."""
-    if hasattr(signal, "alarm"):
-        signal.alarm(seconds)
 
 
 def memory_now():
@@ -94,6 +79,7 @@ def watch(stream, jobs, given):
 
 
 def main():
+    end_with_owner()
     limit_memory(int(os.environ["MESHQUALITY_SERVE"]))
     channel = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # what FreeCAD prints is for nobody

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace nglib {
@@ -56,6 +63,24 @@ bool read(Input& input) {
     input.points.resize(static_cast<std::size_t>(counts[0]));
     input.triangles.resize(static_cast<std::size_t>(counts[1]));
     return read(input.points) && read(input.triangles);
+}
+
+/// The program ends when the one that started it ends, by whatever cause: on Linux by a signal of the kernel,
+/// everywhere because nobody holds the reading end of its output any more.
+void end_with_parent() {
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    const int answer = dup(STDOUT_FILENO);
+    std::thread([answer] {
+        pollfd end{answer, 0, 0};
+        while (poll(&end, 1, -1) < 0 && errno == EINTR) {
+        }
+        // Also where the parent ended before the signal was asked for.
+        if ((end.revents & (POLLERR | POLLHUP)) != 0) {
+            _exit(3);
+        }
+    }).detach();
 }
 
 /// The program ends by a signal rather than run for ever.
@@ -123,6 +148,7 @@ void fill(const Input& input, std::FILE* out) {
 }  // namespace
 
 int main() {
+    end_with_parent();
     Input input;
     if (!read(input)) {
         return 2;
