@@ -1439,10 +1439,6 @@
         <translation>Auf einen Balken klicken, um seine Elemente hervorzuheben.</translation>
     </message>
     <message>
-        <source>A local size is given for {name}, but the shape has only {count} {name2}</source>
-        <translation>Für {name} ist eine lokale Größe angegeben, aber die Form hat nur {count} {name2}</translation>
-    </message>
-    <message>
         <source>A max. deviation of {number} mm is below the single precision of meshes in FreeCAD, here {number2} mm. Choose a larger value</source>
         <translation>Eine max. Abweichung von {number} mm liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {number2} mm. Wählen Sie einen größeren Wert</translation>
     </message>
@@ -1629,6 +1625,10 @@
     <message>
         <source>Set operation, applied to the operands in their order; difference: the first one without the others</source>
         <translation>Mengenoperation, der Reihe nach auf die Operanden angewandt; Differenz: der erste ohne die übrigen</translation>
+    </message>
+    <message>
+        <source>A local size is given for {name}, but the shape has only {count} of these</source>
+        <translation>Für {name} ist eine lokale Größe angegeben, aber die Form hat nur {count} davon</translation>
     </message>
 </context>
 <context>

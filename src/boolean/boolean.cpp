@@ -148,9 +148,9 @@ class Run {
                                                      : std::string());
         }
         if (tolerance_ < 4.0 * kSingleUnit * size_) {
-            throw InvalidInput("tolerance is " + std::to_string(tolerance_) +
+            throw InvalidInput("tolerance is " + mesh::in_three_digits(tolerance_) +
                                " mm: single precision holds these operands to " +
-                               std::to_string(4.0 * kSingleUnit * size_) + " mm only; ask for more than that");
+                               mesh::in_three_digits(4.0 * kSingleUnit * size_) + " mm only; choose a larger value");
         }
     }
 

@@ -62,8 +62,9 @@ void check_against_part(const Options& options, const geometry::Topology& topolo
     }
     const double chord = chord_height(options, topology.box);
     if (chord > 0.0 && chord < 4.0 * grid.resolution()) {
-        throw InvalidInput("chord_height is " + std::to_string(chord) + " mm: single precision holds this part to " +
-                           std::to_string(4.0 * grid.resolution()) + " mm only; ask for more than that");
+        throw InvalidInput("chord_height is " + mesh::in_three_digits(chord) +
+                           " mm: single precision holds this shape to " +
+                           mesh::in_three_digits(4.0 * grid.resolution()) + " mm only; choose a larger value");
     }
 }
 
