@@ -117,16 +117,16 @@ CORE_ERRORS = (
     "the shape has no solids to fill: leave volume off to curve its faces",
     "the shape has no faces with an area: give a solid, a shell or faces",
     "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest",
-    "chord_height is {number} mm: single precision holds this part to {number2} mm only; ask for more "
-    "than that",
-    "tolerance is {number} mm: single precision holds these operands to {number2} mm only; ask for "
-    "more than that",
-    "{option} is {number} mm: single precision holds edges of this part from {number2} mm on; ask for more "
-    "than that",
-    "the local size of {name} is {number} mm: single precision holds edges of this part from {number2} mm "
-    "on; ask for more than that",
-    "method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; ask for "
-    "a resolution of at most {count2}, a tolerance of at least {number3} mm, or use method 'default'",
+    "chord_height is {number} mm: single precision holds this shape to {number2} mm only; choose a larger "
+    "value",
+    "tolerance is {number} mm: single precision holds these operands to {number2} mm only; choose a larger "
+    "value",
+    "{option} is {number} mm: single precision holds edges of this shape from {number2} mm on; choose a larger "
+    "value",
+    "the local size of {name} is {number} mm: single precision holds edges of this shape from {number2} mm "
+    "on; choose a larger value",
+    "method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; choose "
+    "a resolution of at most {count2}, a tolerance of at least {number3} mm, or method 'default'",
     "a local size is given for {name}, but the shape has {count} {name2}",
     "order is {count}: it goes from 1 to {count2} for volumes",
     "filling the surface with tetrahedra did not come to an end: its triangles do not fit each other "
@@ -210,16 +210,16 @@ _SHOWN = {
     "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest":
         "Faces cannot be meshed: {value}. Repair the shape (Part - Check geometry), or choose to skip "
         "faces that fail under More options",
-    "chord_height is {number} mm: single precision holds this part to {number2} mm only; ask for more "
-    "than that":
+    "chord_height is {number} mm: single precision holds this shape to {number2} mm only; choose a larger "
+    "value":
         "A max. deviation of {number} mm is below the single precision of meshes in FreeCAD, here "
         "{number2} mm. Choose a larger value",
-    "tolerance is {number} mm: single precision holds these operands to {number2} mm only; ask for "
-    "more than that":
+    "tolerance is {number} mm: single precision holds these operands to {number2} mm only; choose a larger "
+    "value":
         "A tolerance of {number} mm is below the single precision of meshes in FreeCAD, here "
         "{number2} mm. Choose a larger value",
     "a local size is given for {name}, but the shape has {count} {name2}":
-        "A local size is given for {name}, but the shape has only {count} {name2}",
+        "A local size is given for {name}, but the shape has only {count} of these",
     "order is {count}: it goes from 1 to {count2} for volumes":
         "Tetrahedra of order {count} are not possible: choose an order from 1 to {count2}",
     "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "

@@ -361,7 +361,7 @@
     </message>
     <message>
         <source>How the containers of the other sources stood to that of the first one then</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Behälter der anderen Quellen damals zu dem der ersten standen</translation>
     </message>
 </context>
 <context>
@@ -1443,10 +1443,6 @@
         <translation>Auf einen Balken klicken, um seine Elemente hervorzuheben.</translation>
     </message>
     <message>
-        <source>A local size is given for {name}, but the shape has only {count} {name2}</source>
-        <translation>Für {name} ist eine lokale Größe angegeben, aber die Form hat nur {count} {name2}</translation>
-    </message>
-    <message>
         <source>A max. deviation of {number} mm is below the single precision of meshes in FreeCAD, here {number2} mm. Choose a larger value</source>
         <translation>Eine max. Abweichung von {number} mm liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {number2} mm. Wählen Sie einen größeren Wert</translation>
     </message>
@@ -1635,8 +1631,24 @@
         <translation>Mengenoperation, der Reihe nach auf die Operanden angewandt; Differenz: der erste ohne die übrigen</translation>
     </message>
     <message>
+        <source>A local size is given for {name}, but the shape has only {count} of these</source>
+        <translation>Für {name} ist eine lokale Größe angegeben, aber die Form hat nur {count} davon</translation>
+    </message>
+    <message>
         <source>longest edge {number} mm (requested {number2} mm), {phrase}.</source>
         <translation>längste Kante {number} mm (verlangt {number2} mm), {phrase}.</translation>
+    </message>
+    <message>
+        <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {number3} mm, or method &apos;default&apos;</source>
+        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {number3} mm oder das Verfahren „default“</translation>
+    </message>
+    <message>
+        <source>the local size of {name} is {number} mm: single precision holds edges of this shape from {number2} mm on; choose a larger value</source>
+        <translation>Die lokale Größe von {name} ist {number} mm: Einfache Genauigkeit erlaubt bei dieser Form Kanten ab {number2} mm; wählen Sie einen größeren Wert</translation>
+    </message>
+    <message>
+        <source>{option} is {number} mm: single precision holds edges of this shape from {number2} mm on; choose a larger value</source>
+        <translation>{option} ist {number} mm: Einfache Genauigkeit erlaubt bei dieser Form Kanten ab {number2} mm; wählen Sie einen größeren Wert</translation>
     </message>
 </context>
 <context>

@@ -149,12 +149,9 @@ class Run {
                                                      : std::string());
         }
         if (tolerance_ < 4.0 * kSingleUnit * size_) {
-            std::array<char, 160> text;
-            std::snprintf(text.data(), text.size(),
-                          "tolerance is %.4g mm: single precision holds these operands to %.4g mm only; ask for more "
-                          "than that",
-                          tolerance_, 4.0 * kSingleUnit * size_);
-            throw InvalidInput(text.data());
+            throw InvalidInput("tolerance is " + mesh::in_three_digits(tolerance_) +
+                               " mm: single precision holds these operands to " +
+                               mesh::in_three_digits(4.0 * kSingleUnit * size_) + " mm only; choose a larger value");
         }
     }
 

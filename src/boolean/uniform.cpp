@@ -172,8 +172,8 @@ void require_memory(const OperandPair& pair, const Box& box, int resolution) {
     const double side = box.empty() ? 0.0 : box.largest_side();
     char text[300];
     std::snprintf(text, sizeof text,
-                  "method 'uniform' would take about %.2g GB at the resolution %d: it can take %.2g GB; ask for a "
-                  "resolution of at most %d, a tolerance of at least %.4g mm, or use method 'default'",
+                  "method 'uniform' would take about %.2g GB at the resolution %d: it can take %.2g GB; choose a "
+                  "resolution of at most %d, a tolerance of at least %.4g mm, or method 'default'",
                   bytes / (1 << 30), resolution, kMostBytes / (1 << 30), possible, uniform_bound(side, possible));
     throw InvalidInput(text);
 }

@@ -118,7 +118,7 @@ class Tessellator {
             std::array<char, 160> text;
             std::snprintf(
                 text.data(), text.size(),
-                "deviation is %.4g mm: single precision holds this mesh to %.4g mm only; ask for more than that",
+                "deviation is %.4g mm: single precision holds this mesh to %.4g mm only; choose a larger value",
                 deviation, 4.0 * grid_.resolution());
             throw InvalidInput(text.data());
         }

@@ -291,8 +291,7 @@ std::string in_short(const BooleanReport& report) {
     std::array<char, 80> bound;
     std::snprintf(bound.data(), bound.size(), ", error bound %.3g mm of %.3g mm", report.error_bound,
                   report.tolerance_asked);
-    return "<BooleanReport: " + mesh::in_short(report) + bound.data() +
-           (met ? ">" : ", not all limits met>");
+    return "<BooleanReport: " + mesh::in_short(report) + bound.data() + (met ? ">" : ", not all limits met>");
 }
 
 void bind_boolean_report(py::module_& m) {

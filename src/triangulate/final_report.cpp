@@ -78,8 +78,8 @@ void report_chord_height(Workspace& work, ChordMeasure& measure, const Output& o
     report.max_chord_point = worst.point;
     if (asked > 0.0 && worst.distance > asked) {
         const std::string face = work.session.topology().name_of({2, work.mesh.face_of(worst.triangle)});
-        report.notes.push_back("max. deviation " + std::to_string(worst.distance) + " mm instead of the requested " +
-                               std::to_string(asked) + " mm: " +
+        report.notes.push_back("max. deviation " + mesh::in_three_digits(worst.distance) +
+                               " mm instead of the requested " + mesh::in_three_digits(asked) + " mm: " +
                                (!keeps_bounds ? "refine_samples is off, so that the samples alone decide"
                                 : worst.of_the_part
                                     ? "edges of " + face + " deviate from it by more than that"

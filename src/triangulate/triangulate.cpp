@@ -71,14 +71,14 @@ void check_against_part(const Options& options, const geometry::Topology& topolo
     }
     const double chord = chord_height(options, topology.box);
     if (chord > 0.0 && chord < 4.0 * grid.resolution()) {
-        throw InvalidInput("chord_height is " + in_digits(chord) + " mm: single precision holds this part to " +
-                           in_digits(4.0 * grid.resolution()) + " mm only; ask for more than that");
+        throw InvalidInput("chord_height is " + in_digits(chord) + " mm: single precision holds this shape to " +
+                           in_digits(4.0 * grid.resolution()) + " mm only; choose a larger value");
     }
     const auto require_edges = [&](const std::string& name, double length) {
         if (length > 0.0 && length < grid.shortest_side()) {
             throw InvalidInput(name + " is " + in_digits(length) +
-                               " mm: single precision holds edges of this part from " +
-                               in_digits(grid.shortest_side()) + " mm on; ask for more than that");
+                               " mm: single precision holds edges of this shape from " +
+                               in_digits(grid.shortest_side()) + " mm on; choose a larger value");
         }
     };
     require_edges("max_edge", options.max_edge);

@@ -45,7 +45,7 @@ class RefusedAtOnce(unittest.TestCase):
 
     def test_edges_below_single_precision(self):
         box = Part.makeBox(1, 1, 1)
-        self.refused("^max_edge is 1e-300 mm: .* from 1.652e-06 mm on; ask for more", mq.triangulate, box,
+        self.refused("^max_edge is 1e-300 mm: .* from 1.652e-06 mm on; choose a larger", mq.triangulate, box,
                      max_edge=1e-300)
         self.refused("^the local size of Edge1 is 1e-20 mm: .* from 1.652e-06 mm on", mq.triangulate, box,
                      local_sizes={"Edge1": 1e-20})

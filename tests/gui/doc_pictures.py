@@ -101,6 +101,7 @@ class Pictures(gui_helpers.GuiTest):
         self.document.recompute()
         good, missed = (mq.add_quality_mesh(source, chord_height_relative=0.003)
                         for source in (bracket, blade))
+        missed.Reuse = False  # the mesh of the panel's estimate
         waiting = mq.add_curved_mesh(blade)
         waiting.Recompute = "Manual"
         blade.Placement.Base = FreeCAD.Vector(0, 0, 1)

@@ -167,9 +167,9 @@ class German(gui_helpers.PanelTest):
     def test_errors_of_the_core_are_german(self):
         for command, values, words in (
                 (commands.Curve, {"order": 5, "volume": True}, "Tetraeder der Ordnung 5 sind nicht möglich"),
-                (commands.Triangulate, {"local_sizes": "Face99=0.5"}, "Kürzere Kanten sind auf Face99"),
+                (commands.Triangulate, {"local_sizes": "Face99=0.5"}, "Für Face99 ist eine lokale Größe"),
                 (commands.Triangulate, {"chord_height": 1e-7, "chord_height_relative": None},
-                 "Ein Abstand zur Form von")):
+                 "Eine max. Abweichung von 1e-07 mm")):
             panel = self.panel(command, self.box())
             panel.options.set_values(values)
             self.finish(panel)
