@@ -59,7 +59,7 @@ class RefusedAtOnce(unittest.TestCase):
 
     def test_lengths_in_errors_have_digits(self):
         box = Part.makeBox(1, 1, 1)
-        self.refused("^chord_height is 1e-20 mm: single precision holds this part to 4.13e-07 mm", mq.triangulate,
+        self.refused("^chord_height is 1e-20 mm: single precision holds this shape to 4.13e-07 mm", mq.triangulate,
                      box, chord_height=1e-20)
         self.refused("tolerance is 1e-20 mm: .* to 4.768e-07 mm", mq.boolean, mq.triangulate(box),
                      mq.triangulate(box), "union", tolerance=1e-20)

@@ -299,7 +299,7 @@ class Folders(Started):
             for _ in range(2):
                 status, _, err = run("batch", self.parts, "-o", out, "--command", "improve", "--jobs", 1)
                 self.assertEqual(status, 0, err)
-                self.assertIn("1 parts done", err[-1])
+                self.assertIn("1 part done", err[-1])
         self.assertEqual(list(tree(os.path.join(self.parts, "out", "meshes"))), ["box.stl.ply"])
         status, _, err = run("batch", os.path.join(self.parts, "out", "meshes"), "-o", os.path.join(link, "out"),
                              "--command", "improve")
