@@ -288,7 +288,7 @@ class Background(gui_helpers.PanelTest):
         gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "window_background.png"))
         # Another panel can be used meanwhile.
         other = self.panel(commands.Triangulate, box)
-        self.until(lambda: "once other work has ended" in other.estimate.text())
+        self.until(lambda: "when other work has finished" in other.estimate.text())
         other.reject()
         self.until(lambda: not job.active)
         self.assertEqual(job.state, jobs.DONE)

@@ -103,7 +103,6 @@ class FaceDistance {
         double v[2];
         BRepTools::UVBounds(face, u[0], u[1], v[0], v[1]);
         inside_.SetFlag(Extrema_ExtFlag_MIN);
-        inside_.SetAlgo(Extrema_ExtAlgo_Tree);  // the default looks at all samples of the surface for each point
         inside_.Initialize(surface_, u[0], u[1], v[0], v[1], surface_.UResolution(Precision::Confusion()),
                            surface_.VResolution(Precision::Confusion()));
         TopTools_IndexedMapOfShape edges;
