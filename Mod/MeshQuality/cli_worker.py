@@ -248,9 +248,8 @@ def quality(job):
 def run(job):
     """The job's result as plain data; never raises."""
     try:
-        report, text, findings = {"triangulate": triangulate, "curve": curve,
-                        "boolean": boolean, "improve": improve,
-                        "quality": quality}[job["command"]](job)
+        report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
+                                  "quality": quality}[job["command"]](job)
     except mq.InvalidInput as error:
         return {"status": USAGE, "text": str(error)}
     except files.DiskFull as error:
@@ -266,7 +265,7 @@ def run(job):
         end_progress_line()
     met = not findings
     said = "all requested limits are met" if met else verdict.sentence(findings)
-    return {"status": DONE, "text": f"{text}; {said}", "met": met,
+    return {"status": DONE, "text": f"{text}; {said}", "met": met, "sound": not getattr(report, "faults_left", 0),
             "report": {**report_fields(report), **verdict.plain(findings)},
             "report_text": str(report) + "".join(f"finding      {finding.text}\n" for finding in findings)}
 

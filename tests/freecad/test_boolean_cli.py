@@ -4,8 +4,10 @@
 import json
 import os
 
+import FreeCAD
 import helpers
 import Mesh
+import numpy as np
 import Part
 from test_cli import run
 
@@ -37,6 +39,26 @@ class BooleanCommand(helpers.DocumentTest):
         self.assertGreater(report["cpu_seconds"], 0.0)
         self.assertIn("dividing", report["seconds"])
         self.assertEqual(Mesh.Mesh(self.output).CountFacets, report["triangles"])
+
+    def test_a_result_that_is_not_sound_has_a_status_of_its_own(self):
+        # Cubes that touch in edges and corners, twice: one result of them has pinched vertices today.
+        for seed in (21, 55):
+            dice = np.random.default_rng(seed)
+            turn, base = FreeCAD.Rotation(*dice.uniform(0, 360, 3)), FreeCAD.Vector(*dice.uniform(0, 1, 3))
+            paths = []
+            for name, placement in (("first", FreeCAD.Placement()), ("second", FreeCAD.Placement(base, turn))):
+                board = Mesh.Mesh()
+                for place in np.argwhere(np.indices((3, 3, 3)).sum(axis=0) % 2 == 0):
+                    cube = Mesh.createBox(1, 1, 1)
+                    cube.translate(*place.tolist())
+                    board.addMesh(cube)
+                board.transform(placement.toMatrix())
+                paths.append(os.path.join(self.folder, f"{name}.ply"))
+                board.write(paths[-1])
+            status, out, err = run("boolean", *paths, "-o", self.output, "--json", "--tolerance", 1e-4)
+            report = json.loads(out)
+            sound = report["closed"] and report["manifold"] and report["oriented"]
+            self.assertEqual((status, report["faults_left"] == 0), (0 if sound else 3, sound), err)
 
     def test_many_operands_and_a_cad_file(self):
         status, out, err = run("boolean", self.a, self.b, self.c, "-o", self.output, "--json")
