@@ -169,7 +169,7 @@ def of_measured(mesh, report, closed):
 
 
 def topology(report, closed, mesh=None):
-    """Of a mesh that must be manifold, and closed if asked for; a SurfaceMesh also tells where."""
+    """Findings where a mesh is not manifold, or not closed where it must be; a SurfaceMesh also tells where."""
     found = []
     if closed and not report.closed:
         found.append(_at_edges(_counted(phrases.NOT_CLOSED, report.border_edges), mesh,
@@ -185,7 +185,7 @@ def topology(report, closed, mesh=None):
 
 
 def angles(mesh):
-    """Of a SurfaceMesh: triangles below the smallest angle that was requested."""
+    """The finding of triangles of a SurfaceMesh below the requested smallest angle."""
     report = mesh.report
     asked = report.min_angle_asked
     if not report.triangles or report.min_angle >= asked:
@@ -212,7 +212,7 @@ def _without_face(mesh, triangle, reason):
 
 
 def deviation(mesh):
-    """Of a SurfaceMesh: its distance to the shape, and where that is largest."""
+    """The finding that a SurfaceMesh is too far from the shape, and where it is farthest."""
     report = mesh.report
     worst = report.max_chord_triangle
     if worst < 0:
@@ -223,7 +223,7 @@ def deviation(mesh):
 
 
 def edges(mesh, values):
-    """Of a SurfaceMesh: its longest edges, where max_edge or the local sizes of faces bound them."""
+    """The finding that edges of a SurfaceMesh are longer than max_edge or the local sizes of faces allow."""
     faces = {int(name[4:]) - 1: size for name, size in (values.get("local_sizes") or {}).items()
              if name.startswith("Face")}
     if not (faces or values.get("max_edge")) or not len(mesh.triangles):
@@ -244,14 +244,14 @@ def edges(mesh, values):
 
 
 def _too_far(measured, asked, phrase, /, **places):
-    """Of a distance in mm that was to be kept within; asked 0: none."""
+    """The finding that a measured length in mm exceeds the requested one; asked 0: none was."""
     if not asked or measured <= asked:
         return []
     return [Finding(_sentence(phrase, number=_told_apart(measured, asked), number2=f"{asked:.3g}", **places))]
 
 
 def elements(curved):
-    """Of a CurvedMesh: elements that are not proven to be free of folds."""
+    """The finding of elements of a CurvedMesh that are not proven to be free of folds."""
     report = curved.report
     if not report.invalid:
         return []
@@ -275,7 +275,7 @@ def _first_folded(curved):
 
 
 def distortion(curved):
-    """Of a CurvedMesh: elements, inside the volume too, whose shape is far from the regular one. Those
+    """The finding of elements of a CurvedMesh, inside the volume too, far from the regular shape. Those
     that fold are not counted: `elements` has them.
     """
     if not curved.report.max_shape_distortion > SHAPE_DISTORTION_LIMIT:
@@ -301,7 +301,7 @@ def distortion(curved):
 
 
 def _crossing_pairs(mesh, progress=None):
-    """Of a SurfaceMesh whose report does not say how many pairs of triangles cross."""
+    """The finding of crossing triangles of a SurfaceMesh whose report does not count them."""
     check = None if progress is None else lambda fraction, stage: progress(1.0, "checking")
     count = core().verify(mesh._surface, check)["crossing pair of triangles"]
     if count >= _COUNTED:
@@ -310,7 +310,7 @@ def _crossing_pairs(mesh, progress=None):
 
 
 def _crossings(report):
-    """Of a MeshReport or CurveReport that says which CAD faces cross."""
+    """The finding of a MeshReport or CurveReport that says which CAD faces cross."""
     if report.self_intersections <= 0:
         return []
     pairs = [tuple(f"Face{face + 1}" for face in crossing[:2]) for crossing in report.crossing_faces]
@@ -322,7 +322,7 @@ def _crossings(report):
 
 
 def _missing_faces(report):
-    """Of a MeshReport: CAD faces that were left out as they could not be meshed."""
+    """The finding of CAD faces that were left out as they could not be meshed."""
     names = tuple(dict.fromkeys(f"Face{face + 1}" for face, _ in report.missing_faces))
     if not names:
         return []

@@ -7,20 +7,20 @@ from .. import phrases
 
 
 def translate_phrase(text):
-    """Of one of phrases.texts(), with places for what differs."""
+    """One of phrases.texts() in the user's language, with places for what differs."""
     return FreeCAD.Qt.translate("MeshQuality", text)
 
 
 def translated(text):
-    """Of a reason, an error, or anything else of the table of phrases."""
+    """A reason, an error, or anything else of the table of phrases in the user's language."""
     return phrases.translated(str(text), translate_phrase)
 
 
 def translated_certificate(text):
-    """Of what a certificate says is not met: sentences."""
+    """The sentences of a certificate in the user's language."""
     return phrases.sentences(text, translate_phrase)
 
 
 def translated_stage(stage):
-    """Of a stage of the work."""
+    """A stage of the work in the user's language."""
     return phrases.stage(stage, translate_phrase)
