@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What `meshquality batch` costs beside the meshing, and how it grows; the figures of docs/scale.md.
+"""What `meshquality batch` costs beside the meshing, and how it grows; the figures of docs/measurements/batches.md.
 
     /usr/bin/python3 benchmarks/batch_scale.py workers [--parts 300] [--jobs 1 2]
     /usr/bin/python3 benchmarks/batch_scale.py startup|scheduler|driver|files
@@ -26,7 +26,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "Mod"))
 
-from MeshQuality.batch import cluster, freecads, ledger, plan, report, table  # noqa: E402
+from MeshQuality.batch import cluster, freecad_pool, ledger, plan, report, table  # noqa: E402
 
 COMMAND = ROOT / "bin" / "meshquality"
 DATA = Path(os.environ.get("MESHQUALITY_DATA", ROOT.parent / "shared" / "data")) / "cad"
@@ -117,7 +117,7 @@ def measure_startup(arguments, scratch):
     """FreeCADs that do many parts, and one for each part, in this process."""
     small_parts(scratch / "parts", arguments.parts)
     for most in (1000, 1):
-        freecads.MOST_JOBS = most
+        freecad_pool.MOST_JOBS = most
         chosen = plan.Plan(scratch / "parts", scratch / f"out{most}", "triangulate", {}, ".ply",
                            60.0, 2.0)
         found = []

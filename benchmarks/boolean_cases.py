@@ -16,49 +16,14 @@ faults, and the largest distance of either surface's corners and centres from th
 """
 
 import fnmatch
-import gzip
 import tempfile
 import time
 from pathlib import Path
 
 import boolean_peers
 import inside_freecad
+from boolean_models import CASES, read
 
-# Name: operation, operands, volume (None: not known) and how near it must be, CPU seconds and
-# triangles to stay within (None: no aim). The volumes of the large pairs are those on which exact
-# engines agree.
-UNION, DIFFERENCE, INTERSECTION = "union", "difference", "intersection"
-TORI, NEFERTITI = 2.466348418, 0.04054367915
-CASES = {
-    "dragon-bunny": (DIFFERENCE, "dragon277k", "bunny70k", 0.01955343628, 1e-5, 0.5, None),
-    "dragon+bunny": (UNION, "dragon277k", "bunny70k", 0.04421231268, 1e-5, None, None),
-    "dragon*bunny": (INTERSECTION, "dragon277k", "bunny70k", 0.006006349488, 1e-5, None, None),
-    "dragon+nefertiti": (UNION, "dragon277k", "nefertiti400k", 0.0621404976, 1e-5, 1.0, None),
-    "armadillo+nefertiti": (UNION, "armadillo871k", "nefertiti400k", None, 1e-5, 2.5, None),
-    "fandisk-rocker": (DIFFERENCE, "fandisk", "rocker", None, 1e-5, None, None),
-    "sphere-box": (DIFFERENCE, "sphere102k", "box", None, 1e-5, None, None),
-    "sphere+sphere": (UNION, "sphere400k", "sphere400k_b", None, 1e-5, 0.8, None),
-    "T1 cubes share a face": (UNION, "cubeA", "cubeFace", 2.0, 1e-3, None, None),
-    "T2 the same, turned": (UNION, "cubeA_r", "cubeFace_r", 2.0, 1e-3, None, None),
-    "T3 coplanar faces overlap": (UNION, "cubeA", "cubeCoplanar", 1.5, 1e-3, None, None),
-    "T4 the same, turned": (UNION, "cubeA_r", "cubeCoplanar_r", 1.5, 1e-3, None, None),
-    "T5 boss on a face, turned": (UNION, "cubeA_r", "cubeFacePart_r", 1.25, 1e-3, None, None),
-    "T6 flush hole": (DIFFERENCE, "cubeA", "cubeThrough", 0.75, 1e-3, None, None),
-    "T7 the same, turned": (DIFFERENCE, "cubeA_r", "cubeThrough_r", 0.75, 1e-3, None, None),
-    "T8 cubes share an edge": (UNION, "cubeA", "cubeEdge", 2.0, 1e-3, None, None),
-    "T9 cubes share a vertex": (UNION, "cubeA", "cubeVertex", 2.0, 1e-3, None, None),
-    "T10 tori touch": (UNION, "torusA", "torusTouch", TORI, 1e-3, None, None),
-    "T11 tori stacked": (UNION, "torusA", "torusStack", TORI, 1e-3, None, None),
-    "T12 tori linked": (UNION, "torusA", "torusLink", None, 1e-5, None, None),
-    "T13 torus turned by 0.35": (UNION, "torusA", "torusRot", TORI / 2, 1e-4, 0.5, 300_000),
-    "T14 A - A": (DIFFERENCE, "nefertiti100k", "nefertiti100k", 0.0, 0.0, 0.5, 0),
-    "T15 A + A": (UNION, "nefertiti100k", "nefertiti100k", NEFERTITI, 1e-9, 0.5, None),
-    "T16 A * A": (INTERSECTION, "nefertiti100k", "nefertiti100k", NEFERTITI, 1e-9, 0.5, None),
-    "D1 20 holes": (DIFFERENCE, "dragon277k_holes", "bunny70k", 0.01955, 1e-3, 1.0, None),
-    "D2 5 large holes": (DIFFERENCE, "dragon277k", "bunny70k_holes", 0.01955, 1e-3, 1.0, None),
-    "D3 intersects itself": (DIFFERENCE, "selfint173k", "bunny70k", 0.03512, 1e-3, 1.0, None),
-    "D4 holes, self-crossings": (UNION, "ogre124k", "bunny70k", None, 1e-3, 1.0, None),
-}
 HEAD = f"{'case':<26} {'CPU s':>7} {'wall s':>7} {'aim':>5} {'triangles':>10} {'new':>7} " \
        f"{'edges':>5} {'degen.':>6} {'cross':>6} {'volume':>14} {'bound':>8}  faults"
 
@@ -75,22 +40,6 @@ def parser():
     result.add_argument("--peer", action="append", metavar="PROGRAM", default=[],
                         help="a program that runs another system's Booleans")
     return result
-
-
-def read(path):
-    """(V, F) of a binary little-endian PLY file packed with gzip."""
-    import numpy as np
-
-    with gzip.open(path) as stream:
-        data = stream.read()
-    start = data.index(b"end_header\n") + len(b"end_header\n")
-    lines = data[:start].decode("ascii").splitlines()
-    counts = {line.split()[1]: int(line.split()[2])
-              for line in lines if line.startswith("element")}
-    vertices = np.frombuffer(data, "<f4", 3 * counts["vertex"], start).reshape(-1, 3)
-    faces = np.frombuffer(data, np.dtype([("corners", "u1"), ("vertex", "<i4", 3)]),
-                          counts["face"], start + vertices.nbytes)
-    return vertices.astype(np.float64), np.ascontiguousarray(faces["vertex"])
 
 
 class Best:
@@ -145,30 +94,30 @@ def measure(name, arguments, meshes, peers):
 
 
 def describe(row, result):
-    from MeshQuality.compat import core
+    from MeshQuality.compat import extension
 
     for field in ("triangles", "retained", "reconstructed", "closed", "oriented", "manifold",
                   "components", "volume", "error_bound", "faults_left", "repaired", "notes",
                   "seconds"):
         row[field] = getattr(result.report, field)
-    row["verified"] = core().verify(result._surface)
+    row["verified"] = extension().verify(result._surface)
     row["faults"] = [f"{count} x {kind}" for kind, count in row["verified"].items() if count]
 
 
 def beside(ours, best, peer):
     """A peer's figures, and the distance of the two results."""
-    from MeshQuality.compat import core
-    from MeshQuality.convert import surface_of_arrays
+    from MeshQuality.compat import extension
+    from MeshQuality.core.convert import surface_of_arrays
 
     if best.cpu is None:
         return {"peer": peer.name, "failed": best.result}
-    theirs = surface_of_arrays(core(), *best.result, measured=False)
-    verified = core().verify(theirs)
+    theirs = surface_of_arrays(extension(), *best.result, measured=False)
+    verified = extension().verify(theirs)
     row = {"peer": peer.name, "cpu_seconds": best.cpu, "triangles": len(best.result[1]),
            "verified": verified, "part": ours.cpu / best.cpu if best.cpu else None}
     if len(best.result[1]) and len(ours.result.triangles):
-        row["distance"] = [core().surface_distance(ours.result._surface, theirs)[1],
-                           core().surface_distance(theirs, ours.result._surface)[1]]
+        row["distance"] = [extension().surface_distance(ours.result._surface, theirs)[1],
+                           extension().surface_distance(theirs, ours.result._surface)[1]]
     return row
 
 

@@ -7,10 +7,12 @@ files not.
 """
 
 import re
+import resource
+import signal
 import subprocess
 from pathlib import Path
 
-LIMIT = 120  # seconds
+LIMIT = 120  # seconds of the processor, and a tenth of those on the clock
 
 
 def write_off(path, vertices, triangles):
@@ -52,8 +54,12 @@ class Peer:
         out.unlink(missing_ok=True)
         command = [str(self.program), operation, *operands, str(out)]
         try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT)
+            done = subprocess.run(
+                command, capture_output=True, text=True, timeout=10 * LIMIT,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 1)))
         except subprocess.TimeoutExpired:
+            return None, f"no answer in {10 * LIMIT} s on the clock"
+        if done.returncode == -signal.SIGXCPU:
             return None, f"no answer in {LIMIT} s"
         found = re.search(r"RESULT status=(\S+).* cpu=(\S+)", done.stdout)
         if found is None:

@@ -16,20 +16,49 @@ from pathlib import Path
 import brep_numbers
 import FreeCAD
 import Part
+from child import in_child
 
 JOB = json.loads(os.environ["MESHQUALITY_JOB"])
+BREPMESH_SECONDS = 60
+# How the report begins its reasons where the shape itself leaves no larger angle.
+FORCED = ("the shape itself has a corner", "edges of the shape that meet at",
+          "the surface comes to a point with too little angle")
 
 
 def read_shape(path):
-    """The shape of a STEP, IGES or BREP file, or the visible shapes of a document."""
+    """The shape of a STEP, IGES or BREP file, or the shapes that a document shows."""
     if path.suffix.lower() != ".fcstd":
         shape = Part.Shape()
         shape.read(str(path))
         return shape
     document = FreeCAD.openDocument(str(path), True)
-    shown = [o for o in document.Objects if o.Visibility and hasattr(o, "Shape")]
-    shapes = [o.Shape for o in shown if not o.Shape.isNull() and o.Shape.Faces]
-    return Part.makeCompound(shapes)
+    candidates = [o for o in document.Objects if holds_faces(o) and not is_step(o)]
+    # Where a document shows nothing, what nothing else is made from is the part.
+    shown = [o for o in candidates if o.Visibility] or [
+        o for o in candidates if not any(holds_faces(user) for user in o.InList)
+    ]
+    return Part.makeCompound([placed_shape(o) for o in shown])
+
+
+def holds_faces(thing):
+    """Whether a document object has a shape with faces."""
+    shape = getattr(thing, "Shape", None)
+    return shape is not None and not shape.isNull() and bool(shape.Faces)
+
+
+def is_step(thing):
+    """Whether a document object is a step of a body or of a later step, and so no part itself."""
+    return thing.TypeId.startswith("PartDesign::") and any(
+        user.TypeId.startswith("PartDesign::") and holds_faces(user) for user in thing.InList
+    )
+
+
+def placed_shape(thing):
+    """The shape of a document object where its containers put it."""
+    shape = thing.Shape.copy()
+    if hasattr(thing, "getGlobalPlacement"):
+        shape.Placement = thing.getGlobalPlacement()
+    return shape
 
 
 def describe(shape):
@@ -39,9 +68,11 @@ def describe(shape):
         "valid": shape.isValid(),
         "faces": len(shape.Faces),
         "solids": len(shape.Solids),
+        "free_shells": len(shape.Shells) - sum(len(solid.Shells) for solid in shape.Solids),
         "closed_shells": all(shell.isClosed() for shell in shape.Shells)
         and in_shells >= len(shape.Faces),
         "brep_euler": brep_numbers.euler(shape),
+        "surfaces": Counter(surface_type(face) for face in shape.Faces),
     }
 
 
@@ -57,13 +88,14 @@ def summarise(mesh, seconds):
     names = (
         "triangles", "vertices", "closed", "oriented", "manifold", "euler", "components",
         "min_angle", "min_angle_unexempted", "mean_min_angle", "max_angle", "max_chord_height",
-        "complete", "cpu_seconds", "queries", "predicates", "exact_predicates",
+        "chord_height_asked", "self_intersections", "overlaps", "complete", "cpu_seconds", "queries", "predicates", "exact_predicates",
     )
     found = {name: getattr(report, name, None) for name in names}
     found["below_30"] = sum(report.angle_histogram[:30])
     found["seconds"] = seconds
     found["stages"] = dict(report.seconds)
     found["exempt"] = len(report.exempt)
+    found["exempt_forced"] = sum(reason.startswith(FORCED) for _, reason in report.exempt)
     found["causes"] = causes(report.exempt)
     found["notes"] = list(getattr(report, "notes", []))
     return found
@@ -88,12 +120,21 @@ def surface_type(face):
         return "other"
 
 
+def brepmesh(shape, distance):
+    """Triangles and processor seconds of OpenCASCADE's mesher for a chord height in mm."""
+    start = time.process_time()
+    _, triangles = shape.copy().tessellate(distance)
+    return {"triangles": len(triangles), "cpu_seconds": time.process_time() - start}
+
+
 def work():
     import MeshQuality as mq  # noqa: PLC0415  a build that does not load is a result, too
 
     start = time.monotonic()
     shape = read_shape(Path(JOB["file"]))
     result = {"read_seconds": time.monotonic() - start, **describe(shape)}
+    if not result["faces"]:
+        raise ValueError("no faces")
     yield result
     start = time.monotonic()
     mesh = mq.triangulate(shape, **JOB["options"])
@@ -104,6 +145,10 @@ def work():
         shape.exportBrep(JOB["brep"])
     result["state"] = "ok"
     yield result
+    if result["chord_height_asked"] > 0:
+        distance = result["chord_height_asked"]
+        result["brepmesh"] = in_child(lambda: brepmesh(shape, distance), BREPMESH_SECONDS)
+        yield result
 
 
 def main():

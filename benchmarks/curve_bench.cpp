@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
+#include "curve/bezier/validity.h"
 #include "curve/curve.h"
-#include "curve/fill.h"
-#include "curve/validity.h"
+#include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "geometry/occt/shape_model.h"
 #include "triangulate/triangulate.h"
 
@@ -76,7 +76,7 @@ mesh::TriangleMesh halved(const std::shared_ptr<geometry::Model>& model, const m
 
 double rms_deviation(const std::shared_ptr<geometry::Model>& model, const mesh::TriangleMesh& straight, int order) {
     geometry::Engine engine(geometry::Engine::Mode::Direct);
-    curve::Options options;
+    curve::CurveOptions options;
     options.order = order;
     return curve::curve(engine, model, straight, options).report.rms_deviation;
 }
@@ -87,7 +87,7 @@ void deviation(benchmark::State& state, const std::shared_ptr<geometry::Model>& 
     const auto order = static_cast<int>(state.range(0));
     for (auto _ : state) {
         geometry::Engine engine(geometry::Engine::Mode::Direct);
-        triangulate::Options options;
+        triangulate::TriangulateOptions options;
         options.min_angle = 20.0;
         options.max_edge = 0.5;
         mesh::TriangleMesh straight = triangulate::triangulate(engine, model, options).mesh;
@@ -141,11 +141,11 @@ void curve_solid(benchmark::State& state) {
     set_fill_program(MESHQUALITY_FILL_PROGRAM);
     const auto model = geometry::make_shape_model(BRepPrimAPI_MakeTorus(1.0, 0.5).Shape());
     geometry::Engine engine(geometry::Engine::Mode::Direct);
-    triangulate::Options options;
+    triangulate::TriangulateOptions options;
     options.min_angle = 20.0;
     options.max_edge = static_cast<double>(state.range(0)) * 1e-3;
     const mesh::TriangleMesh straight = triangulate::triangulate(engine, model, options).mesh;
-    curve::Options curving;
+    curve::CurveOptions curving;
     curving.volume = true;
     for (auto _ : state) {
         const CurveReport report = curve::curve(engine, model, straight, curving).report;

@@ -44,20 +44,20 @@ def parser():
 
 
 def options(order, volume, repair):
-    from MeshQuality.compat import core
+    from MeshQuality.compat import extension
 
-    result = core().CurveOptions()
+    result = extension().CurveOptions()
     result.order, result.volume, result.repair = order, volume, repair
     return result
 
 
 def plain_deviation(shape, order):
     """The rms deviation of the same straight mesh, curved without repairs."""
-    from MeshQuality.compat import core
+    from MeshQuality.compat import extension
 
-    straight = core().TriangulateOptions()
+    straight = extension().TriangulateOptions()
     straight.min_angle, straight.chord_height_relative = 20.0, 0.01
-    return core().curve(shape, options(order, False, False), straight).report.rms_deviation
+    return extension().curve(shape, options(order, False, False), straight).report.rms_deviation
 
 
 def ours(shape, order, folder):

@@ -74,7 +74,7 @@ def cases(document, triangles):
 
 def measure(command, sources, values):
     """(gaps, panel, object) of one operation from OK to the drawn result."""
-    from MeshQuality.gui import mesh_panel
+    from MeshQuality.gui.panels import mesh_panel
 
     panel = mesh_panel.MeshPanel(command().operations(sources))
     FreeCADGui.Control.showDialog(panel)

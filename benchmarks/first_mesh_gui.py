@@ -32,7 +32,7 @@ def progress_is_seen():
 
 def colours_are_drawn():
     """Whether the quality view has drawn its triangles."""
-    from MeshQuality.gui import quality_panel
+    from MeshQuality.gui.panels import quality_panel
 
     panel = quality_panel.shown()
     return panel is not None and panel.values is not None \

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random parts that are edited at random and meshed again with a memory: every mesh must keep what a
+"""Random parts that are edited at random and meshed again with a cache: every mesh must keep what a
 mesh from nothing keeps, states met again must get their mesh again, and faces must be reused.
 
     MESHQUALITY_SEEDS=0:100 freecadcmd -P <root>/Mod benchmarks/fuzz_edits.py </dev/null
@@ -78,7 +78,7 @@ def random_options(dice, size):
 
 
 def faults(again, nothing, before, options):
-    """What the mesh made with the memory misses and neither the mesh from nothing nor the mesh before the
+    """What the mesh made with the cache misses and neither the mesh from nothing nor the mesh before the
     edit does.
     """
     a, n = again.report, nothing.report
@@ -108,13 +108,13 @@ def campaign(seed):
     import fuzz_shapes  # noqa: PLC0415  needs FreeCAD
 
     import MeshQuality as mq  # noqa: PLC0415
-    from MeshQuality import convert  # noqa: PLC0415
+    from MeshQuality.core import convert  # noqa: PLC0415
 
     dice = random.Random(f"{seed}:edits")
     shape, _ = fuzz_shapes.random_part(seed)
     size = shape.BoundBox.DiagonalLength
     options = random_options(dice, size)
-    memory, made, wrong, reused, faces, cpu = mq.Memory(), [shape], [], 0, 0, [0.0, 0.0]
+    cache, made, wrong, reused, faces, cpu = mq.MeshCache(), [shape], [], 0, 0, [0.0, 0.0]
     seen, before, what = {}, None, "part"
     for number in range(EDITS + 1):
         try:
@@ -123,7 +123,7 @@ def campaign(seed):
             return f"{seed}: left out, {str(error)[:60]}", wrong
         if not nothing.report.complete:
             return f"{seed}: left out, too many triangles", wrong
-        again = mq.triangulate(shape, **options, max_triangles=MOST, memory=memory)
+        again = mq.triangulate(shape, **options, max_triangles=MOST, cache=cache)
         wrong += [f"{seed} edit {number} {what}: {text}" for text in faults(again, nothing, before or nothing, options)]
         before = again
         if number == 0 and arrays(again) != arrays(nothing):

@@ -38,7 +38,8 @@ def parse_arguments():
     parser.add_argument("--reduce", action="store_true", help="make failing parts smaller")
     parser.add_argument("--brep", help="file for the part (of the last seed)")
     parser.add_argument("--jobs", type=int, default=1, help="parts meshed at the same time")
-    parser.add_argument("--time-limit", type=float, default=120.0, help="seconds a part")
+    parser.add_argument("--time-limit", type=float, default=120.0,
+                        help="seconds of the processor a part")
     parser.add_argument("--memory-limit", type=float, default=4.0, help="GiB a part")
     parser.add_argument("--mod", type=Path, default=HERE.parent / "Mod",
                         help="where MeshQuality lies")

@@ -58,9 +58,9 @@ def read_mesh(path):
 
 
 def figures(surface):
-    from MeshQuality.compat import core
+    from MeshQuality.compat import extension
 
-    angles = core().triangle_shapes(surface)[0]
+    angles = extension().triangle_shapes(surface)[0]
     return {"triangles": len(angles), "angle": float(angles.min()),
             "below": int((angles < ANGLE).sum())}
 
@@ -68,16 +68,16 @@ def figures(surface):
 def measure(name, mesh):
     import MeshQuality as mq
     import numpy as np
-    from MeshQuality import convert
-    from MeshQuality.compat import core
+    from MeshQuality.compat import extension
+    from MeshQuality.core import convert
 
     vertices, triangles = convert.arrays_of_mesh(mesh)
-    given = mq.SurfaceMesh(convert.surface_of_arrays(core(), vertices, triangles, measured=False))
+    given = mq.SurfaceMesh(convert.surface_of_arrays(extension(), vertices, triangles, measured=False))
     start = time.process_time()
     better = mq.improve(given, min_angle=ANGLE)
     seconds = time.process_time() - start
     size = float(np.ptp(vertices, axis=0).max())
-    apart = [core().surface_distance(a._surface, b._surface)[1] / size
+    apart = [extension().surface_distance(a._surface, b._surface)[1] / size
              for a, b in ((better, given), (given, better))]
     return {"name": name, "before": figures(given._surface), "after": figures(better._surface),
             "seconds": seconds, "distances": apart}

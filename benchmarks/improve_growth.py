@@ -36,20 +36,20 @@ def parser():
 
 
 def below(surface):
-    from MeshQuality.compat import core
+    from MeshQuality.compat import extension
 
-    return int((core().triangle_shapes(surface)[0] < ANGLE).sum())
+    return int((extension().triangle_shapes(surface)[0] < ANGLE).sum())
 
 
 def measure(kind, mesh, tolerance, runs):
     import MeshQuality as mq
     import numpy as np
-    from MeshQuality import convert
-    from MeshQuality.compat import core
+    from MeshQuality.compat import extension
+    from MeshQuality.core import convert
 
     vertices, triangles = mesh
     given = mq.SurfaceMesh(convert.surface_of_arrays(
-        core(), vertices.astype(np.float32).astype(float), triangles.astype(np.int32), measured=False))
+        extension(), vertices.astype(np.float32).astype(float), triangles.astype(np.int32), measured=False))
     seconds = []
     for _ in range(runs):
         start = time.process_time()

@@ -2,7 +2,8 @@
 """Lets a benchmark be started by any Python: its work is done by a headless FreeCAD.
 
 A benchmark calls `start(__file__, parser, work)`, where the parser is of `command_line`. `work(arguments)` runs inside FreeCAD with
-MeshQuality and tests/parts on the path; what it returns goes to --out as JSON.
+MeshQuality and tests/parts on the path; what it returns goes to --out as JSON, and its "status", if
+there is one, becomes the exit status.
 """
 
 import argparse
@@ -44,8 +45,9 @@ def start(script, parser, work):
     status = 1
     try:
         arguments = argparse.Namespace(**json.loads(os.environ[VARIABLE]))
-        _write(Path(arguments.out), {"machine": machine(), **work(arguments)})
-        status = 0
+        results = work(arguments)
+        _write(Path(arguments.out), {"machine": machine(), **results})
+        status = results.get("status", 0)
     except Exception:
         import traceback
 

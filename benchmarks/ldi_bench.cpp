@@ -8,11 +8,11 @@
 #include <iostream>
 #include <sstream>
 
-#include "boolean/uniform.h"
-#include "mesh/io.h"
-#include "mesh/report.h"
-#include "mesh/self_intersection.h"
-#include "mesh/surface_distance.h"
+#include "boolean/layered_depth/layered_depth_boolean.h"
+#include "mesh/intersection/self_intersection.h"
+#include "mesh/io/io.h"
+#include "mesh/quality/mesh_report.h"
+#include "mesh/quality/surface_distance.h"
 
 /// The uniform scheme on two binary PLY files:   ldi_bench A.ply B.ply OPERATION [-r RAYS]... [-o OUT] [-e EXACT.ply]
 /// prints for each resolution the seconds of each stage, what was retained and reconstructed, what a check of the

@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-#include "boolean/operand.h"
-#include "boolean/verification.h"
-#include "mesh/edge_twins.h"
-#include "mesh/self_intersection.h"
-#include "mesh/triangle_tree.h"
-#include "mesh/weld.h"
+#include "boolean/input/operand_repair.h"
+#include "mesh/corner_table.h"
+#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/self_intersection.h"
+#include "mesh/quality/surface_verification.h"
+#include "mesh/weld_vertices.h"
 
 namespace mq {
 namespace {
@@ -52,14 +52,14 @@ void count_triangles(benchmark::State& state) {
 
 void build_tree(benchmark::State& state) {
     for (auto _ : state) {
-        benchmark::DoNotOptimize(mesh::TriangleTree(torus().vertices, torus().triangles).size());
+        benchmark::DoNotOptimize(mesh::AabbTree(torus().vertices, torus().triangles).size());
     }
     count_triangles(state);
 }
 BENCHMARK(build_tree)->Unit(benchmark::kMillisecond);
 
 void own_pairs(benchmark::State& state) {
-    const mesh::TriangleTree tree(torus().vertices, torus().triangles);
+    const mesh::AabbTree tree(torus().vertices, torus().triangles);
     std::size_t pairs = 0;
     for (auto _ : state) {
         tree.for_each_own_pair([&pairs](std::int32_t, std::int32_t) { ++pairs; });
@@ -108,7 +108,7 @@ BENCHMARK(prepare_operand_with_holes)->Unit(benchmark::kMillisecond);
 
 void verify_all(benchmark::State& state) {
     for (auto _ : state) {
-        benchmark::DoNotOptimize(boolean::verify(torus().vertices, torus().triangles).passed());
+        benchmark::DoNotOptimize(mesh::verify(torus().vertices, torus().triangles).passed());
     }
     count_triangles(state);
 }
@@ -117,7 +117,7 @@ BENCHMARK(verify_all)->Unit(benchmark::kMillisecond);
 void verify_changed(benchmark::State& state) {
     const std::vector<std::int32_t> changed = changed_band();
     for (auto _ : state) {
-        benchmark::DoNotOptimize(boolean::verify(torus().vertices, torus().triangles, &changed).passed());
+        benchmark::DoNotOptimize(mesh::verify(torus().vertices, torus().triangles, &changed).passed());
     }
     count_triangles(state);
 }

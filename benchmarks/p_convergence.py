@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What curved elements are good for: errors of finite elements against their order on one coarse mesh.
 
-    /usr/bin/python3 benchmarks/p_convergence.py [--picture docs/p_convergence.svg]
+    /usr/bin/python3 benchmarks/p_convergence.py [--picture docs/pictures/p_convergence.svg]
 
 prints a table; see poisson.py for the problem.
 """

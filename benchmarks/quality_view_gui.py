@@ -64,15 +64,16 @@ class Frames:
 
 def measure(triangles):
     """(triangles, seconds to open, FreeCAD's frame, all triangles, moving)."""
-    from MeshQuality import convert
-    from MeshQuality.compat import core
-    from MeshQuality.gui import quality_panel, quality_scene
+    from MeshQuality.compat import extension
+    from MeshQuality.core import convert
+    from MeshQuality.gui.panels import quality_panel
+    from MeshQuality.gui.view import quality_scene
 
     document = FreeCAD.newDocument("View")
     wait(0.5)
     obj = document.addObject("Mesh::Feature", "Torus")
     obj.Mesh = convert.mesh_of_surface(
-        convert.surface_of_arrays(core(), *torus(triangles), measured=False))
+        convert.surface_of_arrays(extension(), *torus(triangles), measured=False))
     document.recompute()
     view = FreeCADGui.getDocument(document.Name).activeView()
     view.viewAxonometric()

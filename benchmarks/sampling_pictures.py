@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the pictures of docs/sampling.md.
+"""Makes the pictures of docs/method/sampling.md.
 
-    /usr/bin/python3 benchmarks/sampling_pictures.py [--out-dir docs]
+    /usr/bin/python3 benchmarks/sampling_pictures.py [--out-dir docs/pictures]
 """
 
 import sys
@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 def parser():
     result = inside_freecad.command_line(__doc__)
-    result.add_argument("--out-dir", default=str(ROOT / "docs"), help="folder for the pictures")
+    result.add_argument("--out-dir", default=str(ROOT / "docs" / "pictures"), help="folder for the pictures")
     return result
 
 

@@ -12,7 +12,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "Mod"))
 
-from MeshQuality import cli_parser, version  # noqa: E402
+from MeshQuality import version  # noqa: E402
+from MeshQuality.cli import parser as cli_parser  # noqa: E402
 
 PAGE = ROOT / "Resources" / "man" / "meshquality.1"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The work of tools/soak: random operations for a given time, inside FreeCADCmd.
+"""The work of tools/soak: random operations and attacks for a given time, inside FreeCADCmd.
 
 Each operation is drawn from a seeded generator, checks what MeshQuality promises of its result,
 and leaves nothing behind. Memory is looked at after a collection and malloc_trim: the resident set,
@@ -9,7 +9,9 @@ grow; the resident set alone grows with free memory in pieces too small to give 
 """
 
 import ctypes
+import functools
 import gc
+import importlib
 import json
 import os
 import random
@@ -22,6 +24,7 @@ from collections import Counter
 from pathlib import Path
 
 import FreeCAD
+import inside
 import Mesh
 import numpy as np
 import Part
@@ -111,13 +114,13 @@ def triangulate(dice):
 
 
 def edit(dice):
-    """A memory over a few edits of one part."""
-    memory = mq.Memory(most_runs=3)
+    """A mesh cache over a few edits of one part."""
+    cache = mq.MeshCache(most_runs=3)
     for _ in range(4):
         bore = Part.makeCylinder(dice.choice((2, 3)), 10, FreeCAD.Vector(5, 5, 0))
         shape = Part.makeBox(10, 10, 10).cut(bore)
-        check_report(mq.triangulate(shape, chord_height=0.02, memory=memory).report, shape)
-    check(len(memory) <= 3, "the memory holds more runs than it may")
+        check_report(mq.triangulate(shape, chord_height=0.02, cache=cache).report, shape)
+    check(len(cache) <= 3, "the cache holds more runs than it may")
 
 
 def curve(dice):
@@ -215,8 +218,31 @@ def bad_input(dice):
     raise AssertionError("bad input was taken")
 
 
+def attacked(dice):
+    """One attack of tests/attacks: of a table, or put together by chance. Nothing of it is left behind."""
+    table = importlib.import_module(dice.choice(ATTACKS))
+    attack = table.combined(dice) if dice.random() < 0.5 else dice.choice(attacks_of(table))
+    before = set(os.listdir(tempfile.gettempdir()))
+    try:
+        attack.call()
+    except AssertionError as error:
+        raise AssertionError(f"{table.__name__}: {attack.name}: {error}") from error
+    left = inside.left_behind(before)
+    check(not left, f"{table.__name__}: {attack.name}: left behind: {left}")
+
+
+# Not that of callbacks: a child of a fork is another process, and small stacks are kept for the next thread.
+ATTACKS = ("numbers_given", "arrays_given", "meshes_given", "shapes_given", "documents_edited")
+
+
+@functools.lru_cache(maxsize=None)
+def attacks_of(table):
+    """All rows of a table, made once."""
+    return table.rows()
+
+
 OPERATIONS = (triangulate, triangulate, triangulate, edit, curve, boolean, improve, files, document,
-              cancel, bad_input)
+              cancel, bad_input, attacked, attacked, attacked)
 
 
 class _MallocInfo(ctypes.Structure):
@@ -240,6 +266,8 @@ def memory_now():
 
 def soak(minutes, seed):
     """Runs for so long. Returns what was done, what failed, and memory over time."""
+    for name in ATTACKS:  # what they take is no leak
+        attacks_of(importlib.import_module(name))
     done, failures, memory = Counter(), [], []
     start = time.monotonic()
     number = 0

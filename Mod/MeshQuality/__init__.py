@@ -11,9 +11,10 @@ Meshes for scripts
     triangulate   a triangle mesh of a shape with a bound on its angles and its distance -> SurfaceMesh
     curve         curved triangles or tetrahedra on a shape, each proven valid           -> CurvedMesh
     boolean       joins, intersects or subtracts closed meshes and shapes                -> BooleanMesh
+    Solid         the same by operators, in sequences that are rounded once: (a - b) | c
     improve       the same surface with better triangles                                 -> SurfaceMesh
     quality       measures any mesh                                                      -> MeshReport
-    Memory        what an edit left alone keeps its triangles
+    MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
     add_quality_mesh, add_curved_mesh, add_boolean, add_improved_mesh
@@ -38,28 +39,35 @@ help(mq.triangulate) and so on has all options.
 """
 
 import importlib
+import warnings
 
 from .errors import (Cancelled, Error, GeometryError, InvalidInput, IoError, MissingBinary,
                      TopologyError)
+from .features import gui_hooks
+from .listing import hide_modules
 from .version import __version__
+
+hide_modules(__path__)
+gui_hooks.fill("MeshQuality.gui.hooks")
 
 # Loaded on first use: FreeCAD starts no slower, and errors and options work without the core.
 _LAZY = {
-    "triangulate": "MeshQuality.api",
-    "Memory": "MeshQuality.api",
-    "quality": "MeshQuality.api",
-    "improve": "MeshQuality.api",
-    "add_improved_mesh": "MeshQuality.api",
-    "curve": "MeshQuality.curved_mesh",
-    "CurvedMesh": "MeshQuality.curved_mesh",
-    "boolean": "MeshQuality.boolean_mesh",
-    "BooleanMesh": "MeshQuality.boolean_mesh",
-    "add_quality_mesh": "MeshQuality.api",
-    "add_curved_mesh": "MeshQuality.curved_mesh",
-    "add_boolean": "MeshQuality.boolean_mesh",
-    "export_curved_mesh": "MeshQuality.export",
-    "update": "MeshQuality.api",
-    "SurfaceMesh": "MeshQuality.surface_mesh",
+    "triangulate": "MeshQuality.core.triangulation",
+    "MeshCache": "MeshQuality.core.triangulation",
+    "quality": "MeshQuality.core.quality",
+    "improve": "MeshQuality.core.improvement",
+    "add_improved_mesh": "MeshQuality.features.improved_mesh",
+    "curve": "MeshQuality.core.curving",
+    "CurvedMesh": "MeshQuality.core.curving",
+    "boolean": "MeshQuality.core.booleans",
+    "BooleanMesh": "MeshQuality.core.booleans",
+    "Solid": "MeshQuality.core.solid",
+    "add_quality_mesh": "MeshQuality.features.quality_mesh",
+    "add_curved_mesh": "MeshQuality.features.curved_mesh",
+    "add_boolean": "MeshQuality.features.boolean",
+    "export_curved_mesh": "MeshQuality.core.export",
+    "update": "MeshQuality.features.transactions",
+    "SurfaceMesh": "MeshQuality.core.surface_mesh",
     "MeshReport": "MeshQuality._core",
     "BooleanReport": "MeshQuality._core",
     "CurveReport": "MeshQuality._core",
@@ -69,16 +77,25 @@ __all__ = sorted(["Cancelled", "Error", "GeometryError", "InvalidInput", "IoErro
                   "TopologyError", *_LAZY])
 
 
+# {older name: present name}, until the next minor version.
+_RENAMED = {"Memory": "MeshCache"}
+
+
 def __getattr__(name):
+    if name in _RENAMED:
+        warnings.warn(f"MeshQuality.{name} is called MeshQuality.{_RENAMED[name]} now", DeprecationWarning, stacklevel=2)
+        return getattr(importlib.import_module(__name__), _RENAMED[name])
     if name not in _LAZY:
         raise AttributeError(f"module 'MeshQuality' has no attribute {name!r}")
     if _LAZY[name] == "MeshQuality._core":
-        from .compat import core
+        from .compat import extension
 
-        module = core()
+        module = extension()
     else:
         module = importlib.import_module(_LAZY[name])
     value = getattr(module, name)
+    if isinstance(value, type):
+        value.__module__ = __name__  # help() names it as scripts do
     globals()[name] = value
     return value
 

@@ -14,7 +14,7 @@ from .errors import MissingBinary
 HOME = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
-def core():
+def extension():
     """The extension module MeshQuality._core.
 
     Raises MissingBinary with the remedy where it is missing or belongs to another FreeCAD.
@@ -31,16 +31,16 @@ def core():
 
 def without_traceback(function):
     """The function; where the binary is there, without the traceback of errors of ours that it raises."""
-    return function if why_no_core() else core().without_traceback(function)
+    return function if why_no_extension() else extension().without_traceback(function)
 
 
 @functools.lru_cache(maxsize=None)
-def why_no_core():
-    """What core() says where it fails; empty where it does not. Asked once: it is looked for again
+def why_no_extension():
+    """What extension() says where it fails; empty where it does not. Asked once: it is looked for again
     when FreeCAD starts.
     """
     try:
-        core()
+        extension()
     except MissingBinary as error:
         return str(error)
     return ""
@@ -69,7 +69,7 @@ def program(name):
 
     Addons unpacked by Python's zipfile lose the permission to run programs: it is given back.
     """
-    path = os.path.join(os.path.dirname(core().__file__), name)
+    path = os.path.join(os.path.dirname(extension().__file__), name)
     if os.path.exists(path) and not os.access(path, os.X_OK):
         with contextlib.suppress(OSError):
             os.chmod(path, os.stat(path).st_mode | 0o111)

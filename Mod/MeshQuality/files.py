@@ -60,8 +60,12 @@ def _require_regular(path, mode):
         raise OSError(f"'{path}' is {kind}, not a file")
 
 
-def is_utf8(path):
-    """Whether the path can be handed to FreeCAD, which takes UTF-8 only."""
+def freecad_takes(path):
+    """Whether the path can be handed to FreeCAD, which takes UTF-8 only, and a backslash for a slash: it would read
+    another file.
+    """
+    if os.sep == "/" and "\\" in path:
+        return False
     try:
         path.encode()
     except UnicodeEncodeError:
@@ -125,8 +129,8 @@ def _overwrite(ready, path):
 
 
 def remove_if_there(path):
-    """Removes a file of ours."""
-    with contextlib.suppress(FileNotFoundError):
+    """Removes a file of ours, unless it or its folder has gone."""
+    with contextlib.suppress(FileNotFoundError, NotADirectoryError):
         os.remove(path)
 
 

@@ -55,7 +55,7 @@ def ownership():
 
 
 def limit_memory(bytes_allowed):
-    """Has memory run out beyond so many bytes of data; on Linux only."""
+    """Limits the data of this process to a number of bytes; on Linux only."""
     if sys.platform.startswith("linux"):
         import resource
 

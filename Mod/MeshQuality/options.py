@@ -33,7 +33,7 @@ class Option:
     In panels it is called `title`, and its choices as `choice_titles` says; `rare` ones are folded
     away there. `only_with` is (name of another option, values of that one with which this one has an
     effect); empty: always. `alias` is the name that it had in older versions, `choice_aliases` are those
-    of its choices, {older: present}: scripts, command lines and documents may use them for ever.
+    of its choices, {older: present}: scripts, command lines and documents may go on using them.
     """
 
     name: str
@@ -157,7 +157,8 @@ class Option:
             value = _plain_number(value, self)
             good = self._in_range(value)
         if not good:
-            raise InvalidInput(f"{self.name} = {value!r} is not allowed: it must be "
+            unit = " mm" if self.unit == "mm" else ""
+            raise InvalidInput(f"{self.name} = {value!r}{unit} is not allowed: it must be "
                                f"{self.range_text}")
         return value
 
@@ -191,14 +192,15 @@ def _plain_number(value, option):
                                f"{option.range_text}")
         value = value.Value
     wanted = numbers.Integral if option.kind is int else numbers.Real
-    if isinstance(value, bool) or not isinstance(value, wanted):
-        what = "a whole number" if option.kind is int else "a number"
-        raise InvalidInput(f"{option.name} = {value!r} is not allowed: it must be {what}, "
-                           f"{option.range_text}")
     try:
-        return option.kind(value)
+        if isinstance(value, wanted) and not isinstance(value, bool):
+            return option.kind(value)
     except OverflowError:  # a whole number beyond the largest float
         return math.inf
+    except (TypeError, ValueError):  # of a type that says it is a number
+        pass
+    what = "a whole number" if option.kind is int else "a number"
+    raise InvalidInput(f"{option.name} = {value!r} is not allowed: it must be {what}, {option.range_text}")
 
 
 def _checked_sizes(value, option):
@@ -266,8 +268,8 @@ TRIANGULATE = (
     Option("max_edge", float, None, unit="mm", low=0.0, group="Size", title="Longest edge",
            unset="unlimited", help="Longest edge of a triangle"),
     Option("local_sizes", dict, None, group="Size", title="Local sizes", unset="nowhere",
-           help="Longest edge on single faces, along edges or around vertices: Face3=0.5, Edge7=0.2; in "
-                "containers and links with the path to the object: Box.Face3=0.5"),
+           help="Longest edge on single faces, along edges or around vertices: Face3=0.5 mm, Edge7=0.2 mm; "
+                "in containers and links with the path to the object: Box.Face3=0.5 mm"),
     Option("min_edge", float, None, unit="mm", low=0.0, group="Size", title="Shortest edge",
            unset="unlimited", rare=True, help="No edge is split into shorter ones than this"),
     # Single precision does not tell more edges a circle from the circle: they are within 5e-8 of its radius.
@@ -328,7 +330,7 @@ CURVE = (
 )
 
 
-# Of the document object, beside those of CURVE.
+# Options of the document object, beside those of CURVE.
 CURVED_DISPLAY = (
     Option("deviation", float, None, unit="mm", low=0.0, group="Display",
            unset="size / 1000", title="Display accuracy",
@@ -413,24 +415,32 @@ def check(table, values):
     return checked
 
 
-def renamed(table, values):
-    """The values with the present names of options in place of their aliases.
+def require_callable(progress):
+    """Raises InvalidInput unless the progress is None or can be called."""
+    if progress is not None and not callable(progress):
+        raise InvalidInput(f"progress = {progress!r} is not callable: give a function of "
+                           "(fraction, stage)")
+
+
+def renamed(table, values, **others):
+    """The values with the present names of options in place of their aliases; `others` are {alias: name} of
+    arguments that are not in the table.
 
     Raises InvalidInput where an option is given by both names.
     """
-    present = {option.alias: option.name for option in table if option.alias}
+    present = {**{option.alias: option.name for option in table if option.alias}, **others}
     for alias, name in present.items():
         if alias in values and name in values:
             raise InvalidInput(f"{alias} is the older name of {name}: give one of them")
     return {present.get(name, name): value for name, value in values.items()}
 
 
-def takes_aliases(table):
-    """Has a function take options of the table by their aliases, too."""
+def takes_aliases(table, **others):
+    """Has a function take options of the table, and the `others` of `renamed`, by their aliases, too."""
     def decorated(function):
         @functools.wraps(function)
         def call(*arguments, **values):
-            return function(*arguments, **renamed(table, values))
+            return function(*arguments, **renamed(table, values, **others))
 
         return call
 

@@ -2,12 +2,16 @@
 """What the core, the certificates and errors say, in one table, so that panels can say it in the
 user's language. Imports nothing of FreeCAD.
 
-Documents, scripts and the command line keep the English text. It is its own key: a phrase of the
-table has places for what differs, such as {face}, and fits every text that has something of that
-kind in them. In a place that may hold a phrase again, that is translated too.
+Documents, scripts and the command line keep the English text with lengths in mm. It is its own key: a
+phrase of the table has places for what differs, such as {face}, and fits every text that has something
+of that kind in them. In a place that may hold a phrase again, that is translated too. In the place
+{length} stands a number with " mm", for which the window has the user's unit. Angles are in degrees
+everywhere; of their numbers, as of all, the window changes the decimal point alone.
 """
 
 import re
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import lru_cache
 
 from . import options
@@ -15,7 +19,7 @@ from . import options
 # The verdict on a mesh.
 MET, NOT_MET = "met", "not met"
 
-# Of certificates; verdict.py puts them together. Pairs are for one and for many. Whole sentences end with a
+# Parts of certificates; verdict.py puts them together. Pairs are for one and for many. Whole sentences end with a
 # full stop; at the head of one the first letter is a capital.
 NOT_CLOSED = ("not watertight: 1 open edge.", "not watertight: {count} open edges.")
 NONMANIFOLD = ("not manifold: 1 edge has three or more triangles.",
@@ -25,6 +29,7 @@ PINCHED = ("not manifold: the surface only touches itself at 1 vertex.",
 DEGENERATE = ("1 triangle has no area.", "{count} triangles have no area.")
 NOT_ORIENTED = ("the triangles on both sides of 1 edge disagree on the outside.",
                 "the triangles on both sides of {count} edges disagree on the outside.")
+INSIDE_OUT = "the surface is inside out: its triangles face inwards."
 CROSSING = ("the surface intersects itself: 1 pair of triangles crosses.",
             "the surface intersects itself: {count} pairs of triangles cross.")
 CROSSING_MANY = "the surface intersects itself: more than {count} pairs of triangles cross."
@@ -36,10 +41,10 @@ ANGLE = "smallest angle {number}° (requested {number2}°), {phrase}."
 MORE_BELOW = ("1 more triangle is below {number}°.", "{count} more triangles are below {number}°.")
 MORE_FORCED = ("1 more triangle is below {number}°, at a small corner of the shape too.",
                "{count} more triangles are below {number}°, all of them at small corners of the shape.")
-SHAPE_DISTANCE = "max. deviation {number} mm (requested {number2} mm)."
-SHAPE_DISTANCE_AT = "max. deviation {number} mm (requested {number2} mm), {phrase}."
-LONGEST_EDGE = "longest edge {number} mm (requested {number2} mm), {phrase}."
-RESULT_DISTANCE = "error bound {number} mm (requested {number2} mm)."
+SHAPE_DISTANCE = "max. deviation {length} (requested {length2})."
+SHAPE_DISTANCE_AT = "max. deviation {length} (requested {length2}), {phrase}."
+LONGEST_EDGE = "longest edge {length} (requested {length2}), {phrase}."
+RESULT_DISTANCE = "error bound {length} (requested {length2})."
 LIMIT = "the mesh is incomplete: a limit ended the work early"
 FAULTS_LEFT = ("1 fault remains that no repair removed.",
                "{count} faults remain that no repair removed.")
@@ -49,27 +54,30 @@ FOLDED = ("1 of {count2} elements is not proven valid: {list}.",
 DISTORTED = "max. shape distortion {number} (limit {number2}), {phrase}."
 MORE_DISTORTED = ("1 more element is distorted by more than {number}.",
                   "{count} more elements are distorted by more than {number}.")
+BEFORE_CURVING = "before curving: {phrase}"
 AND_MORE = "{list} and {count} more"
 TRIANGLE, TETRAHEDRON = "triangle {count}", "tetrahedron {count} of {solid}"
-ON_FACE = "{phrase} on {face}"
+ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
-    *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, *CROSSING, CROSSING_MANY, FACES_CROSS,
-    CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, DISTORTED, *MORE_DISTORTED, AND_MORE,
-    TRIANGLE, TETRAHEDRON,
+    *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
+    FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
+    LONGEST_EDGE, RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, DISTORTED, *MORE_DISTORTED,
+    BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
-# Of the line that the report view gets for a finished object.
+# Parts of the line that the report view gets for a finished object.
 FIGURES = (
     ("1 triangle", "{count} triangles"), ("1 element", "{count} elements"),
-    "smallest angle {number}°", "max. deviation {number} mm", "error bound {number} mm",
+    "smallest angle {number}°", "max. deviation {length}", "error bound {length}",
     "max. shape distortion {number}",
+    ("1 pair of triangles where bodies overlap", "{count} pairs of triangles where bodies overlap"),
 )
-TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, ERROR_BOUND, MAX_DISTORTION = FIGURES
+TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, ERROR_BOUND, MAX_DISTORTION, OVERLAPS = FIGURES
 ALL_MET = "all requested limits are met."
+LEFT_OUT = ("1 hidden object of {name} is no part of it: {list}.", "{count} hidden objects of {name} are no part of it: {list}.")
 TARGET_NOT_MET = "target not met: {text}"
 
-# Why the mesher could do no better: src/triangulate/explain.cpp, src/improve/improver.cpp. Of the first ones the shape
+# Why the mesher could do no better: src/triangulate/report/exemption_text.cpp, src/improve/improver.cpp. Of the first ones the shape
 # itself is the reason.
 FORCED = (
     "the shape itself has a corner of {number}° between {edge} and {edge2} at {vertex}",
@@ -92,13 +100,25 @@ REASONS = (
     "no change within the tolerance makes it better",
 )
 
+# A mesh in a container that it is made of.
+IN_ITS_SOURCE = "it is made of {name} and cannot lie in that, as each would wait for the other: put it beside that, where " \
+                "it follows, too"
+TAKEN_OUT = "it is made of {name} and cannot lie in that, as each would wait for the other: it was taken out again, and " \
+            "follows from outside, too"
+
 # Errors that a panel can meet.
 ERRORS = (
+    IN_ITS_SOURCE,
+    TAKEN_OUT,
+    "{option} cannot be changed: the property {name} of {name2} is set by the expression {value}; clear that first, by "
+    "{name3} or in the property editor",
     "{option} = {value} is not allowed: it must be a whole number, {range}",
     "{option} = {value} is not allowed: it must be a number, {range}",
+    "{option} = {length} is not allowed: it must be {range}",
     "{option} = {value} is not allowed: it must be {range}",
-    "chord_height = {value} and chord_height_relative = {number} exclude each other: give one of them",
-    "min_edge = {number} mm is longer than max_edge = {number2} mm",
+    "chord_height = {length} and chord_height_relative = {number} exclude each other: give one of them",
+    "chord_height = 'none' and chord_height_relative = {number} exclude each other: give one of them",
+    "min_edge = {length} is longer than max_edge = {length2}",
     "Source is empty: choose an object with a shape",
     "Source is not a mesh: choose one object with a mesh",
     "Sources has 1 object: choose two or more with a mesh or a shape",
@@ -117,16 +137,17 @@ CORE_ERRORS = (
     "the shape has no solids to fill: leave volume off to curve its faces",
     "the shape has no faces with an area: give a solid, a shell or faces",
     "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest",
-    "chord_height is {number} mm: single precision holds this shape to {number2} mm only; choose a larger "
-    "value",
-    "tolerance is {number} mm: single precision holds these operands to {number2} mm only; choose a larger "
-    "value",
-    "{option} is {number} mm: single precision holds edges of this shape from {number2} mm on; choose a larger "
-    "value",
-    "the local size of {name} is {number} mm: single precision holds edges of this shape from {number2} mm "
-    "on; choose a larger value",
+    "chord_height is {length}: single precision holds this shape to {length2} only; choose a larger value",
+    "tolerance is {length}: single precision holds these operands to {length2} only; choose a larger value",
+    "deviation is {length}: single precision holds this mesh to {length2} only; choose a larger value",
+    "{option} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value",
+    "the local size of {name} is {length}: single precision holds edges of this shape from {length2} on; choose a "
+    "larger value",
     "method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; choose "
-    "a resolution of at most {count2}, a tolerance of at least {number3} mm, or method 'default'",
+    "a resolution of at most {count2}, a tolerance of at least {length}, or method 'default'",
+    "a deviation of {length} takes more than {count} triangles: ask for a larger one",
+    "tolerance is {length}: method 'uniform' reaches {length2} with the most rays that it can use; ask for more "
+    "than that, or use method 'default'",
     "a local size is given for {name}, but the shape has {count} {name2}",
     "order is {count}: it goes from 1 to {count2} for volumes",
     "filling the surface with tetrahedra did not come to an end: its triangles do not fit each other "
@@ -136,19 +157,18 @@ CORE_ERRORS = (
     "{name} has no triangle with an area that encloses a volume",
 )
 RANGES = (
-    "greater than {number} and at most {number2} {unit}",
+    "greater than {number} and at most {number2} degrees",
     "greater than {number} and at most {number2}",
     "at least {number} and at most {number2}",
-    "greater than {number} {unit}, or 'none'",
-    "greater than {number} {unit}",
+    "greater than {length}, or 'none'",
+    "greater than {length}",
     "greater than {number}",
     "at least {number}",
     "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2",
 )
-UNITS = ("degrees", "mm")
 
 # Between the others and whatever they end with, hence last.
-ENDINGS = ("{phrase} at {edge}", ON_FACE)
+ENDINGS = (ON_EDGE, ON_FACE)
 
 # Stages of the core and of this package by their names there, in words for people.
 STAGES = {
@@ -188,7 +208,15 @@ STAGES = {
     "measuring the distortion": "measuring the distortion",
     "cutting into triangles": "dividing into triangles",
     "done": "done",
+    # What the work can wait for, without being able to interrupt it.
+    "comparing the shape": "comparing the shape with the last one",
+    "measuring the size": "measuring the size of the shape",
+    "waits for FreeCAD: adding the mesh to the document": "waits for FreeCAD: adding the mesh to the document",
 }
+_WAITS_FOR_KERNEL = "waits for OpenCASCADE: {stage}"
+_STAGES_OF_PARTS = ("checking {name}", "reading {name}", "measuring the volume of {name}")
+_WAITS = (_WAITS_FOR_KERNEL, "waits for the shape engine, used by {name}", *_STAGES_OF_PARTS)
+_KERNEL_STILL_WORKS, _STILL_WORKS = "OpenCASCADE still finishes: {stage}", "still finishes: {stage}"
 
 # What is said in a panel where the English text is made for scripts.
 _SHOWN = {
@@ -196,12 +224,19 @@ _SHOWN = {
         "{option}: {value} is not possible, it must be a whole number, {range}",
     "{option} = {value} is not allowed: it must be a number, {range}":
         "{option}: {value} is not possible, it must be a number, {range}",
+    "{option} = {length} is not allowed: it must be {range}":
+        "{option}: {length} is not possible, it must be {range}",
     "{option} = {value} is not allowed: it must be {range}":
         "{option}: {value} is not possible, it must be {range}",
-    "chord_height = {value} and chord_height_relative = {number} exclude each other: give one of them":
-        "The max. deviation is given twice, as {value} and as {number} of the size: give one of them",
-    "min_edge = {number} mm is longer than max_edge = {number2} mm":
-        "The shortest edge of {number} mm is longer than the longest edge of {number2} mm",
+    "chord_height = {length} and chord_height_relative = {number} exclude each other: give one of them":
+        "The max. deviation is given twice, as {length} and as {number} of the size: give one of them",
+    "chord_height = 'none' and chord_height_relative = {number} exclude each other: give one of them":
+        "The max. deviation is given twice, as unlimited and as {number} of the size: give one of them",
+    "min_edge = {length} is longer than max_edge = {length2}":
+        "The shortest edge of {length} is longer than the longest edge of {length2}",
+    "greater than {length}, or 'none'": "greater than {length}, or without a limit",
+    "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2":
+        "lengths greater than 0 by sub-elements, such as Face3=0.5 mm, Edge7=0.2 mm",
     "a further point would make an edge shorter than min_edge":
         "a further point would make an edge shorter than the shortest that is allowed",
     "the triangle limit max_triangles was reached": "the triangle limit was reached",
@@ -210,14 +245,21 @@ _SHOWN = {
     "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest":
         "Faces cannot be meshed: {value}. Repair the shape (Part - Check geometry), or choose to skip "
         "faces that fail under More options",
-    "chord_height is {number} mm: single precision holds this shape to {number2} mm only; choose a larger "
-    "value":
-        "A max. deviation of {number} mm is below the single precision of meshes in FreeCAD, here "
-        "{number2} mm. Choose a larger value",
-    "tolerance is {number} mm: single precision holds these operands to {number2} mm only; choose a larger "
-    "value":
-        "A tolerance of {number} mm is below the single precision of meshes in FreeCAD, here "
-        "{number2} mm. Choose a larger value",
+    "chord_height is {length}: single precision holds this shape to {length2} only; choose a larger value":
+        "A max. deviation of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
+        "larger value",
+    "tolerance is {length}: single precision holds these operands to {length2} only; choose a larger value":
+        "A tolerance of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger "
+        "value",
+    "deviation is {length}: single precision holds this mesh to {length2} only; choose a larger value":
+        "A display accuracy of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
+        "larger value",
+    "a deviation of {length} takes more than {count} triangles: ask for a larger one":
+        "A display accuracy of {length} takes more than {count} triangles. Choose a larger value",
+    "tolerance is {length}: method 'uniform' reaches {length2} with the most rays that it can use; ask for more "
+    "than that, or use method 'default'":
+        "A tolerance of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger "
+        "tolerance or exact intersection as the method",
     "a local size is given for {name}, but the shape has {count} {name2}":
         "A local size is given for {name}, but the shape has only {count} of these",
     "order is {count}: it goes from 1 to {count2} for volumes":
@@ -233,56 +275,80 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
+_LENGTH = rf"{_NUMBER} mm"
 _KINDS = {
-    "count": r"\d[\d,]*", "number": _NUMBER, "face": r"Face\d+", "edge": r"Edge\d+",
+    "count": r"\d[\d,]*", "number": _NUMBER, "length": _LENGTH, "face": r"Face\d+", "edge": r"Edge\d+",
     "vertex": r"(?:Vertex|Edge|Face)\d+", "solid": r"Solid\d+", "option": r"\w+", "value": ".+?",
-    "unit": "|".join(UNITS), "name": ".+?", "phrase": ".+", "list": ".+", "range": ".+", "text": ".+",
+    "name": ".+?", "phrase": ".+", "list": ".+", "range": ".+", "text": ".+", "stage": ".+",
 }
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:], ALL_MET, TARGET_NOT_MET)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *REASONS, *_LINE, *ERRORS, *CORE_ERRORS, *RANGES, *ENDINGS)
 _SENTENCES = re.compile(r"(?<=\.) (?=[A-Z0-9])")
+_LENGTHS = re.compile(rf"(?<![\w.]){_LENGTH}(?!\w)")
+
+
+@dataclass(frozen=True)
+class Wording:
+    """How the texts of this module are said to somebody; by default as they are.
+
+    translate  translate(text of `texts`) -> text in the user's language
+    number     number(text such as "4.57" or "1,203") -> text as the user writes numbers
+    lengths    lengths(texts such as ["0.0171 mm", "0.01 mm"]) -> as many texts in the user's unit, different
+               ones where the lengths differ
+    """
+
+    translate: Callable = str
+    number: Callable = str
+    lengths: Callable = list
 
 
 def texts():
     """All texts that are to be translated."""
-    return sorted({*(_SHOWN.get(phrase, phrase) for phrase in _PHRASES), *STAGES.values(), *UNITS})
+    return sorted({*(_SHOWN.get(phrase, phrase) for phrase in _PHRASES), *STAGES.values(), *_WAITS,
+                   _KERNEL_STILL_WORKS, _STILL_WORKS})
 
 
-def translated(text, translate):
-    """The text in the user's language; one that no phrase fits stays as it is.
+def translated(text, wording):
+    """The text in the words of a Wording; of one that no phrase fits only its lengths."""
+    found = _known(text, wording)
+    return _with_lengths(text, wording) if found is None else found
 
-    translate   translate(text of `texts`) -> text in the user's language
-    """
-    found = _matched(text, translate)
+
+def _known(text, wording):
+    """The text by the phrase that fits it, also as the head of a sentence; None where there is none."""
+    found = _matched(text, wording)
     if found is None and text[:1].isupper():
-        found = _matched(lower_first(text), translate)
+        found = _matched(lower_first(text), wording)
         found = None if found is None else upper_first(found)
-    return text if found is None else found
+    return found
 
 
-def _matched(text, translate):
-    """The translation by the phrase that fits; None where there is none."""
+def _matched(text, wording):
     for phrase in _PHRASES:
         found = _pattern(phrase).fullmatch(text)
         if found:
-            said = _SHOWN.get(phrase, phrase)
-            foreign = translate(said) != said
-            places = {name: _place(name, value, translate, foreign)
-                      for name, value in found.groupdict().items()}
-            return translate(said).format(**places)
+            places = {name: _place(name, value, wording) for name, value in found.groupdict().items()}
+            lengths = [name for name in places if _kind(name) == "length"]
+            places.update(zip(lengths, wording.lengths([places[name] for name in lengths])))
+            return wording.translate(_SHOWN.get(phrase, phrase)).format(**places)
     return None
 
 
-def sentences(text, translate):
-    """Of several sentences, each translated."""
-    return " ".join(_sentence(part, translate) for part in _SENTENCES.split(text))
+def _with_lengths(text, wording):
+    shown = iter(wording.lengths(_LENGTHS.findall(text)))
+    return _LENGTHS.sub(lambda _: next(shown), text)
 
 
-def _sentence(text, translate):
-    found = translated(text, translate)
-    if found == text and text.endswith("."):
-        return translated(text[:-1], translate) + "."
-    return found
+def sentences(text, wording):
+    """The sentences of a text, each in the words of a Wording."""
+    return " ".join(_sentence(part, wording) for part in _SENTENCES.split(text))
+
+
+def _sentence(text, wording):
+    found = _known(text, wording)
+    if found is None and text.endswith("."):
+        return translated(text[:-1], wording) + "."
+    return translated(text, wording)
 
 
 def sentence(reason):
@@ -305,32 +371,49 @@ def lower_first(text):
     return text[:1].lower() + text[1:]
 
 
-def stage(name, translate):
+def stage(name, wording):
     """Words for a stage."""
-    return translate(STAGES[name]) if name in STAGES else name
+    if name in STAGES:
+        return wording.translate(STAGES[name])
+    for phrase in _WAITS:
+        found = _pattern(phrase).fullmatch(name)
+        if found:
+            return wording.translate(phrase).format(**{place: stage(value, wording) if place == "stage" else value
+                                                       for place, value in found.groupdict().items()})
+    return name
 
 
-def _place(name, value, translate, foreign):
-    kind = name.rstrip("0123456789")
-    if kind == "count" and foreign:
-        return value.replace(",", "\u202f")  # a comma is no decimal point to anybody then
-    if kind == "unit":
-        return translate(value)
+def rest(name, wording):
+    """Words for what goes on after cancelling in the middle of a stage."""
+    found = _pattern(_WAITS_FOR_KERNEL).fullmatch(name)
+    if found:
+        return wording.translate(_KERNEL_STILL_WORKS).format(stage=stage(found["stage"], wording))
+    return wording.translate(_STILL_WORKS).format(stage=stage(name or "start", wording))
+
+
+def _place(name, value, wording):
+    """What stands in a place, but for lengths: those of a phrase are written together."""
+    kind = _kind(name)
+    if kind in ("count", "number"):
+        return wording.number(value)
     if kind == "option":
-        return translate(_titles().get(value, value))
+        return wording.translate(_titles().get(value, value))
     if kind == "list":
-        return ", ".join(translated(part, translate) for part in value.split(", "))
+        return ", ".join(translated(part, wording) for part in value.split(", "))
     if kind == "text":
-        return sentences(value, translate)
-    return translated(value, translate) if kind in ("phrase", "range") else value
+        return sentences(value, wording)
+    return translated(value, wording) if kind in ("phrase", "range") else value
+
+
+def _kind(name):
+    return name.rstrip("0123456789")
 
 
 @lru_cache(maxsize=None)
 def _pattern(phrase):
     places = re.split(r"{(\w+)}", phrase)
-    return re.compile("".join(
-        f"(?P<{part}>{_KINDS[part.rstrip('0123456789')]})" if i % 2 else re.escape(part)
-        for i, part in enumerate(places)), re.DOTALL)
+    return re.compile("".join(f"(?P<{part}>{_KINDS[_kind(part)]})" if i % 2 else re.escape(part)
+                              for i, part in enumerate(places)), re.DOTALL)
 
 
 @lru_cache(maxsize=None)

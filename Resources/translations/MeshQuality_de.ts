@@ -136,10 +136,6 @@
         <translation>Längste Kante des Netzes vor dem Krümmen; 0: unbegrenzt</translation>
     </message>
     <message>
-        <source>Longest edge on single faces, along edges or around vertices: Face3=0.5, Edge7=0.2; in containers and links with the path to the object: Box.Face3=0.5</source>
-        <translation>Längste Kante auf einzelnen Flächen, entlang von Kanten oder um Ecken: Face3=0.5, Edge7=0.2; in Containern und Verknüpfungen mit dem Weg zum Objekt: Box.Face3=0.5</translation>
-    </message>
-    <message>
         <source>No edge is split into shorter ones than this; 0: unlimited</source>
         <translation>Keine Kante wird in kürzere als diese geteilt; 0: unbegrenzt</translation>
     </message>
@@ -362,6 +358,10 @@
     <message>
         <source>How the containers of the other sources stood to that of the first one then</source>
         <translation>Wie die Behälter der anderen Quellen damals zu dem der ersten standen</translation>
+    </message>
+    <message>
+        <source>Longest edge on single faces, along edges or around vertices: Face3=0.5 mm, Edge7=0.2 mm; in containers and links with the path to the object: Box.Face3=0.5 mm</source>
+        <translation>Längste Kante auf einzelnen Flächen, entlang von Kanten oder um Ecken: Face3=0.5 mm, Edge7=0.2 mm; in Containern und Verknüpfungen mit dem Weg zum Objekt: Box.Face3=0.5 mm</translation>
     </message>
 </context>
 <context>
@@ -699,10 +699,6 @@
         <translation>Es sind {count} Objekte gewählt: zwei oder mehr mit einem Netz oder einer Form wählen</translation>
     </message>
     <message>
-        <source>The shortest edge of {number} mm is longer than the longest edge of {number2} mm</source>
-        <translation>Die kürzeste Kante von {number} mm ist länger als die längste Kante von {number2} mm</translation>
-    </message>
-    <message>
         <source>a further point would fold the mesh</source>
         <translation>ein weiterer Punkt würde das Netz falten</translation>
     </message>
@@ -731,10 +727,6 @@
         <translation>Oberfläche wird gekrümmt</translation>
     </message>
     <message>
-        <source>degrees</source>
-        <translation>Grad</translation>
-    </message>
-    <message>
         <source>dividing triangles</source>
         <translation>Dreiecke werden geteilt</translation>
     </message>
@@ -755,24 +747,12 @@
         <translation>größer als {number} und höchstens {number2}</translation>
     </message>
     <message>
-        <source>greater than {number} and at most {number2} {unit}</source>
-        <translation>größer als {number} und höchstens {number2} {unit}</translation>
-    </message>
-    <message>
-        <source>greater than {number} {unit}</source>
-        <translation>größer als {number} {unit}</translation>
-    </message>
-    <message>
         <source>improving</source>
         <translation>Verbessern</translation>
     </message>
     <message>
         <source>its smallest angle lies between two sharp edges that must stay</source>
         <translation>sein kleinster Winkel liegt zwischen zwei scharfen Kanten, die bleiben müssen</translation>
-    </message>
-    <message>
-        <source>lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2</source>
-        <translation>Längen in mm größer als 0 für Unterelemente, etwa Face3=0.5, Edge7=0.2</translation>
     </message>
     <message>
         <source>measuring the distance</source>
@@ -785,10 +765,6 @@
     <message>
         <source>meshing the shapes</source>
         <translation>Formen werden vernetzt</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
     </message>
     <message>
         <source>no change within the tolerance makes it better</source>
@@ -1119,10 +1095,6 @@
         <translation>Lokale Größen</translation>
     </message>
     <message>
-        <source>Longest edge on single faces, along edges or around vertices: Face3=0.5, Edge7=0.2; in containers and links with the path to the object: Box.Face3=0.5</source>
-        <translation>Längste Kante auf einzelnen Flächen, entlang von Kanten oder um Ecken: Face3=0.5, Edge7=0.2; in Containern und Verknüpfungen mit dem Weg zum Objekt: Box.Face3=0.5</translation>
-    </message>
-    <message>
         <source>Max. deviation</source>
         <translation>Max. Abweichung</translation>
     </message>
@@ -1163,10 +1135,6 @@
         <translation>Das Dokument wurde geschlossen. Schließen Sie dieses Fenster.</translation>
     </message>
     <message>
-        <source>The max. deviation is given twice, as {value} and as {number} of the size: give one of them</source>
-        <translation>Die größte Abweichung ist doppelt angegeben, als {value} und als {number} der Größe: Geben Sie eine davon an</translation>
-    </message>
-    <message>
         <source>The same as a fraction of the shape&apos;s largest dimension</source>
         <translation>Derselbe als Anteil an der größten Abmessung der Form</translation>
     </message>
@@ -1195,32 +1163,8 @@
         <translation>Kanten der Form, die sich bei {vertex} unter {number}° treffen, lassen keinen Platz für größere Winkel</translation>
     </message>
     <message>
-        <source>error bound {number} mm</source>
-        <translation>Fehlerschranke {number} mm</translation>
-    </message>
-    <message>
-        <source>error bound {number} mm (requested {number2} mm).</source>
-        <translation>Fehlerschranke {number} mm (verlangt {number2} mm).</translation>
-    </message>
-    <message>
-        <source>greater than {number} {unit}, or &apos;none&apos;</source>
-        <translation>größer als {number} {unit} oder 'none'</translation>
-    </message>
-    <message>
         <source>local_sizes names {value}, but {name} does not hold that: select it again in the 3D view</source>
         <translation>Lokale Größen nennen {value}, das gehört aber nicht zu {name}: Wählen Sie es in der 3D-Ansicht neu</translation>
-    </message>
-    <message>
-        <source>max. deviation {number} mm</source>
-        <translation>größte Abweichung {number} mm</translation>
-    </message>
-    <message>
-        <source>max. deviation {number} mm (requested {number2} mm), {phrase}.</source>
-        <translation>größte Abweichung {number} mm (verlangt {number2} mm), {phrase}.</translation>
-    </message>
-    <message>
-        <source>max. deviation {number} mm (requested {number2} mm).</source>
-        <translation>größte Abweichung {number} mm (verlangt {number2} mm).</translation>
     </message>
     <message>
         <source>max. shape distortion {number}</source>
@@ -1443,14 +1387,6 @@
         <translation>Auf einen Balken klicken, um seine Elemente hervorzuheben.</translation>
     </message>
     <message>
-        <source>A max. deviation of {number} mm is below the single precision of meshes in FreeCAD, here {number2} mm. Choose a larger value</source>
-        <translation>Eine max. Abweichung von {number} mm liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {number2} mm. Wählen Sie einen größeren Wert</translation>
-    </message>
-    <message>
-        <source>A tolerance of {number} mm is below the single precision of meshes in FreeCAD, here {number2} mm. Choose a larger value</source>
-        <translation>Eine Toleranz von {number} mm liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {number2} mm. Wählen Sie einen größeren Wert</translation>
-    </message>
-    <message>
         <source>CAD edges to keep</source>
         <translation>Kanten der Form beibehalten</translation>
     </message>
@@ -1635,20 +1571,200 @@
         <translation>Für {name} ist eine lokale Größe angegeben, aber die Form hat nur {count} davon</translation>
     </message>
     <message>
-        <source>longest edge {number} mm (requested {number2} mm), {phrase}.</source>
-        <translation>längste Kante {number} mm (verlangt {number2} mm), {phrase}.</translation>
+        <source>A display accuracy of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger value</source>
+        <translation>Eine Genauigkeit der Anzeige von {length} liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {length2}. Wählen Sie einen größeren Wert</translation>
     </message>
     <message>
-        <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {number3} mm, or method &apos;default&apos;</source>
-        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {number3} mm oder das Verfahren „default“</translation>
+        <source>A display accuracy of {length} takes more than {count} triangles. Choose a larger value</source>
+        <translation>Eine Genauigkeit der Anzeige von {length} braucht mehr als {count} Dreiecke. Wählen Sie einen größeren Wert</translation>
     </message>
     <message>
-        <source>the local size of {name} is {number} mm: single precision holds edges of this shape from {number2} mm on; choose a larger value</source>
-        <translation>Die lokale Größe von {name} ist {number} mm: Einfache Genauigkeit erlaubt bei dieser Form Kanten ab {number2} mm; wählen Sie einen größeren Wert</translation>
+        <source>A max. deviation of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger value</source>
+        <translation>Eine max. Abweichung von {length} liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {length2}. Wählen Sie einen größeren Wert</translation>
     </message>
     <message>
-        <source>{option} is {number} mm: single precision holds edges of this shape from {number2} mm on; choose a larger value</source>
-        <translation>{option} ist {number} mm: Einfache Genauigkeit erlaubt bei dieser Form Kanten ab {number2} mm; wählen Sie einen größeren Wert</translation>
+        <source>A tolerance of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger value</source>
+        <translation>Eine Toleranz von {length} liegt unter der einfachen Genauigkeit von Netzen in FreeCAD, hier {length2}. Wählen Sie einen größeren Wert</translation>
+    </message>
+    <message>
+        <source>A tolerance of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger tolerance or exact intersection as the method</source>
+        <translation>Eine Toleranz von {length} ist mit Abtasten nicht möglich, das bestenfalls {length2} erreicht. Wählen Sie eine größere Toleranz oder das Verfahren „genauer Schnitt“</translation>
+    </message>
+    <message>
+        <source>Longest edge on single faces, along edges or around vertices: Face3=0.5 mm, Edge7=0.2 mm; in containers and links with the path to the object: Box.Face3=0.5 mm</source>
+        <translation>Längste Kante auf einzelnen Flächen, entlang von Kanten oder um Ecken: Face3=0.5 mm, Edge7=0.2 mm; in Containern und Verknüpfungen mit dem Weg zum Objekt: Box.Face3=0.5 mm</translation>
+    </message>
+    <message>
+        <source>The max. deviation is given twice, as unlimited and as {number} of the size: give one of them</source>
+        <translation>Die größte Abweichung ist doppelt angegeben, als unbegrenzt und als {number} der Größe: Geben Sie eine davon an</translation>
+    </message>
+    <message>
+        <source>The max. deviation is given twice, as {length} and as {number} of the size: give one of them</source>
+        <translation>Die größte Abweichung ist doppelt angegeben, als {length} und als {number} der Größe: Geben Sie eine davon an</translation>
+    </message>
+    <message>
+        <source>The shortest edge of {length} is longer than the longest edge of {length2}</source>
+        <translation>Die kürzeste Kante von {length} ist länger als die längste Kante von {length2}</translation>
+    </message>
+    <message>
+        <source>error bound {length}</source>
+        <translation>Fehlerschranke {length}</translation>
+    </message>
+    <message>
+        <source>error bound {length} (requested {length2}).</source>
+        <translation>Fehlerschranke {length} (verlangt {length2}).</translation>
+    </message>
+    <message>
+        <source>greater than {length}</source>
+        <translation>größer als {length}</translation>
+    </message>
+    <message>
+        <source>greater than {length}, or without a limit</source>
+        <translation>größer als {length} oder ohne Grenze</translation>
+    </message>
+    <message>
+        <source>greater than {number} and at most {number2} degrees</source>
+        <translation>größer als {number} und höchstens {number2} Grad</translation>
+    </message>
+    <message>
+        <source>lengths greater than 0 by sub-elements, such as Face3=0.5 mm, Edge7=0.2 mm</source>
+        <translation>Längen größer als 0 für Unterelemente, etwa Face3=0.5 mm, Edge7=0.2 mm</translation>
+    </message>
+    <message>
+        <source>longest edge {length} (requested {length2}), {phrase}.</source>
+        <translation>längste Kante {length} (verlangt {length2}), {phrase}.</translation>
+    </message>
+    <message>
+        <source>max. deviation {length}</source>
+        <translation>größte Abweichung {length}</translation>
+    </message>
+    <message>
+        <source>max. deviation {length} (requested {length2}), {phrase}.</source>
+        <translation>größte Abweichung {length} (verlangt {length2}), {phrase}.</translation>
+    </message>
+    <message>
+        <source>max. deviation {length} (requested {length2}).</source>
+        <translation>größte Abweichung {length} (verlangt {length2}).</translation>
+    </message>
+    <message>
+        <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method &apos;default&apos;</source>
+        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „default“</translation>
+    </message>
+    <message>
+        <source>the local size of {name} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value</source>
+        <translation>Die lokale Größe von {name} ist {length}: Einfache Genauigkeit erlaubt bei dieser Form Kanten ab {length2}; wählen Sie einen größeren Wert</translation>
+    </message>
+    <message>
+        <source>{option} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value</source>
+        <translation>{option} ist {length}: Einfache Genauigkeit erlaubt bei dieser Form Kanten ab {length2}; wählen Sie einen größeren Wert</translation>
+    </message>
+    <message>
+        <source>{option}: {length} is not possible, it must be {range}</source>
+        <translation>{option}: {length} geht nicht, verlangt ist: {range}</translation>
+    </message>
+    <message>
+        <source>1 pair of triangles where bodies overlap</source>
+        <translation>1 Paar von Dreiecken, an dem sich Körper durchdringen</translation>
+    </message>
+    <message>
+        <source>before curving: {phrase}</source>
+        <translation>vor dem Krümmen: {phrase}</translation>
+    </message>
+    <message>
+        <source>{count} pairs of triangles where bodies overlap</source>
+        <translation>{count} Paare von Dreiecken, an denen sich Körper durchdringen</translation>
+    </message>
+    <message>
+        <source>Set by the expression {}. To edit the value here, clear the expression in the property editor.</source>
+        <translation>Durch den Ausdruck {} festgelegt. Um den Wert hier zu ändern, den Ausdruck im Eigenschafteneditor löschen.</translation>
+    </message>
+    <message>
+        <source>it is made of {name} and cannot lie in that, as each would wait for the other: it was taken out again, and follows from outside, too</source>
+        <translation>es besteht aus {name} und kann nicht darin liegen, weil jedes auf das andere warten würde: es wurde wieder herausgenommen und folgt auch von außen</translation>
+    </message>
+    <message>
+        <source>it is made of {name} and cannot lie in that, as each would wait for the other: put it beside that, where it follows, too</source>
+        <translation>es besteht aus {name} und kann nicht darin liegen, weil jedes auf das andere warten würde: bitte daneben legen, auch dort folgt es</translation>
+    </message>
+    <message>
+        <source>the surface is inside out: its triangles face inwards.</source>
+        <translation>die Oberfläche ist umgestülpt: Ihre Dreiecke zeigen nach innen.</translation>
+    </message>
+    <message>
+        <source>{option} cannot be changed: the property {name} of {name2} is set by the expression {value}; clear that first, by {name3} or in the property editor</source>
+        <translation>{option} lässt sich nicht ändern: Die Eigenschaft {name} von {name2} wird durch den Ausdruck {value} festgelegt; bitte diesen zuerst löschen, mit {name3} oder im Eigenschafteneditor</translation>
+    </message>
+    <message>
+        <source>what could not be interrupted has ended</source>
+        <translation>was sich nicht unterbrechen ließ, ist beendet</translation>
+    </message>
+    <message>
+        <source>waits for “{}”: {}</source>
+        <translation>wartet auf „{}“: {}</translation>
+    </message>
+    <message>
+        <source>Counting triangles</source>
+        <translation>Dreiecke zählen</translation>
+    </message>
+    <message>
+        <source>waits for FreeCAD: recomputing {}</source>
+        <translation>wartet auf FreeCAD: {} wird neu berechnet</translation>
+    </message>
+    <message>
+        <source>waits for FreeCAD: undoing or redoing in {}</source>
+        <translation>wartet auf FreeCAD: in {} wird ein Schritt zurückgenommen oder wiederholt</translation>
+    </message>
+    <message>
+        <source>waits for FreeCAD: loading {}</source>
+        <translation>wartet auf FreeCAD: {} wird geladen</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE still finishes: {stage}</source>
+        <translation>OpenCASCADE arbeitet noch: {stage}</translation>
+    </message>
+    <message>
+        <source>checking {name}</source>
+        <translation>{name} wird geprüft</translation>
+    </message>
+    <message>
+        <source>comparing the shape with the last one</source>
+        <translation>Form wird mit der letzten verglichen</translation>
+    </message>
+    <message>
+        <source>measuring the size of the shape</source>
+        <translation>Größe der Form wird gemessen</translation>
+    </message>
+    <message>
+        <source>measuring the volume of {name}</source>
+        <translation>Volumen von {name} wird gemessen</translation>
+    </message>
+    <message>
+        <source>reading {name}</source>
+        <translation>{name} wird gelesen</translation>
+    </message>
+    <message>
+        <source>still finishes: {stage}</source>
+        <translation>arbeitet noch: {stage}</translation>
+    </message>
+    <message>
+        <source>waits for FreeCAD: adding the mesh to the document</source>
+        <translation>wartet auf FreeCAD: Das Netz kommt ins Dokument</translation>
+    </message>
+    <message>
+        <source>waits for OpenCASCADE: {stage}</source>
+        <translation>wartet auf OpenCASCADE: {stage}</translation>
+    </message>
+    <message>
+        <source>waits for the shape engine, used by {name}</source>
+        <translation>wartet auf den Formkern, belegt durch: {name}</translation>
+    </message>
+    <message>
+        <source>1 hidden object of {name} is no part of it: {list}.</source>
+        <translation>1 ausgeblendetes Objekt von {name} gehört nicht dazu: {list}.</translation>
+    </message>
+    <message>
+        <source>{count} hidden objects of {name} are no part of it: {list}.</source>
+        <translation>{count} ausgeblendete Objekte von {name} gehören nicht dazu: {list}.</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@
 
 namespace mq {
 
-constexpr double kDegree = M_PI / 180.0;  ///< radians
+constexpr double kDegree = M_PI / 180.0;  ///< radians in a degree
 
 /// The angle between two directions, 0 to pi; accurate for small angles and nearly opposite directions too. 0 where one
 /// of them is zero.

@@ -12,7 +12,7 @@ class Error : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// An option, a shape or a mesh that cannot be worked on as it was given.
+/// An option, a shape or a mesh that is not valid as given.
 class InvalidInput : public Error {
     using Error::Error;
 };

@@ -7,7 +7,7 @@
 namespace mq {
 namespace {
 
-/// A rounded result and what the rounding lost: sum + error is the exact value.
+/// A rounded result and its rounding error: sum + error is the exact value.
 struct Rounded {
     double value;
     double error;

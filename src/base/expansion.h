@@ -14,7 +14,7 @@ namespace mq {
 /// the whole. Arithmetic is exact as long as no term over- or underflows. Zero has no terms.
 class Expansion {
   public:
-    // Nothing clears the terms not in use, which halves the time of an exact predicate; memcpy may copy them.
+    // Entries beyond the terms are not cleared, which halves the time of an exact predicate; memcpy may copy them.
     Expansion() {}
     Expansion(const Expansion& other) { *this = other; }
     Expansion& operator=(const Expansion& other) {
@@ -45,15 +45,16 @@ class Expansion {
     friend Expansion operator-(const Expansion& a, const Expansion& b) { return a + (-b); }
     /// Compressed, so that polynomials of high degree stay small.
     friend Expansion operator*(const Expansion& a, const Expansion& b);
-    /// The same terms. A value may have two forms: true implies equal values, false says nothing.
+    /// The same terms. A value may have two forms: true implies equal values, false does not imply different ones.
     friend bool same_terms(const Expansion& a, const Expansion& b);
 
   private:
-    /// Covers nearly all degree-8 polynomials of single-precision coordinates; longer sums go to the heap.
+    /// Terms held in place: enough for nearly all degree-8 polynomials of single-precision coordinates; longer sums go
+    /// to the heap.
     static constexpr std::size_t kInline = 16;
 
     const double* terms() const { return spilled_.empty() ? inline_.data() : spilled_.data(); }
-    /// Drops zero.
+    /// Appends a term unless it is zero.
     void append(double term) {
         if (term != 0.0) {
             if (size_ < kInline) {

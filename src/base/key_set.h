@@ -10,7 +10,7 @@
 
 namespace mq {
 
-/// Spreads keys whose low bits alone are alike over all bits (Fibonacci hashing).
+/// Spreads keys that differ only in their low bits over all bits (Fibonacci hashing).
 struct KeyHash {
     std::size_t operator()(std::uint64_t key) const {
         key *= 0x9E3779B97F4A7C15ULL;
@@ -18,17 +18,17 @@ struct KeyHash {
     }
 };
 
-/// Sets and maps of 64-bit keys in one piece of memory: made, searched and freed several times faster than with nodes.
+/// Sets and maps of 64-bit keys in one block of memory: built, searched and freed several times faster than with nodes.
 using KeySet = tsl::robin_set<std::uint64_t, KeyHash>;
 template <typename Value>
 using KeyMap = tsl::robin_map<std::uint64_t, Value, KeyHash>;
 
-/// Of two numbers in this order.
+/// The key of two numbers in this order.
 inline std::uint64_t ordered_key(std::uint32_t first, std::uint32_t second) {
     return (static_cast<std::uint64_t>(first) << 32) | second;
 }
 
-/// Of two indices, at least 0, in either order.
+/// The key of two indices, at least 0, in either order.
 inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
     return ordered_key(static_cast<std::uint32_t>(std::min(a, b)), static_cast<std::uint32_t>(std::max(a, b)));
 }

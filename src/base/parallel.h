@@ -5,13 +5,14 @@
 #include <atomic>
 #include <cstdlib>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace mq {
 
-/// How many threads work at a time: as many as there are cores, or as the environment variable MESHQUALITY_THREADS says
-/// when it is first asked for, where it is a number greater than 0.
+/// The number of threads that work at a time: as many as there are cores, or the value of the environment variable
+/// MESHQUALITY_THREADS at the first call, where it is a number greater than 0.
 inline int thread_count() {
     static const int count = [] {
         const char* said = std::getenv("MESHQUALITY_THREADS");
@@ -23,9 +24,10 @@ inline int thread_count() {
 
 /// Runs work(k) for k = 0 .. count - 1 on thread_count() threads, in no particular order. Results must be written to
 /// places of their own, so that they do not depend on the number of threads.
-/// @throws what the call with the lowest k threw, once all threads have ended; calls not yet begun are left out then
+/// @throws the exception of the call with the lowest k, once all threads have ended; calls not yet begun are left out
+/// then
 template <typename Work>
-void for_all(int count, Work&& work) {
+void parallel_for(int count, Work&& work) {
     std::atomic<int> next{0};
     std::vector<std::exception_ptr> raised(static_cast<std::size_t>(count));
     const auto worker = [&] {
@@ -40,8 +42,13 @@ void for_all(int count, Work&& work) {
     };
     const int threads = std::min(count, thread_count());
     std::vector<std::thread> others;
+    others.reserve(static_cast<std::size_t>(threads));
     for (int i = 1; i < threads; ++i) {
-        others.emplace_back(worker);
+        try {
+            others.emplace_back(worker);
+        } catch (const std::system_error&) {
+            break;  // the system gives no more of them: those that there are do the work
+        }
     }
     worker();
     for (std::thread& other : others) {

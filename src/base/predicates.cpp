@@ -8,19 +8,20 @@
 
 #include "base/expansion.h"
 
-// How the error bounds below are found.
+// Derivation of the error bounds below.
 //
 // u = 2^-53 is the unit roundoff: barring over- and underflow, every operation returns its exact result times (1 + d),
 // |d| <= u. That includes the difference of two coordinates, as the coordinates themselves are exact. A computed
 // polynomial is then the sum of its exact monomials, each times k such factors, where k counts the operations that the
-// monomial went through. It is wrong by at most ((1 + u)^k - 1) S < (k + 1/2) u S, with S the sum of the absolute
-// values of the exact monomials. The computed S is at least S (1 - u)^k' with a small k'; taking (k + 1) u times the
-// computed S covers that too, and the rounding of the bound, since u is far below 1 / (2 (k + 1) (k' + 2)).
+// monomial went through. Its error is at most ((1 + u)^k - 1) S < (k + 1/2) u S, with S the sum of the absolute values
+// of the exact monomials. The computed S is at least S (1 - u)^k' with a small k'; taking (k + 1) u times the computed
+// S covers that too, and the rounding of the bound, since u is far below 1 / (2 (k + 1) (k' + 2)).
 //
-// The error is strictly below the bound unless both are zero, so that |value| >= bound settles the sign.
+// The error is strictly below the bound unless both are zero, so that |value| >= bound decides the sign.
 namespace mq {
 namespace {
 
+/// The unit roundoff u = 2^-53.
 constexpr double kUnit = 0.5 * std::numeric_limits<double>::epsilon();
 
 constexpr double rounding_bound(int operations) {
@@ -31,7 +32,7 @@ int sign_of(double value) {
     return (value > 0.0) - (value < 0.0);
 }
 
-/// Whether the filter decides; counts the answer.
+/// Counts the answer, and returns whether the filter gave it.
 bool settled(bool by_filter) {
     PredicateCount& count = predicate_count();
     ++(by_filter ? count.filtered : count.exact);
@@ -67,18 +68,19 @@ constexpr int kDotOperations = 5;
 
 // ---- smallest angles of triangles ---------------------------------------------------------------------------------
 
-/// Of sin^2 of the smallest angle of a triangle. With a, b the edge vectors of the cross product C and A = |a|^2 |b|^2:
+/// The error of sin^2 of the smallest angle of a triangle. With a, b the edge vectors of the cross product C and A =
+/// |a|^2 |b|^2:
 ///
 /// A component of C takes 4 operations (two differences, product, difference). The vector of the sums of its absolute
 /// monomials, |a_y b_z| + |a_z b_y| and so on, is sqrt(2 A) long at most, because by Cauchy-Schwarz its squared length
-/// is at most sum_i (|a|^2 - a_i^2) (|b|^2 - b_i^2) = A + sum_i a_i^2 b_i^2 <= 2 A. So C is wrong by e = 4 sqrt(2 A) u,
-/// and |C|^2 by 2 |C| e + e^2 <= 8 sqrt(2) A u and terms in u^2. Squaring and adding up |C|^2 takes 3 operations, and
-/// |C|^2 <= A: 8 sqrt(2) + 3 < 14.4 units of A, and A <= B. B, the product of the squares of the two longer edges,
-/// takes 5 + 5 + 1 operations: the largest of the three rounded products is the rounded largest, as rounding is
-/// monotone. With the quotient that makes 12, relative to sin^2 <= 3/4 for the smallest angle: 9 units more.
-/// Together below 23.5 units; 24 covers the terms in u^2.
+/// is at most sum_i (|a|^2 - a_i^2) (|b|^2 - b_i^2) = A + sum_i a_i^2 b_i^2 <= 2 A. So the error of C is at most e = 4
+/// sqrt(2 A) u, and that of |C|^2 is 2 |C| e + e^2 <= 8 sqrt(2) A u and terms in u^2. Squaring and adding up |C|^2
+/// takes 3 operations, and |C|^2 <= A: 8 sqrt(2) + 3 < 14.4 units of A, and A <= B. B, the product of the squares of
+/// the two longer edges, takes 5 + 5 + 1 operations: the largest of the three rounded products is the rounded largest,
+/// as rounding is monotone. With the quotient that makes 12, relative to sin^2 <= 3/4 for the smallest angle: 9 units
+/// more. Together below 23.5 units; 24 covers the terms in u^2.
 constexpr double kSineError = 24.0 * kUnit;
-/// The error of the difference of two of those, and one unit for the rounding of the difference.
+/// The error of the difference of two such values, and one unit for the rounding of the difference.
 constexpr double kSineBound = 2.0 * kSineError + kUnit;
 
 enum Side { kPQ, kPR, kPS, kQR, kQS, kRS, kSideCount };
@@ -132,7 +134,7 @@ int compare_sines(const ExactSine& first, const ExactSine& second) {
     return (first.numerator * second.denominator - second.numerator * first.denominator).sign();
 }
 
-/// The smaller of two sines; the computed values spare the exact one of a triangle that is out of question.
+/// The smaller of two sines; the exact one of a triangle is computed only where the rounded values do not decide.
 ExactSine exact_smaller(const Corner& first, const Corner& second, const ExactSides& squares) {
     if (second.sine - first.sine >= kSineBound) {
         return exact_smallest_sine(first, squares);
@@ -177,8 +179,9 @@ bool encroached(const Vec3& o, const Vec3& d, const Vec3& p) {
 }
 
 // The smallest angle of a triangle is at most 60 degrees, where its sine grows with the angle, and sin^2 is 4 area^2
-// over the squares of the two longer edges. That takes one cross product a triangle instead of three angles, and the
-// minimum of two such values is no more wrong than either. A triangle with two coinciding corners has angles of zero.
+// over the squares of the two longer edges. That takes one cross product for each triangle instead of three angles, and
+// the error of the minimum of two such values is no larger than theirs. A triangle with two coinciding corners has
+// angles of zero.
 bool locally_maxmin(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
     const Vec3 pq = q - p;
     const Vec3 pr = r - p;

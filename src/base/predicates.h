@@ -11,7 +11,7 @@
 /// no intermediate product over- or underflows: coordinates of magnitude 1e-15 to 1e15 (or 0) are safe.
 namespace mq {
 
-/// How often the filter decided, and how often exact arithmetic had to. One counter a thread of work.
+/// The numbers of decisions by the filter and by exact arithmetic. One counter for each working thread.
 struct PredicateCount {
     std::uint64_t filtered = 0;
     std::uint64_t exact = 0;

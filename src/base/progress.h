@@ -29,7 +29,7 @@ class Progress {
             fraction_.store(value, std::memory_order_relaxed);
         }
     }
-    /// Worker: throws Cancelled once the watcher has asked for it. Cheap: call it in every round.
+    /// Worker: throws Cancelled once the watcher has requested it. Cheap: call it in every round.
     void check() const {
         if (cancelled()) {
             throw Cancelled("cancelled on request");
@@ -49,21 +49,22 @@ class Progress {
     std::atomic<bool> cancelled_{false};
 };
 
-/// Looks for a cancellation where there may be nobody who watches.
+/// Checks for a cancellation where there may be no watcher.
 /// @throws Cancelled
-inline void look_for_cancel(const Progress* progress) {
+inline void check_cancelled(const Progress* progress) {
     if (progress != nullptr) {
         progress->check();
     }
 }
 
-/// Looks for a cancellation at every 4096th step of a long loop.
-class Pace {
+/// Checks for a cancellation at every 4096th step of a long loop.
+class CancelPace {
   public:
-    explicit Pace(const Progress* progress) : progress_(progress) {}
-    explicit Pace(const Progress& progress) : progress_(&progress) {}
+    explicit CancelPace(const Progress* progress) : progress_(progress) {}
+    explicit CancelPace(const Progress& progress) : progress_(&progress) {}
     /// @throws Cancelled
     void step() {
+        /// Steps between two checks: their cost is then negligible.
         constexpr unsigned kBetweenChecks = 4096;
         if (progress_ != nullptr && ++steps_ % kBetweenChecks == 0) {
             progress_->check();

@@ -11,7 +11,7 @@ namespace mq {
 /// Stages of an operation in their order, each with its wall-clock seconds.
 using StageTimes = std::vector<std::pair<std::string, double>>;
 
-/// Writes down how long stages take that follow one another. The first begins with the clock.
+/// Records how long consecutive stages take. The first begins with the clock.
 class StageClock {
   public:
     explicit StageClock(StageTimes& times) : times_(times) {}

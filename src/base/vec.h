@@ -11,13 +11,13 @@ using Vec3 = Eigen::Matrix<double, 3, 1, Eigen::DontAlign>;
 /// A point in a face's parameter domain (u, v).
 using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 
-/// The nearest point of single-precision numbers. GCC 12 leaves out some of these roundings unless its vectoriser of
+/// The nearest point of single-precision numbers. GCC 12 omits some of these roundings unless its vectoriser of
 /// straight-line code is off, as CMakeLists.txt has it.
 inline Vec3 to_single(const Vec3& p) {
     return {static_cast<double>(static_cast<float>(p.x())), static_cast<double>(static_cast<float>(p.y())),
             static_cast<double>(static_cast<float>(p.z()))};
 }
-/// Whether single precision holds the point as it is.
+/// Whether all coordinates are single-precision numbers.
 inline bool is_single(const Vec3& p) {
     return p == to_single(p);
 }
@@ -41,7 +41,7 @@ struct Box {
         return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all();
     }
     bool contains(const Vec3& p) const { return (low.array() <= p.array()).all() && (p.array() <= high.array()).all(); }
-    /// The largest dimension L of the part (Aftosmis 1999, section 4.2).
+    /// The largest dimension L of the model (Aftosmis 1999, section 4.2).
     double largest_side() const { return empty() ? 0.0 : (high - low).maxCoeff(); }
     Vec3 center() const { return 0.5 * (low + high); }
 };

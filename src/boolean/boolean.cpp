@@ -8,53 +8,61 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "boolean/arrangement.h"
-#include "boolean/cells.h"
-#include "boolean/disturbance.h"
-#include "boolean/extraction.h"
-#include "boolean/near_coincidence.h"
-#include "boolean/operand.h"
-#include "boolean/parting.h"
-#include "boolean/repair.h"
-#include "boolean/soup.h"
-#include "mesh/report.h"
-#include "mesh/self_intersection.h"
+#include "boolean/arrangement/arrangement.h"
+#include "boolean/arrangement/cells.h"
+#include "boolean/arrangement/soup.h"
+#include "boolean/extraction/extraction.h"
+#include "boolean/input/operand_repair.h"
+#include "boolean/perturbation/near_coincidence.h"
+#include "boolean/perturbation/perturbation.h"
+#include "boolean/rounding/snap_rounding.h"
+#include "mesh/intersection/self_intersection.h"
+#include "mesh/quality/mesh_report.h"
+#include "mesh/quality/surface_verification.h"
 
 namespace mq::boolean {
 
 namespace {
 
+/// Relative spacing of single-precision numbers.
 constexpr double kSingleUnit = std::numeric_limits<float>::epsilon();
-// Faces this near to each other, as a part of the size, are meant to lie in one plane.
+// Faces nearer to each other than this fraction of the size count as coplanar within rounding.
 constexpr double kFlush = 8.0 * kSingleUnit;
 
-/// With two digits.
+/// Formats a length with two digits.
 std::string in_short(double length) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2g", length);
     return text;
 }
 
-/// One Boolean on its way through the stages.
-class Run {
+/// One Boolean operation: it holds the state that the stages share.
+class BooleanPipeline {
   public:
-    Run(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation, const BooleanOptions& options,
-        Progress& progress, bool no_slivers)
-        : inputs_(operands), operation_(operation), progress_(progress), no_slivers_(no_slivers) {
+    BooleanPipeline(const std::vector<const mesh::TriangleMesh*>& operands, const Expression& expression,
+                    const BooleanOptions& options, Progress& progress, bool no_slivers)
+        : inputs_(operands),
+          expression_(expression),
+          symmetric_(expression.chained() == Operation::SymmetricDifference),
+          progress_(progress),
+          no_slivers_(no_slivers) {
         Box box;
         for (const mesh::TriangleMesh* mesh : operands) {
             for (const Vec3& p : mesh->vertices) {
-                box.add(p + mesh->origin - operands.front()->origin);
+                const Vec3 here = p + mesh->origin - operands.front()->origin;
+                box.add(here);
+                in_single_ = in_single_ && is_single(here);
             }
         }
         size_ = box.largest_side();
-        tolerance_ = options.tolerance > 0.0 ? options.tolerance : std::sqrt(3.0) * size_ / options.resolution;
+        tolerance_ = options.tolerance_for(size_);
     }
 
-    /// Nothing for a symmetric difference of surfaces that run along each other: it takes several runs.
+    /// Runs all stages; nothing for a symmetric difference of nearly coincident surfaces, which takes several runs.
     std::optional<BooleanResult> run() {
         prepare();
         const BooleanResult prepared = result_;
@@ -64,10 +72,13 @@ class Run {
             if (!run_once()) {
                 return std::nullopt;
             }
+            if (k == 0) {
+                most_pairs_ = kMorePairs * crossing_.size() + kManyPairs;
+            }
             if (!best.has_value() || result_.faults_left < best->faults_left) {
                 best = std::move(result_);
             }
-            if (best->faults_left == 0) {
+            if (best->faults_left == 0 || crossing_.size() > most_pairs_) {
                 break;
             }
             jolts_.push_back(std::move(faulty_));
@@ -76,8 +87,12 @@ class Run {
     }
 
   private:
-    /// Further tries after one that left faults, each with the operands moved a little more where these are.
+    /// Further attempts after one that left faults, each with a larger perturbation of the operands at the faults.
     static constexpr std::size_t kTries = 6;
+    /// When a perturbation has made more pairs cross than this multiple of those that did before, and this number of
+    /// them, it folds needles over each other: larger ones would make it worse.
+    static constexpr std::size_t kMorePairs = 4;
+    static constexpr std::size_t kManyPairs = 500;
 
     bool run_once() {
         make_soup();
@@ -91,25 +106,27 @@ class Run {
         const Cells cells = find_cells(soup_, arrangement, progress_);
         result_.curve_edges = cells.curve_edges;
         stage("extracting", 0.85, 0.9);
-        Extraction extraction = extract(soup_, arrangement, cells, operation_, progress_);
+        Extraction extraction = extract(soup_, arrangement, cells, expression_, progress_);
         stage("checking", 0.9, 1.0);
         finish(extraction);
         end_stage();
         return true;
     }
 
-    /// Moves operands a little where tries so far left faults; by how much at most, mm.
+    /// Perturbs the operands where earlier attempts left faults. Returns the largest displacement, mm.
     double disturb() {
         if (jolts_.empty()) {
             return 0.0;
         }
-        constexpr double kFirst = 16.0 * kSingleUnit;  // of the size
+        constexpr double kFirst = 16.0 * kSingleUnit;  // first displacement, as a fraction of the size
+        // Each further attempt moves this many times farther than the one before.
         constexpr double kMore = 4.0;
-        constexpr double kMost = 0.08;  // of the tolerance, so that all tries together stay within it
+        // Largest displacement, as a fraction of the tolerance: all attempts together stay within it.
+        constexpr double kMost = 0.08;
         double length = kFirst * size_;
         double sum = 0.0;
         for (std::size_t k = 0; k < jolts_.size(); ++k) {
-            sum += jolt(soup_, jolts_[k], std::min(length, kMost * tolerance_), k);
+            sum += perturb(soup_, jolts_[k], std::min(length, kMost * tolerance_), k);
             length *= kMore;
         }
         const auto count = [](std::size_t n, const std::vector<std::int32_t>& list) { return n + list.size(); };
@@ -120,7 +137,7 @@ class Run {
         return sum;
     }
 
-    /// How far faces that were meant to lie in one plane are put apart, mm.
+    /// The distance to which faces that are coplanar within rounding are separated, mm.
     double clearance() const { return std::min(4.0 * kFlush * size_, 0.25 * tolerance_); }
 
     void stage(const char* name, double from, double to) {
@@ -139,7 +156,7 @@ class Run {
     void prepare() {
         stage("inspecting", 0.0, 0.15);
         prepared_.resize(inputs_.size());
-        for_all(static_cast<int>(inputs_.size()), [&](int k) {
+        parallel_for(static_cast<int>(inputs_.size()), [&](int k) {
             const auto i = static_cast<std::size_t>(k);
             prepared_[i] = prepare_operand(*inputs_[i], operand_name(i, inputs_.size()), &progress_);
         });
@@ -173,7 +190,7 @@ class Run {
         }
     }
 
-    /// Whether a triangle of a prepared operand has the corners of the input's triangle from which it comes.
+    /// Whether a triangle of a prepared operand has the same corners as the input's triangle from which it comes.
     bool unchanged(std::size_t operand, std::size_t t) const {
         const Operand& own = prepared_[operand];
         if (!own.repairs.any()) {
@@ -190,11 +207,14 @@ class Run {
         return source >= 0 && std::all_of(own.triangles[t].begin(), own.triangles[t].end(), is_corner);
     }
 
-    /// Pairs of triangles in contact, at most `limit` of them; twins are left out.
-    std::vector<mesh::ContactPair> contacts(std::size_t limit, mesh::FlushPairs* flush = nullptr) {
+    /// Pairs of triangles in contact, at most `limit` of them; coincident triangles are left out.
+    std::vector<mesh::ContactPair> contacts(std::size_t limit, mesh::CoplanarPairs* flush = nullptr) {
         forget_moved_triangles(soup_);
+        progress_.check();
         merge_vertices(soup_);
+        progress_.check();
         twins_ = find_twins(soup_);
+        progress_.check();
         if (twins_.empty()) {
             if (flush != nullptr) {
                 for (const Source& source : soup_.source) {
@@ -204,7 +224,7 @@ class Run {
             return mesh::self_intersections(soup_.vertices, soup_.triangles, limit, &progress_, flush);
         }
         std::vector<char> twin(soup_.triangles.size(), 0);
-        for (const Twin& t : twins_) {
+        for (const CoincidentTriangle& t : twins_) {
             twin[static_cast<std::size_t>(t.triangle)] = 1;
         }
         std::vector<Triangle> others;
@@ -237,25 +257,28 @@ class Run {
         stage("finding crossings", 0.15, 0.5);
         crossing_.clear();
         moved_ = 0.0;
-        // Curves cross few triangles. When many are crossed a sample shows whether surfaces run along each other.
+        // Intersection curves cross few triangles. When many are crossed a sample shows whether surfaces nearly
+        // coincide.
         const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
-        mesh::FlushPairs flush{kFlush * size_, {}, {}, {}};
+        mesh::CoplanarPairs flush{kFlush * size_, {}, {}, {}};
         std::vector<mesh::ContactPair> pairs = contacts(many, &flush);
-        const bool along = run_along(soup_, pairs, no_slivers_);
-        if (along && operation_ == Operation::SymmetricDifference) {
+        progress_.check();
+        const bool along = nearly_coincident(soup_, pairs, no_slivers_);
+        progress_.check();
+        if (along && symmetric_ && separable(soup_, tolerance_, pairs)) {
             return false;
         }
-        // Of a symmetric difference either way would be wrong.
-        const bool flushed = !flush.over.empty() && operation_ != Operation::SymmetricDifference;
+        // In a symmetric difference offsetting the faces to either side would be wrong.
+        const bool flushed = !flush.over.empty() && !symmetric_;
         const bool moves = along || flushed || !jolts_.empty();
         if (moves) {
             make_soup();
             const std::vector<Vec3> before = soup_.vertices;
             NearCoincidence done;
             if (along) {
-                done = separate(soup_, operation_, tolerance_, pairs, progress_);
+                done = separate(soup_, expression_, tolerance_, pairs, progress_);
             } else if (flushed) {
-                done = separate_flush(soup_, operation_, flush, clearance());
+                done = separate_coplanar(soup_, expression_, flush, clearance());
             }
             result_.separated_vertices = done.moved;
             moved_ = done.largest + disturb();
@@ -276,26 +299,15 @@ class Run {
     }
 
     void finish(Extraction& extraction) {
-        constexpr double kRepairPart = 1e-4;  // of the size
-        Draft& draft = extraction.draft;
-        const bool in_single = std::all_of(soup_.vertices.begin(), soup_.vertices.end(), is_single);
-        part(extraction, in_single);
-        result_.parted_contacts = extraction.copies.size();
-        const RepairCount repaired = repair(draft, std::min(tolerance_, kRepairPart * size_), progress_);
-        result_.faults_left = repaired.faulty.size();
-        faulty_.clear();
-        for (const std::int32_t t : repaired.faulty) {
-            faulty_.push_back(draft.from[static_cast<std::size_t>(t)]);
+        ResultMesh& draft = extraction.draft;
+        RoundingCount rounded = snap_round(extraction, {size_, tolerance_, in_single_}, progress_);
+        result_.separated_contacts = rounded.separated;
+        faulty_ = std::move(rounded.faulty);
+        if (faulty_.empty()) {
+            add_nonmanifold(draft);
         }
-        if (repaired.flakes > 0) {
-            result_.notes.push_back("left out, as they are thinner than single precision can hold: " +
-                                    mesh::counted(repaired.flakes, "separate piece"));
-        }
-        if (result_.faults_left > 0) {
-            result_.notes.push_back("no repair helps where rounding made triangles touch or cross others: " +
-                                    mesh::counted(result_.faults_left, "triangle"));
-        }
-        result_.error_bound = draft.largest_move + moved_;
+        result_.faults_left = faulty_.size();
+        result_.error_bound = rounded.error_bound + moved_;
         result_.mesh.origin = inputs_.front()->origin;
         result_.mesh.vertices = std::move(draft.vertices);
         result_.mesh.triangles = std::move(draft.triangles);
@@ -307,70 +319,56 @@ class Run {
         }
     }
 
-    /// Parts contacts in the way that leaves the fewest faults; repair may choose another one for single vertices.
-    void part(Extraction& extraction, bool in_single) {
-        constexpr double kPartOfSize = 1e-5;
-        Draft& draft = extraction.draft;
-        const double least = 8.0 * kSingleUnit * size_;
-        PartingPlan plan = plan_parting(extraction, kPartOfSize * size_, std::min(least, tolerance_), tolerance_);
-        if (in_single) {
-            round_to_single(draft);
-            for (std::vector<Vec3>& places : plan.variants) {
-                std::transform(places.begin(), places.end(), places.begin(), to_single);
-            }
-        }
-        std::size_t fewest = std::numeric_limits<std::size_t>::max();
-        Draft best;
-        for (std::size_t k = 0; k < plan.variants.size() && fewest > 0; ++k) {
-            Draft trial = draft;
-            move_copies(trial, plan, k);
-            const std::size_t faults = count_parting_faults(trial, progress_);
-            if (faults < fewest) {
-                fewest = faults;
-                best = std::move(trial);
-            }
-        }
-        if (!plan.copies.empty()) {
-            draft = std::move(best);
-        }
-        for (std::size_t i = 0; i < plan.copies.size() && fewest > 0; ++i) {
-            for (const std::vector<Vec3>& places : plan.variants) {
-                draft.places[plan.copies[i]].push_back(places[i]);
+    /// Adds the sources of triangles at edges and vertices where the surface is no manifold: what is given out is what
+    /// was verified. Contacts have been searched while it was rounded.
+    void add_nonmanifold(const ResultMesh& draft) {
+        const std::vector<std::int32_t> no_contacts;
+        constexpr std::size_t kAllFaults = std::numeric_limits<std::size_t>::max();
+        for (const mesh::Fault& fault :
+             mesh::verify(draft.vertices, draft.triangles, &no_contacts, kAllFaults, &progress_).faults) {
+            for (const std::int32_t t : fault.triangles) {
+                if (t >= 0) {
+                    faulty_.push_back(draft.from[static_cast<std::size_t>(t)]);
+                }
             }
         }
     }
 
     const std::vector<const mesh::TriangleMesh*> inputs_;
-    Operation operation_;
+    const Expression expression_;
+    const bool symmetric_;  ///< a chain of symmetric differences
     Progress& progress_;
-    bool no_slivers_;  ///< however few
+    bool no_slivers_;  ///< nearly coincident surfaces are separated even at a few crossings
     BooleanResult result_;
     double size_ = 0.0;
+    bool in_single_ = true;  ///< all vertices of the operands are single-precision numbers
     double tolerance_ = 0.0;
     double moved_ = 0.0;
-    std::vector<std::vector<std::int32_t>> jolts_;  ///< triangles of the soup at the faults of each try so far
-    std::vector<std::int32_t> faulty_;              ///< at the faults of this one
+    /// For each earlier attempt the triangles of the soup at its faults.
+    std::vector<std::vector<std::int32_t>> jolts_;
+    std::size_t most_pairs_ = 0;        ///< crossing pairs of an attempt after which there is no further one
+    std::vector<std::int32_t> faulty_;  ///< triangles of the soup at the faults of this attempt
     std::vector<Operand> prepared_;
     Soup soup_;
-    std::vector<Twin> twins_;
+    std::vector<CoincidentTriangle> twins_;
     std::vector<std::array<std::int32_t, 2>> crossing_;
     const char* stage_ = nullptr;
     StageClock clock_{result_.seconds};
 };
 
-/// The symmetric difference of operands whose surfaces run along each other, one operand after the other: what is in
-/// the one but not in the other, joined with what is in the other but not in the one. Each difference leaves out the
-/// slivers between the surfaces.
+/// The symmetric difference of operands whose surfaces nearly coincide, one operand after the other: the union of both
+/// differences of the result and the next operand. Each difference leaves out the slivers between the surfaces.
 BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& operands, const BooleanOptions& options,
                                Progress& progress) {
+    const Expression less = Expression::chain(Operation::Difference, 2);
     BooleanResult sum;
     sum.mesh = *operands.front();
     for (std::size_t t = 0; t < sum.mesh.triangles.size(); ++t) {
         sum.triangle_source.push_back({0, static_cast<std::int32_t>(t)});
     }
     for (std::size_t k = 1; k < operands.size(); ++k) {
-        const BooleanResult one = *Run({&sum.mesh, operands[k]}, Operation::Difference, options, progress, true).run();
-        const BooleanResult two = *Run({operands[k], &sum.mesh}, Operation::Difference, options, progress, true).run();
+        const BooleanResult one = *BooleanPipeline({&sum.mesh, operands[k]}, less, options, progress, true).run();
+        const BooleanResult two = *BooleanPipeline({operands[k], &sum.mesh}, less, options, progress, true).run();
         std::vector<const mesh::TriangleMesh*> parts;
         std::vector<const BooleanResult*> part_results;
         for (const BooleanResult* part : {&one, &two}) {
@@ -380,7 +378,10 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
             }
         }
         BooleanResult joined =
-            parts.empty() ? BooleanResult() : *Run(parts, Operation::Union, options, progress, true).run();
+            parts.empty() ? BooleanResult()
+                          : *BooleanPipeline(parts, Expression::chain(Operation::Union, static_cast<int>(parts.size())),
+                                             options, progress, true)
+                                 .run();
         for (std::array<std::int32_t, 2>& source : joined.triangle_source) {
             if (source[0] >= 0) {
                 const BooleanResult& part = *part_results[static_cast<std::size_t>(source[0])];
@@ -395,7 +396,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
         }
         joined.error_bound += std::max(one.error_bound, two.error_bound) + sum.error_bound;
         joined.separated_vertices += one.separated_vertices + two.separated_vertices + sum.separated_vertices;
-        joined.parted_contacts += sum.parted_contacts;
+        joined.separated_contacts += sum.separated_contacts;
         joined.repaired = one.repaired;
         sum = std::move(joined);
     }
@@ -406,6 +407,10 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
 }
 
 }  // namespace
+
+double BooleanOptions::tolerance_for(double size) const {
+    return tolerance > 0.0 ? tolerance : std::sqrt(3.0) * size / resolution;
+}
 
 void BooleanOptions::validate() const {
     if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
@@ -418,19 +423,30 @@ void BooleanOptions::validate() const {
 
 BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation,
                       const BooleanOptions& options, Progress* progress) {
+    return boolean(operands, Expression::chain(operation, static_cast<int>(operands.size())), options, progress);
+}
+
+BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, const Expression& expression,
+                      const BooleanOptions& options, Progress* progress) {
     options.validate();
     if (operands.empty()) {
         throw InvalidInput("a Boolean without operands: give at least one mesh");
     }
+    if (expression.operands() != operands.size()) {
+        throw InvalidInput("a Boolean of " + std::to_string(operands.size()) + " meshes by an expression of " +
+                           std::to_string(expression.operands()) + " operands");
+    }
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
-    const bool symmetric = operation == Operation::SymmetricDifference;
-    std::optional<BooleanResult> result = Run(operands, operation, options, watched, symmetric).run();
+    const bool symmetric = expression.chained() == Operation::SymmetricDifference;
+    std::optional<BooleanResult> result = BooleanPipeline(operands, expression, options, watched, symmetric).run();
     if (symmetric && (!result || result->faults_left > 0)) {
-        BooleanResult joined = join_differences(operands, options, watched);
-        if (!result || joined.faults_left < result->faults_left) {
-            return joined;
-        }
+        result = join_differences(operands, options, watched);
+    }
+    if (result->faults_left > 0) {
+        throw TopologyError("the result cannot be held in single precision without triangles that touch or cross: " +
+                            mesh::counted(result->faults_left, "triangle") +
+                            " of the operands meet there; choose a larger tolerance, or move an operand by a little");
     }
     return std::move(*result);
 }

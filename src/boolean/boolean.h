@@ -9,26 +9,29 @@
 
 #include "base/progress.h"
 #include "base/stage_clock.h"
-#include "boolean/operation.h"
+#include "boolean/input/operation.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
 
 struct BooleanOptions {
-    /// How far the result may be from the exact one, mm. 0: what `resolution` gives.
+    /// The largest distance between the result and the exact one, mm. 0: computed from `resolution`.
     double tolerance = 0.0;
-    /// Parts along the longest side of the operands' box; the tolerance is then sqrt(3) times such a part, the bound of
-    /// Wang 2010, section IV.A.
+    /// Cells along the longest side of the operands' box; the tolerance is then sqrt(3) times the side of a cell, the
+    /// bound of Wang 2010, section IV.A.
     int resolution = 512;
 
+    /// The tolerance in mm: as it was requested, else that of the resolution for operands whose box has this longest
+    /// side.
+    double tolerance_for(double size) const;
     /// @throws InvalidInput naming the option
     void validate() const;
 };
 
-/// A Boolean of closed meshes, and what happened on the way.
+/// The result of a Boolean of closed meshes, and its counts and notes.
 struct BooleanResult {
     mesh::TriangleMesh mesh;
-    /// Operand and triangle index there of each triangle that is an operand's own, bit for bit (turned around where the
+    /// Operand and triangle index there of each triangle that is an operand's own, bit for bit (reversed where the
     /// result has its outside within the operand); {-1, -1} for triangles made or changed here.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
     /// mm. The result is the exact Boolean of operands whose surfaces were moved by no more than this, rounded within
@@ -39,9 +42,11 @@ struct BooleanResult {
     std::size_t reconstructed = 0;  ///< all others
     std::size_t crossing_pairs = 0;
     std::size_t curve_edges = 0;         ///< on the intersection curves
-    std::size_t parted_contacts = 0;     ///< points in which parts of the result touched
-    std::size_t separated_vertices = 0;  ///< of surfaces that ran along each other
-    std::size_t faults_left = 0;        ///< triangles that touch or cross others or have no area: 0 unless notes say so
+    std::size_t separated_contacts = 0;  ///< points in which regions of the result touched
+    std::size_t separated_vertices = 0;  ///< vertices moved off nearly coincident surfaces
+    /// Triangles that touch or cross others, are at an edge or a vertex that is not manifold, or have no area: 0 unless
+    /// notes say so.
+    std::size_t faults_left = 0;
     std::vector<std::string> repaired;  ///< a sentence for each operand, empty when there was nothing to do
     std::vector<std::string> notes;
     StageTimes seconds;
@@ -50,15 +55,20 @@ struct BooleanResult {
 /// Joins, intersects or subtracts any number of closed meshes; the operation is applied from the first operand on.
 ///
 /// The operands' triangles are intersected exactly; where their surfaces cross, triangles are divided, everywhere else
-/// they are kept as they are. Bodies that meet in an edge or a vertex only are parted; surfaces that run along each
-/// other within the tolerance are separated. Operands may intersect themselves: inside is where an operand winds around
-/// at least once (the normal index of Wang 2010, section V.C). They are repaired first, see prepare_operand.
+/// they are kept as they are. Bodies that meet in an edge or a vertex only are separated; surfaces that nearly
+/// coincide, within the tolerance, are separated, too. Operands may intersect themselves: inside is where an operand
+/// winds around at least once (the normal index of Wang 2010, section V.C). They are repaired first, see
+/// prepare_operand.
 ///
 /// All vertices made here are single-precision numbers when those of the operands are.
 /// @throws InvalidInput for an option out of range, or an operand that cannot be repaired, naming it
 /// @throws TopologyError when the surfaces do not bound volumes
 /// @throws Cancelled
 BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation,
+                      const BooleanOptions& options, Progress* progress = nullptr);
+
+/// The same for any expression of the operands, by one arrangement: nothing is rounded between its operations.
+BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, const Expression& expression,
                       const BooleanOptions& options, Progress* progress = nullptr);
 
 }  // namespace mq::boolean

@@ -8,20 +8,20 @@
 #include <set>
 
 #include "base/error.h"
-#include "curve/child_process.h"
-#include "curve/distortion.h"
-#include "curve/enclosed.h"
-#include "curve/filled_volume.h"
-#include "curve/straighten.h"
-#include "curve/surface_crossing.h"
-#include "curve/surface_repair.h"
-#include "curve/validity.h"
+#include "base/stopwatch.h"
+#include "curve/bezier/validity.h"
+#include "curve/output/shape_distortion.h"
+#include "curve/surface/enclosed_volume.h"
+#include "curve/surface/repair.h"
+#include "curve/surface/self_intersections.h"
+#include "curve/volume/straighten.h"
+#include "curve/volume/volume_filling.h"
 
 namespace mq::curve {
 
 namespace {
 
-std::vector<int> living(const Surface& surface) {
+std::vector<int> living(const CurvedSurface& surface) {
     std::vector<int> result;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         if (surface.triangles[t].alive) {
@@ -31,7 +31,7 @@ std::vector<int> living(const Surface& surface) {
     return result;
 }
 
-/// Surface figures. `invalid` counts on in what is there already.
+/// CurvedSurface figures. `invalid` adds to the count that the report has already.
 /// @param straightened triangles by their index.
 void measure_surface(SurfaceEditor& editor, const geometry::Topology& topology, const std::set<int>& straightened,
                      CurveReport& report) {
@@ -81,13 +81,13 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
     add("surface edges split in repair", repairs.splits);
 }
 
-/// Names the worst of the vertices and edges that lie off what meets them.
+/// Names the worst of the vertices and edges that deviate from the entities at them.
 void note_gaps(SurfaceEditor& editor, const geometry::Topology& topology, CurveReport& report) {
     std::map<mesh::VertexEntity, double> gaps;
     for (const int v : editor.surface.off_cad) {
         const mesh::VertexEntity& entity = editor.surface.shapes.vertices[static_cast<std::size_t>(v)].entity;
         if (!editor.surface.triangles_of_vertex(v).empty()) {
-            gaps[entity] = std::max(gaps[entity], editor.placement.distance_off(v));
+            gaps[entity] = std::max(gaps[entity], editor.placement.distance_off_cad(v));
         }
     }
     const auto worst =
@@ -103,7 +103,7 @@ void note_gaps(SurfaceEditor& editor, const geometry::Topology& topology, CurveR
                            ": elements there leave the shape to reach it");
 }
 
-void note(const FilledVolume& filled, CurveReport& report) {
+void note(const FilledTetrahedralMesh& filled, CurveReport& report) {
     const VolumeRepairs& repairs = filled.repairs;
     report.invalid_before += static_cast<std::size_t>(repairs.invalid_before);
     report.repairs.emplace_back("edge swaps in regions", repairs.edge_swaps);
@@ -118,10 +118,11 @@ void note(const FilledVolume& filled, CurveReport& report) {
     report.notes.insert(report.notes.end(), filled.notes.begin(), filled.notes.end());
 }
 
-/// Volume figures take the place of those of the surface; invalid triangles stay counted.
+/// TetrahedralMesh figures replace those of the surface; invalid triangles stay counted.
 /// @param straightened tetrahedra by their index.
 /// @return the scaled Jacobian of each living tetrahedron.
-std::vector<double> measure_volume(const Volume& volume, const std::set<int>& straightened, CurveReport& report) {
+std::vector<double> measure_volume(const TetrahedralMesh& volume, const std::set<int>& straightened,
+                                   CurveReport& report) {
     std::vector<double> qualities;
     const Lattice& lattice = Lattice::of(3, volume.shapes().order());
     std::vector<Vec3> control;
@@ -163,15 +164,15 @@ double largest_distortion(const CurvedMesh& mesh, bool volume, Progress& progres
     return largest;
 }
 
-/// Before all the work, where a volume is asked for.
-void require_solids(const geometry::Topology& topology, const Options& options) {
+/// Refuses a volume mesh of a shape without solids before any work is done.
+void require_solids(const geometry::Topology& topology, const CurveOptions& options) {
     const auto solid = [](const geometry::Volume& volume) { return volume.kind == geometry::Volume::Kind::Solid; };
     if (options.volume && std::none_of(topology.volumes.begin(), topology.volumes.end(), solid)) {
         throw InvalidInput("the shape has no solids to fill: leave volume off to curve its faces");
     }
 }
 
-void repair(SurfaceEditor& editor, const geometry::Topology& topology, const Options& options, Progress& progress,
+void repair(SurfaceEditor& editor, const geometry::Topology& topology, const CurveOptions& options, Progress& progress,
             CurveReport& report) {
     if (!options.repair) {
         return;
@@ -185,7 +186,7 @@ void repair(SurfaceEditor& editor, const geometry::Topology& topology, const Opt
 
 }  // namespace
 
-void Options::validate() const {
+void CurveOptions::validate() const {
     const int most = volume ? kMaxOrder - 1 : kMaxOrder;
     if (order < 1 || order > most) {
         throw InvalidInput("order is " + std::to_string(order) + ": it goes from 1 to " + std::to_string(most) +
@@ -197,7 +198,7 @@ void Options::validate() const {
 }
 
 CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
-                 const mesh::TriangleMesh& straight, const Options& options, Progress* progress) {
+                 const mesh::TriangleMesh& straight, const CurveOptions& options, Progress* progress) {
     options.validate();
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
@@ -208,7 +209,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     geometry::Session session(engine, model, &watched);
     require_solids(session.topology(), options);
     watched.stage("classifying", 0.0, 0.1);
-    Surface surface = classify(session, straight, options.order);
+    CurvedSurface surface = classify(session, straight, options.order);
     clock.end("classifying");
     watched.stage("curving the surface", 0.1, 0.3);
     SurfaceEditor editor(session, surface);
@@ -218,19 +219,18 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     repair(editor, session.topology(), options, watched, report);
     const std::set<int> straight_triangles = options.straighten ? straighten_triangles(editor) : std::set<int>();
     clock.end("repairing the surface");
-    std::vector<Region> regions;
+    std::vector<Tetrahedron> tetrahedra;
     std::vector<double> qualities;
     if (options.volume) {
-        FilledVolume filled = fill_and_repair(surface, session.topology(), watched, clock);
+        FilledTetrahedralMesh filled = fill_and_repair(surface, session.topology(), watched, clock);
         note(filled, report);
-        Volume& volume = filled.volume;
+        TetrahedralMesh& volume = filled.volume;
         const std::set<int> straight_tetrahedra =
             options.straighten ? straighten_tetrahedra(volume, editor) : std::set<int>();
         measure_surface(editor, session.topology(), straight_triangles, report);
         qualities = measure_volume(volume, straight_tetrahedra, report);
         for (const int t : volume.living()) {
-            const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
-            regions.push_back({tetrahedron.corners, tetrahedron.volume});
+            tetrahedra.push_back(volume.tetrahedra[static_cast<std::size_t>(t)]);
         }
     } else {
         measure_surface(editor, session.topology(), straight_triangles, report);
@@ -238,13 +238,13 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     note_gaps(editor, session.topology(), report);
     report.repairs.emplace_back("elements made straight", report.straightened.size());
     report.volume = enclosed_volume(surface, session.topology());
-    CurvedMesh result = assemble(surface, regions);
+    CurvedMesh result = assemble(surface, tetrahedra);
     result.tetrahedron_quality = std::move(qualities);
     for (const int t : living(surface)) {
         result.triangle_quality.push_back(editor.triangle(t).quality);
     }
     report.max_shape_distortion = largest_distortion(result, options.volume, watched);
-    put_on_whole_entities(result, session.topology());
+    classify_on_original_entities(result, session.topology());
     clock.end("measuring");
     report.vertices = result.vertices;
     report.cpu_seconds = cpu_seconds() - start;

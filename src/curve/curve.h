@@ -4,25 +4,25 @@
 #include <memory>
 
 #include "base/progress.h"
-#include "curve/curved_mesh.h"
+#include "curve/output/curved_mesh.h"
 #include "geometry/engine.h"
 
 /// Curvilinear meshes that are proven valid, after Dey, O'Bara, Shephard 1999.
 namespace mq::curve {
 
-struct Options {
+struct CurveOptions {
     int order = 2;            ///< 1 to 5 for surfaces, 1 to 4 for volumes
     bool volume = false;      ///< fill the solids with tetrahedra
     bool straighten = false;  ///< make elements straight that stay invalid after all repairs
-    bool repair = true;       ///< false: surfaces as they are placed on the CAD, to compare with
+    bool repair = true;       ///< false: surfaces as they are first placed on the CAD, for comparison
 
     /// @throws InvalidInput naming the option, its value and its range.
     void validate() const;
 };
 
-/// Curves a straight mesh of the part, made by triangulate(), to the part's geometry.
+/// Curves a straight mesh of the model, made by triangulate(), to the model's geometry.
 /// @throws InvalidInput, TopologyError, GeometryError naming the entity; Cancelled.
 CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
-                 const mesh::TriangleMesh& straight, const Options& options = {}, Progress* progress = nullptr);
+                 const mesh::TriangleMesh& straight, const CurveOptions& options = {}, Progress* progress = nullptr);
 
 }  // namespace mq::curve

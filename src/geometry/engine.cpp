@@ -8,10 +8,12 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <utility>
 
 #include "base/error.h"
+#include "base/waits.h"
 
 namespace mq::geometry {
 
@@ -23,18 +25,19 @@ Engine::Answers stopped(std::size_t count) {
     return Engine::Answers(count, answer);
 }
 
-/// What waits for the thread: a batch, or the work of a call of `run` when `work` is set.
+/// A job in the engine's queue: a batch, or the work of a call of `run` when `work` is set.
 struct Job {
     std::shared_ptr<Model> model;
     Engine::Batch batch;
     std::promise<Engine::Answers> answers;
     const std::function<void()>* work = nullptr;
     std::promise<void> done;
+    const Progress* owner = nullptr;  ///< progress of the caller, who waits until the job has ended
     std::uint64_t generation = 0;
-    std::uint64_t number = 0;  ///< of all jobs of the engine, in the order in which they came
+    std::uint64_t number = 0;  ///< number among all jobs of the engine, in the order of their arrival
 };
 
-/// How long nobody looks whether a caller who waits was cancelled: much less than the 0.2 s that users may notice.
+/// Time between two checks whether a waiting caller was cancelled: much less than the 0.2 s that users may notice.
 constexpr std::chrono::milliseconds kBetweenLooks(20);
 
 bool is_cancelled(const Progress* progress) {
@@ -60,6 +63,8 @@ class Engine::Impl {
     template <typename Result>
     void wait(const std::future<Result>& result, std::uint64_t number, const Progress* progress);
     bool withdraw(std::uint64_t number);
+    void name_user(std::uint64_t number, const Progress* progress);
+    std::deque<Job>::iterator waiting_job(std::uint64_t number);
     void serve();
     void finish(Job& job);
     Answers answer(const std::shared_ptr<Model>& model, const Batch& batch, std::uint64_t generation);
@@ -73,6 +78,7 @@ class Engine::Impl {
     std::condition_variable not_full_;
     std::deque<Job> queue_;
     std::uint64_t jobs_ = 0;
+    std::string user_;  ///< title of the operation whose job runs
     bool stopping_ = false;
     std::mutex join_mutex_;
     std::thread worker_;
@@ -92,7 +98,7 @@ Engine::Impl::~Impl() {
 bool Engine::Impl::push(Job& job, const Progress* progress) {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!not_full_.wait_for(lock, kBetweenLooks, [this] { return stopping_ || queue_.size() < capacity_; })) {
-        look_for_cancel(progress);
+        check_cancelled(progress);
     }
     if (stopping_) {
         return false;
@@ -115,14 +121,28 @@ void Engine::Impl::wait(const std::future<Result>& result, std::uint64_t number,
         if (is_cancelled(progress) && withdraw(number)) {
             progress->check();
         }
+        name_user(number, progress);
     }
 }
 
-/// Takes a job out of the queue. @returns false when it is not there any more.
-bool Engine::Impl::withdraw(std::uint64_t number) {
-    Job withdrawn;  // let go after the lock
+/// Tells the caller which operation's job it waits for, as long as its own job is in the queue.
+void Engine::Impl::name_user(std::uint64_t number, const Progress* progress) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = std::find_if(queue_.begin(), queue_.end(), [&](const Job& job) { return job.number == number; });
+    if (waiting_job(number) != queue_.end()) {
+        Waits::set(progress, "the shape engine, used by " + (user_.empty() ? "other work" : user_));
+    }
+}
+
+/// Requires the mutex to be held.
+std::deque<Job>::iterator Engine::Impl::waiting_job(std::uint64_t number) {
+    return std::find_if(queue_.begin(), queue_.end(), [&](const Job& job) { return job.number == number; });
+}
+
+/// Removes a job from the queue. @returns false when it is not in the queue any more.
+bool Engine::Impl::withdraw(std::uint64_t number) {
+    Job withdrawn;  // released after the lock
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = waiting_job(number);
     if (found == queue_.end()) {
         return false;
     }
@@ -144,6 +164,8 @@ void Engine::Impl::serve() {
         }
         Job job = std::move(queue_.front());
         queue_.pop_front();
+        user_ = Waits::title_of(job.owner);
+        Waits::set(job.owner, std::string());
         lock.unlock();
         not_full_.notify_one();
         finish(job);
@@ -155,12 +177,16 @@ void Engine::Impl::finish(Job& job) {
         try {
             (*job.work)();
             job.done.set_value();
-        } catch (...) {  // handed on, whatever it is: it is thrown again in the caller's thread
+        } catch (...) {  // passed on, whatever it is: it is thrown again in the caller's thread
             job.done.set_exception(std::current_exception());
         }
         return;
     }
-    Answers answers = answer(job.model, job.batch, job.generation);
+    Answers answers;
+    {
+        const OpenCascadeWait wait(job.owner, job.owner != nullptr ? job.owner->name() : std::string());
+        answers = answer(job.model, job.batch, job.generation);
+    }
     // The caller who has the answers may be the last owner of the model then.
     job.model.reset();
     job.answers.set_value(std::move(answers));
@@ -179,7 +205,7 @@ Engine::Answers Engine::Impl::answer(const std::shared_ptr<Model>& model, const 
             answers.back().status = Status::BadQuery;
         }
     }
-    answers.resize(batch.size());  // what is left was stopped, as an answer says that nobody gave
+    answers.resize(batch.size());  // queries without an answer were stopped; that is an answer's default
     queries_.fetch_add(count, std::memory_order_relaxed);
     return answers;
 }
@@ -195,12 +221,13 @@ Engine::Answers Engine::Impl::ask(const std::shared_ptr<Model>& model, Batch bat
     Job job;
     job.model = model;
     job.batch = std::move(batch);
+    job.owner = progress;
     std::future<Answers> answers = hand_over(job, progress);
     wait(answers, job.number, progress);
     return answers.get();
 }
 
-/// Has a batch answered; the job keeps its number.
+/// Answers a batch; the job keeps its number.
 std::future<Engine::Answers> Engine::Impl::hand_over(Job& job, const Progress* progress) {
     job.generation = generation_.load();
     std::future<Answers> future = job.answers.get_future();
@@ -210,7 +237,7 @@ std::future<Engine::Answers> Engine::Impl::hand_over(Job& job, const Progress* p
         lock.unlock();
         job.answers.set_value(refused ? stopped(job.batch.size()) : answer(job.model, job.batch, job.generation));
     } else if (on_own_thread()) {
-        // Waiting for the queue here would be waiting for oneself.
+        // Waiting for the queue on the engine's own thread would never end.
         finish(job);
     } else if (!push(job, progress)) {
         job.answers.set_value(stopped(job.batch.size()));
@@ -225,6 +252,7 @@ void Engine::Impl::run(const std::function<void()>& work, const Progress* progre
     }
     Job job;
     job.work = &work;
+    job.owner = progress;
     std::future<void> done = job.done.get_future();
     if (!push(job, progress)) {
         throw Cancelled("the geometry engine has been shut down");

@@ -21,7 +21,7 @@ class Engine {
   public:
     enum class Mode {
         Threaded,  ///< the modeler lives on a thread of the engine's own
-        Direct,    ///< every query is answered in the caller's thread (to compare; one caller only)
+        Direct,    ///< every query is answered in the caller's thread (for comparisons; one caller only)
     };
     explicit Engine(Mode mode = Mode::Threaded, std::size_t queue_capacity = 64);
     ~Engine();
@@ -31,7 +31,7 @@ class Engine {
     using Batch = std::vector<Query>;
     using Answers = std::vector<Answer>;
 
-    /// Hands a batch over and returns at once; the answers come in the batch's order.
+    /// Submits a batch and returns at once; the answers come in the batch's order.
     std::future<Answers> submit(const std::shared_ptr<Model>& model, Batch batch);
     /// The same, waiting for the answers. A batch whose turn has not come yet is withdrawn once `progress` is
     /// cancelled.
@@ -39,17 +39,17 @@ class Engine {
     Answers ask(const std::shared_ptr<Model>& model, Batch batch, const Progress* progress = nullptr);
     Answer ask(const std::shared_ptr<Model>& model, const Query& query, const Progress* progress = nullptr);
 
-    /// Runs `work` on the engine's thread and waits for it: building a model, for one. What `work` throws is thrown
-    /// here, in the caller's thread. Work that has not begun is withdrawn once `progress` is cancelled.
+    /// Runs `work` on the engine's thread and waits for it, for example to build a model. Exceptions of `work` are
+    /// thrown again in the caller's thread. Work that has not begun is withdrawn once `progress` is cancelled.
     /// @throws Cancelled
     void run(const std::function<void()>& work, const Progress* progress = nullptr);
 
-    /// Drops all batches that wait; they and the rest of the running one are answered with Status::Stopped.
+    /// Drops all batches in the queue; they and the rest of the running one are answered with Status::Stopped.
     void cancel();
     /// As cancel, and the thread ends. Idempotent.
     void shut_down();
 
-    /// Queries answered so far.
+    /// The number of queries answered since the start.
     std::uint64_t queries() const;
 
   private:

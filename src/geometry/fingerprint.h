@@ -8,12 +8,12 @@
 
 namespace mq::geometry {
 
-/// 128 bits that are the same where the numbers that were added are the same, bit by bit and in the same order.
+/// 128 bits that are equal where the same numbers were added, bit by bit and in the same order.
 using Fingerprint = std::array<std::uint64_t, 2>;
 
 void add_to(Fingerprint& fingerprint, std::uint64_t number);
 void add_to(Fingerprint& fingerprint, int number);
-/// Zeros are equal whatever their sign.
+/// Adds a number; zeros are equal whatever their sign.
 void add_to(Fingerprint& fingerprint, double number);
 void add_to(Fingerprint& fingerprint, const Vec3& v);
 void add_to(Fingerprint& fingerprint, const Fingerprint& other);

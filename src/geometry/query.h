@@ -5,7 +5,7 @@
 
 #include "base/vec.h"
 
-/// Questions to the geometry engine, and its answers, as plain values that cross threads by copy.
+/// Queries to the geometry engine, and its answers, as plain values that cross threads by copy.
 namespace mq::geometry {
 
 struct Query {
@@ -48,7 +48,7 @@ struct Query {
     static Query volume_contains(int volume, const Vec3& point);
 };
 
-/// A failed query is a value too. Whoever asks decides what a failure means.
+/// A failed query is a value too. The caller decides how to treat a failure.
 enum class Status {
     Ok,
     NotFound,       ///< no such point: the search did not converge, or the range holds none
@@ -69,9 +69,10 @@ struct Answer {
     double distance = 0.0;
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::Zero();
-    std::vector<Vec3> derivatives{};  ///< Su, Sv, Suu, Suv, Svv, where asked for: most answers are small without
+    /// Su, Sv, Suu, Suv, Svv, for queries of derivatives only: most answers are small without.
+    std::vector<Vec3> derivatives{};
 
-    /// The point can be used; the normal too unless the surface is singular there.
+    /// Whether the point is valid; the normal too unless the surface is singular there.
     bool found() const { return status == Status::Ok || status == Status::Singular; }
 };
 

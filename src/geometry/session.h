@@ -11,23 +11,23 @@
 
 namespace mq::geometry {
 
-/// One model on one engine: what an algorithm holds while it works on a part.
+/// One model on one engine: the context in which an algorithm works on a model.
 class Session {
   public:
-    static constexpr std::size_t kPiece = 2048;  ///< queries: about 10 ms of B-spline projections
+    static constexpr std::size_t kPiece = 2048;  ///< queries in a piece: about 10 ms of B-spline projections
 
     Session(Engine& engine, std::shared_ptr<Model> model, const Progress* progress = nullptr)
         : engine_(engine), model_(std::move(model)), progress_(progress) {}
 
     const Topology& topology() const { return model_->topology(); }
-    const Motion& place() const { return model_->place(); }
+    const RigidMotion& place() const { return model_->place(); }
     /// Answers in the batch's order. Large batches go to the engine in pieces, so that a cancelled operation ends soon
     /// and the engine stays open to others.
     /// @throws Cancelled.
     Engine::Answers ask(Engine::Batch batch) {
         check();
         if (batch.empty()) {
-            return {};  // not worth waking the engine's thread
+            return {};  // an empty batch does not wake the engine's thread
         }
         if (batch.size() <= kPiece) {
             return engine_.ask(model_, std::move(batch), progress_);
@@ -52,13 +52,10 @@ class Session {
         engine_.run([&] { work(*model_); }, progress_);
     }
 
-  private:
-    void check() const {
-        if (progress_ != nullptr) {
-            progress_->check();
-        }
-    }
+    /// @throws Cancelled
+    void check() const { check_cancelled(progress_); }
 
+  private:
     Engine& engine_;
     std::shared_ptr<Model> model_;
     const Progress* progress_;

@@ -4,6 +4,7 @@
 namespace mq::geometry {
 
 std::string name_of(Entity entity) {
+    // FreeCAD's names of sub-elements, by dimension.
     static constexpr std::array<const char*, 3> kKinds{"Vertex", "Edge", "Face"};
     if (entity.dimension < 0 || entity.dimension > 2 || entity.index < 0) {
         return "(no entity)";

@@ -14,7 +14,7 @@
 /// along their creases (Topology::parts_of), the pieces beyond the first come after all of the shape's own entities.
 namespace mq::geometry {
 
-/// What a vertex or a message refers to: dimension 0 node, 1 edge, 2 face.
+/// The entity to which a vertex or a message refers: dimension 0 node, 1 edge, 2 face.
 struct Entity {
     int dimension = -1;
     int index = -1;
@@ -30,9 +30,9 @@ struct Node {
     double tolerance = 0.0;
 };
 
-/// The pieces of a curve, or of a surface in one direction, each of which is one polynomial: as small as they are can
-/// be what the curve or the surface shows.
-struct Spans {
+/// The pieces of a curve, or of a surface in one direction, each of which is one polynomial: features of the curve or
+/// the surface can be as small as these.
+struct KnotSpans {
     std::vector<double> bounds;  ///< ascending, with both ends of the range; empty for lines, planes, conics, quadrics
     int degree = 0;
 };
@@ -43,17 +43,17 @@ struct EdgeUse {
     int edge = -1;
     int face = -1;
     bool forward = true;    ///< walking the loop with the interior on the left in (u, v), t grows
-    bool internal = false;  ///< lies inside the face and does not bound it
+    bool internal = false;  ///< whether it lies inside the face and does not bound it
 };
 
 struct Edge {
-    std::array<int, 2> nodes{-1, -1};  ///< at t0 and t1; equal when closed; -1 when the curve has no end there
+    std::array<int, 2> nodes{-1, -1};  ///< nodes at t0 and t1; equal when closed; -1 when the curve has no end there
     double t0 = 0.0;
     double t1 = 0.0;
     bool degenerate = false;  ///< no curve in space: the pole of a sphere, the apex of a cone
     double tolerance = 0.0;
     std::vector<int> uses;  ///< indices into Topology::uses
-    Spans spans;
+    KnotSpans spans;
 };
 
 /// An oriented run of edge uses. Not all of them form a closed chain on faulty faces.
@@ -63,14 +63,14 @@ struct Loop {
 
 struct Face {
     std::vector<Loop> loops;
-    std::vector<int> points;  ///< nodes inside: something else touches the face there
+    std::vector<int> points;  ///< nodes inside: another entity touches the face there
     bool reversed = false;    ///< the outward normal is -(Su x Sv)
     bool no_area = false;     ///< the surface is collapsed to a curve: there is nothing to mesh
     double tolerance = 0.0;
     std::array<double, 2> low{0.0, 0.0};  ///< bounds of (u, v) on the trimmed face
     std::array<double, 2> high{0.0, 0.0};
     std::array<double, 2> period{0.0, 0.0};  ///< 0 where the surface is not periodic (or closed) in u, v
-    std::array<Spans, 2> spans;              ///< in u and v
+    std::array<KnotSpans, 2> spans;          ///< spans in u and v
     const char* surface = "other";           ///< "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
 };
 
@@ -91,22 +91,23 @@ struct Topology {
     std::vector<Face> faces;
     std::vector<EdgeUse> uses;
     std::vector<Volume> volumes;
-    Box box;                          ///< of the whole part, mm; never smaller than the part
-    std::vector<std::string> faults;  ///< what is wrong with the part by the kernel's own checks, naming entities
-    /// By dimension, for the entities after the shape's own: what of the shape each belongs to. A piece of an edge or a
-    /// face to the whole one, a crease to its face, the end of a crease to the edge or face that it lies on.
+    Box box;                          ///< box of the whole model, mm; never smaller than the model
+    std::vector<std::string> faults;  ///< faults of the model by the kernel's own checks, naming entities
+    /// By dimension, for the entities after the shape's own: the entity of the shape to which each belongs. A piece of
+    /// an edge or a face belongs to the whole one, a crease to its face, the end of a crease to the edge or face on
+    /// which it lies.
     std::array<std::vector<Entity>, 3> parts_of;
 
     bool has_pieces() const { return !parts_of[0].empty() || !parts_of[1].empty() || !parts_of[2].empty(); }
-    /// How many of the entities are the shape's own.
+    /// The number of entities that are the shape's own.
     std::size_t own_count(int dimension) const;
-    /// Itself, but for what is in `parts_of`.
+    /// The entity itself, unless it is in `parts_of`.
     Entity of_shape(Entity entity) const;
     /// The indices of all pieces of an entity of the shape; only its own where it was not cut.
     std::vector<int> pieces_of(Entity entity) const;
-    /// Around and inside a face.
+    /// The edges around and inside a face.
     std::set<int> edges_of(int face) const;
-    /// As mq::geometry::name_of, by the shape's own entities.
+    /// The same as mq::geometry::name_of, by the shape's own entities.
     std::string name_of(Entity entity) const;
 };
 

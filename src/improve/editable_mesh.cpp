@@ -4,20 +4,21 @@
 #include <algorithm>
 
 #include "base/angle.h"
-#include "improve/thin.h"
 #include "mesh/edge_table.h"
+#include "mesh/quality/triangle_quality.h"
 
 namespace mq::improve {
 
 namespace {
 
-/// The normals of all triangles. A thin one has that of its neighbour at its longest edge, of which it is a splinter.
+/// The normals of all triangles. A thin one gets that of its neighbour at its longest edge.
 std::vector<Vec3> sound_normals(const EditableMesh& mesh, const mesh::EdgeTable& edges) {
+    // Neighbours visited in the search for a normal at most, so that it ends among thin triangles.
     constexpr int kFarthest = 16;
     std::vector<Vec3> normals;
     std::vector<int> next;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
-        normals.push_back(sound_normal(mesh.corners(mesh.triangle(t))));
+        normals.push_back(mesh::robust_normal(mesh.corners(mesh.triangle(t))));
         next.push_back(t);
     }
     edges.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
@@ -98,7 +99,7 @@ void EditableMesh::forget_last_vertex() {
     sharp_at_.pop_back();
 }
 
-void EditableMesh::apply(const Change& change) {
+void EditableMesh::apply(const LocalOperation& change) {
     for (const int t : change.removed) {
         gone_[t] = 1;
         for (const std::int32_t v : triangles_[t]) {

@@ -13,20 +13,20 @@ namespace mq::improve {
 
 using mesh::Triangle;
 
-/// Triangles that others take the place of. Vertices named in `added` exist already.
-struct Change {
+/// A change: triangles that are replaced by others. Vertices named in `added` exist already.
+struct LocalOperation {
     std::vector<int> removed;
     std::vector<Triangle> added;
     std::vector<std::pair<int, int>> sharp;      ///< edges that become sharp
-    std::vector<std::pair<int, int>> not_sharp;  ///< edges that go, or are sharp no longer
+    std::vector<std::pair<int, int>> not_sharp;  ///< edges that are removed, or sharp no longer
 };
 
-/// A triangle mesh that is edited piece by piece. Triangles and vertices keep their index; those that are gone are
-/// marked. Sharp edges are those that must stay.
+/// A triangle mesh that is edited locally. Triangles and vertices keep their index; those that are removed are marked.
+/// Sharp edges are those that must stay.
 class EditableMesh {
   public:
-    /// Edges of one or of more than two triangles are sharp, and those with a larger angle (radians) between their
-    /// triangles' normals than `feature_angle`. Triangles too thin to have a normal do not make edges sharp.
+    /// @param feature_angle radians: edges with a larger angle between their triangles' normals are sharp, as are edges
+    /// of one or of more than two triangles. Triangles too thin to have a normal do not make edges sharp.
     EditableMesh(const mesh::TriangleMesh& given, double feature_angle);
 
     int triangle_count() const { return static_cast<int>(triangles_.size()); }
@@ -48,21 +48,21 @@ class EditableMesh {
     std::vector<int> neighbours(int v) const;
 
     int add_vertex(const Vec3& point);
-    /// Takes the last vertex back, which no triangle uses yet.
+    /// Removes the last vertex, which no triangle uses yet.
     void forget_last_vertex();
-    void apply(const Change& change);
+    void apply(const LocalOperation& change);
 
-    /// A state to come back to. Triangles and vertices are only ever added and marked, so that marks are all it takes.
+    /// A saved state. Triangles and vertices are only ever added and marked, so that the marks are all that is saved.
     struct State {
         std::vector<char> gone;
         std::vector<std::vector<int>> sharp_at;
         int alive = 0;
     };
     State state() const { return {gone_, sharp_at_, alive_}; }
-    /// Goes back to an earlier state of this mesh.
+    /// Restores an earlier state of this mesh.
     void restore(State state);
 
-    /// What is there now, with vertices that no triangle uses left out.
+    /// The present mesh, without vertices that no triangle uses.
     mesh::TriangleMesh result() const;
 
   private:

@@ -37,14 +37,14 @@ mesh::TriangleMesh checked(const mesh::TriangleMesh& given) {
 
 }  // namespace
 
-void Options::validate() const {
+void ImproveOptions::validate() const {
     require(min_angle > 0.0 && min_angle <= 34.0, "min_angle", min_angle, "greater than 0 and at most 34 degrees");
     require(tolerance >= 0.0, "tolerance", tolerance, "0 mm or more");
     require(feature_angle > 0.0 && feature_angle <= 180.0, "feature_angle", feature_angle,
             "greater than 0 and at most 180 degrees");
 }
 
-Result improve(const mesh::TriangleMesh& given, const Options& options, Progress* progress) {
+Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress* progress) {
     options.validate();
     const mesh::TriangleMesh start = checked(given);
     if (start.triangles.empty()) {
@@ -62,7 +62,7 @@ Result improve(const mesh::TriangleMesh& given, const Options& options, Progress
     result.mesh = improver.mesh().result();
     result.mesh.origin = start.origin;
     result.seconds = std::move(seconds);
-    // Triangles that are gone are left out of the result.
+    // Removed triangles are left out of the result.
     std::vector<std::int32_t> index(static_cast<std::size_t>(improver.mesh().triangle_count()), 0);
     std::int32_t next = 0;
     for (int t = 0; t < improver.mesh().triangle_count(); ++t) {

@@ -13,10 +13,11 @@
 
 namespace mq::improve {
 
-struct Options {
-    double min_angle = 25.0;      ///< degrees: what every triangle's smallest angle is to reach, 0 < a <= 34
-    double tolerance = 0.0;       ///< mm: how far the surfaces may be from each other; 0: 1e-3 of the largest dimension
-    double feature_angle = 35.0;  ///< degrees: edges where the surface turns by more than this stay, 0 < a <= 180
+struct ImproveOptions {
+    double min_angle = 25.0;  ///< degrees: required smallest angle of every triangle, 0 < a <= 34
+    double tolerance = 0.0;   ///< mm: largest distance between the surfaces; 0: 1e-3 of the largest dimension
+    /// degrees: edges between triangles whose normals differ by more than this stay, 0 < a <= 180.
+    double feature_angle = 35.0;
 
     /// @throws InvalidInput naming the option, its value and its range.
     void validate() const;
@@ -28,25 +29,27 @@ struct Result {
     std::size_t collapses = 0;
     std::size_t splits = 0;
     std::size_t moves = 0;
-    /// Triangle and why it is below the angle asked for.
+    /// Triangle, and the reason why its smallest angle is below `min_angle`.
     std::vector<std::pair<std::int32_t, std::string>> exempt;
     StageTimes seconds;
 };
 
-/// Improves the triangles of a mesh that has no CAD behind it, on the surface that it is.
+/// Improves the triangles of a mesh without CAD geometry, on its own surface.
 ///
-/// Bad triangles are mended worst first: an edge is swapped, a short edge collapsed, a vertex moved along the surface;
-/// where that does not help, the terminal edge of the longest-edge path is halved (Rivara 1997, LEPP-Delaunay). Swaps,
-/// collapses and moves are done only if the worst angle around becomes better. Nothing is done that
+/// Bad triangles are improved worst first: an edge is swapped, a short edge collapsed, a vertex moved along the
+/// surface; where that does not help, the terminal edge of the longest-edge path is halved (Rivara 1997,
+/// LEPP-Delaunay). Swaps, collapses and moves are made only if the worst angle around becomes better. A change is
+/// refused if it
 /// - moves the corners, edge middles and centres of new triangles farther than the tolerance from the given surface, or
 ///   a given vertex farther than that from the new one (halves of such triangles, which are on the same surface, may
-///   show a little more),
-/// - turns a triangle's normal by more than 60 degrees from that of the surface,
-/// - removes a sharp edge (see Options::feature_angle), a border, or an edge of more than two triangles; vertices on
+///   exceed it slightly),
+/// - makes the angle between a triangle's normal and that of the surface larger than 60 degrees,
+/// - removes a sharp edge (see ImproveOptions::feature_angle), a border, or an edge of more than two triangles;
+/// vertices on
 ///   them move along them only, and stay where these meet or bend.
 /// The connections of the given mesh are kept; it need not be closed. Deterministic.
 /// @throws InvalidInput for an option out of range, or a mesh with a triangle that names a vertex twice
 /// @throws Cancelled
-Result improve(const mesh::TriangleMesh& given, const Options& options, Progress* progress = nullptr);
+Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress* progress = nullptr);
 
 }  // namespace mq::improve

@@ -7,27 +7,30 @@
 #include <limits>
 
 #include "base/angle.h"
-#include "mesh/triangle_shape.h"
+#include "mesh/quality/triangle_quality.h"
 
 namespace mq::improve {
 
 namespace {
 
-constexpr double kSameSide = 0.5;    // cosine of the most that a normal may turn from the surface's: 60 degrees
-constexpr double kTolerance = 1e-3;  // of the largest dimension, where none is given
-// Degrees. Vertices that creep would hold up what helps more.
+constexpr double kSameSide = 0.5;    // least cosine between a triangle's normal and the surface's: 60 degrees
+constexpr double kTolerance = 1e-3;  // default tolerance as a fraction of the largest dimension
+// Least gain of a move in degrees. Vertices that keep moving by small steps would delay more effective changes.
 constexpr double kBetter = 1.0;
+/// Rounds at most, so that the work ends.
 constexpr int kMostRounds = 200;
-// Refinement that finds no way to fewer bad triangles in so many rounds is not about to.
+// Refinement ends after this many rounds without fewer bad triangles.
 constexpr int kPatience = 12;
-// Rounds in which vertices are only taken away, moved and swapped, before new ones come.
+// Rounds in which vertices are only removed, moved and swapped, before new ones are inserted.
 constexpr int kRoundsWithoutSplits = 6;
-// Refinement near small angles of sharp edges has no end of its own.
+// Triangles at most, as a multiple of the given ones: refinement near small angles of sharp edges would not end by
+// itself.
 constexpr int kGrowth = 6;
+/// Triangles allowed in addition, so that small meshes can be refined.
 constexpr int kMoreTriangles = 2000;
-// So often an edge of the given mesh may be halved.
+// Times that an edge of the given mesh may be halved.
 constexpr int kMostHalvings = 10;
-// Edges are not halved to lengths below so many units of single precision of the part's size.
+// Least length of a halved edge, in units of single precision at the model's size.
 constexpr double kShortestUnits = 64.0;
 
 double size_of(const mesh::TriangleMesh& mesh) {
@@ -40,7 +43,7 @@ double size_of(const mesh::TriangleMesh& mesh) {
 
 }  // namespace
 
-Improver::Improver(const mesh::TriangleMesh& given, const Options& options, Progress& progress)
+Improver::Improver(const mesh::TriangleMesh& given, const ImproveOptions& options, Progress& progress)
     : options_(options),
       tolerance_(options.tolerance > 0.0 ? options.tolerance : kTolerance * size_of(given)),
       progress_(progress),
@@ -83,7 +86,8 @@ void Improver::run() {
         splits = splits || !changed || round + 1 >= kRoundsWithoutSplits;
     }
     if (bad_triangles().size() >= fewest_bad_) {
-        // Where refinement runs away, between sharp edges at small angles, there are more bad triangles in the end.
+        // Where refinement does not end, between sharp edges at small angles, the last state may have more bad
+        // triangles than an earlier one.
         mesh_.restore(std::move(*best_));
         counts = best_counts_;
     }
@@ -120,7 +124,7 @@ bool Improver::bad(int t) const {
 bool Improver::forced(int t) const {
     const Triangle& c = mesh_.triangle(t);
     const std::array<Vec3, 3> p = mesh_.corners(c);
-    // Opposite the shortest edge.
+    // The corner opposite the shortest edge.
     std::size_t at = 0;
     double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -164,7 +168,7 @@ bool Improver::same_around(int t, int since) const {
     return std::all_of(c.begin(), c.end(), [&](int v) { return around_[v] < since; });
 }
 
-void Improver::note_changed(const Change& change) {
+void Improver::note_changed(const LocalOperation& change) {
     std::vector<int> touched;
     for (const int t : change.removed) {
         touched.insert(touched.end(), mesh_.triangle(t).begin(), mesh_.triangle(t).end());
@@ -235,7 +239,7 @@ bool Improver::collapse_some(int t) {
     for (const std::size_t i : order) {
         const int a = c[i], b = c[(i + 1) % 3];
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)}) {
-            // Vertices that came by halving would go and come for ever.
+            // Vertices inserted by halving stay, as they would otherwise be removed and inserted without end.
             const bool may_go = halvings_[from] == 0 && betters(from, mesh_.point(to), to);
             const auto change = may_go ? collapse_edge(mesh_, from, to, bend_) : std::nullopt;
             if (change && attempt(*change, Rule::Better, {mesh_.point(from)})) {
@@ -284,7 +288,7 @@ bool Improver::refine(int t) {
     if (mesh_.alive_count() >= most_triangles_) {
         return false;
     }
-    // Along the longest edges to one that is the longest of both its triangles, or sharp.
+    // Walks along the longest edges to one that is the longest of both its triangles, or sharp.
     const auto longest = [&](int s) {
         const Triangle& c = mesh_.triangle(s);
         std::array<std::pair<double, std::array<int, 2>>, 3> edges;
@@ -316,7 +320,7 @@ bool Improver::split(int a, int b) {
         return false;
     }
     const Vec3 p = mesh_.is_sharp(a, b) ? surface_.project_to_sharp_edges(middle) : surface_.project(middle);
-    // Where the surface is at the limit of the tolerance, it stays as it is.
+    // Where the surface is at the limit of the tolerance, the new vertex leaves it as it is.
     for (const auto& [place, rule] : {std::pair(p, Rule::Any), std::pair(in_single(middle), Rule::Same)}) {
         const int v = add_vertex(place, halvings);
         if (attempt(split_edge(mesh_, a, b, v), rule)) {
@@ -330,6 +334,7 @@ bool Improver::split(int a, int b) {
 }
 
 Vec3 Improver::on_a_shell(int a, int b) const {
+    // Angle between sharp edges, radians, below which they are divided alike.
     constexpr double kNarrow = 60.0 * kDegree;
     const auto is_apex = [&](int v, int other) {
         const Vec3 along = mesh_.point(other) - mesh_.point(v);
@@ -345,7 +350,8 @@ Vec3 Improver::on_a_shell(int a, int b) const {
         return 0.5 * (p + q);
     }
     const double length = (q - p).norm();
-    const double shell = std::exp2(std::round(std::log2(0.5 * length))) / length;  // 0.35 to 0.71
+    // Fraction of the length, 0.35 to 0.71.
+    const double shell = std::exp2(std::round(std::log2(0.5 * length))) / length;
     return at_a ? Vec3(p + shell * (q - p)) : Vec3(q + shell * (p - q));
 }
 
@@ -377,7 +383,8 @@ void Improver::swap_around(int v) {
     for (const int t : mesh_.star(v)) {
         add_edges(mesh_.triangle(t));
     }
-    // Each swap betters the worst angle of its two triangles, so that swaps end by themselves; this is for safety.
+    // Each swap improves the worst angle of its two triangles, so that swaps end by themselves; the limit is for
+    // safety.
     for (int steps = 0; !edges.empty() && steps < 400; ++steps) {
         const auto [a, b] = edges.front();
         edges.pop_front();
@@ -392,7 +399,7 @@ void Improver::swap_around(int v) {
     }
 }
 
-bool Improver::attempt(const Change& change, Rule rule, const std::vector<Vec3>& leaving) {
+bool Improver::attempt(const LocalOperation& change, Rule rule, const std::vector<Vec3>& leaving) {
     std::vector<std::vector<Vec3>> taken;
     const bool same = rule == Rule::Same;
     const double most = same ? std::numeric_limits<double>::infinity() : tolerance_;
@@ -403,7 +410,7 @@ bool Improver::attempt(const Change& change, Rule rule, const std::vector<Vec3>&
     return true;
 }
 
-void Improver::make(const Change& change, std::vector<std::vector<Vec3>> taken) {
+void Improver::make(const LocalOperation& change, std::vector<std::vector<Vec3>> taken) {
     for (const int t : change.removed) {
         witnesses_[t].clear();
     }
@@ -416,7 +423,7 @@ void Improver::make(const Change& change, std::vector<std::vector<Vec3>> taken) 
     witnesses_.insert(witnesses_.end(), std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
 }
 
-bool Improver::good_enough(const Change& change, Rule rule) const {
+bool Improver::good_enough(const LocalOperation& change, Rule rule) const {
     double least = 0.0;
     if (rule == Rule::Better) {
         double before = 180.0;
@@ -429,12 +436,12 @@ bool Improver::good_enough(const Change& change, Rule rule) const {
                        [&](const Triangle& t) { return smallest_angle(t) > least; });
 }
 
-bool Improver::near_enough(const Change& change) const {
+bool Improver::near_enough(const LocalOperation& change) const {
     for (const Triangle& t : change.added) {
         const std::array<Vec3, 3> p = mesh_.corners(t);
         const Vec3 centre = (p[0] + p[1] + p[2]) / 3.0;
         const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
-        const GivenSurface::Foot foot = surface_.foot(centre);
+        const ReferenceSurface::SurfaceProjection foot = surface_.foot(centre);
         if (foot.distance > tolerance_ || (foot.normal != Vec3::Zero() && normal.dot(foot.normal) < kSameSide)) {
             return false;
         }
@@ -450,7 +457,7 @@ bool Improver::near_enough(const Change& change) const {
     });
 }
 
-bool Improver::hand_over(const Change& change, const std::vector<Vec3>& leaving, double most,
+bool Improver::hand_over(const LocalOperation& change, const std::vector<Vec3>& leaving, double most,
                          std::vector<std::vector<Vec3>>& taken) const {
     taken.assign(change.added.size(), {});
     const auto give = [&](const Vec3& p) {

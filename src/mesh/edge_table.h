@@ -39,7 +39,7 @@ class EdgeTable {
     static bool collapsed(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
   private:
-    std::vector<std::size_t> begin_;  ///< of each lower vertex in the two arrays below
+    std::vector<std::size_t> begin_;  ///< first entry of each lower vertex in the two arrays below
     std::vector<std::int32_t> high_;  ///< the other vertex
     std::vector<std::uint32_t> corners_;
 };

@@ -11,16 +11,16 @@ namespace mq::mesh {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-/// What a vertex lies on: dimension 0 node, 1 edge, 2 face; index as in geometry::Entity. (-1, -1) unknown.
+/// The entity on which a vertex lies: dimension 0 node, 1 edge, 2 face; index as in geometry::Entity. (-1, -1) unknown.
 using VertexEntity = std::array<std::int32_t, 2>;
 
-/// A plain indexed triangle mesh: the product of every algorithm, and the input of every check.
+/// A plain indexed triangle mesh: the result of every algorithm, and the input of every check.
 struct TriangleMesh {
-    Vec3 origin = Vec3::Zero();               ///< of the local frame, mm
+    Vec3 origin = Vec3::Zero();               ///< origin of the local frame, mm
     std::vector<Vec3> vertices;               ///< relative to origin; every value is a single-precision number
-    std::vector<Triangle> triangles;          ///< outward orientation
+    std::vector<Triangle> triangles;          ///< oriented outward
     std::vector<std::int32_t> triangle_face;  ///< CAD face of each triangle; empty when the mesh has no CAD
-    std::vector<VertexEntity> vertex_entity;  ///< empty when the mesh has no CAD
+    std::vector<VertexEntity> vertex_entity;  ///< entity of each vertex; empty when the mesh has no CAD
     /// The same two by the pieces of faces that are cut along creases (geometry::Topology::parts_of); empty where none
     /// is.
     std::vector<std::int32_t> triangle_piece;

@@ -10,7 +10,7 @@ VertexStars::VertexStars(const std::vector<Triangle>& triangles, std::size_t ver
             ++begin_[v];
         }
     }
-    // begin_[v] first is where the star ends, and counts down to where it begins.
+    // begin_[v] is first the star's end, and counts down to its beginning.
     std::uint32_t sum = 0;
     for (std::uint32_t& entry : begin_) {
         sum += entry;

@@ -4,22 +4,17 @@
 #include <array>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <string>
 
-#include "curve/child_process.h"
 #include "curve/curve.h"
-#include "curve/fill.h"
-#include "geometry/occt/shape_content.h"
-#include "geometry/occt/shape_model.h"
-#include "mesh/io.h"
-#include "mesh/report.h"
+#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "mesh/quality/mesh_report.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"
-#include "python/engine.h"
-#include "python/part_shape.h"
-#include "python/watch.h"
-#include "triangulate/triangulate.h"
+#include "python/freecad/freecad_shape.h"
+#include "python/progress_watch.h"
+#include "python/shared_engine.h"
+#include "workflows/curve_shape.h"
 
 namespace py = pybind11;
 
@@ -31,89 +26,19 @@ using curve::CurvedMesh;
 using curve::CurveReport;
 using CurvedPointer = std::shared_ptr<CurvedMesh>;
 
-/// How often a finer straight mesh is tried where the first cannot be filled or stays invalid.
-constexpr int kFiner = 3;
-
-/// From edges to those beside them: invalid elements mostly lie where long edges meet short ones.
-constexpr double kGrowth = 1.5;
-
-void halve(triangulate::Options& options) {
-    options.chord_height *= 0.5;
-    options.chord_height_relative *= 0.5;
-}
-
-/// Sizes that grow slowly come first: they cost fewer elements than a finer mesh of the whole part.
-void refine_for_validity(triangulate::Options& options) {
-    if (options.growth == 0.0) {
-        options.growth = kGrowth;
-    } else {
-        halve(options);
-    }
-}
-
-CurvedMesh attempt(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
-                   const triangulate::Options& straight, const curve::Options& options, Progress& handle) {
-    const triangulate::Result mesh = triangulate::triangulate(engine, model, straight, &handle);
-    CurvedMesh result = curve::curve(engine, model, mesh.mesh, options, &handle);
-    result.report.self_intersections = mesh.report.self_intersections;
-    result.report.crossings = mesh.report.crossings;
-    return result;
-}
-
-CurvedMesh curved(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
-                  triangulate::Options straight, const curve::Options& options, Progress& handle) {
-    std::optional<CurvedMesh> best;
-    for (int times = 0;; ++times) {
-        try {
-            CurvedMesh mesh = attempt(engine, model, straight, options, handle);
-            if (times > 0) {
-                mesh.report.notes.push_back("the straight mesh was made finer " + std::to_string(times) + " times");
-            }
-            if (!best || mesh.report.invalid < best->report.invalid) {
-                best = std::move(mesh);
-            }
-            refine_for_validity(straight);
-        } catch (const curve::CannotFill&) {
-            if (times == kFiner && !best) {
-                throw;
-            }
-            halve(straight);
-        }
-        if (times == kFiner || (best && (best->report.invalid == 0 || !options.repair))) {
-            return std::move(*best);
-        }
-    }
-}
-
-CurvedPointer curve_shape(const PartShape& part, const curve::Options& options, const triangulate::Options& straight,
-                          const py::object& progress) {
-    options.validate();
-    straight.validate();
+CurvedPointer curve_shape(const PartShape& part, const curve::CurveOptions& options,
+                          const triangulate::TriangulateOptions& straight, const py::object& progress) {
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        const double start = curve::cpu_seconds();
-        std::shared_ptr<geometry::Model> model;
-        handle.stage("reading the shape", 0.0, 0.0);
-        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle, geometry::Creases::Cut); }, &handle);
-        auto mesh = std::make_shared<CurvedMesh>(curved(engine, model, straight, options, handle));
-        engine.run([&] { mesh->report.cad_volume = geometry::solid_content(*part.shape); }, &handle);
-        mesh->report.cpu_seconds = curve::cpu_seconds() - start;
-        return mesh;
+        return std::make_shared<CurvedMesh>(workflows::curve_shape(engine, *part.shape, options, straight, handle));
     });
 }
 
-CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape& part, const curve::Options& options,
-                            const py::object& progress) {
-    options.validate();
+CurvedPointer curve_surface(const triangulate::Result& surface, const PartShape& part,
+                            const curve::CurveOptions& options, const py::object& progress) {
     geometry::Engine& engine = shared_engine();
     return watch(progress, [&](Progress& handle) {
-        std::shared_ptr<geometry::Model> model;
-        const bool pieces = !surface.mesh.triangle_piece.empty();
-        const geometry::Creases creases = pieces ? geometry::Creases::Cut : geometry::Creases::Keep;
-        engine.run([&] { model = geometry::make_shape_model(*part.shape, &handle, creases); }, &handle);
-        auto mesh = std::make_shared<CurvedMesh>(curve::curve(engine, model, surface.mesh, options, &handle));
-        engine.run([&] { mesh->report.cad_volume = geometry::solid_content(*part.shape); }, &handle);
-        return mesh;
+        return std::make_shared<CurvedMesh>(workflows::curve_surface(engine, *part.shape, surface, options, handle));
     });
 }
 
@@ -150,10 +75,17 @@ void bind_curve_report(py::module_& m) {
         .def_property_readonly(
             "seconds", [](const CurveReport& r) { return dict_of(r.seconds); }, "{stage: wall-clock seconds}")
         .def_readonly("cpu_seconds", &CurveReport::cpu_seconds, "of the operation, all threads")
-        .def_readonly("self_intersections", &CurveReport::self_intersections,
-                      "pairs of triangles of the straight mesh that cross; -1: not looked for")
+        .def_readonly("chord_height_asked", &CurveReport::chord_height_asked,
+                      "largest deviation that was requested, mm; 0: none")
+        .def_readonly("straight", &CurveReport::straight, "MeshReport of the mesh that was curved")
         .def_property_readonly(
-            "crossing_faces", [](const CurveReport& r) { return crossings_of(r.crossings); },
+            "self_intersections", [](const CurveReport& r) { return r.straight.self_intersections; },
+            "pairs of triangles of the straight mesh that cross; -1: not looked for")
+        .def_property_readonly(
+            "overlaps", [](const CurveReport& r) { return r.straight.overlaps; },
+            "pairs of triangles of the straight mesh that cross and are of different volumes; -1: not looked for")
+        .def_property_readonly(
+            "crossing_faces", [](const CurveReport& r) { return crossings_of(r.straight.crossings); },
             "[(CAD face, CAD face, pairs of their triangles that cross), ...]")
         .def("__repr__", in_short)
         .def("__str__", &curve::to_text);
@@ -164,12 +96,12 @@ void bind_curve_report(py::module_& m) {
 void bind_curve(py::module_& m) {
     bind_curve_report(m);
     bind_curved_mesh(m);
-    py::class_<curve::Options>(m, "CurveOptions", "Options of curve.")
+    py::class_<curve::CurveOptions>(m, "CurveOptions", "Options of curve.")
         .def(py::init<>())
-        .def_readwrite("order", &curve::Options::order)
-        .def_readwrite("volume", &curve::Options::volume)
-        .def_readwrite("straighten", &curve::Options::straighten)
-        .def_readwrite("repair", &curve::Options::repair, "off: surfaces as they are placed, to compare with");
+        .def_readwrite("order", &curve::CurveOptions::order)
+        .def_readwrite("volume", &curve::CurveOptions::volume)
+        .def_readwrite("straighten", &curve::CurveOptions::straighten)
+        .def_readwrite("repair", &curve::CurveOptions::repair, "off: surfaces as they are placed, to compare with");
     m.def("curve", &curve_shape, py::arg("shape"), py::arg("options"), py::arg("straight"),
           py::arg("progress") = py::none(), "Meshes and curves a Part.Shape; returns a Curved.");
     m.def("set_fill_program", &curve::set_fill_program, py::arg("path"), "Where the program lies that fills volumes.");

@@ -4,15 +4,14 @@
 
 #include <memory>
 
-#include "base/error.h"
-#include "curve/curved_mesh.h"
-#include "curve/distortion.h"
-#include "curve/tessellation.h"
-#include "mesh/report.h"
+#include "curve/output/curved_mesh.h"
+#include "curve/output/shape_distortion.h"
+#include "curve/output/tessellation.h"
+#include "mesh/quality/mesh_report.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
+#include "python/progress_watch.h"
 #include "python/python_lock.h"
-#include "python/watch.h"
 #include "triangulate/triangulate.h"
 
 namespace py = pybind11;
@@ -50,35 +49,6 @@ std::vector<T> list_of(const py::array_t<T, py::array::c_style | py::array::forc
     return {array.data(), array.data() + array.size()};
 }
 
-/// Elements of one dimension: whole rows of known nodes, and so many entries of what goes with each.
-void require_elements(const CurvedMesh& mesh, const List& nodes, int width, std::size_t elements, const char* name) {
-    if (nodes.size() != elements * static_cast<std::size_t>(width)) {
-        throw InvalidInput(std::string(name) + " of order " + std::to_string(mesh.order) + " have " +
-                           std::to_string(width) + " nodes each: " + std::to_string(nodes.size()) + " are given for " +
-                           std::to_string(elements));
-    }
-    for (const std::int32_t node : nodes) {
-        if (node < 0 || static_cast<std::size_t>(node) >= mesh.nodes.size()) {
-            throw InvalidInput(std::string(name) + " name node " + std::to_string(node) + ", but the mesh has " +
-                               std::to_string(mesh.nodes.size()) + " nodes");
-        }
-    }
-}
-
-void require_sound(const CurvedMesh& mesh) {
-    if (mesh.order < 1 || mesh.order > curve::kMaxOrder) {
-        throw InvalidInput("elements have an order of 1 to " + std::to_string(curve::kMaxOrder) + ", not " +
-                           std::to_string(mesh.order));
-    }
-    if (mesh.node_entity.size() != mesh.nodes.size()) {
-        throw InvalidInput("each node needs an entity: there are " + std::to_string(mesh.node_entity.size()) + " for " +
-                           std::to_string(mesh.nodes.size()) + " nodes");
-    }
-    require_elements(mesh, mesh.edges, mesh.nodes_per_edge(), mesh.edge_entity.size(), "edges");
-    require_elements(mesh, mesh.triangles, mesh.nodes_per_triangle(), mesh.triangle_face.size(), "triangles");
-    require_elements(mesh, mesh.tetrahedra, mesh.nodes_per_tetrahedron(), mesh.tetrahedron_volume.size(), "tetrahedra");
-}
-
 /// A mesh that was taken apart into its arrays before; its report stays empty.
 /// @param arrays the properties of Curved by their names.
 CurvedPointer from_arrays(int order, const py::dict& arrays) {
@@ -102,7 +72,7 @@ CurvedPointer from_arrays(int order, const py::dict& arrays) {
     mesh->tetrahedron_volume = indices("tetrahedron_solid");
     mesh->triangle_quality = numbers("triangle_quality");
     mesh->tetrahedron_quality = numbers("tetrahedron_quality");
-    require_sound(*mesh);
+    curve::require_sound(*mesh);
     return mesh;
 }
 
@@ -129,6 +99,14 @@ std::shared_ptr<triangulate::Result> surface_of(const Tessellation& tessellation
     surface->mesh = tessellation.mesh;
     surface->report = mesh::measure(surface->mesh);
     return surface;
+}
+
+/// The straight mesh before curving, as triangulate returned it; null where that is not known.
+std::shared_ptr<triangulate::Result> straight_of(const CurvedMesh& mesh) {
+    if (mesh.straight.triangles.empty()) {
+        return nullptr;
+    }
+    return std::make_shared<triangulate::Result>(triangulate::Result{mesh.straight, mesh.report.straight});
 }
 
 void bind_tessellation(py::module_& m) {
@@ -170,6 +148,7 @@ void bind_curved_mesh(py::module_& m) {
     bind_list(cls, "tetrahedron_solid", &CurvedMesh::tetrahedron_volume);
     bind_list(cls, "tetrahedron_quality", &CurvedMesh::tetrahedron_quality);
     cls.def_readonly("report", &CurvedMesh::report);
+    cls.def_property_readonly("straight", &straight_of, "A Surface, the mesh that was curved; None: not known.");
     cls.def(
         "tetrahedra_behind",
         [](const CurvedMesh& mesh) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <cstring>
+#include <string>
+#include <system_error>
 
 #include "base/error.h"
 #include "python/bindings.h"
@@ -21,7 +23,7 @@ void raise(const char* name, const std::exception& error) {
     }
 }
 
-/// Calls a function of Python; an error of ours that it raises gets no traceback. Of others it is needed.
+/// Calls a function of Python; an error of ours that it raises gets no traceback. Other errors keep theirs.
 py::object call_without_traceback(const py::function& function, const py::args& arguments) {
     const py::object ours = py::module_::import("MeshQuality.errors").attr("Error");
     const py::object found = py::reinterpret_steal<py::object>(PyObject_CallObject(function.ptr(), arguments.ptr()));
@@ -66,6 +68,9 @@ void bind_errors(py::module_& m) {
             raise("IoError", e);
         } catch (const Error& e) {
             raise("Error", e);
+        } catch (const std::system_error& e) {
+            raise("Error", Error("the system gives no more threads or memory (" + std::string(e.what()) +
+                                 "): raise its limits, or end other programs"));
         }
     });
 }

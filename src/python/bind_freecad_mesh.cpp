@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/io.h"
+#include "mesh/io/io.h"
 #include "python/bindings.h"
-#include "python/freecad_mesh.h"
+#include "python/freecad/freecad_mesh.h"
 #include "python/python_lock.h"
 #include "triangulate/triangulate.h"
 
@@ -40,7 +40,7 @@ std::vector<std::vector<unsigned long>> triangles_by_face(const std::vector<int>
     return faces;
 }
 
-/// Fills a Mesh.Mesh that nobody else uses yet; false where this build of FreeCAD does not let us.
+/// Fills a Mesh.Mesh that has no other user yet; false where this build of FreeCAD does not support it.
 bool fill_mesh(const py::object& mesh, const Surface& surface) {
     const FreecadMesh inner(mesh);
     if (!inner.reachable()) {
@@ -57,7 +57,7 @@ bool fill_mesh(const py::object& mesh, const Surface& surface) {
     return true;
 }
 
-/// A Mesh.Mesh that nobody else uses meanwhile, in FreeCAD's binary format; None where this build does not let us.
+/// A Mesh.Mesh that has no other user meanwhile, in FreeCAD's binary format; None where this build does not support it.
 py::object bms_of_mesh(const py::object& mesh) {
     const FreecadMesh inner(mesh);
     if (!inner.reachable()) {

@@ -2,16 +2,15 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
-#include <limits>
 #include <memory>
 #include <string>
 
 #include "base/error.h"
-#include "mesh/cluster.h"
-#include "mesh/exemptions.h"
-#include "mesh/io.h"
-#include "mesh/report.h"
-#include "mesh/triangle_shape.h"
+#include "mesh/io/io.h"
+#include "mesh/quality/exemptions.h"
+#include "mesh/quality/mesh_report.h"
+#include "mesh/quality/triangle_quality.h"
+#include "mesh/vertex_clustering.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"
@@ -38,8 +37,8 @@ py::array point(const Vec3& p) {
     return std::move(array);
 }
 
-/// Any mesh given as arrays; the origin stays zero. Checks everything that indexing relies on, and measures the mesh
-/// unless the caller has no use for its report.
+/// Any mesh given as arrays; the origin stays zero. Checks the indices and sizes, and measures the mesh unless the
+/// caller does not need its report.
 SurfacePointer surface_from_arrays(
     const py::array_t<double, py::array::c_style | py::array::forcecast>& vertices,
     const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>& triangles,
@@ -55,15 +54,16 @@ SurfacePointer surface_from_arrays(
     mesh.vertices.resize(rows(vertices, "vertices"));
     mesh.triangles.resize(rows(triangles, "triangles"));
     const FreedLock free;
+    const auto count = static_cast<std::int64_t>(mesh.vertices.size());
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         std::copy_n(vertices.data() + 3 * v, 3, mesh.vertices[v].data());
     }
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
         for (int i = 0; i < 3; ++i) {
             const std::int64_t v = triangles.data()[3 * k + i];
-            if (v < 0 || v > std::numeric_limits<std::int32_t>::max()) {
+            if (v < 0 || v >= count) {
                 throw InvalidInput("triangle " + std::to_string(k) + " names vertex " + std::to_string(v) +
-                                   ", but the mesh has " + std::to_string(mesh.vertices.size()) + " vertices");
+                                   ", but the mesh has " + std::to_string(count) + " vertices");
             }
             mesh.triangles[k][i] = static_cast<std::int32_t>(v);
         }
@@ -96,9 +96,10 @@ py::tuple triangle_shapes(const Surface& surface) {
     return py::make_tuple(angles, aspects, distortions);
 }
 
-/// (float32 (n, 3, 3), int32 (T,)): the coarse triangles, and which of them stands for each of the fine ones, or -1.
+/// (float32 (n, 3, 3), int32 (T,)): the coarse triangles, and for each fine triangle the coarse one that represents it,
+/// or -1.
 py::tuple clustered(const py::array_t<float, py::array::c_style | py::array::forcecast>& corners, std::size_t wanted) {
-    mesh::Clusters found;
+    mesh::ClusteredMesh found;
     {
         const FreedLock free;
         found = mesh::cluster(corners.data(), static_cast<std::size_t>(corners.size() / 9), wanted);
@@ -173,12 +174,15 @@ void bind_measures(ReportClass& report) {
             "float64 (3,): the point of that triangle where that is, with the mesh's origin")
         .def_readonly("chord_height_asked", &MeshReport::chord_height_asked, "mm; 0: none")
         .def_readonly("self_intersections", &MeshReport::self_intersections,
-                      "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges; "
+                      "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, "
+                      "and of loose faces that cross; -1: not looked for")
+        .def_readonly("overlaps", &MeshReport::overlaps,
+                      "pairs of triangles of different volumes, such as the solids of an assembly, that cross; "
                       "-1: not looked for");
 }
 
 std::string in_short(const MeshReport& report) {
-    // That all is met depends on the shape, too: MeshQuality.verdict tells.
+    // Whether all limits are met depends on the shape, too: MeshQuality.core.verdict tells.
     const char* verdict = mesh::has_faults(report) ? ", not all limits met" : "";
     return "<MeshReport: " + mesh::in_short(report) + verdict + ">";
 }

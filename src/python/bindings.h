@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-/// The parts of the extension module MeshQuality._core, one function a topic.
+/// The bindings of the extension module MeshQuality._core, one function for each topic.
 namespace mq::python {
 
 void bind_boolean(pybind11::module_& m);

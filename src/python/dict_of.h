@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/report.h"
+#include "mesh/quality/mesh_report.h"
 
 namespace mq::python {
 
@@ -23,7 +23,7 @@ pybind11::dict dict_of(const std::vector<std::pair<std::string, T>>& pairs) {
     return result;
 }
 
-/// (CAD face, CAD face, pairs of their triangles that cross) of each.
+/// (CAD face, CAD face, pairs of their triangles that cross) for each crossing.
 inline std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t>> crossings_of(
     const std::vector<mesh::FaceCrossing>& crossings) {
     std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t>> result;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/stl.h>
+
 #include <string>
 
 #include "geometry/occt/shape_model.h"
 #include "python/bindings.h"
+#include "python/progress_watch.h"
 #include "python/running_work.h"
 
 namespace py = pybind11;
@@ -13,7 +16,7 @@ std::string major_minor(const std::string& version) {
     return version.substr(0, version.find('.', version.find('.') + 1));
 }
 
-/// Shapes are shared in memory, so both sides must agree on their layout. Outside FreeCAD there are none to share.
+/// CurvedShapes are shared in memory, so both sides must agree on their layout. Outside FreeCAD no shapes are shared.
 void require_same_kernel() {
     py::str theirs;
     try {
@@ -44,5 +47,8 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_curve(m);
     mq::python::bind_boolean(m);
     mq::python::bind_improve(m);
+    m.def(
+        "waits", [] { return mq::Waits::all_lasting(mq::python::kLongestUnnamedWait); },
+        "[(name of a thread, what its call waits for and cannot interrupt), ...]");
     py::module_::import("atexit").attr("register")(py::cpp_function(&mq::python::end_with_python));
 }

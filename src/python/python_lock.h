@@ -9,11 +9,11 @@
 
 namespace mq::python {
 
-/// Calls `function`, in which this thread may ask for Python's lock.
+/// Calls `function`, in which this thread may request Python's lock.
 ///
-/// A daemon thread that asks for it while Python ends is ended by Python with pthread_exit, which unwinds the stack:
+/// A daemon thread that requests it while Python ends is ended by Python with pthread_exit, which unwinds the stack:
 /// through frames that must not throw, which ends the process with SIGABRT, and through destructors that need the lock.
-/// Such a thread stops here for ever instead, as it does by itself from Python 3.14 on.
+/// Such a thread stops here without returning instead, as it does by itself from Python 3.14 on.
 template <typename Function>
 auto outliving_python(const Function& function) {
 #ifdef __GLIBCXX__
@@ -29,7 +29,7 @@ auto outliving_python(const Function& function) {
 #endif
 }
 
-/// Python's lock is free as long as this lives. Made with the lock held.
+/// Python's lock is free during the lifetime of this object. Construct it with the lock held.
 class FreedLock {
   public:
     FreedLock() : state_(PyEval_SaveThread()) {}

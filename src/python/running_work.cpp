@@ -10,14 +10,14 @@
 #include <mutex>
 #include <set>
 
-#include "python/engine.h"
 #include "python/python_lock.h"
+#include "python/shared_engine.h"
 
 namespace mq::python {
 
 namespace {
 
-/// Our own loops look for a cancellation several times within 0.2 s.
+/// Time for the work to end after it was cancelled: our own loops check for a cancellation several times within 0.2 s.
 constexpr std::chrono::seconds kGrace(5);
 
 void end_work();
@@ -59,7 +59,7 @@ bool end_all() {
     return all.changed.wait_for(lock, kGrace, [&] { return all.works.empty(); });
 }
 
-/// Has the process end with its status, but without the destructors of what the work still uses.
+/// Makes the process end with its status, but without the destructors of objects that the work still uses.
 void skip_destructors() {
 #ifdef __GLIBC__
     on_exit(

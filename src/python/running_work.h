@@ -6,7 +6,7 @@
 namespace mq::python {
 
 /// An operation that runs on a thread of its own, which Python does not know. All of them are cancelled and waited for
-/// when Python ends: what they work with is taken down after that.
+/// when Python ends: the objects that they use are destroyed after that.
 class RunningWork {
   public:
     /// @throws Cancelled once Python has begun to end
@@ -16,7 +16,7 @@ class RunningWork {
     RunningWork& operator=(const RunningWork&) = delete;
 
     void cancel() { progress_.cancel(); }
-    /// The work has ended. Idempotent; any thread may call it.
+    /// Marks the work as ended. Idempotent; any thread may call it.
     void end();
 
     /// Ends a piece of work when the scope is left.
@@ -36,8 +36,8 @@ class RunningWork {
 };
 
 /// Cancels all work, ends the geometry engine, and lets no more work begin. Registered to run before the interpreter
-/// goes; call it with Python's lock held. Work that does not end soon, which only foreign code can cause, is left
-/// alone, and the process then ends without taking down what that works with.
+/// ends; call it with Python's lock held. Work that does not end soon, which only foreign code can cause, is left
+/// running, and the process then ends without destroying the objects that it uses.
 void end_with_python();
 
 }  // namespace mq::python

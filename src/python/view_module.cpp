@@ -24,7 +24,7 @@ using view::QualityScene;
 template <typename Number>
 using Array = py::array_t<Number, py::array::c_style | py::array::forcecast>;
 
-/// The number of rows of an array of shape (n, ...) with so many numbers a row.
+/// The number of rows of an array of shape (n, ...) with `width` numbers in each row.
 std::size_t rows(const py::array& array, py::ssize_t width, const char* name) {
     if (array.size() % width != 0) {
         throw InvalidInput(std::string(name) + " must have " + std::to_string(width) + " numbers a row");

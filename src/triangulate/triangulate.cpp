@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <map>
 #include <memory>
@@ -16,55 +15,56 @@
 #include <vector>
 
 #include "base/predicates.h"
+#include "base/stopwatch.h"
 #include "triangulate/assemble.h"
-#include "triangulate/border_normal.h"
-#include "triangulate/chord.h"
-#include "triangulate/coarsener.h"
-#include "triangulate/corner_angle.h"
-#include "triangulate/crossing_refiner.h"
-#include "triangulate/final_report.h"
-#include "triangulate/mender.h"
-#include "triangulate/output.h"
-#include "triangulate/recall.h"
-#include "triangulate/refine.h"
-#include "triangulate/relics.h"
-#include "triangulate/remember.h"
-#include "triangulate/sampling.h"
-#include "triangulate/smooth_edges.h"
+#include "triangulate/incremental/cache_restore.h"
+#include "triangulate/incremental/cache_store.h"
+#include "triangulate/operators/border_normals.h"
+#include "triangulate/optimise/cavity_optimiser.h"
+#include "triangulate/optimise/vertex_removal.h"
+#include "triangulate/refine/angle_refinement.h"
+#include "triangulate/refine/chord_refinement.h"
+#include "triangulate/refine/intersection_refinement.h"
+#include "triangulate/report/final_report.h"
+#include "triangulate/report/manifold_output.h"
+#include "triangulate/report/stage_meshes.h"
+#include "triangulate/sampling/sampling.h"
+#include "triangulate/virtual_topology/smooth_edge_removal.h"
+#include "triangulate/virtual_topology/smooth_edges.h"
+#include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
 
 namespace {
 
-// Against rounds without end: each may split a single edge, and its swaps make the next one that is too far off.
+// Bounds the rounds of chord refinement: each may split a single edge, whose swaps create the next edge beyond the
+// tolerance.
 constexpr int kMaxChordRounds = 60;
-constexpr int kMaxCrossingRounds = 24;
-constexpr int kMaxDoubledRounds = 4;
+constexpr int kMaxCrossingRounds = 24;  // Bounds the rounds of splitting triangles that cross. Tuned on the corpus.
+constexpr int kMaxDoubledRounds = 4;    // Bounds the rounds of separating doubled edges. Tuned on the corpus.
 
-// Of the part's size; and no more than the tolerance.
+// Size below which details of normals are ignored, as a fraction of the shape's size; limited by the tolerance. Tuned
+// on the corpus.
 constexpr double kUnseen = 1e-3;
-// Of the whole work, for the progress.
+// Fraction of the whole work, for the progress.
 constexpr double kFirstShare = 0.15;
 
-double first_share(const Options& options) {
+double first_share(const TriangulateOptions& options) {
     return options.method == Method::Refine ? kFirstShare : options.keeps_bounds() ? 0.5 : 0.9;
 }
 
-double cpu_seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-/// Lengths may be tiny.
+/// Formats a length, which may be tiny, with four significant digits.
 std::string in_digits(double number) {
     std::array<char, 32> buffer;
     return {buffer.data(), static_cast<std::size_t>(std::snprintf(buffer.data(), buffer.size(), "%.4g", number))};
 }
 
-double chord_height(const Options& options, const Box& box) {
+double chord_height(const TriangulateOptions& options, const Box& box) {
     return options.chord_height > 0.0 ? options.chord_height : options.chord_height_relative * box.largest_side();
 }
 
-void check_against_part(const Options& options, const geometry::Topology& topology, const SingleGrid& grid) {
+void check_against_part(const TriangulateOptions& options, const geometry::Topology& topology,
+                        const SinglePrecisionGrid& grid) {
     const auto something = [](const geometry::Face& face) { return !face.no_area; };
     if (std::none_of(topology.faces.begin(), topology.faces.end(), something)) {
         throw InvalidInput("the shape has no faces with an area: give a solid, a shell or faces");
@@ -87,9 +87,9 @@ void check_against_part(const Options& options, const geometry::Topology& topolo
     }
 }
 
-// Edges that join the same vertices on two faces get a vertex of their own in the middle, however short they are: with
-// min_edge, too, the mesh is first of all a surface.
-// @return whether there were any that did
+// Inserts a vertex in the middle of edges that join the same vertices on two faces, however short they are: a
+// consistent surface takes precedence over min_edge.
+// @return whether there were any such edges
 bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
     bool any = false;
     for (int round = 0; round < 8; ++round) {
@@ -104,7 +104,7 @@ bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
             changed = (points[i] && !insert_vertex(work, doubled[i] / 3, *points[i], touched, kAligned, work.floor)) ||
                       changed;
             if (changed) {
-                break;  // swaps may have moved the others
+                break;  // swaps may have changed the others
             }
         }
         if (!changed) {
@@ -115,17 +115,18 @@ bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
     return any;
 }
 
-// However short the new edges are: with min_edge, too, the mesh is first of all one that does not cross itself.
+// Splits crossing triangles, however short the new edges are: a mesh that does not cross itself takes precedence over
+// min_edge.
 // @return whether anything was split
-bool split_crossings(Workspace& work, CrossingRefiner& crossings) {
+bool split_crossings(Workspace& work, IntersectionRefinement& crossings) {
     const double asked = std::exchange(work.min_edge, 0.0);
     const bool any = crossings.run();
     work.min_edge = asked;
     return any;
 }
 
-// CAD edges that join the same nodes by one segment each would be one edge of the mesh: all but the straightest of them
-// are split.
+// CAD edges that join the same nodes by one segment each would become one edge of the mesh: all but the straightest of
+// them are split.
 void separate_doubled_segments(Workspace& work, SegmentSplitter& splitter, std::vector<int>& touched) {
     std::map<std::pair<int, int>, std::vector<int>> by_ends;
     for (int s = 0; s < work.mesh.segment_count(); ++s) {
@@ -141,7 +142,7 @@ void separate_doubled_segments(Workspace& work, SegmentSplitter& splitter, std::
         const Vec3 middle = 0.5 * (work.mesh.vertex(ends.first).point + work.mesh.vertex(ends.second).point);
         std::vector<std::pair<double, int>> by_height;
         for (const int s : segments) {
-            const mesh::SurfaceMesh::Segment& segment = work.mesh.segment(s);
+            const ClassifiedMesh::Segment& segment = work.mesh.segment(s);
             const geometry::Answer on_curve =
                 work.session.ask(geometry::Query::edge_middle(segment.edge, segment.t[0], segment.t[1]));
             by_height.emplace_back((work.grid.snap(on_curve.point) - middle).norm(), s);
@@ -154,7 +155,7 @@ void separate_doubled_segments(Workspace& work, SegmentSplitter& splitter, std::
     splitter.run(touched);
 }
 
-std::string failed_faces(const geometry::InitialTriangulation& initial, const geometry::Topology& topology) {
+std::string failed_faces(const InitialTriangulation& initial, const geometry::Topology& topology) {
     std::string text;
     for (const auto& [face, why] : initial.failures) {
         text += (text.empty() ? "" : "; ") + topology.name_of({2, face}) + ": " + why;
@@ -162,9 +163,9 @@ std::string failed_faces(const geometry::InitialTriangulation& initial, const ge
     return text;
 }
 
-// Samples and the paper's mesh are what was asked for; where smooth edges are released, that begins with their
-// vertices.
-bool coarsens(Workspace& work, const Options& options) {
+// Whether vertices may be removed. The samples and the paper's mesh are kept as they are; where smooth edges are
+// removed, that step removes their vertices first.
+bool may_coarsen(Workspace& work, const TriangulateOptions& options) {
     if (options.method != Method::Refine || options.insertion == Insertion::Paper || work.over_budget()) {
         return false;
     }
@@ -174,43 +175,46 @@ bool coarsens(Workspace& work, const Options& options) {
     return std::count(smooth.begin(), smooth.end(), 1) == 0;
 }
 
-Sizing sizing_of(const Options& options, double chord, const geometry::Topology& topology) {
+Sizing sizing_of(const TriangulateOptions& options, double chord, const geometry::Topology& topology) {
     return {chord, EdgeBounds(topology, options.max_edge, options.local_sizes),
             options.edges_per_circle > 0.0 ? 2.0 * M_PI / options.edges_per_circle : 0.0, options.growth};
 }
 
 // @return what was done about smooth edges, for the report
-std::string release_smooth_edges(Workspace& work, const Options& options, const Sizing& sizing, StageClock& clock) {
+std::string release_smooth_edges(Workspace& work, const TriangulateOptions& options, const Sizing& sizing,
+                                 StageMeshes& clock) {
     if (options.keep_edges != KeepEdges::Feature) {
         return "";
     }
     work.progress.stage("releasing smooth edges", 0.88, 0.9);
-    const std::string released = release_relics(work, options, sizing);
+    const std::string released = remove_smooth_edges(work, options, sizing);
     clock.end("smooth edges");
     return released;
 }
 
-void refine_where_faces_cross(Workspace& work, CrossingRefiner& crossings, const std::function<void()>& refine_again) {
+void refine_where_faces_cross(Workspace& work, IntersectionRefinement& crossings,
+                              const std::function<void()>& refine_again) {
     for (int round = 0; round < kMaxCrossingRounds && split_crossings(work, crossings); ++round) {
         refine_again();
     }
 }
 
 // @return what was done about smooth edges, for the report
-std::string refine(Workspace& work, Findings& findings, const Options& options, double chord, StageClock& clock) {
+std::string refine(Workspace& work, MeasurementCache& findings, const TriangulateOptions& options, double chord,
+                   StageMeshes& clock) {
     const int first = work.mesh.vertex_count();
     SegmentSplitter segments(work, options.insertion != Insertion::Paper);
     std::vector<int> touched;
-    take_normals_from_inside(work);
+    use_interior_normals(work);
     separate_doubled_segments(work, segments, touched);
     const double from = first_share(options);
     const double middle = from + 0.34 * (0.9 - from);
     const Sizing sizing = sizing_of(options, chord, work.session.topology());
     work.progress.stage("refining angles", from, sizing.any() ? middle : 0.8);
-    Refiner refiner(work, segments, options.min_angle, options.insertion, chord);
+    AngleRefinement refiner(work, segments, options.min_angle, options.insertion, chord);
     refiner.run();
     clock.end("angles");
-    ChordRefiner chords(work, segments, findings.chords, sizing);
+    ChordRefinement chords(work, segments, findings.chords, sizing);
     const auto refine_chords = [&] {
         for (int round = 0; sizing.any() && round < kMaxChordRounds && chords.run(); ++round) {
             refiner.run();
@@ -223,7 +227,7 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     };
     work.progress.stage("refining to the chord height", middle, 0.8);
     refine_chords();
-    // Where a segment is split between triangles with the same third corner on either face, there are two such edges.
+    // Splitting a segment between triangles with the same third corner on two faces doubles the edge to that corner.
     const auto separate_doubled = [&] {
         for (int round = 0; round < kMaxDoubledRounds && separate_doubled_edges(work, touched); ++round) {
             refine_again();
@@ -231,17 +235,17 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     };
     separate_doubled();
     clock.end("chord height");
-    if (coarsens(work, options)) {
+    if (may_coarsen(work, options)) {
         work.progress.stage("taking out vertices", 0.8, 0.82);
-        Coarsener(work, findings.chords, options.min_angle, sizing, first).run();
-        refine_chords();  // it looks at fewer places
+        VertexRemoval(work, findings.chords, options.min_angle, sizing, first).run();
+        refine_chords();  // vertex removal measures fewer places
         clock.end("taking out vertices");
     }
     if (work.over_budget()) {
-        return "";  // the limit ends the work: what comes now would improve a mesh that is not finished
+        return "";  // the limit ends the work: later steps would improve a mesh that is not complete
     }
     work.progress.stage("separating crossings", 0.82, 0.85);
-    CrossingRefiner crossings(work, segments, findings.crossings);
+    IntersectionRefinement crossings(work, segments, findings.crossings);
     const auto separate_crossings = [&] {
         refine_where_faces_cross(work, crossings, refine_again);
         separate_doubled();
@@ -251,20 +255,20 @@ std::string refine(Workspace& work, Findings& findings, const Options& options, 
     if (options.insertion != Insertion::Paper) {
         work.progress.stage("mending", 0.85, 0.9);
         mend(work, options.min_angle, sizing);
-        separate_crossings();  // of triangles that were changed for better angles
+        separate_crossings();  // crossings of triangles that were changed for better angles
         clock.end("mending");
     }
     return release_smooth_edges(work, options, sizing, clock);
 }
 
-// The faces over shared edges: coarse, or over samples.
-SampledTriangulation first_triangulation(geometry::Session& session, const SingleGrid& grid, const Options& options,
-                                         double chord, Recall* recall, Progress& progress, StageClock& clock) {
+// Triangulates the faces over shared edges: coarsely, or over samples.
+SampledTriangulation initial_or_sampled(geometry::Session& session, const SinglePrecisionGrid& grid,
+                                        const TriangulateOptions& options, double chord, CacheRestore* recall,
+                                        Progress& progress, StageClock& clock) {
     const bool sampled = options.method != Method::Refine;
     progress.stage("initial triangulation", 0.0, sampled ? 0.05 : kFirstShare);
-    geometry::InitialTriangulation coarse =
-        recall != nullptr ? geometry::triangulate_the_rest(session, grid, recall->begin(), progress)
-                          : geometry::triangulate_initially(session, grid, progress);
+    InitialTriangulation coarse = recall != nullptr ? triangulate_the_rest(session, grid, recall->begin(), progress)
+                                                    : triangulate_initially(session, grid, progress);
     clock.end("initial triangulation");
     if (!sampled) {
         return {std::move(coarse), {}, true};
@@ -281,22 +285,23 @@ void add_note(mesh::MeshReport& report, const std::string& note) {
     }
 }
 
-void check_failures(const geometry::InitialTriangulation& faces, const geometry::Topology& topology,
-                    const Options& options) {
+void check_failures(const InitialTriangulation& faces, const geometry::Topology& topology,
+                    const TriangulateOptions& options) {
     if (!faces.failures.empty() && (!options.allow_missing_faces || faces.failures.size() == faces.faces.size())) {
         throw TopologyError("no triangulation of " + failed_faces(faces, topology) +
                             ". Repair the shape, or allow missing faces to mesh the rest");
     }
 }
 
-// Samples are drawn anew, and where smooth edges are released triangles are no single face's.
-bool can_be_recalled(const Options& options) {
+// Whether faces can be cached: samples are drawn anew, and triangles over removed smooth edges belong to no single
+// face.
+bool can_be_recalled(const TriangulateOptions& options) {
     return options.method == Method::Refine && options.keep_edges == KeepEdges::All;
 }
 
-// What the faces were before any refinement.
-void report_first(const SampledTriangulation& first, const geometry::Topology& topology, const Options& options,
-                  mesh::MeshReport& report) {
+// Reports failures and fallbacks of the triangulation before refinement.
+void report_first(const SampledTriangulation& first, const geometry::Topology& topology,
+                  const TriangulateOptions& options, mesh::MeshReport& report) {
     for (const auto& failure : first.faces.failures) {
         report.missing.emplace_back(topology.of_shape({2, failure.first}).index, failure.second);
         report.notes.push_back(topology.name_of({2, failure.first}) + " is missing: " + failure.second);
@@ -316,8 +321,8 @@ void report_first(const SampledTriangulation& first, const geometry::Topology& t
     }
 }
 
-// Faces of the shape, any piece of which is there.
-std::size_t count(const std::vector<std::shared_ptr<const RememberedFace>>& faces, const geometry::Topology& topology) {
+// Counts the faces of the shape of which any piece is present.
+std::size_t count(const std::vector<std::shared_ptr<const CachedFace>>& faces, const geometry::Topology& topology) {
     std::set<int> found;
     for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
         if (faces[f] != nullptr) {
@@ -327,7 +332,7 @@ std::size_t count(const std::vector<std::shared_ptr<const RememberedFace>>& face
     return found.size();
 }
 
-/// What a run costs, from its construction on.
+/// Measures the costs of a run, from its construction on.
 class Costs {
   public:
     explicit Costs(const geometry::Engine& engine)
@@ -356,15 +361,15 @@ class Costs {
 /// One call of triangulate.
 struct Task {
     geometry::Session& session;
-    const SingleGrid& grid;
-    const Options& options;
-    double chord;  // mm, as it is asked for; 0: not
+    const SinglePrecisionGrid& grid;
+    const TriangulateOptions& options;
+    double chord;  // chord tolerance, mm; 0: none
     Progress& progress;
     Costs& costs;
 };
 
-// The result of an earlier run on the same input.
-Result handed_out(Result result, Costs& costs) {
+// Returns the cached result of an earlier run with the same input.
+Result reuse_result(Result result, Costs& costs) {
     const std::vector<std::int32_t>& faces = result.mesh.triangle_face;
     result.report.reused_faces = std::set<std::int32_t>(faces.begin(), faces.end()).size();
     costs.clock().end("handing out what is known");
@@ -372,7 +377,7 @@ Result handed_out(Result result, Costs& costs) {
     return result;
 }
 
-Workspace workspace_of(const Task& task, mesh::SurfaceMesh& surface, Maxmin& maxmin) {
+Workspace workspace_of(const Task& task, ClassifiedMesh& surface, MaxMinSwaps& maxmin) {
     Workspace work{task.session, task.grid, surface, maxmin, task.progress};
     work.floor = task.grid.shortest_side();
     work.min_edge = task.options.min_edge;
@@ -380,37 +385,34 @@ Workspace workspace_of(const Task& task, mesh::SurfaceMesh& surface, Maxmin& max
     if (task.chord > 0.0) {
         work.unseen = std::min(work.unseen, task.chord);
     }
-    work.budget = task.options.budget();
     return work;
 }
 
-// @param run the run to begin with; null: none
-// @param left what this run leaves; null: nothing is to be left
-Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& keys,
-                 const std::shared_ptr<const Run>& run, Run* left) {
-    const Options& options = task.options;
+// @param recall  the cached run to start with; null: none
+// @param left  receives the data to be cached; null: nothing is cached
+Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& keys, CacheRestore* recall,
+                 CachedRun* left) {
+    const TriangulateOptions& options = task.options;
     const geometry::Topology& topology = task.session.topology();
     StageClock& clock = task.costs.clock();
-    std::optional<Recall> recall;
-    if (run != nullptr) {
-        recall.emplace(task.session, task.grid, run, keys, task.chord);
-    }
-    const SampledTriangulation first = first_triangulation(task.session, task.grid, options, task.chord,
-                                                           recall ? &*recall : nullptr, task.progress, clock);
+    const SampledTriangulation first =
+        initial_or_sampled(task.session, task.grid, options, task.chord, recall, task.progress, clock);
     check_failures(first.faces, topology, options);
-    mesh::SurfaceMesh surface = assemble(first.faces, topology);
-    Maxmin maxmin(surface);
+    ClassifiedMesh surface = assemble(first.faces, topology);
+    StageMeshes stages(surface, topology, task.grid.origin(), clock);
+    MaxMinSwaps maxmin(surface);
     Workspace work = workspace_of(task, surface, maxmin);
-    Findings findings(work);
+    MeasurementCache findings(work);
     std::vector<int> touched;
     std::string released;
-    if (recall) {
+    if (recall != nullptr) {
         recall->settle(first.faces.chains, work, findings.chords, options.min_angle);
     }
     separate_doubled_edges(work, touched);
+    work.budget = options.budget();  // from here on: the mesh to begin with takes what it takes
     if (options.keeps_bounds()) {
         maxmin.sweep(touched, work.settled);
-        released = refine(work, findings, options, task.chord, clock);
+        released = refine(work, findings, options, task.chord, stages);
     }
 
     task.progress.stage("checking", 0.9, 1.0);
@@ -420,52 +422,58 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     Result result;
     result.report = final_report(work, findings, out, options, task.chord);
     result.mesh = std::move(out.mesh);
-    result.report.reused_faces = recall ? count(recall->kept(surface), topology) : 0;
+    result.report.reused_faces = recall != nullptr ? count(recall->kept(surface), topology) : 0;
     add_note(result.report, released);
     report_first(first, topology, options, result.report);
     if (left != nullptr && can_be_recalled(options) && result.report.complete) {
-        left->faces =
-            remember(work, findings.chords, first.faces.chains, keys, task.chord, recall ? &*recall : nullptr);
+        left->faces = remember(work, findings.chords, first.faces.chains, keys, task.chord, recall);
     }
     clock.end("checking");
     task.costs.report(result.report);
     return result;
 }
 
-// Whether a mesh misses anything that the one it began with did not.
-bool misses_more(const mesh::MeshReport& now, const mesh::MeshReport& before) {
+// Whether a mesh keeps no face of the cached one, or is worse in any measure. Faces that had to be meshed again leave
+// more triangles around them than meshing from scratch.
+bool in_vain(const mesh::MeshReport& now, const mesh::MeshReport& before) {
     const bool too_far = now.chord_height_asked > 0.0 && now.max_chord_height > now.chord_height_asked;
-    return now.exempt.size() > before.exempt.size() || now.self_intersections > before.self_intersections ||
+    return now.reused_faces == 0 || now.exempt.size() > before.exempt.size() ||
+           now.self_intersections > before.self_intersections ||
            (too_far && now.max_chord_height > before.max_chord_height) || (!now.closed && before.closed) ||
            (!now.oriented && before.oriented) || (!now.manifold && before.manifold) || !now.complete;
 }
 
 }  // namespace
 
-Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, const Options& asked,
-                   Progress* progress, Memory* memory) {
+Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
+                   const TriangulateOptions& asked, Progress* progress, MeshCache* memory) {
     asked.validate();
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
     Costs costs(engine);
     geometry::Session session(engine, model, &watched);
-    const SingleGrid grid(session.topology().box);
+    const SinglePrecisionGrid grid(session.topology().box);
     check_against_part(asked, session.topology(), grid);
-    Options options = asked;
+    TriangulateOptions options = asked;
     options.local_sizes = sizes_of_pieces(asked.local_sizes, session.topology());
     const double chord = chord_height(options, session.topology().box);
     const Task task{session, grid, options, chord, watched, costs};
     if (memory == nullptr) {
         return mesh_part(task, {}, nullptr, nullptr);
     }
-    const Keys keys = keys_of(session, options);
+    const CacheKeys keys = keys_of(session, options);
     if (const auto same = memory->run_on(keys.input)) {
-        return handed_out(same->result, costs);
+        return reuse_result(same->result, costs);
     }
     const auto before = can_be_recalled(options) ? memory->nearest(keys.faces, options) : nullptr;
-    auto run = std::make_shared<Run>(Run{keys.input, {}, options, chord, grid.resolution(), session.place(), {}});
-    run->result = mesh_part(task, keys.faces, before, run.get());
-    if (before != nullptr && misses_more(run->result.report, before->result.report)) {
+    auto run =
+        std::make_shared<CachedRun>(CachedRun{keys.input, {}, options, chord, grid.resolution(), session.place(), {}});
+    std::optional<CacheRestore> recall;
+    if (before != nullptr) {
+        recall.emplace(session, grid, before, keys.faces, chord);
+    }
+    run->result = mesh_part(task, keys.faces, recall ? &*recall : nullptr, run.get());
+    if (recall && recall->began() && in_vain(run->result.report, before->result.report)) {
         run->faces.clear();
         run->result = mesh_part(task, keys.faces, nullptr, run.get());
     }

@@ -9,7 +9,7 @@ namespace mq::view {
 /// Red, green, blue, opacity.
 using Colour = std::array<std::uint8_t, 4>;
 
-/// As Coin keeps colours.
+/// The colour in Coin's packed form.
 inline std::uint32_t packed(const Colour& c) {
     return std::uint32_t{c[0]} << 24 | std::uint32_t{c[1]} << 16 | std::uint32_t{c[2]} << 8 | std::uint32_t{c[3]};
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMargin = 10;  // pixels between the picture and the window's edge
 
 SoOrthographicCamera* whole_window() {
-    auto* camera = new SoOrthographicCamera;  // sees from -1 to 1 in both directions
+    auto* camera = new SoOrthographicCamera;  // shows coordinates from -1 to 1 in both directions
     camera->viewportMapping = SoCamera::LEAVE_ALONE;
     camera->position.setValue(0.0F, 0.0F, 1.0F);
     camera->height = 2.0F;
@@ -37,7 +37,7 @@ SoImage* image_of(const LegendPicture& picture) {
 
 /// The coordinate of the window from -1 to 1 at a pixel.
 float window_coordinate(int pixel, int pixels) {
-    // A little inside of the pixel, so that rounding does not lead to the one before.
+    // A point slightly inside of the pixel, so that rounding does not lead to the one before.
     return (2.0F * (static_cast<float>(pixel) + 0.25F)) / static_cast<float>(std::max(pixels, 1)) - 1.0F;
 }
 
@@ -95,7 +95,7 @@ void Legend::begin_drawing(const SbVec2s& window) {
     }
     window_ = window;
     const SbVec2s place = place_in(window);
-    // It is being drawn: nobody needs to be told to draw it again.
+    // The legend is being drawn: no notification is needed to draw it again.
     const SbBool told = place_->translation.enableNotify(FALSE);
     place_->translation.setValue(window_coordinate(place[0], window[0]), window_coordinate(place[1], window[1]), 0.0F);
     place_->translation.enableNotify(told);

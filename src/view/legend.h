@@ -14,15 +14,15 @@ namespace mq::view {
 /// Corners of the window, as FreeCAD numbers them.
 enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
 
-/// A picture of a legend.
+/// The picture of a legend.
 struct LegendPicture {
     int width = 0, height = 0;       ///< pixels
-    std::vector<std::uint8_t> rgba;  ///< four a pixel, the lowest row first
+    std::vector<std::uint8_t> rgba;  ///< four bytes for each pixel, the lowest row first
     Corner left_free = Corner::TopRight;
-    int reach = 0;  ///< pixels from that corner in both directions that are not the legend's to cover; 0: none
+    int reach = 0;  ///< pixels from that corner in both directions that the legend must not cover; 0: none
 };
 
-/// A picture at the window's right side, beside what the window has in one of its corners. Empty until it is filled.
+/// A picture at the window's right side, beside other things in one of the window's corners. Empty until it is filled.
 class Legend : public Overlay {
     SO_NODE_HEADER(Legend);
 
@@ -31,9 +31,9 @@ class Legend : public Overlay {
     static void initClass();
     Legend();
 
-    /// Shows another picture; one of no size: none.
+    /// Shows another picture; an empty one hides the legend.
     void show(const LegendPicture& picture);
-    /// Where the picture's lower left corner is in a window of this size, in pixels from the window's.
+    /// The position of the picture's lower left corner in a window of this size, in pixels from the window's.
     SbVec2s place_in(const SbVec2s& window) const;
 
   protected:
@@ -42,7 +42,7 @@ class Legend : public Overlay {
 
   private:
     LegendPicture picture_;
-    SbVec2s window_{0, 0};  ///< that the picture was placed in last
+    SbVec2s window_{0, 0};  ///< window in which the picture was placed last
     SoTranslation* place_ = nullptr;
 };
 

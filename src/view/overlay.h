@@ -6,8 +6,8 @@
 
 namespace mq::view {
 
-/// A part of the scene that lies on the window rather than in space: it is drawn last, is not in the way of picking,
-/// and "fit all" does not see it.
+/// A node of the scene that lies on the window rather than in space: it is drawn last, does not affect picking, and
+/// "fit all" ignores it.
 class Overlay : public SoSeparator {
     SO_NODE_HEADER(Overlay);
 
@@ -22,7 +22,7 @@ class Overlay : public SoSeparator {
 
   protected:
     ~Overlay() override = default;
-    /// Called before it is drawn in a window of this size in pixels.
+    /// Called before drawing in a window of this size in pixels.
     virtual void begin_drawing(const SbVec2s& window) { static_cast<void>(window); }
 };
 

@@ -22,9 +22,10 @@ namespace mq::view {
 namespace {
 
 constexpr std::uint32_t kLit = 0xff20ffffU;  // red, green, blue, opacity: a colour that no scale has
+/// The colour of edges: red, green, blue, 0 to 1; dark grey.
 constexpr float kEdgeColour[3] = {0.15F, 0.15F, 0.15F};
 constexpr int kFine = 0, kCoarse = 1;  // children of the switch
-constexpr float kOutline = 3.0F;       // pixels
+constexpr float kOutline = 3.0F;       // width of outlines, pixels
 
 void set_runs(SoMFInt32& runs, std::size_t count, std::int32_t length) {
     const std::vector<std::int32_t> lengths(count, length);
@@ -32,7 +33,7 @@ void set_runs(SoMFInt32& runs, std::size_t count, std::int32_t length) {
     runs.setValues(0, static_cast<int>(count), lengths.data());
 }
 
-/// A separator whose drawing is kept by Coin.
+/// A separator whose drawing Coin caches.
 SoSeparator* kept_separator() {
     auto* separator = new SoSeparator;
     separator->renderCaching = SoSeparator::ON;
@@ -69,7 +70,7 @@ void QualityScene::make_triangles() {
     detail_ = new SoSwitch;
     detail_->whichChild = kFine;
     auto* fine = new SoSeparator;
-    fine->renderCaching = SoSeparator::OFF;  // the calls that take the time are not to be left out
+    fine->renderCaching = SoSeparator::OFF;  // the calls that take time must not be left out
     auto* before = new SoCallback;
     auto* after = new SoCallback;
     before->setCallback(&QualityScene::begin_drawing, this);
@@ -151,7 +152,7 @@ void QualityScene::draw_edges(const float* points, std::size_t count, const std:
 }
 
 void QualityScene::light_up(const float* corners, std::size_t triangles) {
-    // Outlines are closed by their first corner again.
+    // Outlines are closed by repeating their first corner.
     std::vector<float> rounds;
     rounds.reserve(12 * triangles);
     for (std::size_t t = 0; t < triangles; ++t) {

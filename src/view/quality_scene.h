@@ -20,9 +20,9 @@ class SoVertexProperty;
 
 namespace mq::view {
 
-/// A mesh with one colour a triangle, its edges, triangles that are lit up, and a legend at the window's right side.
+/// A mesh with one colour for each triangle, its edges, highlighted triangles, and a legend at the window's right side.
 ///
-/// Coin keeps what is drawn as a display list, so that turning a million triangles costs the graphics card only. All
+/// Coin caches the drawing as a display list, so that turning a million triangles needs the graphics card only. All
 /// calls belong to the thread of the window.
 class QualityScene {
   public:
@@ -33,23 +33,24 @@ class QualityScene {
     QualityScene& operator=(const QualityScene&) = delete;
 
     SoSeparator* root() const { return root_; }
-    /// Of the root; no other node of this process has it. pivy finds nodes by their names.
+    /// The name of the root; no other node of this process has it. pivy finds nodes by their names.
     const std::string& name() const { return name_; }
     ShadedTriangles& triangles() { return fine_; }
-    /// What is drawn instead of triangles and edges while the camera moves; none: nothing else is drawn then.
+    /// Triangles that are drawn instead of the fine ones and their edges while the camera moves; when empty, nothing is
+    /// drawn then.
     ShadedTriangles& coarse() { return coarse_; }
 
-    /// Takes triangles as nine coordinates each. Grey until they are coloured; nothing is lit up.
+    /// Takes triangles as nine coordinates each. They are grey until they are coloured; none is highlighted.
     void show(const float* corners, std::size_t triangles);
-    /// Whether the camera moves now.
+    /// Sets whether the camera moves now.
     void moving(bool moves);
-    /// How long the processor was busy when triangles and edges were drawn last; 0: they were not. Long where there is
-    /// no graphics card.
+    /// Processor seconds of the last drawing of triangles and edges; 0: they were not drawn. Long without a graphics
+    /// card.
     double drawing_seconds() const { return seconds_; }
     /// Lines as runs of point indices, each ended by -1; points as three coordinates each. No lines: none are drawn.
     void draw_edges(const float* points, std::size_t count, const std::vector<std::int32_t>& lines);
-    /// Lights up other triangles than before: they are drawn over the others with thick outlines, so that the smallest
-    /// one is seen from afar.
+    /// Highlights these triangles and no others: they are drawn over the others with thick outlines, so that the
+    /// smallest one is visible from afar.
     void light_up(const float* corners, std::size_t triangles);
     Legend& legend() { return *legend_; }
 

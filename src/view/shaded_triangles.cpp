@@ -16,10 +16,11 @@ namespace mq::view {
 
 namespace {
 
+/// The colour before any is set: light grey.
 constexpr Colour kGrey{204, 204, 204, 255};
-constexpr float kDarkest = 0.65F;  // what is left of a colour that is turned away from the light
-constexpr float kLight[3] = {0.365F, -0.548F,
-                             0.753F};  // where it comes from: above the usual view from the front right
+constexpr float kDarkest = 0.65F;  // fraction of its colour that a triangle keeps when it is turned away from the light
+/// Direction to the light: above the usual view from the front right.
+constexpr float kLight[3] = {0.365F, -0.548F, 0.753F};
 
 float shade_of(const float* corners) {
     const SbVec3f a(corners), b(corners + 3), c(corners + 6);
@@ -46,7 +47,7 @@ ShadedTriangles::ShadedTriangles() : node_(new SoSeparator), property_(new SoVer
     property_->materialBinding = SoVertexProperty::PER_FACE;
     faces_->vertexProperty = property_;
     node_->addChild(light);
-    node_->addChild(new SoPolygonOffset);  // behind the edges
+    node_->addChild(new SoPolygonOffset);  // drawn behind the edges
     node_->addChild(faces_);
 }
 

@@ -12,11 +12,11 @@ class SoVertexProperty;
 
 namespace mq::view {
 
-/// Triangles with one colour each, as a node whose drawing Coin keeps.
+/// Triangles with one colour each, as a node whose drawing Coin caches.
 ///
-/// Their shade is put into the colours once, by a light that stands still: without lamps and normals the processor of a
-/// machine without a graphics card draws a million triangles four times as fast. It is faint, so that colours stay
-/// those of the legend.
+/// The shading is computed into the colours once, with a fixed light: without lamps and normals the processor of a
+/// machine without a graphics card draws a million triangles four times as fast. The shading is weak, so that colours
+/// stay those of the legend.
 class ShadedTriangles {
   public:
     ShadedTriangles();
@@ -33,7 +33,7 @@ class ShadedTriangles {
     SoSeparator* node_;
     SoVertexProperty* property_;
     SoFaceSet* faces_;
-    std::vector<float> shade_;  ///< by triangle: part of its colour that is seen
+    std::vector<float> shade_;  ///< for each triangle the visible fraction of its colour
 };
 
 }  // namespace mq::view

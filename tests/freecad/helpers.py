@@ -2,6 +2,7 @@
 """What several test modules share: how they are run, parts, checks of properties, documents."""
 
 import os
+import resource
 import shutil
 import tempfile
 import unittest
@@ -28,6 +29,30 @@ def simple_parts():
         "fused": box.fuse(boss),
         "cut": box.cut(hole),
     }
+
+
+def cpu_seconds_of_children():
+    """CPU time of the processes that were started here and have ended: what else the machine does is no part of it."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def zigzag_face(teeth):
+    """A face that OpenCASCADE checks for about `teeth` * 0.015 s without a break, longer on a slow machine: the
+    boxes of its edges all overlap. For at most 250 teeth: the checks of larger faces are our own.
+    """
+    points, along, aside = 40, FreeCAD.Vector(1, 1, 0), FreeCAD.Vector(1, -1, 0)
+
+    def edge(start, end):
+        waves = [start + (end - start) * (k / points) + aside * (0.05 * np.sin(np.pi * k / 4)) for k in range(points + 1)]
+        curve = Part.BSplineCurve()
+        curve.interpolate([start, *waves[1:-1], end])
+        return curve.toShape()
+
+    corners = [along * (100 if i % 2 else 0) + aside * (0.5 * i) for i in range(2 * teeth + 1)]
+    below = along * -20
+    rest = Part.makePolygon([corners[-1], corners[-1] + below, corners[0] + below, corners[0]])
+    return Part.Face(Part.Wire([*map(edge, corners, corners[1:]), *rest.Edges]))
 
 
 def distances_to_faces(shape, mesh, samples=40):

@@ -25,8 +25,9 @@ from test_batch import NEEDS_DASK, BatchTest, processes_with, tree, wait_until
 from test_cli import COMMAND, run
 
 import MeshQuality as mq
-from MeshQuality import cli_worker, files, limits
+from MeshQuality import files, limits
 from MeshQuality.batch import ledger, part, plan
+from MeshQuality.cli import worker
 
 ENDLESS = ("--chord-height", "5e-6", "--max-triangles", "2000000000")
 
@@ -89,23 +90,23 @@ class Started(BatchTest):
             self.addCleanup(end_if_there, pid)
         owner.kill()
         owner.wait()
-        self.assertTrue(wait_until(lambda: not processes_with(self.mark), 2), processes_with(self.mark))
+        self.assertTrue(wait_until(lambda: not processes_with(self.mark)), processes_with(self.mark))
 
 
 class Owners(Started):
     def test_freecad_of_a_single_command_ends_when_that_is_killed(self):
         ball = self.shape("ball.brep", Part.makeSphere(5))
-        self.assert_ends_with_its_owner("cli_worker.py", self.start("triangulate", ball, *ENDLESS))
+        self.assert_ends_with_its_owner("cli/worker.py", self.start("triangulate", ball, *ENDLESS))
 
     @NEEDS_DASK
     def test_freecads_of_a_batch_end_when_that_is_killed(self):
         self.shape("ball.brep", Part.makeSphere(5))
-        self.assert_ends_with_its_owner("serve.py", self.start("batch", self.parts, "-o", self.out, *ENDLESS))
+        self.assert_ends_with_its_owner("worker_loop.py", self.start("batch", self.parts, "-o", self.out, *ENDLESS))
 
     def test_the_pipe_alone_ends_what_lets_python_run(self):
         """Where the kernel has no such signal, or a program between FreeCAD and its owner gets it."""
         code = ("import sys, time; sys.platform = 'other'; from MeshQuality import limits; limits.end_with_owner(); "
-                "print('ready', flush=True); time.sleep(60)")
+                "print('ready', flush=True); time.sleep(600)")
         with limits.ownership() as (ends, owner):
             worker = subprocess.Popen(["/usr/bin/python3", "-c", code],
                                       stdout=subprocess.PIPE, pass_fds=ends,
@@ -113,13 +114,13 @@ class Owners(Started):
             self.addCleanup(worker.stdout.close)
             self.assertEqual(worker.stdout.readline(), b"ready\n")
             self.assertIsNone(worker.poll())
-        self.assertEqual(worker.wait(5), 1)
+        self.assertEqual(worker.wait(60), 1)
 
     @unittest.skipUnless(sys.platform.startswith("linux"), "the kernel of Linux has the signal")
     def test_code_that_never_returns_to_python_ends_too(self):
         """As in a reader of OpenCASCADE, which keeps the lock of the interpreter."""
         work = ("import ctypes; from MeshQuality import limits; limits.end_with_owner(); print('ready', flush=True); "
-                "ctypes.PyDLL(None).sleep(60)")
+                "ctypes.PyDLL(None).sleep(600)")
         own = ("import subprocess, sys; from MeshQuality import limits\n"
                "with limits.ownership() as (ends, owner):\n"
                "    subprocess.run(['/usr/bin/python3', '-c', sys.argv[1]], pass_fds=ends, "
@@ -132,7 +133,7 @@ class Owners(Started):
         time.sleep(0.1)
         owner.kill()
         owner.wait()
-        self.assertTrue(wait_until(lambda: not processes_with(self.mark), 2))
+        self.assertTrue(wait_until(lambda: not processes_with(self.mark)))
 
     def test_the_fill_program_ends_when_nobody_waits_for_its_answer(self):
         program = os.path.join(helpers.ROOT, "Mod", "MeshQuality", "meshquality_fill")
@@ -140,7 +141,7 @@ class Owners(Started):
         self.addCleanup(worker.stdin.close)
         self.assertIsNone(worker.poll())
         worker.stdout.close()
-        self.assertEqual(worker.wait(5), 3)
+        self.assertEqual(worker.wait(60), 3)
 
     def test_the_fill_program_ends_when_its_parent_is_killed(self):
         program = os.path.join(helpers.ROOT, "Mod", "MeshQuality", "meshquality_fill")
@@ -150,7 +151,7 @@ class Owners(Started):
         for end in (reading, writing, stdin, held):
             self.addCleanup(os.close, end)
         code = ("import subprocess, sys, time; print(subprocess.Popen([sys.argv[1]], stdin=int(sys.argv[2]), "
-                "stdout=int(sys.argv[3])).pid, flush=True); time.sleep(60)")
+                "stdout=int(sys.argv[3])).pid, flush=True); time.sleep(600)")
         parent = subprocess.Popen(["/usr/bin/python3", "-c", code, program, str(stdin), str(writing)],
                                   stdout=subprocess.PIPE, pass_fds=(stdin, writing))
         self.addCleanup(parent.stdout.close)
@@ -171,7 +172,7 @@ class Owners(Started):
             except OSError:
                 return True
 
-        self.assertTrue(wait_until(gone, 2))
+        self.assertTrue(wait_until(gone))
 
 
 class Limits(helpers.DocumentTest):
@@ -182,16 +183,20 @@ class Limits(helpers.DocumentTest):
         self.output = os.path.join(self.folder, "ball.ply")
 
     def assert_ended(self, flag, value, *arguments):
-        start = time.monotonic()
+        """Checks that a limit ends a command that would go on without end; the CPU time that it took."""
+        before = helpers.cpu_seconds_of_children()
         status, out, err = run(*arguments, flag, value)
         self.assertEqual((status, out), (1, ""))
         self.assertIn(flag, err[-1])
         self.assertIn(f"{value:g}", err[-1])
         self.assertEqual(os.listdir(self.folder), ["ball.brep"])
-        return time.monotonic() - start
+        return helpers.cpu_seconds_of_children() - before
 
     def test_time(self):
-        self.assertLess(self.assert_ended("--time-limit", 2, "triangulate", self.ball, "-o", self.output, *ENDLESS), 6)
+        # CPU time on one thread is no longer than the time that the limit counts, however busy the machine is.
+        with mock.patch.dict(os.environ, MESHQUALITY_THREADS="1"):
+            self.assertLess(
+                self.assert_ended("--time-limit", 2, "triangulate", self.ball, "-o", self.output, *ENDLESS), 6)
 
     def test_memory(self):
         self.assert_ended("--memory-limit", 0.15, "triangulate", self.ball, "-o", self.output, *ENDLESS)
@@ -229,13 +234,13 @@ class Folders(Started):
     def test_nothing_listens(self):
         self.shape("ball.brep", Part.makeSphere(5))
         batch = self.start("batch", self.parts, "-o", self.out, *ENDLESS)
-        self.assertTrue(wait_until(lambda: self.freecads("serve.py")))
+        self.assertTrue(wait_until(lambda: self.freecads("worker_loop.py")))
         self.assertEqual([address for pid in processes_with(self.mark) for address in listening(pid)], [])
         batch.kill()
         batch.wait()
         batch = self.start("batch", self.parts, "-o", self.out, "--dashboard", *ENDLESS)
         self.assertTrue(wait_until(lambda: listening(batch.pid)))
-        self.assertTrue(wait_until(lambda: self.freecads("serve.py")))
+        self.assertTrue(wait_until(lambda: self.freecads("worker_loop.py")))
         self.assertEqual({address for pid in processes_with(self.mark) for address in listening(pid)}, {"0100007F"})
 
     def test_what_is_not_a_file_is_left_out_with_the_reason(self):
@@ -358,11 +363,11 @@ class FullDisk(unittest.TestCase):
 
     def test_the_reason_is_said_and_nothing_is_left(self):
         with mock.patch.object(files, "disk_is_full", return_value=True), self.assertRaises(files.DiskFull) as caught:
-            cli_worker.written(self.job, self.full)
+            worker.written(self.job, self.full)
         self.assertIn("the disk is full", str(caught.exception))
         self.assertEqual(os.listdir(self.folder), [])
         with self.assertRaises(mq.IoError) as caught:
-            cli_worker.written(self.job, self.full)
+            worker.written(self.job, self.full)
         self.assertNotIn("full", str(caught.exception))
 
     def test_the_part_is_done_again_without_being_asked(self):
@@ -427,9 +432,10 @@ class Outputs(helpers.DocumentTest):
         status, _, err = run("triangulate", self.brep, "-o", "/dev/null", "--format", "ply")
         self.assertEqual(status, 0, err)
         self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
-        status, _, err = run("triangulate", self.brep, "-o", "/dev/full", "--format", "ply")
-        self.assertEqual(status, 1)
-        self.assertIn("the disk is full", err[-1])
+        for command, name in (("triangulate", "ply"), ("curve", "msh"), ("curve", "vtu")):
+            status, _, err = run(command, self.brep, "-o", "/dev/full", "--format", name)
+            self.assertEqual(status, 1)
+            self.assertIn("the disk is full", err[-1])
         status, _, err = run("triangulate", self.brep, "-o", self.folder, "--format", "ply")
         self.assertEqual(status, 2)
         self.assertIn("is a folder", err[-1])
@@ -470,6 +476,6 @@ class Outputs(helpers.DocumentTest):
         self.assertEqual(self.shell('"$M" triangulate "$B" --json')[0], 0)
 
     def test_no_folder_for_temporary_files(self):
-        status, err = self.shell('TMPDIR=/nonexistent "$M" triangulate "$B"')
+        status, err = self.shell('TMPDIR=/dev/null/none "$M" triangulate "$B"')
         self.assertEqual(status, 1)
-        self.assertIn("TMPDIR names '/nonexistent'", err)
+        self.assertIn("TMPDIR names '/dev/null/none'", err)

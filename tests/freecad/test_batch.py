@@ -26,7 +26,7 @@ import numpy as np
 import Part
 from test_cli import COMMAND, run
 
-from MeshQuality.batch import charts, cluster, command, freecads, part, plan, report, table
+from MeshQuality.batch import charts, cluster, command, freecad_pool, part, plan, report, table
 
 HAS_DASK = importlib.util.find_spec("distributed") is not None
 NEEDS_DASK = unittest.skipUnless(HAS_DASK, "python3-distributed is not installed")
@@ -340,7 +340,7 @@ class Workers(BatchTest):
 
     def kill_soon(self):
         """Kills the FreeCAD that works, in the middle of its work."""
-        pool = freecads.pool(self.mark)
+        pool = freecad_pool.pool(self.mark)
         self.assertTrue(wait_until(lambda: any(one.jobs for one in pool._busy)))
         time.sleep(0.3)
         os.kill(next(iter(pool._busy)).pid, 11)
@@ -353,7 +353,7 @@ class Workers(BatchTest):
         return entry
 
     def test_a_crash_is_the_parts_if_it_happens_in_a_new_freecad(self):
-        self.addCleanup(freecads.close_pool, self.mark)
+        self.addCleanup(freecad_pool.close_pool, self.mark)
         self.shape("ball.brep", Part.makeSphere(5))
         slow = self.task("ball.brep", chord_height=1e-4)
         entry = self.run_part(slow, kills=1)
@@ -369,8 +369,8 @@ class Workers(BatchTest):
         self.assertEqual((entry["state"], entry["attempts"]), ("input", 0))
         self.shape("box.brep", Part.makeBox(1, 1, 1))
         self.assertEqual(part.run(self.task("box.brep"), self.mark)["state"], "done")
-        self.assertEqual(len(freecads.pool(self.mark)._idle), 1)
-        freecads.close_pool(self.mark)
+        self.assertEqual(len(freecad_pool.pool(self.mark)._idle), 1)
+        freecad_pool.close_pool(self.mark)
         entry = part.run(self.task("box.brep"), self.mark)
         self.assertEqual((entry["state"], entry["attempts"]), ("lost", 0))
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Boolean": properties, recompute, undo, save and reload, sources, errors."""
 
+import os
+
 import FreeCAD
 import helpers
 import Mesh
@@ -8,6 +10,7 @@ import numpy as np
 
 import MeshQuality as mq
 from MeshQuality import options
+from MeshQuality.cli import worker
 
 
 class BooleanObjectTest(helpers.DocumentTest):
@@ -211,3 +214,83 @@ class Sources(BooleanObjectTest):
         link.Placement.Base = FreeCAD.Vector(2, 2, 2)
         self.document.recompute()
         self.assertAlmostEqual(obj.Volume.Value, 8.875, places=4)
+
+
+class OfContainers(BooleanObjectTest):
+    """What a container shows is one operand: its shapes and its meshes."""
+
+    def setUp(self):
+        super().setUp()
+        self.part = self.document.addObject("App::Part", "Part")
+        inner = self.document.addObject("App::Part", "Inner")
+        group = self.document.addObject("App::DocumentObjectGroup", "Group")
+        self.tool.Placement.Base = FreeCAD.Vector(2, 2, 2)  # an eighth of it lies in the cube
+        inner.Placement.Base = FreeCAD.Vector(0, 0, 0)
+        group.addObject(self.tool)
+        inner.addObject(group)
+        self.part.addObject(self.cube)
+        self.part.addObject(inner)
+        self.part.Placement.Base = FreeCAD.Vector(100, 0, 0)
+        self.other = self.box("Other", Length=1, Width=1, Height=1)
+        self.other.Placement.Base = FreeCAD.Vector(110, 0, 0)
+        self.document.recompute()
+        self.whole = 8.0 + 1.0 - 0.125
+
+    def union(self, operand, other=None):
+        result = mq.boolean(operand, self.other if other is None else other, "union", tolerance=0.01)
+        self.assertEqual(result.report.faults_left, 0)
+        return result.report.volume - 1.0
+
+    def test_shapes_and_meshes_are_joined(self):
+        self.assertAlmostEqual(self.union(self.part), self.whole, places=4)
+        self.assertAlmostEqual(self.union(self.other, self.part), self.whole, places=4)
+        result = mq.boolean(self.part, self.other, "union", tolerance=0.01)
+        self.assertAlmostEqual(result.vertices[:, 0].min() + result.origin[0], 100.0)
+        self.assertIn("operand A holds shapes and meshes: the mesh of the shapes deviates by", " ".join(result.report.notes))
+
+    def test_meshes_alone_and_through_links(self):
+        self.part.removeObject(self.cube)
+        self.document.recompute()
+        self.assertAlmostEqual(self.union(self.part), 1.0, places=5)
+        self.part.addObject(self.cube)
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject = self.part
+        link.Placement.Base = FreeCAD.Vector(0, 50, 0)
+        self.document.recompute()
+        self.assertAlmostEqual(self.union(link), self.whole, places=4)
+        result = mq.boolean(link, self.other, "union", tolerance=0.01)
+        self.assertAlmostEqual(result.vertices[:, 1].max() + result.origin[1], 52.5)
+
+    def test_what_is_hidden_does_not_count(self):
+        self.tool.Visibility = False
+        self.assertAlmostEqual(self.union(self.part), 8.0, places=4)
+        self.tool.Visibility, self.cube.Visibility = True, False
+        self.assertAlmostEqual(self.union(self.part), 1.0, places=4)
+
+    def test_an_object_of_it_follows_both(self):
+        obj = mq.add_boolean(self.part, self.other, "union", tolerance=0.01)
+        self.assertAlmostEqual(obj.Volume.Value, self.whole + 1.0, places=4)
+        self.tool.Mesh = Mesh.createBox(0.2, 0.2, 0.2)
+        self.tool.Placement.Base = FreeCAD.Vector(1, 1, 1)
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 9.0, places=4)
+        self.cube.Height = 4
+        self.document.recompute()
+        self.assertAlmostEqual(obj.Volume.Value, 17.0, places=4)
+        held = obj.Fingerprint
+        self.part.Placement.Base.y = 0.0
+        obj.touch()
+        self.document.recompute()
+        self.assertEqual(obj.Fingerprint, held)
+
+    def test_on_the_command_line(self):
+        """With the object of a file, too."""
+        path, other = os.path.join(self.folder, "parts.FCStd"), os.path.join(self.folder, "other.stl")
+        self.other.Visibility = True
+        Mesh.createBox(1, 1, 1).write(other)
+        self.document.saveAs(path)
+        sources = [worker.read_operand(path, "Part"), worker.read_operand(other)]
+        result = mq.boolean(sources, operation="union", tolerance=0.01)
+        self.assertAlmostEqual(result.report.volume, self.whole + 1.0, places=4)
+        with self.assertRaisesRegex(mq.InvalidInput, "2 objects with shapes, and 'Part' holds meshes, too: choose one"):
+            worker.read_operand(path)

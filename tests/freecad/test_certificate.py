@@ -9,8 +9,9 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality import phrases, verdict
-from MeshQuality.features import certificate, mesh_object
+from MeshQuality import phrases
+from MeshQuality.core import verdict
+from MeshQuality.features import mesh_object
 
 
 def wedge(tip=0.8, length=10.0):
@@ -105,12 +106,12 @@ class Certificates(CertificateTest):
             triangles, triangle_face = whole.triangles[1:], whole.triangle_face[1:]
 
         report = mq.quality((Cut.vertices, Cut.triangles))
-        fault, = certificate.topology(report, True, Cut)
+        fault, = verdict.topology(report, True, Cut)
         self.assertEqual(fault.text, "Not watertight: 3 open edges.")
         self.assertIn(f"Face{whole.triangle_face[0] + 1}", fault.faces)
         lost = {tuple(corner) for corner in whole.vertices[whole.triangles[0]].tolist()}
         self.assertEqual(len(lost & set(fault.place)), 2)
-        self.assertEqual(certificate.topology(report, False, Cut), [])
+        self.assertEqual(verdict.topology(report, False, Cut), [])
 
     def test_work_that_a_limit_ended(self):
         obj = mq.add_quality_mesh(self.box(), max_edge=0.5, max_triangles=50)
@@ -123,15 +124,16 @@ class Certificates(CertificateTest):
 
         class Curved:
             report, nodes = Report, np.arange(12.0).reshape(4, 3)
-            triangles, triangle_quality = np.array([[0, 1, 2], [1, 2, 3]]), np.array([0.5, np.nan])
+            triangles = np.array([[0, 1, 2], [1, 2, 3], [2, 3, 0], [3, 0, 1], [0, 1, 3]])
+            triangle_quality, triangle_face = np.array([0.5, np.nan, -1.0, 0.0, 0.0]), np.array([5, 0, 1, 0, 1])
             tetrahedra, tetrahedron_quality = np.zeros((0, 4), dtype=int), np.zeros(0)
 
         faults = verdict.elements(Curved)
         self.assertEqual(faults[0].place, ((3, 4, 5), (6, 7, 8), (9, 10, 11)))
-        self.assertEqual(certificate.sentence(faults),
+        self.assertEqual(verdict.sentence(faults),
                          "not met: 4 of 90 elements are not proven valid: triangle 0 on Face1, triangle 1 on "
                          "Face2, triangle 2 on Face1 and 1 more.")
-        self.assertEqual(certificate.faces(faults), ["Face1", "Face2"])
+        self.assertEqual(verdict.faces(faults), ["Face1", "Face2"])
 
     def test_a_boolean_tells_its_tolerance(self):
         obj = mq.add_boolean(self.box(), self.feature(Part.makeSphere(6)), "union", tolerance=0.02)
@@ -176,7 +178,7 @@ class WhatNoMeshShouldHave(CertificateTest):
         self.assertEqual([crossing[:2] for crossing in report.crossing_faces], [(0, 2)])
         self.assertIn("surface intersects itself", obj.Certificate)
         self.assertIn("Face1 and Face3 cross.", obj.Certificate)
-        self.assertTrue(certificate.is_missed(obj.Certificate))
+        self.assertTrue(verdict.is_missed(obj.Certificate))
         self.assertEqual(list(obj.CertificateFaces), ["Face1", "Face3"])
         self.assertIn("not all limits met", repr(report))
         curved = mq.add_curved_mesh(source)
@@ -199,6 +201,47 @@ class WhatNoMeshShouldHave(CertificateTest):
             self.assertEqual(finding.faces, ("Face1",))
             fine = mq.triangulate(ball, chord_height="none", **values)
             self.assertEqual(verdict.of_triangulation(fine, True, values), [])
+
+    def test_edges_of_the_shape_that_are_longer_than_requested(self):
+        """A straight edge between corners, a circle, a seam, and around a vertex."""
+        for shape, name, faces in (
+                (Part.makeBox(10, 10, 10), "Edge7", {"Face2", "Face4"}), (Part.makeCylinder(5, 10), "Edge1", None),
+                (Part.makeCylinder(5, 10), "Edge2", {"Face1"}), (Part.makeBox(10, 10, 10), "Vertex1", None)):
+            with self.subTest(name):
+                values = {"local_sizes": {name: 0.5}, "chord_height": "none"}
+                coarse = mq.triangulate(shape, chord_height="none")
+                finding, = verdict.of_triangulation(coarse, True, values, shape)
+                self.assertIn("(requested 0.5 mm)", finding.text)
+                if name.startswith("Edge"):
+                    self.assertTrue(finding.text.endswith(f" at {name}."), finding.text)
+                if faces:
+                    self.assertLessEqual(set(finding.faces), faces)
+                self.assertEqual(len(finding.place), 3)
+                fine = mq.triangulate(shape, **values)
+                self.assertEqual(verdict.of_triangulation(fine, True, values, shape), [])
+                self.assertEqual(verdict.of_triangulation(coarse, True, {}, shape), [])
+
+    def test_a_size_on_an_edge_in_the_certificate(self):
+        obj = mq.add_quality_mesh(self.box(), local_sizes={"Edge1": 0.5}, method="star", refine_samples=False,
+                                  chord_height="none", min_angle=1.0)
+        self.assertRegex(obj.Certificate, r"ongest edge .* \(requested 0\.5 mm\), triangle \d+ on Face\d at Edge1\.")
+
+    def test_surfaces_that_are_inside_out(self):
+        whole = mq.triangulate(Part.makeBox(10, 10, 10))
+        inward = mq.improve((np.array(whole.vertices), np.array(whole.triangles[:, ::-1])))
+        self.assertLess(inward.report.volume, 0.0)
+        finding, = verdict.of_improvement(inward, True)
+        self.assertEqual(finding.text, "The surface is inside out: its triangles face inwards.")
+        source = self.document.addObject("Mesh::Feature", "Source")
+        mesh = whole.to_mesh()
+        mesh.flipNormals()
+        source.Mesh = mesh
+        self.assertEqual(mq.add_improved_mesh(source).Certificate,
+                         "not met: the surface is inside out: its triangles face inwards.")
+        # A sheet with two sides has no inside.
+        both = np.concatenate((whole.triangles[:1], whole.triangles[:1, ::-1]))
+        self.assertNotIn("inside out", " ".join(f.text for f in verdict.topology(
+            mq.quality((whole.vertices, both)), True)))
 
     def test_faces_that_were_left_out(self):
         class Report:
@@ -244,9 +287,10 @@ class VolumeMeshes(CertificateTest):
 
         class Report:
             invalid, self_intersections, max_shape_distortion = 0, 0, 39.9
+            max_deviation, chord_height_asked = 0.1, 0.0
 
         class Distorted:
-            report, nodes, tetrahedra = Report, curved.nodes, curved.tetrahedra
+            report, straight, nodes, tetrahedra = Report, None, curved.nodes, curved.tetrahedra
             triangles, tetrahedron_solid = curved.triangles, curved.tetrahedron_solid
             tetrahedron_distortion = np.ones(len(curved.tetrahedra))
 
@@ -262,7 +306,76 @@ class VolumeMeshes(CertificateTest):
         obj = mq.add_curved_mesh(source, volume=True)
         self.assertGreater(obj.MaxShapeDistortion, verdict.SHAPE_DISTORTION_LIMIT)
         self.assertIn("max. shape distortion", obj.Certificate)
-        self.assertTrue(certificate.is_missed(obj.Certificate))
+        self.assertTrue(verdict.is_missed(obj.Certificate))
+
+
+class CurvedMeshes(CertificateTest):
+    """What was requested of a mesh before curving counts for the curved one."""
+
+    def test_a_smallest_angle_that_is_not_kept(self):
+        source = self.feature(wedge())
+        obj = mq.add_curved_mesh(source, min_angle=25)
+        self.assertIn("before curving: smallest angle 4.57° (requested 25°), triangle ", obj.Certificate)
+        self.assertIn("Target angle not reachable: the shape itself has a corner of 4.57°", obj.Certificate)
+        self.assertTrue(verdict.is_missed(obj.Certificate))
+        curved = mq.curve(source, min_angle=25)
+        self.assertEqual((curved.report.straight.min_angle_asked, curved.report.self_intersections), (25.0, 0))
+        finding, = verdict.of_curved(curved, True)
+        plain, = verdict.of_triangulation(curved.straight, True)
+        self.assertEqual(finding.text, f"Before curving: s{plain.text[1:]}")
+        self.assertEqual((finding.faces, finding.place, finding.forced), (plain.faces, plain.place, True))
+        loose = mq.curve(source, min_angle=4)
+        self.assertEqual(verdict.of_curved(loose, True), [])
+
+    def test_a_distance_that_is_not_kept(self):
+        source = Part.makeCylinder(5, 10)
+        rough = mq.triangulate(source, method="star", refine_samples=False, chord_height=0.01)
+        flat = mq.curve(rough, order=1, shape=source)
+        self.assertEqual(flat.report.chord_height_asked, 0.01)
+        self.assertGreater(flat.report.max_deviation, 0.01)
+        texts = [finding.text for finding in verdict.of_curved(flat, True)]
+        self.assertTrue(any(text.startswith("Max. deviation 0.0") and "(requested 0.01 mm)" in text for text in texts))
+        bent = mq.curve(rough, order=3, shape=source)
+        self.assertLess(bent.report.max_deviation, 0.01)
+        self.assertEqual(verdict.of_curved(bent, True), [])
+
+    def test_edges_that_are_longer_than_requested(self):
+        curved = mq.curve(Part.makeBox(10, 10, 10), max_edge=6)
+        self.assertEqual(verdict.of_curved(curved, True, {"max_edge": 6}), [])
+        finding, = verdict.of_curved(curved, True, {"max_edge": 1})
+        self.assertIn("Before curving: longest edge ", finding.text)
+        finding, = verdict.of_curved(curved, True, {"local_sizes": {"Face2": 1.0}})
+        self.assertEqual(finding.faces, ("Face2",))
+
+    def test_a_mesh_of_a_document_knows_nothing_of_it(self):
+        obj = mq.add_curved_mesh(self.feature(wedge()))
+        self.assertIsNone(mq.CurvedMesh.of(obj).straight)
+
+
+class Overlaps(CertificateTest):
+    """Crossings of bodies are told, those of one surface are faults."""
+
+    def test_solids_that_overlap_are_told(self):
+        boxes = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, FreeCAD.Vector(5, 4, 3))])
+        mesh = mq.triangulate(boxes)
+        self.assertEqual(mesh.report.self_intersections, 0)
+        self.assertGreater(mesh.report.overlaps, 0)
+        self.assertEqual(verdict.of_triangulation(mesh, True), [])
+        line = verdict.line("Both", mesh.report, [])
+        self.assertIn(f", {mesh.report.overlaps} pairs of triangles where bodies overlap; all requested", line)
+        curved = mq.curve(boxes)
+        self.assertGreater(curved.report.overlaps, 0)
+        self.assertEqual(verdict.of_curved(curved, True), [])
+        self.assertIn("where bodies overlap", verdict.line("Both", curved.report, []))
+
+    def test_loose_faces_that_cross_are_a_finding(self):
+        upright = Part.makePlane(10, 10, FreeCAD.Vector(3, 0, -5), FreeCAD.Vector(1, 0, 0))
+        faces = Part.makeCompound([Part.makePlane(10, 10, FreeCAD.Vector(0, -5, 0)), upright])
+        obj = mq.add_quality_mesh(self.feature(faces))
+        self.assertIn("surface intersects itself", obj.Certificate)
+        self.assertIn("Face1 and Face2 cross.", obj.Certificate)
+        side_by_side = Part.makeCompound([face.copy() for face in Part.makeCylinder(5, 10).Faces])
+        self.assertEqual(mq.add_quality_mesh(self.feature(side_by_side)).Certificate, "met")
 
 
 class Words(CertificateTest):
@@ -275,18 +388,19 @@ class Words(CertificateTest):
         self.assertFalse(any(finding.forced for finding in stopped))
 
     def test_numbers_are_told_from_their_limits(self):
-        for value, limit, text in ((24.99996, 25.0, "24.99996"), (0.0012345, 25.0, "0.00123"),
-                                   (0.0100001, 0.01, "0.0100001"), (39.94, 10.0, "39.9")):
-            self.assertEqual(verdict._told_apart(value, limit), text)
+        for value, limit, texts in ((24.99996, 25.0, ("24.99996", "25")), (0.0012345, 25.0, ("0.00123", "25")),
+                                    (0.0100001, 0.01, ("0.0100001", "0.01")), (39.94, 10.0, ("39.9", "10")),
+                                    (0.03, 0.0299999, ("0.03", "0.0299999")), (1e-9, 0.01, ("0", "0.01"))):
+            self.assertEqual(verdict._told_apart(value, limit), texts)
 
     def test_older_documents_are_understood(self):
         for text, met, missed in (("kept", True, False), ("met", True, False),
                                   ("missed: smallest angle 4.57 of 25 degrees at triangle 3", False, True),
                                   ("not met: not watertight: 3 open edges.", False, True),
-                                  (certificate.UNKNOWN, False, False)):
-            self.assertEqual((certificate.is_met(text), certificate.is_missed(text)), (met, missed), text)
-        self.assertEqual(certificate.said("missed: smallest angle"), "smallest angle")
-        self.assertEqual(certificate.said("not met: smallest angle"), "smallest angle")
+                                  (verdict.UNKNOWN, False, False)):
+            self.assertEqual((verdict.is_met(text), verdict.is_missed(text)), (met, missed), text)
+        self.assertEqual(verdict.said("missed: smallest angle"), "smallest angle")
+        self.assertEqual(verdict.said("not met: smallest angle"), "smallest angle")
 
     def test_one_line_for_each_object_that_was_computed(self):
         source = self.feature(wedge())

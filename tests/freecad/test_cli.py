@@ -35,12 +35,35 @@ def workers_of(pid):
             with open(f"/proc/{entry}/stat", encoding="utf-8", errors="replace") as stream:
                 parent = stream.read().rpartition(")")[2].split()[1]
             with open(f"/proc/{entry}/cmdline", "rb") as stream:
-                works = b"cli_worker.py" in stream.read()
+                works = b"cli/worker.py" in stream.read()
         except OSError:
             continue
         if parent == str(pid) and works:
             found.append(entry)
     return found
+
+
+# Python tries the temporary folder by a file: Ctrl-C comes just before it is removed.
+INTERRUPTED = """
+import os, signal, sys
+remove = os.unlink
+def interrupted(path):
+    os.unlink = remove
+    os.kill(os.getpid(), signal.SIGINT)
+    remove(path)
+os.unlink = interrupted
+from MeshQuality.cli import main
+print(main.main(["triangulate", "nothing.step", "-o", "nothing.ply"]))
+"""
+
+
+class TemporaryFolder(helpers.DocumentTest):
+    def test_an_interruption_leaves_no_trial_file(self):
+        environment = {**os.environ, "TMPDIR": self.folder, "PYTHONPATH": os.path.join(helpers.ROOT, "Mod")}
+        done = subprocess.run(["/usr/bin/python3", "-c", INTERRUPTED], stdin=subprocess.DEVNULL, text=True,
+                              capture_output=True, timeout=60, env=environment, check=False)
+        self.assertIn("interrupted", done.stderr)
+        self.assertEqual(os.listdir(self.folder), [])
 
 
 class Triangulate(helpers.DocumentTest):
@@ -166,13 +189,13 @@ class Triangulate(helpers.DocumentTest):
             [COMMAND, "triangulate", self.step, "--chord-height", "1e-5",
              "--max-triangles", "100000000"],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        limit = time.monotonic() + 10
+        limit = time.monotonic() + 60
         while not workers_of(slow.pid) and time.monotonic() < limit:
             time.sleep(0.05)
         workers = workers_of(slow.pid)
         self.assertEqual(len(workers), 1)
         slow.terminate()
-        _, err = slow.communicate(timeout=10)
+        _, err = slow.communicate(timeout=60)  # by itself it would not end
         self.assertEqual(slow.returncode, 1)
         self.assertIn("interrupted", err.splitlines()[-1])
         self.assertFalse(os.path.exists(f"/proc/{workers[0]}"))
@@ -200,7 +223,8 @@ class Strict(helpers.DocumentTest):
         self.assertEqual(report["verdict"], json.loads(out)["verdict"], err)
         self.assertEqual(strict, 0 if report["verdict"] == "met" else 3, err)
         self.assertEqual(bool(report["findings"]), report["verdict"] == "not met")
-        self.assertIn(report["verdict"] if strict else "all requested limits are met", err[-1])
+        met = "no limits were requested" if arguments[0] == "quality" else "all requested limits are met"
+        self.assertIn(report["verdict"] if strict else met, err[-1])
         return report
 
     def test_triangulate(self):
@@ -225,7 +249,10 @@ class Strict(helpers.DocumentTest):
 
     def test_the_other_commands(self):
         report = self.verdict("curve", self.bad)
-        self.assertEqual(report["verdict"], "met")
+        finding, = report["findings"]
+        self.assertRegex(finding["text"], r"^Before curving: smallest angle 4\.57° \(requested 20°\), triangle ")
+        self.assertEqual(report["straight"]["min_angle_asked"], 20.0)
+        self.assertEqual(self.verdict("curve", self.good)["verdict"], "met")
         needle = os.path.join(self.folder, "needle.brep")
         Part.makeBox(10, 0.01, 3).exportBrep(needle)
         self.assertEqual(self.verdict("improve", self.ball, "--min-angle", 34, "--tolerance", 1e-4)["verdict"],
@@ -261,6 +288,110 @@ class Quality(helpers.DocumentTest):
         self.assertFalse(report["closed"])
         self.assertEqual(report["border_edges"], 3)
         self.assertEqual(report["triangles"], 11)
+
+
+    def test_nothing_was_requested(self):
+        """So that nothing requested can be met."""
+        path, shape = (os.path.join(self.folder, name) for name in ("box.stl", "box.brep"))
+        Mesh.createBox(10, 10, 10).write(path)
+        Part.makeBox(10, 10, 10, FreeCAD.Vector(-5, -5, -5)).exportBrep(shape)
+        for arguments in ((path,), (path, "--shape", shape)):
+            status, out, err = run("quality", *arguments, "--json")
+            self.assertEqual((status, json.loads(out)["verdict"]), (0, "met"))
+            self.assertIn("; no limits were requested, and no faults were found", err[-1])
+            self.assertNotIn("met", err[-1])
+
+    def test_a_mesh_that_is_inside_out(self):
+        mesh = Mesh.createBox(1, 2, 3)
+        mesh.flipNormals()
+        path = os.path.join(self.folder, "inward.stl")
+        mesh.write(path)
+        status, out, err = run("quality", path, "--json", "--strict")
+        report = json.loads(out)
+        self.assertAlmostEqual(report["volume"], -6.0, places=5)
+        self.assertEqual((status, report["verdict"]), (3, "not met"))
+        self.assertEqual([finding["text"] for finding in report["findings"]],
+                         ["The surface is inside out: its triangles face inwards."])
+        self.assertIn("the surface is inside out", err[-1])
+
+
+class NoBound(helpers.DocumentTest):
+    """The word for no bound on the distance is the same everywhere."""
+
+    def test_other_words_are_refused(self):
+        path = os.path.join(self.folder, "box.brep")
+        Part.makeBox(1, 1, 1).exportBrep(path)
+        box = mq.add_quality_mesh(self.box())
+        parts = os.path.join(self.folder, "parts")
+        os.mkdir(parts)
+        Part.makeBox(1, 1, 1).exportBrep(os.path.join(parts, "box.brep"))
+        for word in ("None", "NONE", " none", "no"):
+            with self.subTest(word):
+                for arguments in (("triangulate", path), ("batch", parts, "-o", os.path.join(self.folder, "out"))):
+                    status, _, err = run(*arguments, f"--chord-height={word}")
+                    self.assertEqual(status, 2, err)
+                    self.assertIn(f"'{word}' is neither a length in mm nor none", err[-1])
+                for call in (lambda: mq.triangulate(Part.makeBox(1, 1, 1), chord_height=word),
+                             lambda: mq.add_quality_mesh(box.Source, chord_height=word),
+                             lambda: mq.update(box, chord_height=word)):
+                    with self.assertRaisesRegex(mq.InvalidInput, "chord_height"):
+                        call()
+        self.assertEqual(run("triangulate", path, "--chord-height", "none")[0], 0)
+        mq.update(box, chord_height="none")
+        self.assertEqual(box.DistanceBound, "None")
+
+
+class LocalSizes(helpers.DocumentTest):
+    """By the names of objects, as in Python."""
+
+    def setUp(self):
+        super().setUp()
+        self.part = self.document.addObject("App::Part", "Part")
+        self.part.Placement.Base = FreeCAD.Vector(0, 50, 0)
+        self.first, self.second = self.box("Box"), self.box("Other")
+        self.second.Placement.Base = FreeCAD.Vector(30, 0, 0)
+        self.part.addObject(self.first)
+        self.part.addObject(self.second)
+        self.document.recompute()
+        self.path = os.path.join(self.folder, "parts.FCStd")
+        self.document.saveAs(self.path)
+
+    def counts(self, *arguments):
+        """How many triangles the file gets."""
+        status, out, err = run("triangulate", self.path, "--json", *arguments)
+        self.assertEqual(status, 0, err)
+        return json.loads(out)["triangles"]
+
+    def test_of_a_container_as_in_python(self):
+        for name in ("Other.Face3", "Part.Other.Face3", "Other.Edge1"):
+            wanted = len(mq.triangulate(self.part, local_sizes={name.removeprefix("Part."): 1.0}).triangles)
+            self.assertGreater(wanted, len(mq.triangulate(self.part).triangles))
+            for more in ((), ("--object", "Part")):
+                self.assertEqual(self.counts("--local-sizes", f"{name}=1.0", *more), wanted, (name, more))
+
+    def test_of_several_objects_of_a_file(self):
+        third = self.box("Third")
+        third.Placement.Base = FreeCAD.Vector(0, -50, 0)
+        self.document.recompute()
+        self.document.save()
+        plain = self.counts()
+        found = {name: self.counts("--local-sizes", f"{name}=1.0")
+                 for name in ("Third.Face1", "Part.Box.Face1", "Face1", "Face13")}
+        self.assertTrue(all(count > plain for count in found.values()), found)
+        status, _, err = run("triangulate", self.path, "--local-sizes", "Box.Face1=1")
+        self.assertEqual(status, 2)
+        self.assertIn("no 'Box' among the objects that are meshed: begin with one of Part, Third", err[-1])
+        status, _, err = run("triangulate", self.path, "--local-sizes", "Third.Face7=1")
+        self.assertEqual(status, 2)
+        self.assertIn("local_sizes names Third.Face7, but 'Third' has no Face7", err[-1])
+
+    def test_of_a_file_without_names(self):
+        path = os.path.join(self.folder, "box.brep")
+        Part.makeBox(1, 1, 1).exportBrep(path)
+        status, _, err = run("triangulate", path, "--local-sizes", "Box.Edge1=1")
+        self.assertEqual(status, 2)
+        self.assertIn(f"local_sizes names Box.Edge1, but '{path}' has no objects with names", err[-1])
+        self.assertTrue(err[-1].endswith("such as Edge1"))
 
 
 class Help(unittest.TestCase):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What somebody at the Python console meets: names, completion, one line for each result, help."""
 
+import importlib
 import importlib.util
 import inspect
 import pydoc
@@ -9,7 +10,7 @@ import unittest
 import Part
 
 import MeshQuality as mq
-from MeshQuality import verdict
+from MeshQuality.core import verdict
 from MeshQuality.version import __version__
 
 
@@ -24,6 +25,19 @@ class Names(unittest.TestCase):
         for name in mq.__all__:
             self.assertTrue(inspect.getdoc(getattr(mq, name)), name)
             self.assertIsNone(importlib.util.find_spec(f"MeshQuality.{name}"), f"{name} is a module")
+
+    def test_completion_of_classes_and_their_objects_has_no_helpers(self):
+        mesh, curved = mq.triangulate(Part.makeBox(1, 1, 1)), mq.curve(Part.makeBox(1, 1, 1))
+        union = mq.boolean(Part.makeBox(1, 1, 1), Part.makeBox(2, 2, 2), "union", tolerance=0.1)
+        things = [getattr(mq, name) for name in mq.__all__ if inspect.isclass(getattr(mq, name))]
+        things += [mesh, mesh.report, curved, curved.report, union, union.report, mq.MeshCache()]
+        for thing in things:
+            names = [name for name in dir(thing) if not name.startswith("__")]
+            self.assertEqual([name for name in names if name.startswith("_")], [], thing)
+            self.assertFalse({"held", "store_in", "loader_of", "lists", "taken_from"} & set(names), thing)
+        self.assertLess({"nodes", "elements", "of", "write", "report"}, set(dir(mq.CurvedMesh)))
+        self.assertLess({"vertices", "triangle_source", "to_mesh"}, set(dir(union)))
+        self.assertIn("bytes", dir(mq.MeshCache()))
 
     def test_names_that_are_none(self):
         with self.assertRaisesRegex(AttributeError, "no attribute 'triangulat'"):
@@ -65,11 +79,11 @@ class Lines(unittest.TestCase):
         self.assertGreater(report.min_angle, 0)
         self.assertIn("1 triangle, smallest angle 0°;", verdict.line("Scan", report, []))
 
-    def test_memories(self):
-        memory = mq.Memory()
-        self.assertEqual(repr(memory), "<Memory: 0 calls of triangulate, 0.0 MiB>")
-        mq.triangulate(Part.makeBox(1, 1, 1), memory=memory)
-        self.assertRegex(repr(memory), r"^<Memory: 1 call of triangulate, [\d.]+ MiB>$")
+    def test_caches(self):
+        cache = mq.MeshCache()
+        self.assertEqual(repr(cache), "<MeshCache: 0 calls of triangulate, 0.0 MiB>")
+        mq.triangulate(Part.makeBox(1, 1, 1), cache=cache)
+        self.assertRegex(repr(cache), r"^<MeshCache: 1 call of triangulate, [\d.]+ MiB>$")
 
 
 class Help(unittest.TestCase):
@@ -85,6 +99,20 @@ class Help(unittest.TestCase):
         # Python 3.13 puts each parameter of a long signature on a line of its own.
         self.assertRegex(functions, r"triangulate\(\s*shape,\s+min_angle=25.0,\s+chord_height=None")
         self.assertIn(f"VERSION\n    {__version__}", page)
+
+    def test_the_page_has_no_modules_of_the_package(self):
+        page = pydoc.plain(pydoc.render_doc(mq))
+        self.assertNotIn("SUBMODULES", page)
+        self.assertRegex(page, r"\nPACKAGE CONTENTS\n\s*\nCLASSES\n")  # pydoc writes this heading above nothing, too
+        self.assertNotIn("MeshQuality.", page.partition("\nCLASSES\n")[2].partition("\n    class ")[0])
+        for name in ("cli (package)", "phrases", "core (package)", "gui (package)"):
+            self.assertNotIn(f"\n    {name}", page)
+        self.assertNotRegex(page, r"\n     \|  (_\w*[^_\W]|store_in|loader_of|lists|taken_from)\b(?!_)")
+        # They are found as ever.
+        importlib.invalidate_caches()
+        self.assertIsNotNone(importlib.util.find_spec("MeshQuality.batch.worker_loop"))
+        self.assertIsNotNone(importlib.util.find_spec("MeshQuality.core.export"))
+        self.assertIsNone(importlib.util.find_spec("MeshQuality.nothing"))
 
     def test_the_page_names_every_function(self):
         for name in mq.__all__:

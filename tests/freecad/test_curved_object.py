@@ -8,7 +8,7 @@ import numpy as np
 
 import MeshQuality as mq
 from MeshQuality import options
-from MeshQuality.curved_mesh import ARRAYS
+from MeshQuality.core.curving import ARRAYS
 
 
 class CurvedObjectTest(helpers.DocumentTest):

@@ -15,8 +15,9 @@ import Part
 from test_cli import run
 
 import MeshQuality as mq
-from MeshQuality import convert, options
-from MeshQuality.features import mesh_object
+from MeshQuality import options
+from MeshQuality.core import convert
+from MeshQuality.features import mesh_object, properties
 
 DIAMETER, HEIGHT = 10.0, 30.0
 DEFAULT = 0.003 * HEIGHT
@@ -198,9 +199,9 @@ class Objects(helpers.DocumentTest):
             obj.ChordHeight, obj.ChordHeightRelative = chord, relative
             obj.Proxy.onDocumentRestored(obj)
             self.check(obj, bound, chord, relative)
-            self.assertEqual(mesh_object.options_of(obj, obj.Proxy.OPTIONS),
+            self.assertEqual(properties.options_of(obj, obj.Proxy.OPTIONS),
                              options.check(options.TRIANGULATE, values))
-            work = obj.Proxy.work_on([obj.Source], mesh_object.options_of(obj, obj.Proxy.OPTIONS), obj)
+            work = obj.Proxy.work_on([obj.Source], properties.options_of(obj, obj.Proxy.OPTIONS), obj)
             self.assertEqual(work.fingerprint, held)
 
     def test_older_curved_meshes_keep_their_default(self):

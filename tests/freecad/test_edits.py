@@ -99,16 +99,16 @@ class RandomEdits(unittest.TestCase):
 
     def edit_at_random(self, dice, shape, options):
         """Meshes a part, and again after each of some edits."""
-        memory, states, reused = mq.Memory(), [], 0
+        cache, states, reused = mq.MeshCache(), [], 0
         for _ in range(EDITS + 1):
-            mesh = mq.triangulate(shape, chord_height=CHORD, memory=memory, **options)
+            mesh = mq.triangulate(shape, chord_height=CHORD, cache=cache, **options)
             self.check(mesh, shape, options)
             reused += mesh.report.reused_faces
             states.append((shape, mesh))
             shape = edited(dice, shape)
         self.assertGreater(reused, 0)
         for shape, mesh in states:
-            again = mq.triangulate(shape, chord_height=CHORD, memory=memory, **options)
+            again = mq.triangulate(shape, chord_height=CHORD, cache=cache, **options)
             self.assertEqual(again.triangles.tolist(), mesh.triangles.tolist())
             self.assertEqual(again.vertices.tolist(), mesh.vertices.tolist())
             self.assertEqual(again.report.reused_faces, len(shape.Faces))
@@ -131,10 +131,21 @@ class RandomEdits(unittest.TestCase):
         self.assertAlmostEqual(solid.Volume / shape.Volume, 1.0, delta=0.05)
 
 
-class PlacementOfTheSource(unittest.TestCase):
+class PlacementOfTheSource(helpers.DocumentTest):
+    def test_a_corner_below_the_bound_does_not_make_the_mesh_grow(self):
+        source = self.document.addObject("Part::Feature", "Blade")
+        corners = [Vector(*at) for at in ((0, 0, 0), (40, 0, 0), (40, 3, 0), (0, 0, 0))]
+        source.Shape = Part.Face(Part.makePolygon(corners)).extrude(Vector(0, 0, 30))
+        mesh = mq.add_quality_mesh(source, chord_height_relative=0.003)
+        first = mesh.Mesh.CountFacets
+        for turn in (0, 40, 77, 177):
+            source.Placement = Placement(Vector(turn, -3, 1), Rotation(Vector(1, 2, 3), turn))
+            self.document.recompute()
+            self.assertEqual((mesh.Mesh.CountFacets, mesh.ReusedFaces), (first, 5))
+            self.assertIn("the shape itself has a corner of 4.29°", mesh.Certificate)
+
     def test_faces_go_along(self):
-        document = FreeCAD.newDocument()
-        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        document = self.document
         source = document.addObject("Part::Feature", "Source")
         source.Shape = filleted()
         mesh = mq.add_quality_mesh(source, chord_height=CHORD)

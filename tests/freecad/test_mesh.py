@@ -11,8 +11,8 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality import convert
-from MeshQuality.compat import core
+from MeshQuality.compat import extension
+from MeshQuality.core import convert
 
 
 class ToMesh(unittest.TestCase):
@@ -43,7 +43,7 @@ class ToMesh(unittest.TestCase):
     def test_freecads_functions_make_the_same_mesh(self):
         surface = mq.triangulate(helpers.simple_parts()["cut"])._surface
         filled, wanted = Mesh.Mesh(), Mesh.Mesh()
-        if not core().fill_mesh(filled, surface):
+        if not extension().fill_mesh(filled, surface):
             self.skipTest("this build of FreeCAD does not let us fill its meshes")
         convert.fill_by_python(wanted, surface)
         for what in (lambda mesh: mesh.Topology, lambda mesh: [
@@ -54,8 +54,8 @@ class ToMesh(unittest.TestCase):
     def test_only_meshes_are_filled(self):
         surface = mq.triangulate(helpers.simple_parts()["box"])._surface
         for other in (None, 3, "mesh", Part.makeBox(1, 1, 1), FreeCAD.Vector()):
-            self.assertFalse(core().fill_mesh(other, surface))
-            self.assertIsNone(core().bms_of_mesh(other))
+            self.assertFalse(extension().fill_mesh(other, surface))
+            self.assertIsNone(extension().bms_of_mesh(other))
 
 
 class Copies(helpers.DocumentTest):
@@ -71,7 +71,7 @@ class Copies(helpers.DocumentTest):
 
     def test_both_ways_out_give_the_same_bytes(self):
         mesh = Mesh.createSphere(1, 20)
-        found = core().bms_of_mesh(mesh)
+        found = extension().bms_of_mesh(mesh)
         if found is None:
             self.skipTest("this build of FreeCAD does not let us read its meshes")
         self.assertEqual(found.tobytes(), convert._bms_by_file(mesh))

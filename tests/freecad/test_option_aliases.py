@@ -12,8 +12,9 @@ import FreeCAD
 import Part
 
 import MeshQuality as mq
-from MeshQuality import cli_parser, options
-from MeshQuality.features import aliases, mesh_object
+from MeshQuality import options
+from MeshQuality.cli import parser
+from MeshQuality.features import aliases, mesh_object, properties
 
 OLDER = {"insertion": "paper", "growth": 1.5, "polish": False}
 PRESENT = {"insertion": "circumcentre", "growth_rate": 1.5, "refine_samples": False}
@@ -57,15 +58,15 @@ class Calls(unittest.TestCase):
 
 class CommandLine(unittest.TestCase):
     def test_older_flags(self):
-        parsed = cli_parser.parse(["triangulate", "a.step", "--growth", "1.5", "--no-polish"])
+        parsed = parser.parse(["triangulate", "a.step", "--growth", "1.5", "--no-polish"])
         self.assertEqual((parsed.growth_rate, parsed.refine_samples), (1.5, False))
-        parsed = cli_parser.parse(["triangulate", "a.step", "--growth-rate", "1.5"])
+        parsed = parser.parse(["triangulate", "a.step", "--growth-rate", "1.5"])
         self.assertEqual((parsed.growth_rate, parsed.refine_samples), (1.5, True))
-        self.assertIs(cli_parser.parse(["curve", "a.step", "--straighten"]).straighten_invalid, True)
-        self.assertIs(cli_parser.parse(["curve", "a.step"]).straighten_invalid, False)
+        self.assertIs(parser.parse(["curve", "a.step", "--straighten"]).straighten_invalid, True)
+        self.assertIs(parser.parse(["curve", "a.step"]).straighten_invalid, False)
 
     def test_help_shows_the_present_ones_alone(self):
-        commands = next(action.choices for action in cli_parser.parser()._actions if action.dest == "command")
+        commands = next(action.choices for action in parser.parser()._actions if action.dest == "command")
         text = commands["triangulate"].format_help()
         self.assertIn("--growth-rate ", text)
         self.assertNotIn("--growth ", text)
@@ -82,7 +83,7 @@ class Documents(unittest.TestCase):
         FreeCAD.closeDocument(self.document.Name)
 
     def values(self, obj):
-        found = mesh_object.options_of(obj, obj.Proxy.OPTIONS)
+        found = properties.options_of(obj, obj.Proxy.OPTIONS)
         return {name: found[name] for name in PRESENT}
 
     def test_older_names_when_adding_and_updating(self):

@@ -4,6 +4,7 @@
 import os
 import subprocess
 import unittest
+from unittest import mock
 
 import FreeCAD
 import helpers
@@ -12,7 +13,8 @@ import Part
 from FreeCAD import Placement, Rotation, Vector
 
 import MeshQuality as mq
-from MeshQuality import cli_worker, convert, frames
+from MeshQuality.cli import worker
+from MeshQuality.core import convert, frames
 
 TURNED = Placement(Vector(20, -30, 40), Rotation(Vector(1, 2, 3), 50))
 ASSEMBLY = os.path.join(os.environ.get("MESHQUALITY_DATA", os.path.join(helpers.ROOT, "..", "shared", "data")),
@@ -186,6 +188,56 @@ class Following(PlacementTest):
         self.document.recompute()
         self.check(obj, self.source)
         self.assert_same_box(box_in_document(obj), (0, 0, 0, 1, 2, 3))
+
+    def test_the_mesh_is_put_into_its_own_source(self):
+        """The two would wait for each other for ever: FreeCAD calls that a graph with cycles."""
+        outer = self.part("Outer", TURNED, self.home)
+        inner = self.part("Inner", Placement())
+        self.home.addObject(inner)
+        group = self.add("App::DocumentObjectGroup", "Group")
+        link = self.add("App::Link", "Link", LinkedObject=self.home)
+        self.document.recompute()
+        for sources in ([self.home], [outer], [link], [self.home, self.box("Beside")]):
+            obj = mq.add_boolean(sources) if len(sources) > 1 else mq.add_quality_mesh(sources[0])
+            for put in (lambda: self.home.addObject(obj), lambda: setattr(inner, "Group", [obj]),
+                        lambda: setattr(self.home, "Group", [*self.home.Group, obj])):
+                said = []
+                with mock.patch.object(FreeCAD, "Console", mock.Mock(PrintError=said.append)):
+                    put()
+                self.assertEqual(len(said), 1)
+                self.assertRegex(said[0], rf"^{obj.Label}: it is made of '(Outer|Home|Inner)' and cannot lie in that, as each "
+                                          "would wait for the other: it was taken out again, and follows from outside, too\n$")
+                for container in (outer, self.home, inner):
+                    self.assertNotIn(obj, [*container.Group, *container.OutList])
+                self.assertIsNone(obj.getParentGeoFeatureGroup())
+            self.check_updates(obj)
+            group.addObject(obj)  # beside it
+            self.assertIn(obj, group.Group)
+            self.check_updates(obj)
+
+    def check_updates(self, obj):
+        """A change of the box reaches the mesh in one recompute, and leaves nothing touched."""
+        size, fingerprint = self.source.Length.Value, obj.Fingerprint
+        self.source.Length = 2.0 * size
+        self.document.recompute()
+        self.assertNotEqual(obj.Fingerprint, fingerprint)
+        self.assertEqual(obj.State, ["Up-to-date"])
+        self.source.Length = size
+        self.document.recompute()
+
+    def test_a_source_that_holds_the_mesh(self):
+        obj = mq.add_quality_mesh(self.source)
+        self.home.addObject(obj)
+        self.assertIn(obj, self.home.Group)  # of what is in there, too: no cycle
+        held = obj.Fingerprint
+        obj.Source = self.home
+        obj.recompute()
+        self.assertRegex(obj.Status, "^failed: it is made of 'Home' and cannot lie in that")
+        self.assertEqual(obj.Fingerprint, held)
+        self.home.removeObject(obj)
+        obj.touch()
+        self.document.recompute()
+        self.assertEqual(obj.Status, "up to date")
 
     def test_the_mesh_is_put_into_a_container(self):
         for container in (self.home, self.part("Other", Placement(Vector(0, 0, 500), Rotation(0, 0, 45)))):
@@ -434,8 +486,8 @@ class CommandLine(PlacementTest):
         path = os.path.join(self.folder, "nested.FCStd")
         self.document.saveAs(path)
         wanted = box_of(Part.getShape(home, "B."))
-        self.assert_same_box(box_of(cli_worker.read_shape(path)), wanted)
-        self.assert_same_box(box_of(cli_worker.read_shape(path, "B")), wanted)
+        self.assert_same_box(box_of(worker.read_shape(path)), wanted)
+        self.assert_same_box(box_of(worker.read_shape(path, "B")), wanted)
 
 
 @unittest.skipUnless(os.path.exists(ASSEMBLY), f"there is no {ASSEMBLY}")
@@ -455,12 +507,13 @@ class Assembly(PlacementTest):
         path = next(path for root, path in body.Parents if root == self.root)
         return Part.getShape(self.root, path)
 
-    def test_each_body_is_meshed_and_curved_in_its_place(self):
+    def test_each_body_is_meshed_measured_curved_and_improved_in_its_place(self):
         self.assertEqual(len(self.bodies), 18)
         for body in self.bodies:
             wanted = self.in_document(body)
-            for add in (mq.add_quality_mesh, mq.add_curved_mesh):
-                obj = add(body, chord_height=0.005 if add is mq.add_quality_mesh else 0.5)
+            mesh = mq.add_quality_mesh(body, chord_height=0.005)
+            self.assertLess(mq.quality(mesh, body).max_chord_height, 1.001 * 0.005)
+            for obj in (mesh, mq.add_curved_mesh(body, chord_height=0.5), mq.add_improved_mesh(mesh)):
                 # What is shown of curved elements is flat and has less volume than they have.
                 volume = getattr(obj, "EnclosedVolume", None) or obj.Mesh.Volume
                 self.assertAlmostEqual(getattr(volume, "Value", volume), wanted.Volume, delta=1e-3 * wanted.Volume)

@@ -7,7 +7,7 @@ import numpy as np
 
 import MeshQuality as mq
 from MeshQuality import options
-from MeshQuality.features import mesh_object, quality_mesh
+from MeshQuality.features import properties, quality_mesh
 
 
 class Recompute(helpers.DocumentTest):
@@ -83,7 +83,7 @@ class Recompute(helpers.DocumentTest):
         before = obj.Fingerprint
         box.Shape.tessellate(0.1)
         self.assertEqual(quality_mesh.QualityMesh.work_on(
-            [box], mesh_object.options_of(obj, options.TRIANGULATE)).fingerprint, before)
+            [box], properties.options_of(obj, options.TRIANGULATE)).fingerprint, before)
 
     def test_errors_are_sentences_and_mark_the_object(self):
         obj = mq.add_quality_mesh(self.box())

@@ -10,9 +10,9 @@ from FreeCAD import Vector
 
 import MeshQuality as mq
 from MeshQuality import options
-from MeshQuality.features import memories
+from MeshQuality.features import mesh_cache_limit
+from MeshQuality.features.mesh_object import with_precomputed
 from MeshQuality.features.quality_mesh import QualityMesh
-from MeshQuality.features.work import handed_over
 
 PITCH = 10.0
 
@@ -30,12 +30,12 @@ def plate(first_radius, along=10):
 
 class AfterAnEdit(unittest.TestCase):
     def test_faces_that_did_not_change_keep_their_triangles(self):
-        memory = mq.Memory()
-        first = mq.triangulate(plate(2.0, 7), chord_height=0.05, memory=memory)
+        cache = mq.MeshCache()
+        first = mq.triangulate(plate(2.0, 7), chord_height=0.05, cache=cache)
         self.assertEqual(first.report.reused_faces, 0)
         edited = plate(2.5, 7)
-        self.assertEqual(len(memory), 1)
-        again = mq.triangulate(edited, chord_height=0.05, memory=memory)
+        self.assertEqual(len(cache), 1)
+        again = mq.triangulate(edited, chord_height=0.05, cache=cache)
         self.assertGreater(again.report.reused_faces, 0.8 * len(edited.Faces))
         report = again.report
         self.assertTrue(report.closed and report.oriented and report.manifold)
@@ -46,22 +46,33 @@ class AfterAnEdit(unittest.TestCase):
         judged = mq.quality(again, edited)
         self.assertLessEqual(judged.max_chord_height, 0.05 + 1e-5)
 
-    def test_only_a_memory_is_one(self):
-        with self.assertRaisesRegex(mq.InvalidInput, "memory"):
-            mq.triangulate(plate(2.0), memory={})
+    def test_only_a_cache_is_one(self):
+        with self.assertRaisesRegex(mq.InvalidInput, "cache"):
+            mq.triangulate(plate(2.0), cache={})
         for wrong in (-1, 2.5, "8"):
             with self.assertRaisesRegex(mq.InvalidInput, "most_runs"):
-                mq.Memory(most_runs=wrong)
+                mq.MeshCache(most_runs=wrong)
 
-    def test_a_memory_keeps_within_its_bounds(self):
+    def test_the_older_names_go_on_working(self):
+        with self.assertWarnsRegex(DeprecationWarning, "MeshQuality.Memory is called MeshQuality.MeshCache"):
+            older = mq.Memory
+        self.assertIs(older, mq.MeshCache)
+        self.assertNotIn("Memory", dir(mq))
+        cache, box = older(), Part.makeBox(1, 2, 3)
+        mq.triangulate(box, memory=cache)
+        self.assertEqual(len(cache), 1)
+        with self.assertRaisesRegex(mq.InvalidInput, "memory is the older name of cache"):
+            mq.triangulate(box, memory=cache, cache=cache)
+
+    def test_a_cache_keeps_within_its_bounds(self):
         box = Part.makeBox(1, 1, 1)
-        memory = mq.Memory(most_runs=2)
+        cache = mq.MeshCache(most_runs=2)
         for size in (0.5, 0.4, 0.3):
-            mq.triangulate(box, max_edge=size, memory=memory)
-        self.assertEqual(len(memory), 2)
-        self.assertGreater(memory.bytes, 0)
-        nothing = mq.Memory(most_bytes=10)
-        mq.triangulate(box, memory=nothing)
+            mq.triangulate(box, max_edge=size, cache=cache)
+        self.assertEqual(len(cache), 2)
+        self.assertGreater(cache.bytes, 0)
+        nothing = mq.MeshCache(most_bytes=10)
+        mq.triangulate(box, cache=nothing)
         self.assertEqual((len(nothing), nothing.bytes), (0, 0))
 
 
@@ -100,7 +111,7 @@ class OfAnObject(unittest.TestCase):
     def test_what_was_computed_before_it_was_added_counts(self):
         values = options.check(options.TRIANGULATE, {"chord_height": 0.05})
         work = QualityMesh.work_on([self.source], values)
-        with handed_over(work, work.result(None)):
+        with with_precomputed(QualityMesh, work, work.result(None)):
             self.mesh = mq.add_quality_mesh(self.source, chord_height=0.05)
         self.assertEqual(triangles_of(self.mesh), self.first)
         self.edit(2.5)
@@ -138,7 +149,7 @@ class OfAnObject(unittest.TestCase):
         self.mesh.Reuse = False
         self.document.recompute()
         self.assertEqual(triangles_of(self.mesh)[0], self.from_nothing())
-        self.assertEqual((self.mesh.ReusedFaces, self.mesh.Proxy.memory), (0, None))
+        self.assertEqual((self.mesh.ReusedFaces, self.mesh.Proxy.cache), (0, None))
         self.edit(2.1)
         self.assertEqual(triangles_of(self.mesh)[0], self.from_nothing())
         self.assertEqual(self.edit(2.0), self.first)
@@ -149,7 +160,7 @@ class OfAnObject(unittest.TestCase):
         copy = self.document.copyObject(self.mesh)
         self.document.recompute()
         self.assertEqual(triangles_of(copy)[0], before[0])
-        self.assertIsNone(copy.Proxy.memory)
+        self.assertIsNone(copy.Proxy.cache)
         with tempfile.TemporaryDirectory() as folder:
             path = f"{folder}/plate.FCStd"
             name = self.mesh.Name
@@ -157,7 +168,7 @@ class OfAnObject(unittest.TestCase):
             FreeCAD.closeDocument(self.document.Name)
             self.document = FreeCAD.openDocument(path)
         self.mesh, self.source = self.document.getObject(name), self.document.getObject("Plate")
-        self.assertIsNone(self.mesh.Proxy.memory)
+        self.assertIsNone(self.mesh.Proxy.cache)
         self.assertTrue(self.mesh.Reuse)
         self.document.recompute()
         self.assertEqual(triangles_of(self.mesh), before)  # nothing is computed
@@ -167,10 +178,28 @@ class OfAnObject(unittest.TestCase):
         self.edit(2.3)
         self.assertGreater(self.mesh.ReusedFaces, 0.8 * len(self.source.Shape.Faces))
 
+    def test_an_object_may_be_collected_while_the_caches_are_counted(self):
+        class Collected:
+            """A weak reference to an object that is collected behind the first question."""
+
+            def __init__(self, thing):
+                self.left = [thing]
+
+            def __call__(self):
+                return self.left.pop() if self.left else None
+
+        class Other:
+            cache = None
+
+        self.addCleanup(mesh_cache_limit._proxies.__setitem__, slice(None), list(mesh_cache_limit._proxies))
+        mesh_cache_limit._proxies.append(Collected(Other()))
+        mesh_cache_limit.use(self.mesh.Proxy)
+        self.assertIs(mesh_cache_limit._proxies[-1](), self.mesh.Proxy)
+
     def test_all_objects_together_keep_within_a_bound(self):
-        most = memories._MOST
-        self.addCleanup(setattr, memories, "_MOST", most)
-        memories._MOST = int(1.5 * self.mesh.Proxy.memory.bytes)
+        most = mesh_cache_limit._MOST
+        self.addCleanup(setattr, mesh_cache_limit, "_MOST", most)
+        mesh_cache_limit._MOST = int(1.5 * self.mesh.Proxy.cache.bytes)
         other = mq.add_quality_mesh(self.source, chord_height=0.05)
-        self.assertIsNone(self.mesh.Proxy.memory)
-        self.assertIsNotNone(other.Proxy.memory)
+        self.assertIsNone(self.mesh.Proxy.cache)
+        self.assertIsNotNone(other.Proxy.cache)

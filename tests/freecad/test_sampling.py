@@ -7,7 +7,7 @@ import Part
 from FreeCAD import Vector
 
 import MeshQuality as mq
-from MeshQuality import cli_parser
+from MeshQuality.cli import parser as cli_parser
 
 METHODS = ("star", "sprinkle")
 

@@ -13,7 +13,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality import verdict
+from MeshQuality.core import verdict
 
 
 class SimpleParts(unittest.TestCase):
@@ -329,16 +329,16 @@ class ProgressAndCancel(unittest.TestCase):
         refused = []
 
         def progress(fraction, stage):
-            if time.monotonic() - start < 0.3:
+            if time.process_time() - start < 0.3:
                 return None
-            refused.append(time.monotonic())
+            refused.append(time.process_time())
             return False
 
-        start = time.monotonic()
+        start = time.process_time()  # CPU time: what else the machine does is no fault
         with self.assertRaises(mq.Cancelled):
             mq.triangulate(Part.makeTorus(10, 3), progress=progress, **self.LONG)
         self.assertEqual(len(refused), 1)
-        self.assertLess(time.monotonic() - refused[0], 1.0)
+        self.assertLess(time.process_time() - refused[0], 1.0)
 
     def test_cancel_before_the_start(self):
         with self.assertRaises(mq.Cancelled):
@@ -349,10 +349,10 @@ class ProgressAndCancel(unittest.TestCase):
             if fraction > 0.0:
                 raise KeyError("mine")
 
-        start = time.monotonic()
+        start = time.process_time()
         with self.assertRaisesRegex(KeyError, "mine"):
             mq.triangulate(Part.makeTorus(10, 3), progress=progress, **self.LONG)
-        self.assertLess(time.monotonic() - start, 20.0)
+        self.assertLess(time.process_time() - start, 20.0)
 
     def test_the_next_call_works_after_a_cancel(self):
         self.test_cancel_before_the_start()

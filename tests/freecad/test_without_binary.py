@@ -26,7 +26,7 @@ def told(function):
     except mq.MissingBinary as error:
         return str(error)
 
-said = dict(home=compat.HOME, why=compat.why_no_core())
+said = dict(home=compat.HOME, why=compat.why_no_extension())
 said["calls"] = [told(call) for call in (
     lambda: mq.triangulate(Part.makeBox(1, 1, 1)), lambda: mq.curve(Part.makeBox(1, 1, 1)),
     lambda: mq.MeshReport, lambda: mq.quality(None))]
@@ -84,5 +84,5 @@ class WithoutBinary(helpers.DocumentTest):
         self.assertNotIn("Traceback", done.stderr)
 
     def test_with_it_nothing_is_missing(self):
-        self.assertEqual(compat.why_no_core(), "")
+        self.assertEqual(compat.why_no_extension(), "")
         self.assertIn(".".join(FreeCAD.Version()[:2]), compat.versions())

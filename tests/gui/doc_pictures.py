@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Makes the pictures of docs/ that show FreeCAD:   python3 tests/gui/run.py doc_pictures"""
+"""Makes the pictures of docs/pictures/ that show FreeCAD:   python3 tests/gui/run.py doc_pictures"""
 
 import os
 
@@ -11,10 +11,11 @@ import Part
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, curved_view, quality_data, quality_panel
-from MeshQuality.gui.mesh_panel import MeshPanel
+from MeshQuality.gui import commands, curved_view, quality_data
+from MeshQuality.gui.panels import quality_panel
+from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
-DOCS = os.path.join(helpers.ROOT, "docs")
+DOCS = os.path.join(helpers.ROOT, "docs", "pictures")
 
 
 class Pictures(gui_helpers.GuiTest):
@@ -101,7 +102,6 @@ class Pictures(gui_helpers.GuiTest):
         self.document.recompute()
         good, missed = (mq.add_quality_mesh(source, chord_height_relative=0.003)
                         for source in (bracket, blade))
-        missed.Reuse = False  # the mesh of the panel's estimate
         waiting = mq.add_curved_mesh(blade)
         waiting.Recompute = "Manual"
         blade.Placement.Base = FreeCAD.Vector(0, 0, 1)

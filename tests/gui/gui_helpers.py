@@ -3,6 +3,7 @@
 
 import os
 import time
+from unittest import mock
 
 import FreeCAD
 import FreeCADGui
@@ -10,13 +11,14 @@ import helpers
 import numpy as np
 from PySide import QtCore, QtGui
 
-from MeshQuality.gui import mesh_panel, preferences
+from MeshQuality.gui import commands, preferences
+from MeshQuality.gui.panels import mesh_panel
 
 PICTURES = os.environ.get("MESHQUALITY_GUI_PICTURES", ".")
 WIDTH, HEIGHT = 700, 500
 DARK = """QWidget { background-color: #2b2b2b; color: #dddddd }
 QLineEdit, QAbstractSpinBox, QComboBox, QListWidget, QTableWidget { background-color: #3c3c3c }"""
-LIMIT = 60  # seconds for what a test waits for
+LIMIT = 300  # seconds for what a test waits for, on a machine that does much else
 
 
 def wait(seconds=0.05):
@@ -95,6 +97,20 @@ class PanelTest(GuiTest):
         FreeCADGui.Control.showDialog(panel)
         wait()
         return panel
+
+    def edit(self, obj):
+        """The panel that a double click opens."""
+        made, real = [], mesh_panel.MeshPanel
+
+        def noted(*arguments, **values):
+            made.append(real(*arguments, **values))
+            return made[-1]
+
+        with mock.patch.object(commands, "MeshPanel", noted):
+            self.assertTrue(obj.ViewObject.Proxy.doubleClicked(obj.ViewObject))
+        wait()
+        self.assertTrue(FreeCADGui.Control.activeDialog())
+        return made[0]
 
     def finish(self, panel):
         """OK, and waits until the work has ended."""

@@ -12,7 +12,8 @@ from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.features import mesh_object
-from MeshQuality.gui import badge, commands, jobs, preferences, update
+from MeshQuality.gui import commands, jobs, preferences, update
+from MeshQuality.gui.view import badge
 
 
 def colours(icon):

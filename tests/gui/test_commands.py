@@ -10,7 +10,8 @@ import Mesh
 from PySide import QtGui
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, jobs, quality_panel
+from MeshQuality.gui import commands, jobs
+from MeshQuality.gui.panels import quality_panel
 
 ALL = (commands.Triangulate, commands.Curve, commands.Boolean)
 
@@ -45,6 +46,16 @@ class Commands(gui_helpers.PanelTest):
         sources = self.two_boxes()
         self.finish(self.panel(commands.Triangulate, *sources))
         self.assertEqual([obj.Source for obj in self.document.Objects[2:]], list(sources))
+
+    def test_what_is_no_mesh_is_for_none(self):
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
+        link = self.document.addObject("App::Link", "Broken")
+        for obj in (sheet, link):
+            self.select(obj)
+            for command in (commands.Analyse, commands.Improve, commands.Export, commands.Update):
+                self.assertFalse(command().IsActive(), (obj.Name, command.NAME))
+        with self.assertRaisesRegex(mq.InvalidInput, "'Sheet' is no mesh of MeshQuality"):
+            mq.update(sheet)
 
     def test_operands_have_the_letters_of_messages(self):
         first, second = self.two_boxes()

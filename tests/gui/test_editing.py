@@ -9,25 +9,10 @@ import FreeCADGui
 import gui_helpers
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, mesh_panel, mesh_view
+from MeshQuality.gui import commands, mesh_view
 
 
 class Editing(gui_helpers.PanelTest):
-    def edit(self, obj):
-        """The panel that a double click opens."""
-        made = []
-        real = mesh_panel.MeshPanel
-
-        def noted(*arguments, **values):
-            made.append(real(*arguments, **values))
-            return made[-1]
-
-        with mock.patch.object(commands, "MeshPanel", noted):
-            self.assertTrue(obj.ViewObject.Proxy.doubleClicked(obj.ViewObject))
-        gui_helpers.wait()
-        self.assertTrue(FreeCADGui.Control.activeDialog())
-        return made[0]
-
     def all_three(self):
         """An object of each kind, and an option to change."""
         first, second = self.two_boxes()
@@ -122,6 +107,54 @@ class Editing(gui_helpers.PanelTest):
         self.finish(self.edit(obj))
         self.assertFalse(FreeCADGui.Control.activeDialog())
         self.assertEqual(self.document.UndoCount, steps)
+
+    def test_options_that_expressions_set_are_shown_and_not_edited(self):
+        box = self.box()
+        obj = mq.add_quality_mesh(box, chord_height=0.1)
+        obj.setExpression("MaxEdge", "Box.Length / 4")
+        obj.setExpression("ChordHeight", "Box.Length / 50")
+        self.document.recompute()
+        panel = self.edit(obj)
+        for name, shown in (("max_edge", 2.5), ("chord_height", 0.2)):
+            field = panel.options.field(name)
+            self.assertFalse(field.isEnabled())
+            self.assertIn("Set by the expression Box.Length / ", field.toolTip())
+            self.assertEqual(panel.options.values()[name], shown)
+        self.assertTrue(panel.options.field("min_angle").isEnabled())
+        panel.options.reset.click()
+        self.assertEqual(panel.options.values()["max_edge"], 2.5)
+        # The values are those of the expression when the work begins.
+        box.Length = 8.0
+        self.document.recompute()
+        panel.options.set_values({"min_angle": 20.0})
+        self.apply(panel)
+        self.assertEqual(panel.said, "")
+        self.assertEqual((obj.MinAngle.Value, obj.MaxEdge.Value, obj.ChordHeight.Value), (20.0, 2.0, 0.16))
+        # They can be edited again once the expression is cleared.
+        obj.setExpression("MaxEdge", None)
+        panel.options.set_values({"min_angle": 21.0})
+        self.apply(panel)
+        field = panel.options.field("max_edge")
+        self.assertTrue(field.isEnabled())
+        self.assertNotIn("expression", field.toolTip())
+        panel.options.set_values({"max_edge": 1.0})
+        self.finish(panel)
+        self.assertEqual(obj.MaxEdge.Value, 1.0)
+
+    def test_a_mesh_that_is_put_into_its_own_source(self):
+        box, part = self.box(), self.document.addObject("App::Part", "Part")
+        part.addObject(box)
+        self.document.recompute()
+        obj = mq.add_quality_mesh(part)
+        gui_helpers.wait()
+        part.addObject(obj)
+        gui_helpers.wait()
+        self.assertEqual(part.Group, [box])
+        self.assertNotIn(obj, part.OutList)
+        box.Length = 20.0
+        self.document.recompute()
+        self.assertEqual(obj.State, ["Up-to-date"])
+        self.assertEqual(obj.Mesh.BoundBox.XLength, 20.0)
 
     def test_apply_adds_once_and_edits_then(self):
         box = self.box()

@@ -9,7 +9,8 @@ import FreeCADGui
 import gui_helpers
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, export_panel
+from MeshQuality.gui import commands
+from MeshQuality.gui.panels import export_panel
 
 
 class Export(gui_helpers.PanelTest):

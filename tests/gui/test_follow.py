@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 import MeshQuality as mq
 from MeshQuality.features import mesh_object
-from MeshQuality.gui import follow, jobs, preferences
+from MeshQuality.gui import background_recompute, jobs, preferences
 
 
 class Follow(gui_helpers.PanelTest):
@@ -44,7 +44,7 @@ class Follow(gui_helpers.PanelTest):
 
     def in_front_of_python(self):
         """The refresh of these tests comes from an event loop that Python code runs."""
-        return self.replace_for_test(follow, "_python_waits", lambda: False)
+        return self.replace_for_test(background_recompute, "_python_waits", lambda: False)
 
     def replace_for_test(self, owner, name, value):
         before = getattr(owner, name)
@@ -55,7 +55,7 @@ class Follow(gui_helpers.PanelTest):
         self.in_front_of_python()
         self.change(20)
         self.assertEqual((self.mesh.Status, self.height()), (mesh_object.COMPUTING, 10))
-        self.assertTrue(follow.is_computing(self.mesh))
+        self.assertTrue(background_recompute.is_computing(self.mesh))
         steps = self.document.UndoCount
         self.settle()
         self.assertEqual((self.mesh.Status, self.height()), (mesh_object.UP_TO_DATE, 20))
@@ -67,7 +67,7 @@ class Follow(gui_helpers.PanelTest):
         self.source.Height = 20
         self.document.recompute()
         self.assertEqual((self.mesh.Status, self.height()), (mesh_object.UP_TO_DATE, 20))
-        self.assertFalse(follow.is_computing(self.mesh))
+        self.assertFalse(background_recompute.is_computing(self.mesh))
         self.in_front_of_python()
         self.change(30)
         mq.update(self.mesh)
@@ -80,10 +80,10 @@ class Follow(gui_helpers.PanelTest):
             found = []
             line = compile("found.append(asked())", name, "exec")
             # A thread of its own, as this file would be beneath.
-            _thread.start_new_thread(exec, (line, {"found": found, "asked": follow._python_waits}))
+            _thread.start_new_thread(exec, (line, {"found": found, "asked": background_recompute._python_waits}))
             self.until(lambda seen=found: seen)
             self.assertEqual(found, [waits], name)
-        self.assertTrue(follow._python_waits())
+        self.assertTrue(background_recompute._python_waits())
 
     def test_the_newest_of_many_changes_wins(self):
         self.in_front_of_python()
@@ -167,7 +167,7 @@ class Follow(gui_helpers.PanelTest):
         self.in_front_of_python()
         mq.update(self.mesh, max_edge=0.2)
         self.change(20)
-        follow.stop(self.mesh)
+        background_recompute.stop(self.mesh)
         self.settle()
         self.assertEqual((self.mesh.Status, self.height()), (mesh_object.OUT_OF_DATE, 10))
         self.source.touch()
@@ -187,7 +187,7 @@ class Follow(gui_helpers.PanelTest):
         name = self.document.Name
         FreeCAD.closeDocument(name)
         self.until(lambda: len(jobs.queue()) == 0)
-        self.assertEqual(follow._followers, {})
+        self.assertEqual(background_recompute._followers, {})
         self.document = FreeCAD.newDocument(name)
 
     def test_saved_meanwhile_it_is_taken_up_again(self):

@@ -6,7 +6,7 @@ import gui_helpers
 import Mesh
 
 from MeshQuality.gui import commands
-from MeshQuality.gui.mesh_panel import MeshPanel
+from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
 
 class ImproveCommand(gui_helpers.GuiTest):

@@ -10,7 +10,8 @@ import Part
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
-from MeshQuality.gui import commands, quality_panel
+from MeshQuality.gui import commands, translation
+from MeshQuality.gui.panels import quality_panel
 
 # Words of English sentences that are no German ones.
 ENGLISH = re.compile(r"\b(the|of|and|is|are|be|with|that|to|than|from|each|triangles?|mesh|shape|angles?|"
@@ -154,22 +155,34 @@ class German(gui_helpers.PanelTest):
         panel.apply()
         self.assertEqual(panel.said, "Die kürzeste Kante von 2 mm ist länger als die längste Kante von 1 mm")
         panel.options.set_values({"min_edge": None, "max_edge": 0.05})
-        formats = set()
+        stages = set()
         panel.apply()
-        panel.jobs[0].changed.connect(lambda: formats.add(panel.bar.format()))
-        self.until(lambda: len(formats) > 1)
+        panel.jobs[0].changed.connect(lambda: stages.add(panel.doing.text()))
+        self.until(lambda: len(stages) > 1)
         panel.reject()
         self.until(lambda: not panel.jobs)
         self.assertIn("Abgebrochen", panel.said)
-        for text in formats:
+        for text in stages:
             self.assertIsNone(ENGLISH.search(text), text)
+
+    def test_waits_are_german(self):
+        for stage, german in (
+                ("waits for OpenCASCADE: checking Face12", "wartet auf OpenCASCADE: Face12 wird geprüft"),
+                ("waits for OpenCASCADE: reading the shape", "wartet auf OpenCASCADE: Form wird gelesen"),
+                ("waits for the shape engine, used by Mesh of Bracket",
+                 "wartet auf den Formkern, belegt durch: Mesh of Bracket")):
+            self.assertEqual(translation.translated_stage(stage), german)
+        self.assertEqual(translation.translated_rest("waits for OpenCASCADE: checking Face12"),
+                         "OpenCASCADE arbeitet noch: Face12 wird geprüft")
+        self.assertEqual(translation.translated_rest("mending"),
+                         "arbeitet noch: " + translation.translated_stage("mending"))
 
     def test_errors_of_the_core_are_german(self):
         for command, values, words in (
                 (commands.Curve, {"order": 5, "volume": True}, "Tetraeder der Ordnung 5 sind nicht möglich"),
                 (commands.Triangulate, {"local_sizes": "Face99=0.5"}, "Für Face99 ist eine lokale Größe"),
                 (commands.Triangulate, {"chord_height": 1e-7, "chord_height_relative": None},
-                 "Eine max. Abweichung von 1e-07 mm")):
+                 "Eine max. Abweichung von 0.1 nm")):
             panel = self.panel(command, self.box())
             panel.options.set_values(values)
             self.finish(panel)

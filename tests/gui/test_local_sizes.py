@@ -5,7 +5,7 @@ import FreeCADGui
 import gui_helpers
 
 from MeshQuality.gui import commands
-from MeshQuality.gui.mesh_panel import MeshPanel
+from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
 
 class LocalSizes(gui_helpers.GuiTest):

@@ -8,8 +8,9 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality import convert
-from MeshQuality.gui import commands, mesh_panel, places
+from MeshQuality.core import convert
+from MeshQuality.gui import commands, sub_elements
+from MeshQuality.gui.panels import mesh_panel
 from MeshQuality.gui.quality_data import QualityData
 
 COARSE = {"method": "star", "refine_samples": False, "chord_height": 0.01}  # misses its distance
@@ -41,14 +42,14 @@ class Places(gui_helpers.PanelTest):
         self.document.recompute()
         for source in (outer, link, array):
             whole = convert.shape_of(source)
-            found = [places.sub_element(source, f"Face{i + 1}") for i in range(len(whole.Faces))]
+            found = [sub_elements.sub_element(source, f"Face{i + 1}") for i in range(len(whole.Faces))]
             self.assertEqual(len(set(found)), len(whole.Faces), found)
             for face, path in zip(whole.Faces, found):
                 there = Part.getShape(source, path, needSubElement=True)
                 self.assertLess((there.CenterOfMass - face.CenterOfMass).Length, 1e-6, path)
                 self.assertAlmostEqual(there.Area, face.Area)
-        self.assertEqual(places.sub_element(outer, "Face7"), "Inner.Cylinder.Face1")
-        self.assertEqual(places.sub_element(self.document.getObject("Box"), "Face3"), "Face3")
+        self.assertEqual(sub_elements.sub_element(outer, "Face7"), "Inner.Cylinder.Face1")
+        self.assertEqual(sub_elements.sub_element(self.document.getObject("Box"), "Face3"), "Face3")
 
     def test_the_face_in_a_container_is_selected(self):
         outer = self.container()

@@ -13,9 +13,11 @@ import Part
 from PySide import QtGui
 
 import MeshQuality as mq
-from MeshQuality import convert
-from MeshQuality.compat import core
-from MeshQuality.gui import commands, legend, quality_data, quality_panel, quality_scene
+from MeshQuality.compat import extension
+from MeshQuality.core import convert
+from MeshQuality.gui import commands, quality_data
+from MeshQuality.gui.panels import quality_panel
+from MeshQuality.gui.view import legend, quality_scene
 
 MAGENTA = (255, 32, 255)
 
@@ -207,6 +209,52 @@ class QualityView(gui_helpers.GuiTest):
         self.assertTrue(obj.ViewObject.Visibility and obj.Source.ViewObject.Visibility)
         self.assertEqual(graph.getNumChildren(), children)
         self.assertFalse(FreeCADGui.Control.activeDialog())
+
+    def test_a_mesh_through_a_link(self):
+        """Is measured where the link stands, and hides nothing elsewhere."""
+        obj = self.meshed(Part.makeSphere(5), chord_height=0.05)
+        part = self.document.addObject("App::Part", "Home")
+        part.addObject(obj)
+        part.Placement.Base = FreeCAD.Vector(0, 0, 40)
+        scan = self.document.addObject("Mesh::Feature", "Scan")
+        scan.Mesh = obj.Mesh
+        curved = mq.add_curved_mesh(obj.Source)
+        FreeCADGui.activateWorkbench("MeshQualityWorkbench")
+        for linked in (obj, scan, curved):
+            link = self.document.addObject("App::Link", "Link")
+            link.LinkedObject = linked
+            link.Placement = FreeCAD.Placement(FreeCAD.Vector(100, 0, 0), FreeCAD.Rotation(10, 20, 30))
+            holder = self.document.addObject("App::Part", "Holder")
+            holder.addObject(link)
+            holder.Placement.Base.y = 50
+            outer = self.document.addObject("App::Link", "Outer")
+            outer.LinkedObject = holder
+            outer.Placement.Base.x = 300
+            self.document.recompute()
+            for source, picked, middle in ((link, (link,), (100, 50, 0)), ((outer, "Link."), (outer, f"{link.Name}."),
+                                                                           (400, 0, 0))):
+                with self.subTest(f"{linked.Name} by {source}"):
+                    FreeCADGui.Selection.clearSelection()
+                    FreeCADGui.Selection.addSelection(*picked)
+                    self.assertTrue(commands.Analyse().IsActive())
+                    source, = commands.Analyse().selected()
+                    self.assertFalse(commands.Triangulate().IsActive())
+                    self.assertEqual(commands.Improve().IsActive(), True)
+                    self.assertEqual(commands.Export().IsActive(), linked is curved)
+                    linked.ViewObject.Visibility = True
+                    panel = self.open(source)
+                    shown = picked[0]
+                    self.assertTrue(linked.ViewObject.Visibility)
+                    self.assertFalse(shown.ViewObject.Visibility)
+                    points = panel.data.corners.reshape(-1, 3)
+                    np.testing.assert_allclose((points.min(axis=0) + points.max(axis=0)) / 2, middle, atol=0.1)
+                    self.assertEqual(panel.data.curved, linked is curved)
+                    if linked is obj:
+                        self.choose(panel, quality_data.DISTANCE)
+                        self.assertLess(panel.values.max(), 0.06)
+                        self.assertEqual(panel.data.bound, 0.05)
+                    panel.reject()
+                    self.assertTrue(shown.ViewObject.Visibility)
 
     def test_all_that_a_mesh_was_made_of_is_hidden_meanwhile(self):
         boxes = [self.box("First"), self.box("Second")]
@@ -412,7 +460,7 @@ class QualityView(gui_helpers.GuiTest):
                       for m, n in ((0, 0), (1, 0), (1, 1), (0, 1)))
         triangles = np.concatenate((np.stack((a, b, c), 1), np.stack((a, c, d), 1)))
         obj = self.document.addObject("Mesh::Feature", "Big")
-        obj.Mesh = convert.mesh_of_surface(convert.surface_of_arrays(core(), points, triangles,
+        obj.Mesh = convert.mesh_of_surface(convert.surface_of_arrays(extension(), points, triangles,
                                                                      measured=False))
         return obj
 

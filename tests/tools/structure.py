@@ -14,7 +14,7 @@ ROWS = [
     ["geometry"],
     ["mesh"],
     ["triangulate", "curve", "boolean", "improve"],
-    ["view"],
+    ["workflows", "view"],
     ["python"],
 ]
 RANK = {module: rank for rank, row in enumerate(ROWS) for module in row}

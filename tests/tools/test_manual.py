@@ -13,7 +13,8 @@ sys.path[:0] = [str(ROOT / "Mod"), str(ROOT / "tools")]
 
 import manual  # noqa: E402
 
-from MeshQuality import cli_parser, version  # noqa: E402
+from MeshQuality import version  # noqa: E402
+from MeshQuality.cli import parser  # noqa: E402
 
 
 class Manual(unittest.TestCase):
@@ -23,7 +24,7 @@ class Manual(unittest.TestCase):
 
     def test_every_option_is_in_it(self):
         said = manual.page().replace("\\-", "-")
-        for table in cli_parser.TABLES.values():
+        for table in parser.TABLES.values():
             for option in table:
                 self.assertIn(option.flag, said)
 

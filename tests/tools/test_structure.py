@@ -5,6 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import stages
 import structure
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -47,6 +48,18 @@ class HouseRules(unittest.TestCase):
 
     def test_functions_fit_on_a_screen(self):
         self.assert_kept(structure.check_functions)
+
+    def test_folders_are_stages(self):
+        self.assert_kept(stages.check_folders)
+
+    def test_includes_go_to_lower_stages(self):
+        self.assert_kept(stages.check_stage_includes)
+
+    def test_tests_mirror_the_folders(self):
+        self.assert_kept(stages.check_tests_mirror)
+
+    def test_rooms_with_tests_of_their_name(self):
+        self.assert_kept(stages.check_tested)
 
 
 class Checker(unittest.TestCase):
@@ -119,6 +132,43 @@ class Checker(unittest.TestCase):
         check = structure.check_functions
         self.assertEqual(len(self.faults(check, src__base__x_dot_cpp=long_cpp)), 1)
         self.assertEqual(len(self.faults(check, Mod__x_dot_py=long_py)), 1)
+
+
+class Stages(unittest.TestCase):
+    """The checks of folders find each kind of fault on a small tree."""
+
+    def faults(self, check, *files):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files:
+                path = Path(folder, name)
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(LICENCE + text, encoding="utf-8")
+            return check(Path(folder))
+
+    def test_a_folder_that_is_no_stage(self):
+        found = self.faults(stages.check_folders, ("src/mesh/heap/x.h", ""))
+        self.assertEqual(found, ["src/mesh/heap is no stage of tests/tools/stages.py"])
+
+    def test_a_folder_with_too_many_files(self):
+        files = [(f"src/mesh/room{k}.h", "") for k in range(stages.MAX_FILES + 1)]
+        self.assertEqual(len(self.faults(stages.check_folders, *files)), 1)
+
+    def test_an_include_of_a_higher_stage(self):
+        low, high = ("src/mesh/x.h", '#include "mesh/io/y.h"\n'), ("src/mesh/io/y.h", "")
+        found = self.faults(stages.check_stage_includes, low, high)
+        self.assertEqual(found, ["src/mesh/x.h:2: mesh may not include mesh/io/y.h"])
+        low, high = ("src/mesh/x.h", ""), ("src/mesh/io/y.h", '#include "mesh/x.h"\n')
+        self.assertEqual(self.faults(stages.check_stage_includes, low, high), [])
+
+    def test_a_test_in_another_folder(self):
+        found = self.faults(stages.check_tests_mirror, ("src/mesh/io/y.h", ""), ("tests/cpp/mesh/y_test.cpp", ""))
+        self.assertEqual(found, ["tests/cpp/mesh/y_test.cpp belongs to tests/cpp/mesh/io"])
+
+    def test_too_few_tests(self):
+        rooms = [(f"src/mesh/room{k}{end}", "") for k in range(3) for end in (".h", ".cpp")]
+        self.assertEqual(len(self.faults(stages.check_tested, *rooms)), 1)
+        self.assertEqual(self.faults(stages.check_tested, *rooms, ("tests/cpp/mesh/room0_test.cpp", ""),
+                                     ("tests/cpp/mesh/room1_test.cpp", "")), [])
 
 
 class CppFunctions(unittest.TestCase):

@@ -3,14 +3,14 @@
 
     plan        what is to be done: parts, options, limits, where results go
     ledger      parts.jsonl: what was done already
-    freecads    FreeCADs that do one part after the other, with limits; `serve` is what runs in them
+    freecad_pool  FreeCADs that do one part after the other, with limits; `worker_loop` is what runs in them
     part        one part: what is run on a worker
     cluster     the parts on workers, by Dask
     table, report, charts     parts.csv and report.html
-    whole_file  how files are replaced
+    atomic_file  how files are replaced
     command     all of it, for the command line
 
-Only `serve` imports FreeCAD. Results do not depend on which worker did a part, nor on what it did
+Only `worker_loop` imports FreeCAD. Results do not depend on which worker did a part, nor on what it did
 before; a part has failed only if it failed in a FreeCAD that had done nothing else.
 """
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The parts of a batch on workers, by Dask: a cluster on this machine, or one that is there.
 
-Dask's workers only wait: the work is done by the FreeCADs that they start, see freecads. So on one
+Dask's workers only wait: the work is done by the FreeCADs that they start, see freecad_pool. So on one
 machine one worker of as many threads as there are jobs, in this process, is enough.
 """
 
@@ -14,9 +14,9 @@ import urllib.parse
 import uuid
 import warnings
 from contextlib import contextmanager
-from tempfile import TemporaryDirectory
 
 from ..errors import Error
+from ..scratch import Folder
 from .part import LOST
 
 # Parts that the scheduler knows at a time, for each thread of the workers: enough that none waits
@@ -55,8 +55,8 @@ def client_of(scheduler=None, jobs=None, dashboard=False):
     with dask.config.set({"distributed.worker.memory.target": False,
                           "distributed.worker.memory.spill": False}):
         if scheduler is None:
-            with TemporaryDirectory(prefix="meshquality-") as scratch, \
-                    _local_cluster(jobs or cores(), scratch, dashboard) as cluster, \
+            with Folder() as made, \
+                    _local_cluster(jobs or cores(), made.path, dashboard) as cluster, \
                     Client(cluster) as client:
                 if dashboard:
                     port = cluster.scheduler.services["dashboard"].port
@@ -179,7 +179,7 @@ def _ahead(client):
 def _end_work(client, batch, folder):
     """Ends the FreeCADs of the batch on all workers."""
     if client.status == "running":
-        client.run(shipped("freecads", "close_pool"), folder, batch, on_error="ignore")
+        client.run(shipped("freecad_pool", "close_pool"), folder, batch, on_error="ignore")
 
 
 def _lost(plan, part, raised):

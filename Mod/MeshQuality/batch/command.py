@@ -7,7 +7,8 @@ import sys
 import time
 from collections import Counter
 
-from ..cli import DONE, FAILED, ended_by_sigterm, freecad
+from ..cli.exit_status import DONE, FAILED
+from ..cli.freecad_process import freecad
 from ..phrases import MET, NOT_MET
 from . import cluster, report, table
 from .ledger import Ledger
@@ -15,7 +16,7 @@ from .part import AGAIN
 from .plan import find_parts, matches, plan_of
 
 SYSTEM_PYTHON = "/usr/bin/python3"
-INTERIM_SECONDS = 60.0  # at least, between looks at what is done so far; they take 2 % of the time
+INTERIM_SECONDS = 60.0  # at least, between two looks at what is done; they take 2 % of the time
 MOST_LOST = 50  # parts in a row, before the batch gives up: then it is not the parts
 
 
@@ -70,7 +71,7 @@ def _duration(seconds):
 
 
 def run(arguments):
-    """The result {"status", "text", "report"} of a batch, as cli.main prints it."""
+    """The result {"status", "text", "report"} of a batch, as the program prints it."""
     require_dask()
     start = time.monotonic()
     plan = plan_of(arguments)
@@ -134,8 +135,7 @@ def _do(arguments, plan, todo, ledger, total):
             took = write_results(plan, ledger, total)
             due[0] = time.monotonic() + max(INTERIM_SECONDS, 50 * took)
 
-    with ended_by_sigterm(), cluster.client_of(arguments.scheduler, arguments.jobs,
-                                                    arguments.dashboard) as client:
+    with cluster.client_of(arguments.scheduler, arguments.jobs, arguments.dashboard) as client:
         try:
             cluster.run(client, plan, todo, finished)
         finally:

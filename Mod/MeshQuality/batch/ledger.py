@@ -10,8 +10,8 @@ from concurrent.futures import ThreadPoolExecutor
 from ..errors import Error
 from ..files import UNFINISHED_OF_BATCH, open_regular
 from . import report
+from .atomic_file import replacing
 from .part import AGAIN, digest_of
-from .whole_file import replacing
 
 NAME = "parts.jsonl"
 _TYPES = {"part": str, "key": str, "size": int, "mtime_ns": int, "state": str,
@@ -120,7 +120,7 @@ class Ledger:
                     os.unlink(os.path.join(path, name))
 
     def _digest_of(self, name):
-        """Of a file that cannot be read one that is no digest, so that the part is tried again."""
+        """The digest of a file; empty where that cannot be read, so that the part is tried again."""
         try:
             return digest_of(self._plan.folder / name, self._plan.seconds)
         except OSError:

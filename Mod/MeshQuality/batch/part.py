@@ -4,12 +4,12 @@
 import hashlib
 import os
 import socket
-import tempfile
 import time
 
-from ..cli import DONE, USAGE
-from ..files import UNFINISHED_OF_BATCH, is_full, is_utf8, open_regular, remove_if_there, unfinished
-from . import freecads
+from ..cli.exit_status import DONE, USAGE
+from ..files import UNFINISHED_OF_BATCH, freecad_takes, is_full, open_regular, remove_if_there, unfinished
+from ..scratch import Folder
+from . import freecad_pool
 
 # The state of a part that nobody could begin or end, and of one whose mesh had no room.
 LOST, DISK = "lost", "disk"
@@ -44,7 +44,7 @@ def run(task, batch):
     except OSError as error:
         state = "timeout" if isinstance(error, TimeoutError) else DISK if is_full(error) else "input"
         return {**entry, "digest": None, "output": None, "state": state, "error": str(error), "attempts": 0}
-    pool = freecads.pool(batch)
+    pool = freecad_pool.pool(batch)
     found, used = _attempt(task, pool, fresh=False)
     if found["state"] in ("crash", "memory", "failed") and used and not pool.closed:
         found, _ = _attempt(task, pool, fresh=True)
@@ -56,9 +56,9 @@ def run(task, batch):
 
 def _attempt(task, pool, fresh):
     """(what came of the part, whether its FreeCAD had done others before)."""
-    with tempfile.TemporaryDirectory(prefix="meshquality-") as scratch:
-        path = task["path"]
-        if not is_utf8(path):
+    with Folder() as made:
+        scratch, path = made.path, task["path"]
+        if not freecad_takes(path):
             path = os.path.join(scratch, "part" + os.path.splitext(path)[1].lower())
             os.symlink(task["path"], path)
         found, used = _run(task, path, scratch, pool, fresh)
@@ -85,9 +85,9 @@ def _run(task, path, scratch, pool, fresh):
             pool.give_back(freecad, good)
             if ready:
                 remove_if_there(ready)
-    except freecads.NotStarted as error:
+    except freecad_pool.NotStarted as error:
         return {"state": LOST, "error": str(error), "attempts": 0}, False
-    except freecads.Died as end:
+    except freecad_pool.Died as end:
         return {"state": end.state, "error": str(end), "attempts": 1}, used
     return {"attempts": 1, **_outcome(result, task)}, used
 

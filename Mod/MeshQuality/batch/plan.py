@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
-from .. import cli
-from ..cli_parser import INPUTS, OUTPUTS, TABLES
+from ..cli.job_checks import require_curved_output, require_format, take_options
+from ..cli.parser import INPUTS, OUTPUTS, TABLES
 from ..errors import Error
 from ..files import kind_of
 from ..version import __version__
@@ -79,8 +79,9 @@ def plan_of(arguments):
     folder, out = Path(arguments.folder).absolute(), Path(arguments.output).absolute()
     if not folder.is_dir():
         raise Error(f"there is no folder '{folder}'")
-    meshes = (out / MESHES).resolve()
-    if out.resolve() == folder.resolve() or meshes in (folder.resolve(), *folder.resolve().parents):
+    # Not resolve(), which raises another error where a link leads to itself.
+    whole, meshes = Path(os.path.realpath(folder)), Path(os.path.realpath(out / MESHES))
+    if Path(os.path.realpath(out)) == whole or meshes in (whole, *whole.parents):
         raise Error("the results need a folder of their own: name another one with -o")
     if out.exists() and not out.is_dir():
         raise Error(f"'{out}' is a file: the results need a folder")
@@ -89,14 +90,14 @@ def plan_of(arguments):
                         ("--jobs", 1 if arguments.jobs is None else arguments.jobs)):
         if not 0 < value < float("inf"):
             raise Error(f"{flag} {value:g} is not allowed: it must be greater than 0")
-    job = {"options": cli.take_options(vars(arguments).copy(), TABLES[command]),
+    job = {"options": take_options(vars(arguments).copy(), TABLES[command]),
            "deviation": getattr(arguments, "deviation", None)}
     name = arguments.format or _DEFAULT_FORMAT.get(command)
     if arguments.format and not OUTPUTS[command]:
         raise Error(f"--format {name} is not for --command {command}, which writes no meshes")
-    suffix = cli.require_format("--format", name, OUTPUTS[command]) if name else None
+    suffix = require_format("--format", name, OUTPUTS[command]) if name else None
     if command == "curve":
-        cli.require_curved_output(job, suffix)
+        require_curved_output(job, suffix)
     return Plan(folder, out, command, job["options"], suffix,
                 arguments.time_limit, arguments.memory_limit, job["deviation"])
 
@@ -147,7 +148,7 @@ def _is_same(path, status):
 
 def _part(name, path):
     status = _status(path)
-    # Of a link to nowhere, a pipe or a device that it cannot be read is said later, in its line.
+    # That a link to nowhere, a pipe or a device cannot be read is said later, in its line.
     if status is None or kind_of(status.st_mode):
         return Part(name, 0, 0)
     return Part(name, status.st_size, status.st_mtime_ns)

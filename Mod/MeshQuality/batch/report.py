@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from ..phrases import MET, NOT_MET
 from ..version import __version__
 from . import charts, table
-from .whole_file import replacing
+from .atomic_file import replacing
 
 NAME = "report.html"
 _OPEN = "not closed"
@@ -157,7 +157,7 @@ def kind_of(error):
 
 
 def write(plan, ledger, total):
-    """Writes the report of what is done so far of the parts, `total` in all."""
+    """Writes the report of the parts that are done, of `total` in all."""
     findings = Findings(plan.command)
     for entry in ledger.entries():
         findings.add(entry)

@@ -4,7 +4,7 @@
 import csv
 import importlib.util
 
-from .whole_file import replacing
+from .atomic_file import replacing
 
 NAME, PARQUET = "parts.csv", "parts.parquet"
 FIRST = ("part", "state", "error", "attempts", "seconds", "peak_mib", "size", "output", "host",

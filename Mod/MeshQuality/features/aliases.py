@@ -32,7 +32,8 @@ def add(obj, table):
         if option.choice_aliases and obj.getEnumerationsOfProperty(name) != option.property_choices:
             chosen = property_of(obj, name)
             setattr(obj, name, option.property_choices)
-            setattr(obj, name, option.choice_aliases.get(chosen, chosen))
+            known = chosen if chosen in option.property_choices else option.default  # scripts may give other choices
+            setattr(obj, name, option.choice_aliases.get(known, known))
 
 
 def follow_change(table, obj, name):
@@ -53,5 +54,9 @@ def follow_change(table, obj, name):
 
 def _copy(obj, name, other):
     """Gives the property `other` the value of the property `name`, where it is there."""
-    if other in obj.PropertiesList and property_of(obj, name) != property_of(obj, other):
-        setattr(obj, other, property_of(obj, name))
+    if other not in obj.PropertiesList or name not in obj.PropertiesList:
+        return
+    value, there = property_of(obj, name), property_of(obj, other)
+    both_nan = value != value and there != there
+    if value != there and not both_nan:
+        setattr(obj, other, value)

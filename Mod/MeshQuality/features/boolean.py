@@ -6,16 +6,17 @@ from functools import partial
 
 import FreeCAD
 
-from .. import frames, options, verdict
-from ..boolean_mesh import run
+from .. import options
+from ..core import frames, verdict
+from ..core.booleans import run
+from ..core.operands import Operands
 from ..errors import InvalidInput
-from ..operands import Operands
-from . import mesh_object
-from .work import Work
+from . import mesh_object, properties, transactions
+from .recompute_work import Work
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
-    *mesh_object.TOPOLOGY,
+    *properties.TOPOLOGY,
     ("Volume", "App::PropertyVolume", "Enclosed volume"),
     ("Retained", "App::PropertyInteger", "Triangles taken unchanged from an operand"),
     ("Reconstructed", "App::PropertyInteger", "Triangles that were created or changed"),
@@ -38,6 +39,8 @@ class MeshBoolean(mesh_object.MeshObject):
     COMMAND, CALL = "MeshQuality_Boolean", "add_boolean"
     OPTIONS = options.BOOLEAN
     PROMISES = PROMISES
+    TAKES_MESHES = True
+    LINKS = ("Sources", "SourcePaths")
 
     def sources(self, obj):
         """The Sources, with their paths."""
@@ -55,13 +58,13 @@ class MeshBoolean(mesh_object.MeshObject):
     def add_properties(self, obj):
         """Adds those properties that the object has not got yet."""
         # Global: operands may lie inside a container that the mesh does not belong to itself.
-        mesh_object.add_property(obj, "App::PropertyLinkListGlobal", "Sources", "Boolean",
+        properties.add_property(obj, "App::PropertyLinkListGlobal", "Sources", "Boolean",
                                  "The operands: objects with a mesh or a shape, in their order")
-        mesh_object.add_property(obj, "App::PropertyStringList", "SourcePaths", "Boolean",
+        properties.add_property(obj, "App::PropertyStringList", "SourcePaths", "Boolean",
                                  "The path from each source to its operand, where only a link leads there: "
                                  "Part.Box.")
-        mesh_object.add_options(obj, options.BOOLEAN)
-        mesh_object.add_measured(obj, MEASURED)
+        properties.add_options(obj, options.BOOLEAN)
+        properties.add_measured(obj, MEASURED)
         self.add_common_properties(obj)
 
     @classmethod
@@ -72,7 +75,7 @@ class MeshBoolean(mesh_object.MeshObject):
             raise InvalidInput(f"Sources has {count}: choose two or more with a mesh or a shape")
         values = options.check(options.BOOLEAN, values)
         operands = Operands(sources)
-        return Work(cls, sources, values,
+        return Work(sources, values,
                     lambda: operands.digest() + json.dumps(values, sort_keys=True),
                     partial(cls.compute, operands, values))
 
@@ -87,7 +90,7 @@ class MeshBoolean(mesh_object.MeshObject):
     def take(self, obj, result):
         """Shows the mesh and its report."""
         mesh, shown, findings = result
-        mesh_object.show_mesh(obj, shown)
+        properties.show_mesh(obj, shown)
         show_report(obj, mesh.report)
         mesh_object.show_certificate(obj, mesh.report, True, findings)
         return mesh.report, findings
@@ -95,7 +98,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
 def show_report(obj, report):
     """Fills the group Quality, and what the certificate says of the distance."""
-    mesh_object.show_topology(obj, report)
+    properties.show_topology(obj, report)
     obj.Volume, obj.ErrorBound = report.volume, report.error_bound
     obj.AskedTolerance = report.tolerance_asked
     obj.Retained, obj.Reconstructed = report.retained, report.reconstructed
@@ -103,8 +106,18 @@ def show_report(obj, report):
     obj.Repaired, obj.Notes = list(report.repaired), list(report.notes)
 
 
-def add(sources, values):
-    """Adds a Boolean of document objects to their document; see mesh_object.add."""
+def add_boolean(a, b=None, operation="union", **values):
+    """Adds a document object that keeps a Boolean of document objects up to date; one undo step.
+
+    a, b       document objects with a mesh or a shape, of one document; or `a` is a list of them
+    operation  as for boolean
+    values     the other options of boolean, except progress
+
+    Returns the object. Raises what boolean raises, and then adds nothing.
+    """
+    if isinstance(b, str):
+        raise InvalidInput(f"b = {b!r} is no operand: with a list of operands give operation={b!r}")
+    sources = list(a) if b is None and isinstance(a, (list, tuple)) else [a, b]
     if len(sources) < 2:
         raise InvalidInput("two operands or more are needed: give a and b, or a list")
     objects = [frames.object_of(source) for source in sources]
@@ -115,13 +128,13 @@ def add(sources, values):
     document = objects[0].Document
     if any(obj.Document != document for obj in objects):
         raise InvalidInput("the operands are objects of different documents: link them into one")
-    checked = options.check(options.BOOLEAN, values)
+    checked = options.check(options.BOOLEAN, {"operation": operation, **values})
 
     def make(obj):
         proxy = MeshBoolean(obj)
         obj.Label = f"{frames.leaf_of(sources[0]).Label} {checked['operation'].replace('_', ' ')}"
         obj.Sources, obj.SourcePaths = objects, [frames.path_of(source) for source in sources]
-        mesh_object.set_options(obj, options.BOOLEAN, checked)
+        properties.set_options(obj, options.BOOLEAN, checked)
         return proxy
 
-    return mesh_object.add(document, "Boolean", "Boolean", make)
+    return transactions.add(document, "Boolean", "Boolean", make)

@@ -8,12 +8,12 @@ in hidden properties, so that an opened document can write them without curving 
 from dataclasses import dataclass
 from functools import partial
 
-import FreeCAD
-
-from .. import convert, options, verdict
-from ..compat import core, property_of
-from ..curved_mesh import ARRAYS, CurvedMesh, curve
-from . import certificate, mesh_object
+from .. import options
+from ..compat import property_of
+from ..core import convert, verdict
+from ..core.curving import ARRAYS, CurvedMesh, curve, lists_of, loader_of, store_in
+from . import mesh_object, properties, transactions
+from .gui_hooks import window
 
 # Name, type, what it says, where the report has it. All read-only.
 _MEASURED = (
@@ -74,44 +74,33 @@ class CurvedMeshObject(mesh_object.SourceMesh):
           for name, array in ARRAYS.items()),
     )
 
-    def attach_view(self, view):
-        """Curved elements are shown with their edges."""
-        from ..gui.curved_view import CurvedMeshView
-
-        CurvedMeshView(view)
-
     @classmethod
     def work_on(cls, sources, values, obj=None):
         """As for all; where the deviation alone has changed, the elements are cut anew only."""
         work = super().work_on(sources, values, obj)
         own = convert.own_shape_of(sources[0])
-        work.compute = partial(work.compute, digest=partial(_elements_fingerprint, own, work.values))
-        if FreeCAD.GuiUp:
-            # Not on the thread that computes: Coin is loaded where the window is.
-            from ..gui.curved_view import Drawing
-
-            work.compute = partial(work.compute, draw=Drawing)
-        if obj is not None and obj.ElementsFingerprint and obj.Certificate != certificate.UNKNOWN:
-            work.compute = partial(work.compute, held=(obj.ElementsFingerprint,
-                                                       CurvedMesh.kept_in(obj)))
+        work.compute = partial(work.compute, digest=partial(_elements_fingerprint, own, work.values),
+                               draw=window().drawing())
+        if obj is not None and obj.ElementsFingerprint and obj.Certificate != verdict.UNKNOWN:
+            work.compute = partial(work.compute, held=(obj.ElementsFingerprint, loader_of(obj)))
         return work
 
     @classmethod
-    def compute(cls, shape, values, progress, digest, held=None, draw=None):
+    def compute(cls, shape, values, progress, digest, draw, held=None):
         """The Result; `digest` gives the fingerprint of the elements, `held` are the fingerprint of
-        elements that there are already and what makes them, `draw` is what makes the drawing.
+        elements that there are already and what makes them, `draw` is what makes the drawing, if anything.
         """
         fingerprint = digest()
         kept = held is not None and held[0] == fingerprint
         curved = held[1]() if kept \
             else curve(shape, **_elements_values(values), progress=progress)
         tessellation = curved.tessellate(values["deviation"], progress)
-        proof = None if kept else _Proof(curved, verdict.must_be_closed(shape))
+        proof = None if kept else _Proof(curved, shape, values)
         surface = tessellation.surface()
         return Result(curved, fingerprint, tessellation.deviation,
                       convert.mesh_of_surface(surface),
                       mesh_object.runs_of_faces(surface.triangle_face), proof,
-                      {} if kept else curved.lists(),
+                      {} if kept else lists_of(curved),
                       draw(tessellation, curved.shown_quality) if draw else None)
 
     def frame_of_result(self, obj, work, result):
@@ -122,13 +111,13 @@ class CurvedMeshObject(mesh_object.SourceMesh):
         """Shows the elements and their report; those that were kept have been shown before."""
         if result.proof is not None:
             proof = result.proof
-            result.curved.keep_in(obj, result.lists)
+            store_in(obj, result.curved, result.lists)
             show_report(obj, result.curved.report)
             mesh_object.show_certificate(obj, proof.topology, proof.closed, proof.findings)
             obj.ElementsFingerprint = result.fingerprint
         obj.ShownDeviation, obj.FaceRuns = result.deviation, result.face_runs
         self.drawing = result.drawing
-        mesh_object.show_mesh(obj, result.mesh)
+        properties.show_mesh(obj, result.mesh)
         self.drawing = None
         return None if result.proof is None else (result.curved.report, result.proof.findings)
 
@@ -160,10 +149,10 @@ class Result:
 class _Proof:
     """What the certificate is made of: the topology of the elements' corners, and the findings."""
 
-    def __init__(self, curved, closed):
+    def __init__(self, curved, shape, values):
         self.topology = verdict.topology_of_corners(curved)
-        self.closed = closed
-        self.findings = verdict.of_curved(curved, closed, self.topology)
+        self.closed = verdict.must_be_closed(shape)
+        self.findings = verdict.of_curved(curved, self.closed, values, self.topology, shape)
 
 
 def _elements_values(values):
@@ -185,6 +174,14 @@ def show_report(obj, report):
     obj.Invalid = report.invalid
 
 
-def add(source, values):
-    """Adds a curved mesh of `source` to its document; see mesh_object.add."""
-    return mesh_object.add_of_source(CurvedMeshObject, source, values, "CurvedMesh", "Curved mesh")
+def add_curved_mesh(source, **values):
+    """Adds a document object that keeps a curved mesh of `source` up to date; one undo step.
+
+    source   document object with a shape: feature, body, link or container
+    values   the options of curve, except progress, and deviation: the largest distance in mm of
+             the triangles that the object shows from its curved elements
+
+    Returns the object; CurvedMesh.of(object) are its elements. Raises what curve raises, and then
+    adds nothing.
+    """
+    return transactions.add_of_source(CurvedMeshObject, source, values, "CurvedMesh", "Curved mesh")

@@ -8,14 +8,15 @@ them chooses it by that.
 
 from contextlib import contextmanager
 
-from .. import convert, options
+from .. import options
 from ..compat import property_of
+from ..core import convert
 
 PROPERTY = "DistanceBound"
 _VALUES = {options.ABSOLUTE: "ChordHeight", options.RELATIVE: "ChordHeightRelative"}
 _DIGITS = 3  # of a value that is the same as the one given the other way
 
-_settling = set()  # (document, object) whose properties are being made consistent
+_choosing = set()  # (document, object) whose bound is being chosen
 
 
 def add(obj, table):
@@ -25,12 +26,12 @@ def add(obj, table):
     if PROPERTY not in obj.PropertiesList:
         option = next(option for option in table if option.name == options.DISTANCE[0])
         given = [bound for bound, name in _VALUES.items() if _number(obj, name)]
-        with _while_settling(obj):
+        with _while_choosing(obj):
             obj.addProperty("App::PropertyEnumeration", PROPERTY, option.group,
                             "How the distance to the shape is bounded: relative to its size, by a "
                             "length, or not at all")
             obj.DistanceBound = list(options.BOUNDS)
-            _settle(obj, given[0] if given else obj.Proxy.BOUND_BEFORE)
+            _choose(obj, given[0] if given else obj.Proxy.BOUND_BEFORE)
     _show_chosen(obj)
 
 
@@ -40,22 +41,22 @@ def follow_change(proxy, obj, name):
         return
     document = obj.Document
     # What is read from a file, undone or redone is consistent.
-    if (document.Name, obj.Name) in _settling:
+    if (document.Name, obj.Name) in _choosing:
         return
     if not (document.Restoring or document.Transacting):
-        with _while_settling(obj):
-            _settle(obj, _bound_after(obj, name), lambda: convert.size_of(proxy.sources(obj)[0]))
+        with _while_choosing(obj):
+            _choose(obj, _bound_after(obj, name), lambda: convert.size_of(proxy.sources(obj)[0]))
     _show_chosen(obj)
 
 
 @contextmanager
-def _while_settling(obj):
+def _while_choosing(obj):
     key = obj.Document.Name, obj.Name
-    _settling.add(key)
+    _choosing.add(key)
     try:
         yield
     finally:
-        _settling.discard(key)
+        _choosing.discard(key)
 
 
 def _bound_after(obj, name):
@@ -68,7 +69,7 @@ def _bound_after(obj, name):
     return options.UNBOUNDED if obj.DistanceBound == bound else obj.DistanceBound
 
 
-def _settle(obj, bound, size=lambda: 0.0):
+def _choose(obj, bound, size=lambda: 0.0):
     """Makes the choice, gives its value, and takes the other one away."""
     chosen = _VALUES.get(bound)
     if chosen and not _number(obj, chosen):
@@ -80,17 +81,31 @@ def _settle(obj, bound, size=lambda: 0.0):
         obj.DistanceBound = bound
 
 
-def _same_as_before(obj, bound, size):
-    """A value of the chosen kind, as near to the bound that there was as three digits allow; else the
-    default.
+def same_bound(bound, length, relative, size):
+    """A value of the chosen kind, as near to the bound that there was as three digits allow: a length in
+    mm for ABSOLUTE, a fraction of the size for RELATIVE. None where no value of the other kind was given, or
+    the size is not known.
+
+    length    mm, 0: not given
+    relative  fraction of the size, 0: not given
+    size      largest dimension of the shape in mm, 0: unknown
     """
-    relative = next(option.default for option in obj.Proxy.OPTIONS
-                    if option.name == options.DISTANCE[1])
-    if bound == options.ABSOLUTE:
-        before = _number(obj, "ChordHeightRelative")
-        return _rounded((before if before > 0.0 else relative) * size)
-    length = _number(obj, "ChordHeight")
-    return min(_rounded(length / size), 1.0) if length and size else relative
+    if bound == options.ABSOLUTE and relative and size:
+        return _rounded(relative * size)
+    if bound == options.RELATIVE and length and size:
+        return min(_rounded(length / size), 1.0)
+    return None
+
+
+def _same_as_before(obj, bound, size):
+    """The same for the properties of an object, which has the default where nothing was given."""
+    default = next(option.default for option in obj.Proxy.OPTIONS
+                   if option.name == options.DISTANCE[1])
+    relative = max(_number(obj, "ChordHeightRelative"), 0.0) or default
+    same = same_bound(bound, _number(obj, "ChordHeight"), relative, size)
+    if same is None:
+        return default if bound == options.RELATIVE else 0.0
+    return same
 
 
 def _rounded(number):

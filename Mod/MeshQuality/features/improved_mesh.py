@@ -5,18 +5,19 @@ import hashlib
 import json
 from functools import partial
 
-from .. import convert, options, verdict
-from ..api import improve
-from ..compat import core
+from .. import options
+from ..compat import extension
+from ..core import convert, verdict
+from ..core.improvement import improve
+from ..core.surface_mesh import SurfaceMesh
 from ..errors import InvalidInput
-from ..surface_mesh import SurfaceMesh
-from . import mesh_object
-from .work import Work
+from . import mesh_object, properties, transactions
+from .recompute_work import Work
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
-    *mesh_object.TOPOLOGY,
-    *mesh_object.ANGLES,
+    *properties.TOPOLOGY,
+    *properties.ANGLES,
     ("Notes", "App::PropertyStringList", "Changes that were made"),
 )
 
@@ -37,7 +38,7 @@ class ImprovedMesh(mesh_object.OfOneSource):
             raise InvalidInput("Source is not a mesh: choose one object with a mesh")
         values = options.check(cls.OPTIONS, values)
         mesh = convert.MeshCopy(sources[0])
-        return Work(cls, sources, values, partial(_digest, mesh, values),
+        return Work(sources, values, partial(_digest, mesh, values),
                     partial(cls.compute, mesh, values))
 
     @classmethod
@@ -45,7 +46,7 @@ class ImprovedMesh(mesh_object.OfOneSource):
         """The SurfaceMesh, the Mesh.Mesh made of it, whether it was to be closed, and the findings
         of its certificate.
         """
-        given = SurfaceMesh(convert.surface_of_arrays(core(), *source.arrays))
+        given = SurfaceMesh(convert.surface_of_arrays(extension(), *source.arrays))
         mesh = improve(given, **values, progress=progress)
         closed = given.report.closed
         return mesh, mesh.to_mesh(), closed, verdict.of_improvement(mesh, closed, progress)
@@ -53,9 +54,9 @@ class ImprovedMesh(mesh_object.OfOneSource):
     def take(self, obj, result):
         """Shows the mesh and its report."""
         mesh, shown, closed, findings = result
-        mesh_object.show_mesh(obj, shown)
-        mesh_object.show_topology(obj, mesh.report)
-        mesh_object.show_angles(obj, mesh.report)
+        properties.show_mesh(obj, shown)
+        properties.show_topology(obj, mesh.report)
+        properties.show_angles(obj, mesh.report)
         mesh_object.show_certificate(obj, mesh.report, closed, findings)
         return mesh.report, findings
 
@@ -68,10 +69,16 @@ def _digest(mesh, values):
     return digest.hexdigest()
 
 
-def add(source, values):
-    """Adds an improved mesh of `source` to its document; see mesh_object.add."""
+def add_improved_mesh(source, **values):
+    """Adds a document object that keeps a mesh with better triangles than `source`; one undo step.
+
+    source   document object with a mesh
+    values   the options of improve, except progress
+
+    Returns the object. Raises what improve raises, and then adds nothing.
+    """
     if not convert.is_mesh(source):
         raise InvalidInput("a document object with a mesh is needed, not "
                            f"{getattr(source, 'Label', type(source).__name__)}")
-    return mesh_object.add_of_source(ImprovedMesh, source, values, "ImprovedMesh", "Improve mesh",
+    return transactions.add_of_source(ImprovedMesh, source, values, "ImprovedMesh", "Improve mesh",
                                      "improved")

@@ -2,25 +2,22 @@
 """What the document objects that hold a mesh have in common."""
 
 import hashlib
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 
 import FreeCAD
 import numpy as np
 
-from .. import convert, frames, options, verdict
-from ..compat import PlainState, attribute_of, property_of, without_traceback
+from .. import options
+from ..compat import PlainState, property_of, without_traceback
+from ..core import convert, frames, hidden_parts, verdict
 from ..errors import Error, InvalidInput
-from . import aliases, certificate, distance_bound, placement
-from .work import Work, handed_over, result_for
+from . import aliases, distance_bound, placement
+from .gui_hooks import window
+from .properties import add_hidden, add_measured, add_options, add_property, clear_mesh, options_of
+from .recompute_work import Work
 
-# Name, type, what it says: measured on the mesh that an object holds.
-TOPOLOGY = (
-    ("Triangles", "App::PropertyInteger", "Number of triangles"),
-    ("Vertices", "App::PropertyInteger", "Number of vertices"),
-    ("Oriented", "App::PropertyBool", "Neighbouring triangles agree on outside"),
-)
-# Of the group Certificate, for every kind of object.
+# Name, type, what it says: properties of the group Certificate, for every kind of object.
 PROMISES = (
     ("Certificate", "App::PropertyString",
      "Whether the mesh meets all requested limits; if not, which one is not met and where"),
@@ -39,11 +36,7 @@ COMPUTING = "being computed in the background"
 OUT_OF_DATE = "out of date: a source or an option has changed; choose Update Mesh"
 SOURCE_DELETED = "out of date: the source was deleted"
 FAILED = "failed: "  # and why
-# The same, of those that promise a smallest angle; see show_angles.
-ANGLES = (
-    ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
-    ("Exempt", "App::PropertyStringList", "Triangles below the requested angle, and why"),
-)
+# The same, for those that promise a smallest angle; see properties.show_angles.
 ANGLE_PROMISES = (
     ("AskedMinAngle", "App::PropertyAngle", "Smallest angle that was requested"),
     ("MeasuredMinAngle", "App::PropertyAngle", "Smallest angle of all triangles"),
@@ -52,7 +45,6 @@ ANGLE_PROMISES = (
 FINGERPRINT = ("Fingerprint", "App::PropertyString", "Digest of the sources and the options of this mesh")
 FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
              "Pairs (index of a CAD face, number of successive triangles on it)")
-
 
 
 class MeshObject(PlainState):
@@ -64,6 +56,7 @@ class MeshObject(PlainState):
     OPTIONS, PRESETS    the table of its options, and values of them that go together
     sources(obj)        what it is made of: document objects, or pairs (document object, path) as in frames
     add_properties(obj) adds those properties that the object has not got yet
+    LINKS               the properties by which `sources` finds them
     work_on(sources, values, obj=None)
                         class method: the Work of an object with these sources and options, `obj`
                         itself where it is there already
@@ -71,12 +64,15 @@ class MeshObject(PlainState):
     take(obj, result)   shows a result; returns its report and the findings of its certificate, or None
                         where these are not new
     BOUND_BEFORE        the bound on the distance in older versions, where neither value was given
+    TAKES_MESHES        whether of a container the meshes in it count, too, and not its shape alone
     An error leaves the last good mesh as it is.
     """
 
     PRESETS = PROMISES = ()
+    TAKES_MESHES = False
     BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
+    _precomputed = None  # what with_precomputed gave
 
     def __init__(self, obj):
         obj.Proxy = self
@@ -88,7 +84,7 @@ class MeshObject(PlainState):
             if not add_property(obj, kind, name, "Certificate", text):
                 obj.setGroupOfProperty(name, "Certificate")  # older versions had some elsewhere
             elif name == "Certificate" and obj.Mesh.CountFacets:
-                obj.Certificate = certificate.UNKNOWN
+                obj.Certificate = verdict.UNKNOWN
             obj.setEditorMode(name, 1)
         add_hidden(obj, "Certificate", (CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT))
         older = placement.ORIGIN[0] not in obj.PropertiesList
@@ -105,12 +101,6 @@ class MeshObject(PlainState):
             obj.Status = UP_TO_DATE
         obj.setEditorMode("Status", 1)
 
-    def attach_view(self, view):
-        """Gives the object's view in the GUI its proxy."""
-        from ..gui.mesh_view import MeshView
-
-        MeshView(view)
-
     def onDocumentRestored(self, obj):
         """Documents of older versions get the properties that were added since; those that were
         saved without the GUI, or by a version without views of its own, get a view.
@@ -118,10 +108,8 @@ class MeshObject(PlainState):
         self.add_properties(obj)
         if obj.Status == COMPUTING:
             obj.Status = OUT_OF_DATE
-            if FreeCAD.GuiUp:
-                _follow().resume(obj)
-        if FreeCAD.GuiUp and not isinstance(obj.ViewObject.Proxy, PlainState):
-            self.attach_view(obj.ViewObject)
+            window().resume_in_background(obj)
+        window().attach_view(obj)
 
     def onChanged(self, obj, name):
         """Called by FreeCAD; it takes an object that is deleted out of the properties that name it."""
@@ -136,7 +124,7 @@ class MeshObject(PlainState):
         if name == "Mesh" and obj.Document.Transacting and not self._clearing:
             self._clearing = True
             try:
-                _clear_mesh(obj)
+                clear_mesh(obj)
             finally:
                 self._clearing = False
 
@@ -155,6 +143,7 @@ class MeshObject(PlainState):
         """Computes the mesh, unless nothing that it depends on has changed."""
         self.error = None
         try:
+            self.add_properties(obj)  # scripts may have removed some
             done = self._result(obj)
             if done is not None:
                 work, result = done
@@ -162,19 +151,34 @@ class MeshObject(PlainState):
                     raise result
                 finished = self.take(obj, result)
                 placement.record(obj, self.frame_of_result(obj, work, result), work.arrangement)
-                if FreeCAD.GuiUp:
-                    _follow().stop(obj)
+                window().stop_in_background(obj)
                 obj.Fingerprint, obj.Status = work.fingerprint, UP_TO_DATE
                 if finished is not None:
-                    _tell(obj, *finished)
-            placement.settle(obj)
+                    left_out = self.left_out(obj)
+                    if left_out:
+                        obj.Notes = [*obj.Notes, *left_out]
+                    _tell(obj, *finished, left_out)
+            placement.move_to_source(obj)
         except Exception as error:
+            if isinstance(error, AttributeError) and "read-only" in str(error):
+                error = Error(f"{error}: allow it to be changed")
             self.error = error
-            deleted = obj.Fingerprint and self.lacks_source(obj)
-            obj.Status = SOURCE_DELETED if deleted else f"{FAILED}{error}"
+            with suppress(AttributeError):  # where Status is read-only, too
+                deleted = obj.Fingerprint and self.lacks_source(obj)
+                obj.Status = SOURCE_DELETED if deleted else f"{FAILED}{error}"
             if isinstance(error, (Error, ImportError, MemoryError)):
-                raise type(error)(f"{obj.Label}: {error}") from error
+                raise type(error)(f"{obj.Label}: {window().translated(error)}") from error
             raise
+
+    def left_out(self, obj):
+        """A sentence for each source that is a container in which something is hidden."""
+        return [text for source in self.sources(obj)
+                for text in hidden_parts.sentences_of(source, self.TAKES_MESHES)]
+
+    def precomputed_for(self, sources, values):
+        """The (Work, result) of with_precomputed, if it is for these sources and options; else None."""
+        done = self._precomputed
+        return done if done is not None and done[0].is_for(sources, values) else None
 
     def frame_of_result(self, obj, work, result):
         """Where the container of the first source stood when the result was computed."""
@@ -182,13 +186,14 @@ class MeshObject(PlainState):
 
     def _result(self, obj):
         """The (Work, result) that the object takes; None when it is up to date, is computed in the
-        background, or is to stay as it is until it is asked for.
+        background, or is to stay as it is until an update is requested.
         """
+        placement.require_outside(obj)
         sources, values = self.sources(obj), options_of(obj, self.OPTIONS)
-        done = result_for(type(self), sources, values)
+        done = self.precomputed_for(sources, values)
         if done is not None:
             return done
-        if FreeCAD.GuiUp and _follow().begin(obj):
+        if window().begin_in_background(obj):
             return None
         work = self.work_on(sources, values, obj)
         if self.is_result(obj, work):
@@ -206,8 +211,23 @@ class MeshObject(PlainState):
 
     def held(self, obj):
         """The fingerprint of the result that the object holds; empty when it holds none."""
-        known = obj.Certificate != certificate.UNKNOWN
+        known = obj.Certificate != verdict.UNKNOWN
         return obj.Fingerprint if known and self.holds_mesh(obj) else ""
+
+
+@contextmanager
+def with_precomputed(taker, work, result):
+    """Meanwhile an object of the sources and the options of `work` takes this result when it is recomputed.
+
+    taker   the proxy of the object; or the class of its proxy, of an object that a line of Python adds meanwhile:
+            FreeCAD's macros record no other lines than those that they run, which cannot name the result
+    result  what work.result gave, or the exception that it raised
+    """
+    taker._precomputed = work, result
+    try:
+        yield
+    finally:
+        taker._precomputed = None
 
 
 class OfOneSource(MeshObject):
@@ -218,6 +238,7 @@ class OfOneSource(MeshObject):
     """
 
     OPTIONS = MEASURED = HIDDEN = ()
+    LINKS = ("Source", "SourcePath")
 
     def sources(self, obj):
         """The Source, with its path."""
@@ -251,8 +272,8 @@ class SourceMesh(OfOneSource):
     def onDocumentRestored(self, obj):
         """The mesh gets its segments back, which FreeCAD does not save."""
         super().onDocumentRestored(obj)
-        segments = convert.face_segments(faces_of_runs(obj.FaceRuns))
-        if segments and obj.Mesh.countSegments() == 0:
+        segments = convert.face_segments(faces_of_runs(obj.FaceRuns, obj.Mesh.CountFacets))
+        if segments and obj.Mesh.countSegments() == 0 and "Immutable" not in obj.getPropertyStatus("Mesh"):
             mesh = obj.Mesh.copy()
             convert.add_segments(mesh, segments)
             obj.Mesh = mesh
@@ -264,9 +285,9 @@ class SourceMesh(OfOneSource):
         require_source(sources, obj)
         values = options.check(cls.OPTIONS, values)
         own, shape = convert.own_shape_of(sources[0]), convert.shape_of(sources[0])
-        # Of a container the names of sub-elements are found here, where documents may be asked.
+        # Names of sub-elements of a container are found here, where documents may be asked.
         found = convert.with_resolved_sizes(sources[0], values)
-        return Work(cls, sources, values, partial(fingerprint_of, own, found),
+        return Work(sources, values, partial(fingerprint_of, own, found),
                     partial(cls.compute, shape, found))
 
 
@@ -280,22 +301,12 @@ def require_source(sources, obj):
     raise InvalidInput("Source is empty: choose an object with a shape")
 
 
-def _tell(obj, report, findings):
-    """Has the report view say in one line what came of an object that was computed."""
-    if FreeCAD.GuiUp:
-        from ..gui.words import translate_phrase
-
-        text = verdict.line(obj.Label, report, findings, translate_phrase)
-    else:
-        text = verdict.line(obj.Label, report, findings)
+def _tell(obj, report, findings, left_out):
+    """Has the report view say in one line what came of an object that was computed, and in others what is left out."""
+    text = verdict.line(obj.Label, report, findings, window().translated)
     (FreeCAD.Console.PrintWarning if findings else FreeCAD.Console.PrintMessage)(text + "\n")
-
-
-def _follow():
-    """What has meshes follow in the background; needs the window."""
-    from ..gui import follow
-
-    return follow
+    for sentence in left_out:
+        FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
 
 
 def fingerprint_of(shape, values):
@@ -312,64 +323,14 @@ def runs_of_faces(triangle_face):
     return np.column_stack((triangle_face[starts], counts)).ravel().tolist()
 
 
-def faces_of_runs(runs):
-    """The inverse of runs_of_faces."""
-    pairs = np.array(runs, dtype=np.int64).reshape(-1, 2)
-    return np.repeat(pairs[:, 0], pairs[:, 1])
-
-
-def add_property(obj, kind, name, group, text):
-    """Adds a property, unless the object has it; returns whether it was added."""
-    if name in obj.PropertiesList:
-        return False
-    obj.addProperty(kind, name, group, text)
-    return True
-
-
-def add_measured(obj, table):
-    """A read-only property for each (name, type, text) of the table, in the group Quality."""
-    for name, kind, text in table:
-        add_property(obj, kind, name, "Quality", text)
-        obj.setEditorMode(name, 1)
-
-
-def add_hidden(obj, group, table):
-    """A property that the editor does not show for each (name, type, text) of the table."""
-    for name, kind, text in table:
-        add_property(obj, kind, name, group, text)
-        obj.setEditorMode(name, 2)
-
-
-def show_mesh(obj, mesh):
-    """Gives the object its mesh."""
-    _clear_mesh(obj)
-    obj.Mesh = mesh
-
-
-def _clear_mesh(obj):
-    """Takes away a mesh with segments. FreeCAD would mark the facets of all segments anew for each
-    segment of the mesh that replaces it: of 500,000 triangles on 50 faces that takes seven seconds.
+def faces_of_runs(runs, triangles):
+    """The inverse of runs_of_faces; empty where the runs do not belong to a mesh with this number of triangles, as in
+    a document that was edited.
     """
-    import Mesh
-
-    if obj.Mesh.countSegments():
-        empty = Mesh.Mesh()
-        empty.Placement = attribute_of(obj.Mesh, "Placement")
-        obj.Mesh = empty
-
-
-def show_topology(obj, report):
-    """Fills the properties of TOPOLOGY."""
-    obj.Triangles, obj.Vertices = report.triangles, report.vertices
-    obj.Oriented = report.oriented
-
-
-def show_angles(obj, report):
-    """Fills the properties of ANGLES and ANGLE_PROMISES, and Notes."""
-    obj.MeasuredMinAngle, obj.MeasuredMaxAngle = report.min_angle, report.max_angle
-    obj.AskedMinAngle = report.min_angle_asked
-    obj.Exempt = [f"triangle {triangle}: {why}" for triangle, why in report.exempt]
-    obj.Notes = list(report.notes)
+    pairs = np.array(runs[:len(runs) // 2 * 2], dtype=np.int64).reshape(-1, 2)
+    sound = len(runs) % 2 == 0 and (pairs >= 0).all() and (pairs[:, 0] <= np.iinfo(np.int32).max).all() \
+        and (pairs[:, 1] <= triangles).all() and pairs[:, 1].sum() == triangles
+    return np.repeat(pairs[:, 0], pairs[:, 1]) if sound else np.zeros(0, dtype=np.int64)
 
 
 def show_certificate(obj, report, closed, findings):
@@ -379,157 +340,6 @@ def show_certificate(obj, report, closed, findings):
     closed  whether the mesh was to be closed
     """
     obj.AskedClosed, obj.Closed, obj.Manifold = closed, report.closed, report.manifold
-    obj.Certificate = certificate.sentence(findings)
-    obj.CertificateFaces = certificate.faces(findings)
-    obj.CertificatePlace = [FreeCAD.Vector(*corner) for corner in certificate.place(findings)]
-
-
-def add_options(obj, table):
-    """A property for each option of the table, with its default."""
-    for option in table:
-        name, value = option.property_name, aliases.first_value(obj, option)
-        if add_property(obj, option.property_type, name, option.group, option.property_help):
-            if option.choices:
-                setattr(obj, name, option.property_choices)
-            setattr(obj, name, value)
-    aliases.add(obj, table)
-    if options.has_distance(table):
-        distance_bound.add(obj, table)
-
-
-def options_of(obj, table):
-    """{option: value} of the object's properties."""
-    values = {option.name: options.from_property(option, property_of(obj, option.property_name))
-              for option in table}
-    if options.has_distance(table):
-        values.update(options.bound_from_properties(obj.DistanceBound, values))
-    return values
-
-
-def set_options(obj, table, values):
-    """Sets the properties of {option: value}, checked before."""
-    for option in table:
-        setattr(obj, option.property_name, options.to_property(option, values[option.name]))
-    if options.has_distance(table):
-        obj.DistanceBound = options.bound_of(values)
-
-
-def add(document, name, title, make):
-    """Adds an object and computes it, as one undo step of its own or as a part of the transaction
-    that is open. `make(obj)` gives it its properties and returns its proxy.
-
-    Returns the object; on an error nothing is added.
-    """
-    with _undo_step(document, title):
-        obj = document.addObject("Mesh::FeaturePython", name)
-        try:
-            proxy = make(obj)
-            if FreeCAD.GuiUp:
-                proxy.attach_view(obj.ViewObject)
-            obj.recompute()
-            if proxy.error is not None:
-                raise proxy.error
-            if FreeCAD.GuiUp:
-                _leave_heavy_to_the_user(obj)
-                _show_in_place_of_sources(obj)
-            obj.purgeTouched()
-        except BaseException:
-            document.removeObject(obj.Name)
-            raise
-    return obj
-
-
-def _leave_heavy_to_the_user(obj):
-    from ..gui import preferences
-
-    if obj.Mesh.CountFacets > preferences.manual_above():
-        obj.Recompute = MANUAL
-
-
-def _show_in_place_of_sources(obj):
-    from ..gui import looks
-
-    looks.show_in_place_of_sources(obj)
-
-
-def update(obj, values, progress=None):
-    """Gives the object those options and computes it, as one undo step of its own or as a part of
-    the transaction that is open. On an error all stays as it was; also where `progress` has removed
-    the object, closed its document or changed what it is made of.
-    """
-    proxy = getattr(obj, "Proxy", None)
-    if not isinstance(proxy, MeshObject):
-        raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
-                           "add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh")
-    table, sources = proxy.OPTIONS, proxy.sources(obj)
-    values = options.check(table, options.merged(options_of(obj, table), options.renamed(table, values)))
-    done = result_for(type(proxy), sources, values)
-    if done is None:
-        work = proxy.work_on(sources, values, obj)
-        label = obj.Label
-        done = work, None if proxy.is_result(obj, work) else work.result(progress)
-        if progress is not None and done[1] is not None:
-            _require_unchanged(obj, label, values, work)
-    with _undo_step(obj.Document, f"Update {obj.Label}"):
-        set_options(obj, table, values)
-        if done[1] is None:
-            obj.Status = UP_TO_DATE
-            return
-        with handed_over(*done):
-            obj.recompute()
-        if proxy.error is not None:
-            raise proxy.error
-        obj.purgeTouched()
-        for dependent in obj.InList:
-            dependent.touch()
-
-
-def _require_unchanged(obj, label, values, work):
-    """Raises Error where scripts have taken away meanwhile what the result is for."""
-    try:
-        there = obj.Document.getObject(obj.Name) == obj
-    except (ReferenceError, RuntimeError, AttributeError):
-        there = False
-    if not there:
-        raise Error(f"'{label}' was removed, or its document closed, while it was computed: nothing was changed")
-    now = obj.Proxy.work_on(obj.Proxy.sources(obj), values, obj)
-    if now.fingerprint != work.fingerprint:
-        raise Error(f"the source of '{label}' was changed while the mesh was computed: the mesh stays as it was; "
-                    "update it again")
-
-
-@contextmanager
-def _undo_step(document, title):
-    """One undo step, or a part of the transaction that is open; none after an error."""
-    # A transaction that was opened shows in the document only after its first change.
-    own_transaction = not (document.HasPendingTransaction or FreeCAD.getActiveTransaction())
-    if own_transaction:
-        document.openTransaction(title)
-    try:
-        yield
-    except BaseException:
-        if own_transaction:
-            document.abortTransaction()
-        raise
-    if own_transaction:
-        document.commitTransaction()
-
-
-def add_of_source(proxy_class, source, values, name, title, label=None):
-    """Adds an object that is made of `source`, a document object or a pair (document object, path) as in
-    frames; see add. Its label begins with
-    that of the source and ends with `label`, or the title.
-    """
-    if not isinstance(frames.object_of(source), FreeCAD.DocumentObject):
-        raise InvalidInput(f"a document object with {proxy_class.NEEDS} is needed, not "
-                           f"{type(source).__name__}")
-    checked = options.check(proxy_class.OPTIONS, values)
-
-    def make(obj):
-        proxy = proxy_class(obj)
-        obj.Label = f"{frames.leaf_of(source).Label} {label or title.lower()}"
-        obj.Source, obj.SourcePath = frames.object_of(source), frames.path_of(source)
-        set_options(obj, proxy_class.OPTIONS, checked)
-        return proxy
-
-    return add(frames.object_of(source).Document, name, title, make)
+    obj.Certificate = verdict.sentence(findings)
+    obj.CertificateFaces = verdict.faces(findings)
+    obj.CertificatePlace = [FreeCAD.Vector(*corner) for corner in verdict.place(findings)]

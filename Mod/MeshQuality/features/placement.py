@@ -8,9 +8,11 @@ another one, the object's Placement is set anew, and the triangles stay as they 
 
 import FreeCAD
 
-from .. import frames
+from .. import phrases
 from ..compat import attribute_of, property_of
-from ..errors import Error
+from ..core import frames
+from ..errors import Error, InvalidInput
+from .gui_hooks import window
 
 # Name, type, what it says.
 FRAME = ("SourceFrame", "App::PropertyPlacement",
@@ -20,7 +22,8 @@ ORIGIN = ("MeshOrigin", "App::PropertyVector",
 ARRANGEMENT = ("SourceArrangement", "App::PropertyString",
                "How the containers of the other sources stood to that of the first one then")
 
-_OF_CONTAINERS = ("Placement", "LinkPlacement", "Group", "ElementList", "Scale")
+_LISTS = ("Group", "ElementList")  # of what groups, containers and link groups hold
+_OF_CONTAINERS = ("Placement", "LinkPlacement", "Scale", *_LISTS)
 
 
 def record(obj, frame, arrangement):
@@ -38,14 +41,69 @@ def follow(obj):
     where the sources stand to each other in another way, the next recompute makes its mesh anew.
     """
     try:
-        settle(obj)
+        move_to_source(obj)
         if frames.arrangement_of(_sources(obj)) != obj.SourceArrangement:
             obj.touch()
     except Error:
         obj.touch()  # its recompute will say what is wrong
 
 
-def settle(obj):
+def require_outside(obj):
+    """Raises InvalidInput where the object lies in something that it is made of: each would wait for the other."""
+    holder = _source_around(obj)
+    if holder is not None:
+        raise InvalidInput(phrases.IN_ITS_SOURCE.format(name=f"'{holder.Label}'"))
+
+
+def _source_around(obj):
+    """A group or container around the object that it is made of; None where there is none."""
+    around = _all_holders(obj)
+    seen, pending = set(), [frames.object_of(source) for source in _sources(obj)] if around else []
+    while pending:
+        found = pending.pop()
+        if found in around:
+            return found  # not asked for its OutList: FreeCAD would go on with that after _take_out
+        if found not in seen:
+            seen.add(found)
+            pending += found.OutList
+    return None
+
+
+def _holders(obj):
+    """The groups, containers and link groups that list an object."""
+    return [user for user in obj.InList
+            if any(obj in (getattr(user, name, None) or ()) for name in _LISTS)]
+
+
+def _all_holders(obj):
+    """Those around it, and those around them."""
+    found, pending = set(), [obj]
+    while pending:
+        holders = set(_holders(pending.pop())) - found
+        found |= holders
+        pending += holders
+    return found
+
+
+def _take_out(obj, changed):
+    """Puts a mesh that came to lie in something that it is made of beside that, and says so, once a container has
+    changed.
+    """
+    if changed not in _all_holders(obj):
+        return
+    source = _source_around(obj)
+    if source is None:
+        return
+    said = window().translated(phrases.TAKEN_OUT.format(name=f"'{source.Label}'"))
+    FreeCAD.Console.PrintError(f"{obj.Label}: {said}\n")
+    for holder in _holders(obj):
+        if hasattr(holder, "removeObject"):
+            holder.removeObject(obj)
+        else:
+            holder.ElementList = [element for element in holder.ElementList if element != obj]
+
+
+def move_to_source(obj):
     """Puts the object where its first source stands now; returns whether it has moved in the document."""
     wanted = _wanted(obj)
     if wanted is None:
@@ -78,7 +136,10 @@ class _Observer:
         """Called by FreeCAD."""
         document = obj.Document
         if name in _OF_CONTAINERS and _is_container(obj) and not (document.Restoring or document.Transacting):
-            self._follow_all(document)
+            if name in _LISTS:
+                for mesh in _meshes(document):
+                    _take_out(mesh, obj)
+            _follow_all(document)
 
     def slotDeletedObject(self, obj):
         """Called by FreeCAD while what the object holds is still in it."""
@@ -89,20 +150,14 @@ class _Observer:
 
     def slotUndoDocument(self, document):
         """Called by FreeCAD."""
-        self._follow_all(document)
+        _follow_all(document)
 
-    def slotRedoDocument(self, document):
-        """Called by FreeCAD."""
-        self._follow_all(document)
+    slotRedoDocument = slotAbortTransaction = slotUndoDocument
 
-    def slotAbortTransaction(self, document):
-        """Called by FreeCAD."""
-        self._follow_all(document)
 
-    @staticmethod
-    def _follow_all(document):
-        for mesh in _meshes(document):
-            follow(mesh)
+def _follow_all(document):
+    for mesh in _meshes(document):
+        follow(mesh)
 
 
 def _is_container(obj):
@@ -110,9 +165,12 @@ def _is_container(obj):
 
 
 def _meshes(document):
-    """The mesh objects of a document that have been computed."""
-    return [obj for obj in document.Objects if hasattr(getattr(obj, "Proxy", None), "sources")
-            and ORIGIN[0] in obj.PropertiesList and obj.Fingerprint]
+    """The mesh objects of a document that have been computed and have all that is needed here: what a script has
+    removed comes back when they are computed again.
+    """
+    return [obj for obj in document.Objects if hasattr(getattr(obj, "Proxy", None), "LINKS")
+            and {FRAME[0], ORIGIN[0], ARRANGEMENT[0], *obj.Proxy.LINKS} <= set(obj.PropertiesList)
+            and getattr(obj, "Fingerprint", "")]
 
 
 FreeCAD.addDocumentObserver(_Observer())

@@ -3,14 +3,15 @@
 
 from functools import partial
 
-from .. import options, verdict
-from ..api import Memory, triangulate
-from . import memories, mesh_object
+from .. import options
+from ..core import verdict
+from ..core.triangulation import MeshCache, triangulate
+from . import mesh_cache_limit, mesh_object, properties, transactions
 
 # Name, type, what it says: measured on the mesh that the object holds.
 MEASURED = (
-    *mesh_object.TOPOLOGY,
-    *mesh_object.ANGLES,
+    *properties.TOPOLOGY,
+    *properties.ANGLES,
     ("ReusedFaces", "App::PropertyInteger",
      "Faces of the shape whose triangles were reused after the last edit"),
     ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
@@ -36,12 +37,12 @@ class QualityMesh(mesh_object.SourceMesh):
     OPTIONS = options.TRIANGULATE
     PRESETS = options.TRIANGULATE_PRESETS
     MEASURED, PROMISES = MEASURED, PROMISES
-    memory = None  # of its last meshes; not saved, nor copied with the object
+    cache = None  # MeshCache of its last meshes; not saved, nor copied with the object
 
     def add_properties(self, obj):
         """As for all, and Reuse."""
         super().add_properties(obj)
-        if mesh_object.add_property(
+        if properties.add_property(
                 obj, "App::PropertyBool", "Reuse", "Update",
                 "After an edit, faces that did not change keep their triangles, which is faster; undo gives "
                 "the mesh that was there. Off: each mesh is computed from scratch, and depends on the shape "
@@ -50,30 +51,30 @@ class QualityMesh(mesh_object.SourceMesh):
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
-        """As for all, with what the object remembers."""
+        """As for all, with the cache of the object."""
         work = super().work_on(sources, values, obj)
         if obj is not None and not obj.Reuse:
-            work.tell_apart("from nothing")
+            work.add_to_fingerprint("from nothing")
             return work
-        memory = obj.Proxy.memory if obj is not None else None
-        work.compute = partial(work.compute, memory=Memory() if memory is None else memory)
+        cache = obj.Proxy.cache if obj is not None else None
+        work.compute = partial(work.compute, cache=MeshCache() if cache is None else cache)
         return work
 
     @classmethod
-    def compute(cls, shape, values, progress, memory=None):
+    def compute(cls, shape, values, progress, cache=None):
         """The SurfaceMesh of the shape, the Mesh.Mesh made of it, what FaceRuns gets, whether it was to
-        be closed, the findings of its certificate, and the memory.
+        be closed, the findings of its certificate, and the cache.
         """
-        mesh = triangulate(shape, **values, progress=progress, memory=memory)
+        mesh = triangulate(shape, **values, progress=progress, cache=cache)
         closed = verdict.must_be_closed(shape)
         runs = mesh_object.runs_of_faces(mesh.triangle_face)
-        return mesh, mesh.to_mesh(), runs, closed, verdict.of_triangulation(mesh, closed, values), memory
+        return mesh, mesh.to_mesh(), runs, closed, verdict.of_triangulation(mesh, closed, values, shape), cache
 
     def take(self, obj, result):
         """Shows the mesh and its report."""
-        mesh, shown, obj.FaceRuns, closed, findings, self.memory = result
-        memories.use(self)
-        mesh_object.show_mesh(obj, shown)
+        mesh, shown, obj.FaceRuns, closed, findings, self.cache = result
+        mesh_cache_limit.use(self)
+        properties.show_mesh(obj, shown)
         show_report(obj, mesh.report)
         mesh_object.show_certificate(obj, mesh.report, closed, findings)
         return mesh.report, findings
@@ -81,13 +82,19 @@ class QualityMesh(mesh_object.SourceMesh):
 
 def show_report(obj, report):
     """Fills the group Quality, and what the certificate says of the angle and the distance."""
-    mesh_object.show_topology(obj, report)
-    mesh_object.show_angles(obj, report)
+    properties.show_topology(obj, report)
+    properties.show_angles(obj, report)
     obj.MaxChordHeight = max(report.max_chord_height, 0.0)
     obj.AskedChordHeight = report.chord_height_asked
     obj.ReusedFaces = report.reused_faces
 
 
-def add(source, values):
-    """Adds a quality mesh of `source` to its document; see mesh_object.add."""
-    return mesh_object.add_of_source(QualityMesh, source, values, "QualityMesh", "Quality mesh")
+def add_quality_mesh(source, **values):
+    """Adds a document object that keeps a quality mesh of `source` up to date; one undo step.
+
+    source   document object with a shape: feature, body, link or container
+    values   the options of triangulate, except progress
+
+    Returns the object. Raises what triangulate raises, and then adds nothing.
+    """
+    return transactions.add_of_source(QualityMesh, source, values, "QualityMesh", "Quality mesh")

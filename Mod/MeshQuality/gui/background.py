@@ -8,7 +8,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from . import jobs
-from .words import translated, translated_stage
+from .translation import translated
 
 translate = FreeCAD.Qt.translate
 
@@ -65,12 +65,16 @@ class Indicator(QtGui.QWidget):
         self._jobs.append((job, cancel))
         job.changed.connect(self._show)
         job.ended.connect(lambda: self._end(job))
+        job.returned.connect(lambda: self._end(job, has_ended()))
         self._show()
 
-    def _end(self, job):
+    def _end(self, job, more=""):
+        if not job.over:
+            self._show()
+            return
         self._jobs = [(other, cancel) for other, cancel in self._jobs if other is not job]
         why = translated(job.error) if job.state == jobs.FAILED else jobs.state_text(job.state)
-        self._status_bar.showMessage(f"{job.title}: {why}")
+        self._status_bar.showMessage("; ".join(filter(None, (f"{job.title}: {why}", more))))
         self._show()
 
     def _show(self):
@@ -81,6 +85,8 @@ class Indicator(QtGui.QWidget):
         job = self._jobs[0][0]
         more = f" (+{len(self._jobs) - 1})" if len(self._jobs) > 1 else ""
         self.text.setText(f"{job.title}{more}: {_doing(job)}")
+        for widget in (self.bar, self.button):
+            widget.setVisible(job.active)
         self.bar.setValue(int(1000 * job.fraction))
         self.button.setText(translate("MeshQuality", "Cancel"))
         self.button.setToolTip(translate("MeshQuality", "Cancel “{}”; nothing is changed").format(job.title))
@@ -90,7 +96,10 @@ class Indicator(QtGui.QWidget):
             self._jobs[0][1]()
 
 
+def has_ended():
+    """What is said once a job that was cancelled is over."""
+    return translate("MeshQuality", "what could not be interrupted has ended")
+
+
 def _doing(job):
-    if job.held_up:
-        return translate("MeshQuality", "waiting until the open task is closed")
-    return translated_stage(job.stage) if job.stage else jobs.state_text(job.state)
+    return job.doing if job.active else f"{jobs.state_text(job.state)}; {job.doing}"

@@ -6,21 +6,21 @@ import FreeCADGui
 import numpy as np
 from PySide import QtGui
 
-from .. import convert, frames
-from ..features import certificate, mesh_object
-from .places import Mark, select_face
-from .quality_scene import flight_to
-from .words import translated, translated_certificate
+from ..core import convert, frames, verdict
+from ..features import mesh_object
+from .sub_elements import Mark, select_face
+from .translation import translated, translated_certificate
+from .view.quality_scene import flight_to
 
 translate = FreeCAD.Qt.translate
 
 
 def _words(obj):
     """What the certificate and the status of an object say."""
-    if certificate.is_missed(obj.Certificate):
+    if verdict.is_missed(obj.Certificate):
         words = translate("MeshQuality", "Target not met: {}").format(
-            translated_certificate(certificate.said(obj.Certificate)))
-    elif certificate.is_met(obj.Certificate):
+            translated_certificate(verdict.said(obj.Certificate)))
+    elif verdict.is_met(obj.Certificate):
         words = translate("MeshQuality", "All requested limits are met.")
     else:
         words = translate("MeshQuality", "Update the mesh to check whether all requested limits are met.")
@@ -64,7 +64,7 @@ class CertificateBox(QtGui.QWidget):
         if obj is None:
             return
         deleted = obj.Proxy.lacks_source(obj)
-        missed = certificate.is_missed(obj.Certificate)
+        missed = verdict.is_missed(obj.Certificate)
         self.text.setText(translate("MeshQuality", "The source was deleted. Close this panel.") if deleted
                           else _words(obj))
         self.text.setStyleSheet("color: #cc0000" if missed or deleted else "")

@@ -6,14 +6,15 @@ from functools import partial
 import FreeCAD
 import FreeCADGui
 
-from .. import frames
-from ..compat import why_no_core
+from ..compat import why_no_extension
+from ..core import convert, frames
+from ..core.curving import holds_elements
 from ..features import boolean, curved_mesh, improved_mesh, mesh_object, quality_mesh
-from . import quality_panel
-from .binary_panel import BinaryPanel
-from .export_panel import ExportPanel
-from .mesh_panel import MeshPanel
-from .operation import Operation
+from .panel_operation import Operation
+from .panels import quality_panel
+from .panels.binary_panel import BinaryPanel
+from .panels.export_panel import ExportPanel
+from .panels.mesh_panel import MeshPanel
 from .trial import Trial
 from .update import update_in_background
 
@@ -31,7 +32,7 @@ class _Command:
                 "ToolTip": self.TIP, "Accel": self.KEYS}
 
     def IsActive(self):
-        return not why_no_core() and not FreeCADGui.Control.activeDialog() \
+        return not why_no_extension() and not FreeCADGui.Control.activeDialog() \
             and bool(self.selected())
 
     def Activated(self):
@@ -99,7 +100,7 @@ class Boolean(_Command):
     KEYS = "Q, B"
 
     def selected(self):
-        found = [source for source in _selected() if _has_shape(source) or _has_mesh(source)]
+        found = [source for source in _selected() if _has_shape(source) or convert.is_mesh(source)]
         one_document = len({frames.object_of(source).Document for source in found}) == 1
         return found if len(found) > 1 and one_document else []
 
@@ -117,7 +118,7 @@ class Analyse(_Command):
         quality_panel.open_panel(self.selected()[0])
 
     def selected(self):
-        return _if_one(lambda source: not isinstance(source, tuple) and _has_mesh(source))
+        return _if_one(convert.is_mesh)
 
 
 class Improve(_Command):
@@ -128,7 +129,7 @@ class Improve(_Command):
     KEYS = "Q, I"
 
     def selected(self):
-        return [source for source in _selected() if _has_mesh(source)]
+        return [source for source in _selected() if convert.is_mesh(source)]
 
 
 class Export(_Command):
@@ -141,7 +142,7 @@ class Export(_Command):
         FreeCADGui.Control.showDialog(ExportPanel(self.selected()[0]))
 
     def selected(self):
-        return _if_one(lambda source: getattr(source, "ElementsOrder", 0))
+        return _if_one(holds_elements)
 
 
 class Update(_Command):
@@ -156,8 +157,8 @@ class Update(_Command):
             update_in_background(obj)
 
     def selected(self):
-        return [source for source in _selected()
-                if isinstance(getattr(source, "Proxy", None), mesh_object.MeshObject)]
+        found = dict.fromkeys(frames.linked_of(source)[0] for source in _selected())
+        return [obj for obj in found if isinstance(getattr(obj, "Proxy", None), mesh_object.MeshObject)]
 
 
 class GetBinary(_Command):
@@ -187,14 +188,10 @@ def _if_one(fits):
     return found if len(found) == 1 and fits(found[0]) else []
 
 
-def _has_mesh(source):
-    return frames.leaf_of(source).isDerivedFrom("Mesh::Feature")
-
-
 def _has_shape(source):
     obj = frames.leaf_of(source)
     return hasattr(obj, "Shape") or obj.hasExtension("App::GroupExtension") \
-        or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup")
+        or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
 _COMMANDS = (Triangulate, Quick, Curve, Boolean, Improve, Analyse, Update, Export)
@@ -211,8 +208,8 @@ def register():
     missing, none can be used but the one that comes first then and tells how to get it.
     """
     chosen = _COMMANDS
-    if why_no_core():
-        FreeCAD.Console.PrintWarning(f"{why_no_core()}\n")
+    if why_no_extension():
+        FreeCAD.Console.PrintWarning(f"{why_no_extension()}\n")
         chosen = (GetBinary, *_COMMANDS)
     for command in chosen:
         FreeCADGui.addCommand(command.NAME, command())

@@ -12,10 +12,10 @@ import numpy as np
 from pivy import coin
 
 from ..compat import SHAPE_COLOURS, property_of, shape_colour
-from ..curved_mesh import CurvedMesh
+from ..core.curving import loader_of
 from ..errors import Error
-from .colour_scale import colours_of
 from .mesh_view import MeshView
+from .view.colour_scale import colours_of
 
 MODE = "Curved"
 PLAIN, JACOBIAN = "Nothing", "Scaled Jacobian"
@@ -120,7 +120,7 @@ class CurvedMeshView(MeshView):
         view.ColorBy = [PLAIN, JACOBIAN]
         super().__init__(view)
         view.DisplayMode = MODE
-        # Of a document that was saved without a window the mesh is there already.
+        # A document that was saved without a window has the mesh already.
         self.updateData(view.Object, "Mesh")
 
     def attach(self, view):
@@ -147,7 +147,7 @@ class CurvedMeshView(MeshView):
         drawing = getattr(obj.Proxy, "drawing", None)
         if drawing is None:
             try:
-                curved = CurvedMesh.kept_in(obj)()
+                curved = loader_of(obj)()
             except (Error, ImportError):
                 # Not all properties are read yet, or there is no core: FreeCAD's own modes remain.
                 return

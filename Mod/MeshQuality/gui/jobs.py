@@ -9,17 +9,22 @@ import collections
 import os
 import sys
 import threading
+import time
 
 import FreeCAD
 from PySide import QtCore
 
 from ..errors import Cancelled, Error
+from .translation import translated, translated_rest, translated_stage
 
 translate = FreeCAD.Qt.translate
 
+WAITS_FOR = "waits for "  # what a stage begins with that cannot be interrupted
+ADDING = WAITS_FOR + "FreeCAD: adding the mesh to the document"
 WAITING, RUNNING, DONE, FAILED, CANCELLED = "waiting", "running", "done", "failed", "cancelled"
 _POLL = 30  # ms between two looks at the thread
 _NICENESS = 5
+_PATIENCE = 0.3  # s that a cancelled job has to end in before its user goes on without it
 _GRACE = 5.0  # s that a job has to end in when FreeCAD quits
 
 
@@ -43,23 +48,30 @@ class Job(QtCore.QObject):
     drop     drop(result), called on the GUI's thread instead of take where the job was cancelled
              after the work had ended
     prepare  prepare(), called on the GUI's thread when the work starts
-    ready    ready() -> whether the result can be taken now; asked again and again
+    obstacle obstacle() -> what the result has to wait for, in the user's language; empty: it can be
+             taken now; asked again and again
+    taking   the stage that is shown while the result is taken, which the window waits for
 
-    The window stays alive between taking a result and the signal `ended`.
+    The window stays alive between taking a result and the signal `ended`. A cancelled job ends even
+    where its work cannot be interrupted: that goes on until `over`, and the next job waits for it.
     """
 
     changed = QtCore.Signal()  # state, fraction or stage
     ended = QtCore.Signal()
+    returned = QtCore.Signal()  # after `ended`: what could not be interrupted is over
 
     def __init__(self, title, compute, take, wanted=lambda: True, quiet=False,
-                 drop=lambda result: None, prepare=lambda: None, ready=lambda: True):
+                 drop=lambda result: None, prepare=lambda: None, obstacle=lambda: "", taking=""):
         super().__init__()
         self.title, self.compute, self.take, self.wanted = title, compute, take, wanted
-        self.quiet, self.drop, self.prepare, self.ready = quiet, drop, prepare, ready
+        self.quiet, self.drop, self.prepare = quiet, drop, prepare
+        self.obstacle, self.taking = obstacle, taking
         self.state, self.fraction, self.stage, self.error = WAITING, 0.0, "", None
-        self.held_up = False  # whether the work has ended, and its result cannot be taken yet
+        self.held_up = ""  # what the result has to wait for once the work has ended
+        self.over = False  # whether the job has ended, and its work, too
         self._result = None
-        self._settled = self._taken = False
+        self._disposed = self._taken = False  # whether the result was taken or dropped, and taken
+        self._given_up = None  # when it was seen to be cancelled
         self._thread = None
         self._cancel = threading.Event()
 
@@ -67,6 +79,35 @@ class Job(QtCore.QObject):
     def active(self):
         """Whether it waits or runs."""
         return self.state in (WAITING, RUNNING)
+
+    @property
+    def works(self):
+        """Whether its thread still works."""
+        return self._thread is not None and self._thread.is_alive()
+
+    @property
+    def wait(self):
+        """What it waits for, in the user's language; empty where that has no name."""
+        other = queue().running
+        if self.state == WAITING and other is not None:
+            return translate("MeshQuality", "waits for “{}”: {}").format(other.title, other.doing)
+        if self.held_up:
+            return self.held_up
+        stage = self._stage_now()
+        return translated_stage(stage) if stage.startswith(WAITS_FOR) else ""
+
+    @property
+    def doing(self):
+        """What it does or waits for, in the user's language."""
+        if not self.active and not self.over:
+            return translated_rest(self._stage_now())
+        return self.wait or (translated_stage(self.stage) if self.stage else state_text(self.state))
+
+    def _stage_now(self):
+        """The stage; what the core waits for is known after it was cancelled, too."""
+        core = sys.modules.get("MeshQuality._core")
+        what = dict(core.waits()).get(self._thread.name) if core is not None and self.works else None
+        return WAITS_FOR + what if what else self.stage
 
     def cancel(self):
         """Asks the work to stop; `ended` tells when it has."""
@@ -82,35 +123,48 @@ class Job(QtCore.QObject):
         except (Error, ImportError) as error:
             self.error = error
             return
-        # No daemon: one that still works while Python is taken down would abort FreeCAD.
-        self._thread = threading.Thread(target=self._work, name=self.title)
+        # A daemon: FreeCAD would wait for any other, however long that cannot be interrupted.
+        self._thread = threading.Thread(target=self._work, name=self.title, daemon=True)
         self._thread.start()
 
     def look(self):
         """Reports how far the work is, takes its result once it has ended, and then ends."""
         if not self.wanted():
             self._cancel.set()
-        if self._thread is not None and self._thread.is_alive():
+        if self.works:
+            if self.active and self._patience_is_over():
+                self._end(CANCELLED)
             self.changed.emit()
-        elif self.error is None and not self._settled:
-            self._settle()
+        elif self.error is None and not self._disposed:
+            self._dispose()
+        elif not self.active:
+            self._return()
         else:
             cancelled = self._cancel.is_set() and not self._taken
             cancelled = cancelled or isinstance(self.error, Cancelled)
             self._end(CANCELLED if cancelled else FAILED if self.error is not None else DONE)
 
-    def _settle(self):
+    def _patience_is_over(self):
+        if not self._cancel.is_set():
+            return False
+        if self._given_up is None:
+            self._given_up = time.monotonic()
+        return time.monotonic() - self._given_up > _PATIENCE
+
+    def _dispose(self):
         """Takes or drops the result, unless that has to wait."""
         if self._cancel.is_set():
             self.drop(self._result)
-            self._settled = True
-        elif self.ready():
-            self.held_up = False
-            self._settled = self._taken = True
-            self._take()
-        else:
-            self.held_up = True
+            self._disposed = True
+            return
+        self.held_up = self.obstacle()
+        if self.held_up or self.stage != self.taking != "":
+            if not self.held_up:
+                self.stage = self.taking
             self.changed.emit()
+            return  # the window shows it before it has to wait
+        self._disposed = self._taken = True
+        self._take()
 
     def join(self, seconds):
         """Waits for the thread."""
@@ -135,11 +189,18 @@ class Job(QtCore.QObject):
             self.error = error
 
     def _end(self, state):
-        self.state, self._result = state, None
+        self.state, self.over = state, not self.works
+        if self.over:
+            self._result = None
         if state == FAILED and not self.quiet:
-            FreeCAD.Console.PrintError(f"{self.title}: {self.error}\n")
+            FreeCAD.Console.PrintError(f"{self.title}: {translated(self.error)}\n")
         self.changed.emit()
         self.ended.emit()
+
+    def _return(self):
+        self._result, self.over = None, True
+        self.changed.emit()
+        self.returned.emit()
 
 
 class Queue(QtCore.QObject):
@@ -171,7 +232,8 @@ class Queue(QtCore.QObject):
         for job in jobs:
             job.cancel()
         for job in jobs:
-            job.join(_GRACE)
+            if not job.wait:  # the core gives what waits there a time to end in, too
+                job.join(_GRACE)
 
     def _look(self):
         if self.running is None:
@@ -180,7 +242,9 @@ class Queue(QtCore.QObject):
             self._timer.stop()
         else:
             self.running.look()
-            if not self.running.active:
+            for job in self._waiting:
+                job.changed.emit()
+            if self.running.over:
                 self.running = None
 
     def _start_next(self):

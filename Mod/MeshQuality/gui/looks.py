@@ -3,7 +3,7 @@
 
 import FreeCAD
 
-from .. import frames
+from ..core import frames
 from ..features import mesh_object
 
 _EDGES = "Flat Lines"
@@ -37,11 +37,12 @@ def sources_of(obj):
     return [source for source in _sources(obj) if isinstance(source, FreeCAD.DocumentObject)]
 
 
-def all_sources_of(obj):
-    """All that is seen where the mesh is: its sources, those that these are made of in turn, and the
-    links through which they are seen there; each once.
+def all_shown_at(mesh):
+    """All that is seen where a mesh is: itself, its sources, those that these are made of in turn, and the
+    links through which they are seen there; each once. Of a link to a mesh: what is linked stands elsewhere.
     """
-    found, pending = [], [obj]
+    found = [_seen(mesh)]
+    pending = [mesh] if frames.linked_of(mesh)[0] == mesh else []
     while pending:
         new = [_seen(source) for source in _sources(pending.pop())]
         new = [source for source in dict.fromkeys(new) if source is not None and source not in found]

@@ -7,7 +7,8 @@ import FreeCAD
 import FreeCADGui
 
 from ..compat import PlainState
-from . import badge, looks
+from . import looks
+from .view import badge
 
 translate = FreeCAD.Qt.translate
 
@@ -55,22 +56,32 @@ class MeshView(PlainState):
         FreeCADGui.Control.closeDialog()
         return True
 
-    def onDelete(self, view, subelements):
-        """The user deletes the object: what it took the place of is seen again. Returns that it may go."""
-        for source in looks.sources_of(view.Object):
-            source.ViewObject.Visibility = True
-        return True
-
     def setupContextMenu(self, view, menu):
         """Called by FreeCAD for the menu of the object in the tree."""
-        from . import follow
+        from . import background_recompute
         from .update import update_in_background
 
-        if follow.is_computing(view.Object):
+        if background_recompute.is_computing(view.Object):
             menu.addAction(translate("MeshQuality", "Stop computing"),
-                           lambda: follow.stop(view.Object))
+                           lambda: background_recompute.stop(view.Object))
         menu.addAction(translate("MeshQuality", "Edit options"), lambda: self.doubleClicked(view))
         # The workbench's own menu has this already.
         if FreeCADGui.activeWorkbench().name() != "MeshQualityWorkbench":
             menu.addAction(translate("MeshQuality", "Update mesh"),
                            lambda: update_in_background(view.Object))
+
+
+class _Observer:
+    """Has the sources of a mesh seen again when that is deleted, by a command or by a script."""
+
+    def slotDeletedObject(self, obj):
+        """Called by FreeCAD while the object still is in its document."""
+        document = obj.Document
+        # Undo and redo do that by themselves; nothing was hidden for a mesh that was never computed.
+        if document.Transacting or document.Restoring or not getattr(obj, "Fingerprint", ""):
+            return
+        for source in looks.sources_of(obj):
+            source.ViewObject.Visibility = True
+
+
+FreeCAD.addDocumentObserver(_Observer())

@@ -5,7 +5,7 @@ import re
 
 import FreeCADGui
 
-from .. import convert, frames
+from ..core import convert, frames
 from ..errors import InvalidInput
 
 _ELEMENT = re.compile(r"(Face|Edge|Vertex)\d+")

@@ -10,13 +10,13 @@ from typing import Optional
 import FreeCAD
 import numpy as np
 
-from .. import convert
-from ..compat import core, property_of
-from ..curved_mesh import CurvedMesh
+from ..compat import extension, property_of
+from ..core import convert, frames
+from ..core.curving import holds_elements, taken_from
 from ..errors import InvalidInput
 from ..features import mesh_object
-from .colour_scale import GREEN
-from .length_unit import LengthUnit
+from .quantities import Unit, in_locale
+from .view.colour_scale import GREEN
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -77,7 +77,7 @@ class Scale:
 
     @cached_property
     def _length_unit(self):
-        return LengthUnit.for_lengths_up_to(self.high) if self.measure.unit is None else None
+        return Unit.of(self.high) if self.measure.unit is None else None
 
     @property
     def unit(self):
@@ -86,8 +86,8 @@ class Scale:
 
     def number(self, value, digits=4):
         """A value without its unit."""
-        factor = 1.0 if self._length_unit is None else self._length_unit.millimetres
-        return "∞" if np.isinf(value) else f"{value / factor:.{digits}g}"
+        factor = 1.0 if self._length_unit is None else self._length_unit.factor
+        return "∞" if np.isinf(value) else in_locale(f"{value / factor:.{digits}g}")
 
     def text(self, value):
         """A value with its unit."""
@@ -161,7 +161,7 @@ class FaceRow:
 
 
 class QualityData:
-    """The elements of a mesh object, taken from it once; later changes of the object do not show.
+    """The elements of a mesh object or a link to one, see frames, taken from it once; later changes do not show.
 
     After prepare(), which any thread may call, there are
     corners   float32 (T, 3, 3): the triangles that are drawn, in the document's frame
@@ -179,10 +179,9 @@ class QualityData:
     bound     distance in mm that the mesh was to keep within, or None
     """
 
-    def __init__(self, obj):
-        proxy = getattr(obj, "Proxy", None)
-        sources = proxy.sources(obj) if isinstance(proxy, mesh_object.SourceMesh) else [None]
-        self._shape = convert.shape_of(sources[0]) if sources != [None] else None
+    def __init__(self, source):
+        obj = frames.linked_of(source)[0]
+        self._shape = _shape_behind(source, obj)
         self.corners = self._curved = None
         if obj.Mesh.CountFacets == 0:
             raise InvalidInput(f"{obj.Label} has no triangles")
@@ -190,14 +189,14 @@ class QualityData:
         asked = "AskedChordHeight" in obj.PropertiesList and property_of(obj, "AskedChordHeight").Value
         self.bound = asked or None
         self.tetrahedra = self.shown = 0
-        if getattr(obj, "ElementsOrder", 0):
+        if holds_elements(source):
             self.measures = [JACOBIAN, DISTORTION]
-            self._prepare = partial(self._take_curved, CurvedMesh.taken_from(obj),
+            self._prepare = partial(self._take_curved, taken_from(source),
                                     property_of(obj, "ShownDeviation").Value)
         else:
             self.measures = [MIN_ANGLE, ASPECT, DISTORTION] \
                 + ([DISTANCE] if self._shape is not None else [])
-            self._prepare = partial(self._take_flat, convert.MeshCopy(obj),
+            self._prepare = partial(self._take_flat, convert.MeshCopy(source),
                                     list(getattr(obj, "FaceRuns", [])))
 
     def prepare(self):
@@ -206,16 +205,15 @@ class QualityData:
             self._prepare()
             self.coarse = None
             if len(self.corners) > _MANY:
-                self.coarse, self._joined = core().clustered(self.corners, COARSE)
+                self.coarse, self._joined = extension().clustered(self.corners, COARSE)
 
     def _take_flat(self, mesh, runs):
         vertices, triangles = mesh.arrays
-        self._surface = convert.surface_of_arrays(core(), vertices, triangles, measured=False)
+        self._surface = convert.surface_of_arrays(extension(), vertices, triangles, measured=False)
         self.corners = vertices[triangles].astype(np.float32)
         self.element = np.arange(len(triangles))
-        face = mesh_object.faces_of_runs(runs)
-        known = len(face) == len(triangles)
-        self.face = face if known else np.full(len(triangles), -1)
+        face = mesh_object.faces_of_runs(runs, len(triangles))
+        self.face = face if len(face) else np.full(len(triangles), -1)
         self._lines = lambda: (vertices.astype(np.float32), runs_of_edges(triangles))
         self._shapes = None
 
@@ -266,7 +264,7 @@ class QualityData:
     def shapes(self):
         """(smallest angles, aspects, distortions) of the triangles."""
         if self._shapes is None:
-            self._shapes = core().triangle_shapes(self._surface)
+            self._shapes = extension().triangle_shapes(self._surface)
         return self._shapes
 
     def distortions(self, progress=None):
@@ -289,7 +287,7 @@ class QualityData:
 
     def distances(self, progress=None):
         """The largest distance of each triangle from the shape that was meshed, mm."""
-        return core().triangle_deviations(self._surface, self._shape, progress)
+        return extension().triangle_deviations(self._surface, self._shape, progress)
 
     def faces(self, values, measure):
         """A FaceRow for each CAD face, the worst first."""
@@ -325,6 +323,18 @@ class QualityData:
             found = _EXEMPT.match(sentence)
             if found:
                 yield int(found[1]), found[2]
+
+
+def _shape_behind(source, obj):
+    """The shape that the mesh object was made of, where the source has it; None where there is none, or more than one."""
+    proxy = getattr(obj, "Proxy", None)
+    made_of = proxy.sources(obj)[0] if isinstance(proxy, mesh_object.SourceMesh) else None
+    if made_of is None or getattr(frames.leaf_of(source), "ElementCount", 0):
+        return None
+    shape = convert.shape_of(made_of)
+    if obj != source:
+        shape.transformShape(frames.relative_motion(frames.placement_of(obj), frames.placement_of(source)).toMatrix(), False)
+    return shape
 
 
 def runs_of_edges(triangles):

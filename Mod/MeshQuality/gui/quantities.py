@@ -1,32 +1,115 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lengths and angles as text in the user's units, and a field for them that loses no digit.
+"""Lengths and angles as the user writes them, and a field for them that loses no digit.
+
+A field has a text in the manner of FreeCAD, such as 3' 1/2", which it can be set to. What is only read is a
+decimal number, so that lengths beside each other can be compared; angles then are in degrees in every unit
+system. The decimal point is that of the user's locale in both.
 
 Gui::QuantitySpinBox holds what its text says, rounded to the decimals of the preferences or to a
 fraction of an inch: showing a value there would change it.
 """
 
 import math
+import re
+from dataclasses import dataclass
 
 import FreeCAD
+import numpy as np
 from PySide import QtCore, QtGui
 
 _UNITS = {"mm": FreeCAD.Units.Length, "degrees": FreeCAD.Units.Angle}
+_NAMES = {'"': "in", "'": "ft"}  # signs of FreeCAD that are hard to read after a number
+_PLAIN = 10.0  # mm or degrees, which the user writes in the unit of numbers without one
 _LARGEST = 1e12
-_DECIMALS = 17  # of what a QDoubleSpinBox rounds its value to
+_DECIMALS = 17  # to which a QDoubleSpinBox rounds its value: all that a number has
+_DIGITS = 3  # that a length has at least
+_ALL_DIGITS = 17  # that tell any two numbers apart
+_TIE = 1.0 + 1e-9  # half a unit of the last digit, but for rounding
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit of lengths or angles: how many mm or degrees it has, and its name."""
+
+    factor: float
+    name: str
+
+    @classmethod
+    def of(cls, value, unit="mm"):
+        """The unit in which FreeCAD shows a value given in mm or degrees, such as µm, mm or thou."""
+        quantity = FreeCAD.Units.Quantity(value if value else _PLAIN, _UNITS[unit])
+        _, factor, name = quantity.getUserPreferred()
+        return cls(factor, _NAMES.get(name, name))
+
+    def number(self, value, digits):
+        """The value in this unit: the number with the fewest digits that says as many digits of it."""
+        return _shortest(value, self.factor, digits)
+
+    def written(self, number):
+        """A number with the unit behind it, as the user writes it."""
+        return f"{in_locale(np.format_float_positional(number, trim='-'))} {self.name}"
+
+
+def in_locale(text):
+    """An English number such as "1,203.5" as the user writes it."""
+    locale = QtCore.QLocale()
+    return text.translate({ord("."): locale.decimalPoint(), ord(","): locale.groupSeparator()})
+
+
+def count_text(count):
+    """A whole number as the user writes it."""
+    return in_locale(f"{count:,}")
+
+
+def lengths_in_units(texts):
+    """Texts such as ["0.0171 mm", "0.01 mm"] in the user's unit, the one that fits the longest of them. As
+    exact as they are, to three digits at least, and to as many as tell them apart.
+    """
+    given = [text.split()[0] for text in texts]
+    values = [float(number) for number in given]
+    unit = Unit.of(max(filter(math.isfinite, map(abs, values)), default=0.0))
+    for more in range(_ALL_DIGITS):
+        numbers = [unit.number(value, _digits_of(text) + more) for value, text in zip(values, given)]
+        if _same_order(numbers, values):
+            break
+    return [unit.written(number) for number in numbers]
+
+
+def length_text(value):
+    """A length in mm, to three digits, in the user's unit."""
+    unit = Unit.of(value)
+    return unit.written(unit.number(value, _DIGITS))
+
+
+def _digits_of(number):
+    """How many digits a number such as "0.0171" or "1.5e-05" has that tell something, three at least."""
+    return max(len(re.sub(r"e.*|\D", "", number).lstrip("0")), _DIGITS)
+
+
+def _shortest(value, factor, digits):
+    """The number of factors with the fewest digits that gives the value to the requested digits."""
+    if value == 0.0 or not math.isfinite(value):
+        return value
+    half = 0.5 * _TIE * 10.0 ** (math.floor(math.log10(abs(value))) - digits + 1)
+    numbers = (float(f"{value / factor:.{fewest}g}") for fewest in range(1, _ALL_DIGITS + 1))
+    return next((number for number in numbers if abs(number * factor - value) <= half), value / factor)
+
+
+def _same_order(numbers, values):
+    """Whether one number is greater than another where its value is."""
+    return np.array_equal(*(np.greater.outer(each, each) for each in (numbers, values)))
 
 
 def text_of(value, unit="mm", digits=6):
     """A length in mm or an angle in degrees as FreeCAD writes it; where that says less than `digits`
     significant digits of it, as a decimal number.
     """
-    quantity = FreeCAD.Units.Quantity(value, _UNITS[unit])
-    text = quantity.UserString
+    text = FreeCAD.Units.Quantity(value, _UNITS[unit]).UserString
     found = value_of(text, unit)
     if found is not None and math.isclose(found, value, rel_tol=0.5 * 10 ** -(digits - 1)):
         return text
-    factor, name = _plain_unit(unit)
-    locale = _locale()
-    return f"{f'{value / factor:.{digits}g}'.replace('.', locale.decimalPoint())} {name}"
+    plain = _plain(unit)
+    return plain.written(float(f"{value / plain.factor:.{digits}g}"))
 
 
 def value_of(text, unit="mm"):
@@ -34,7 +117,7 @@ def value_of(text, unit="mm"):
     None where it says none.
     """
     text = text.strip().lstrip("=")
-    locale = _locale()
+    locale = QtCore.QLocale()
     if locale.decimalPoint() in text and locale.decimalPoint() != ".":
         text = text.replace(locale.groupSeparator(), "").replace(locale.decimalPoint(), ".")
     try:
@@ -44,18 +127,13 @@ def value_of(text, unit="mm"):
     if quantity is None or not math.isfinite(quantity.Value):
         return None
     if quantity.Unit == FreeCAD.Units.Unit():
-        return quantity.Value * _plain_unit(unit)[0]
+        return quantity.Value * _plain(unit).factor
     return quantity.Value if quantity.Unit == _UNITS[unit] else None
 
 
-def _plain_unit(unit):
-    """(mm or degrees in it, name) of the unit in which the user writes a number without one."""
-    _, factor, name = FreeCAD.Units.Quantity(10.0, _UNITS[unit]).getUserPreferred()
-    return factor, name
-
-
-def _locale():
-    return QtCore.QLocale()
+def _plain(unit):
+    """The Unit in which the user writes a number without one."""
+    return Unit.of(_PLAIN, unit)
 
 
 class QuantityBox(QtGui.QDoubleSpinBox):
@@ -74,7 +152,7 @@ class QuantityBox(QtGui.QDoubleSpinBox):
         self.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
 
     def setValue(self, value):
-        """Of QDoubleSpinBox."""
+        """Shows a value in mm or degrees, and keeps all of its digits."""
         self._exact = (text_of(value, self._unit), value)
         super().setValue(value)
 
@@ -99,7 +177,7 @@ class QuantityBox(QtGui.QDoubleSpinBox):
 
     def stepBy(self, steps):
         """Called by Qt: a tenth of the next smaller power of ten, in the user's unit."""
-        factor, _ = _plain_unit(self._unit)
+        factor = _plain(self._unit).factor
         now = self.value() / factor
         step = 10.0 ** math.floor(math.log10(now)) if now > 0.0 else 1.0
         if steps < 0 and math.isclose(now, step):

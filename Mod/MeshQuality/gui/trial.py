@@ -18,8 +18,8 @@ class Trial:
     """
 
     def __init__(self, kind, sources, values, obj=None):
-        # What an object remembers decides on its triangles, and belongs to its own work.
-        alone = getattr(getattr(obj, "Proxy", None), "memory", None) is None
+        # The cache of an object has a say in its triangles, and belongs to its own work.
+        alone = getattr(getattr(obj, "Proxy", None), "cache", None) is None
         self._work = kind.work_on(sources, values, obj) if alone else None
         limit = min(_LIMIT, values["max_triangles"] or _LIMIT)
         self._limited = kind.work_on(sources, {**values, "max_triangles": limit})

@@ -34,7 +34,7 @@ std::string write_brep_text(const TopoDS_Shape& shape) {
     std::ostringstream stream;
     BRepTools::Write(shape, stream, false, false, TopTools_FormatVersion_CURRENT);
     std::string text = stream.str();
-    // Marks are a line of their own: free, modified, checked, orientable, closed, infinite, convex.
+    // Number of marks, on a line of their own: free, modified, checked, orientable, closed, infinite, convex.
     constexpr std::size_t kMarks = 7;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());

@@ -10,9 +10,10 @@ class TopoDS_Shape;
 
 namespace mq::geometry {
 
-/// The distance of each point from the shape's trimmed faces, mm. A point inside a solid is not at
-/// distance 0. Independent of the model and its queries, so that it can check what they led to. The shape is only read.
-/// @throws GeometryError when a face cannot be measured against; Cancelled.
+/// The distance of each point from the shape's trimmed faces, mm. A point inside a solid has its distance from the
+/// boundary, not 0. Independent of the model and its queries, so that it can check their results. The shape is only
+/// read.
+/// @throws GeometryError when the distance from a face cannot be computed; Cancelled.
 std::vector<double> distances_to_faces(const TopoDS_Shape& shape, const std::vector<Vec3>& points,
                                        Progress* progress = nullptr);
 

@@ -12,13 +12,14 @@
 #include <vector>
 
 #include "base/error.h"
-#include "geometry/occt/collapsed_pieces.h"
-#include "geometry/occt/conversion.h"
-#include "geometry/occt/creases.h"
-#include "geometry/occt/definitions.h"
-#include "geometry/occt/edge_evaluator.h"
-#include "geometry/occt/face_evaluator.h"
-#include "geometry/occt/live_shape.h"
+#include "base/waits.h"
+#include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/evaluation/edge_evaluator.h"
+#include "geometry/occt/evaluation/face_evaluator.h"
+#include "geometry/occt/geometry_fingerprint.h"
+#include "geometry/occt/topology/creases.h"
+#include "geometry/occt/topology/degenerate_faces.h"
+#include "geometry/occt/topology/shape_map.h"
 
 namespace mq::geometry {
 
@@ -43,6 +44,8 @@ class ShapeModel final : public Model {
     void add_definition_of_use(int use, Fingerprint& key) override;
 
   private:
+    void read_topology(const TopoDS_Shape& shape, Creases creases, std::vector<std::string>& failures,
+                       const Progress* progress);
     Answer dispatch(const Query& query);
     Answer on_edge(const Query& query);
     Answer on_face(const Query& query);
@@ -51,8 +54,8 @@ class ShapeModel final : public Model {
     EdgeEvaluator& edge(int index);
     FaceEvaluator& face(int index);
 
-    LiveShape live_;
-    Definitions definitions_;
+    ShapeMap live_;
+    GeometryFingerprint definitions_;
     std::vector<std::unique_ptr<EdgeEvaluator>> edges_;
     std::vector<std::unique_ptr<FaceEvaluator>> faces_;
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
@@ -61,20 +64,30 @@ class ShapeModel final : public Model {
 ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const Progress* progress) : definitions_(shape) {
     place_ = definitions_.place();
     std::vector<std::string> failures;
-    const OrderedShape entities = creases == Creases::Cut ? cut_at_creases(shape, failures, progress) : ordered(shape);
-    look_for_cancel(progress);
-    topology_ = build_topology(entities, live_, progress);
-    look_for_cancel(progress);
-    sew_collapsed_pieces(entities, topology_, live_);
-    look_for_cancel(progress);
+    read_topology(shape, creases, failures, progress);
     topology_.faults.insert(topology_.faults.end(), failures.begin(), failures.end());
     edges_.resize(live_.edges.size());
     faces_.resize(live_.faces.size());
     classifiers_.resize(live_.volumes.size());
     const auto evaluator = [this](int index) -> FaceEvaluator& { return face(index); };
-    topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
+    {
+        const OpenCascadeWait wait(progress, "measuring the size");
+        topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
+    }
     const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);
     topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());
+}
+
+void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, std::vector<std::string>& failures,
+                               const Progress* progress) {
+    const OpenCascadeWait wait(progress, "reading the shape");
+    const OrderedShape entities =
+        creases == Creases::Cut ? cut_at_creases(shape, failures, progress) : ordered(shape, progress);
+    check_cancelled(progress);
+    topology_ = build_topology(entities, live_, progress);
+    check_cancelled(progress);
+    sew_collapsed_pieces(entities, topology_, live_, progress);
+    check_cancelled(progress);
 }
 
 void ShapeModel::add_definition(Entity entity, Fingerprint& key) {
@@ -183,7 +196,7 @@ Answer ShapeModel::use_on_face(int index, double t) {
     }
     const EdgeUse& use = topology_.uses[static_cast<std::size_t>(index)];
     const Edge& data = topology_.edges[static_cast<std::size_t>(use.edge)];
-    const UseCurve& pcurve = live_.uses[static_cast<std::size_t>(index)];
+    const PCurve& pcurve = live_.uses[static_cast<std::size_t>(index)];
     const double range = data.t1 - data.t0;
     if (t < data.t0 - 1e-9 * range || t > data.t1 + 1e-9 * range) {
         return refused(Status::BadQuery);
@@ -220,11 +233,13 @@ Answer ShapeModel::volume_contains(int index, const Vec3& point) {
         return refused(Status::BadQuery);
     }
     const auto i = static_cast<std::size_t>(index);
-    // In the part's own coordinates: OpenCASCADE's classifier goes wrong in mirrored and scaled locations.
+    // The query is answered in the shape's own coordinates: OpenCASCADE's classifier fails in mirrored and scaled
+    // locations.
     const TopLoc_Location& location = live_.volumes[i].Location();
     if (!classifiers_[i]) {
         classifiers_[i] = std::make_unique<BRepClass3d_SolidClassifier>(live_.volumes[i].Located(TopLoc_Location()));
     }
+    // Distance from the boundary that counts as zero, mm: OpenCASCADE's default tolerance.
     constexpr double kOn = 1e-7;
     classifiers_[i]->Perform(to_pnt(point).Transformed(location.Transformation().Inverted()), kOn);
     const TopAbs_State state = classifiers_[i]->State();

@@ -10,7 +10,7 @@ class TopoDS_Shape;
 
 namespace mq::geometry {
 
-/// What becomes of lines inside a face across which its normal jumps.
+/// The treatment of lines inside a face across which its normal jumps.
 enum class Creases {
     Keep,  ///< they stay inside: all entities are the shape's own
     Cut,   ///< they become edges, and the face is cut along them (Topology::parts_of)
@@ -24,7 +24,7 @@ enum class Creases {
 std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress = nullptr,
                                         Creases creases = Creases::Keep);
 
-/// The version of OpenCASCADE that this was built with, "7.6.3".
+/// The version of OpenCASCADE used in this build, "7.6.3".
 const char* occt_version();
 
 }  // namespace mq::geometry

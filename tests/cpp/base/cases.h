@@ -3,8 +3,8 @@
 
 namespace mq {
 
-/// How many random cases a loop runs. Under a sanitizer it is the memory accesses that are tested, not the odds of a
-/// rare case, and each of them takes ten times as long.
+/// The number of random cases in a loop. Under a sanitizer the memory accesses are tested, not the odds of a rare case,
+/// and each of them takes ten times as long.
 constexpr int scaled_cases(int cases) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     return cases / 20;

@@ -41,6 +41,7 @@ TEST(DisjointSets, MembersThatWereResetAreAlone) {
 
 TEST(DisjointSets, AgreesWithRelabellingWhateverTheOrder) {
     std::mt19937 random(7);
+    // Members of the sets.
     constexpr std::uint32_t kCount = 60;
     DisjointSets<std::uint32_t> sets(kCount);
     std::vector<std::uint32_t> label(kCount);

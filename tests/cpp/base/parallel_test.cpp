@@ -11,15 +11,15 @@ namespace {
 
 TEST(ForAll, CallsEachOnce) {
     std::vector<int> calls(1000, 0);
-    for_all(1000, [&](int k) { ++calls[static_cast<std::size_t>(k)]; });
+    parallel_for(1000, [&](int k) { ++calls[static_cast<std::size_t>(k)]; });
     EXPECT_EQ(calls, std::vector<int>(1000, 1));
-    for_all(0, [](int) { FAIL() << "there is nothing to do"; });
+    parallel_for(0, [](int) { FAIL() << "there is nothing to do"; });
 }
 
 TEST(ForAll, ThrowsWhatAWorkThrew) {
     for (int round = 0; round < 50; ++round) {
         try {
-            for_all(8, [](int k) {
+            parallel_for(8, [](int k) {
                 if (k == 3) {
                     throw std::runtime_error("three");
                 }

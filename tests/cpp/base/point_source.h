@@ -14,7 +14,7 @@
 
 namespace mq {
 
-/// The kinds of point sets the predicates are tested on.
+/// The kinds of point sets on which the predicates are tested.
 enum class Points {
     kRandom,      ///< anywhere in a cube
     kSingle,      ///< the same, in single precision
@@ -23,10 +23,12 @@ enum class Points {
     kCollinear,   ///< on one line, or nearly
     kCoincident,  ///< some of them the same
     kMagnitudes,  ///< coordinates from 1e-12 to 1e12
-    kRegular,     ///< corners of regular polygons in space, turned: isosceles, right angles, cocircular; off by ulps
-    kReflected,   ///< mirror images of each other: equal angles without equal coordinates; off by ulps
+    /// Corners of regular polygons in space, rotated: isosceles, right angles, cocircular; with errors of single ulps.
+    kRegular,
+    kReflected,  ///< mirror images of each other: equal angles without equal coordinates; with errors of single ulps
 };
 
+/// All kinds, for parametrised tests.
 constexpr std::array<Points, 9> kAllPoints{Points::kRandom,     Points::kSingle,    Points::kGrid,
                                            Points::kShifted,    Points::kCollinear, Points::kCoincident,
                                            Points::kMagnitudes, Points::kRegular,   Points::kReflected};
@@ -107,6 +109,7 @@ class PointSource {
     }
 
     std::vector<Vec3> regular(int count) {
+        /// Corners of the regular polygons, with a preference for squares.
         static constexpr std::array<int, 6> kCorners{3, 4, 4, 5, 6, 12};
         const int corners = kCorners[integer(0, 5)];
         const bool single_precision = integer(0, 2) == 0;
@@ -146,7 +149,7 @@ class PointSource {
         return points;
     }
 
-    /// Often the point itself, else off by single units in the last place.
+    /// Often the point itself, else changed by single units in the last place.
     Vec3 nudge(Vec3 point) {
         if (integer(0, 2) == 0) {
             double& x = point[integer(0, in_plane_ ? 1 : 2)];

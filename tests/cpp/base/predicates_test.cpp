@@ -12,7 +12,9 @@
 namespace mq {
 namespace {
 
+/// Cases of a quick predicate.
 constexpr int kCheap = scaled_cases(100000);
+/// Cases of a predicate whose definition takes long in rational arithmetic.
 constexpr int kCostly = scaled_cases(20000);
 
 /// Every predicate against its definition in rational arithmetic, on every kind of points.

@@ -6,8 +6,8 @@
 
 #include "base/vec.h"
 
-/// That the compiler rounds where the code says so. With its vectoriser of straight-line code on, g++ 12 leaves out the
-/// way through single precision here; all that the Mesh kernel of FreeCAD stores, and all checks of it, rest on that.
+/// Tests that the compiler rounds where the code says so. With its vectoriser of straight-line code on, g++ 12 omits
+/// the conversion to single precision here, on which the contents of FreeCAD's Mesh kernel and all checks of it rely.
 namespace mq {
 namespace {
 
@@ -18,7 +18,7 @@ __attribute__((noinline)) void round_all(std::vector<Vec3>& points) {
     }
 }
 
-/// The loop in which it was found.
+/// The loop in which the omission was found.
 __attribute__((noinline)) double round_some(std::vector<Vec3>& points, const std::vector<char>& which) {
     double largest = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -37,7 +37,7 @@ __attribute__((noinline)) void round_three(double* p) {
     p[2] = static_cast<double>(static_cast<float>(p[2]));
 }
 
-/// In a way that no compiler can leave out.
+/// Tests the rounding in a way that no compiler can omit.
 bool is_stored(double x) {
     volatile float stored = static_cast<float>(x);
     return static_cast<double>(stored) == x;

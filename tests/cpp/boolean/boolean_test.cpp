@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "boolean/closed_solids.h"
 #include "boolean/random_meshes.h"
-#include "boolean/verification.h"
+#include "mesh/quality/surface_verification.h"
 
 namespace mq::boolean {
 namespace {
@@ -19,13 +19,13 @@ using solids::box;
 using solids::sphere;
 
 double volume(const TriangleMesh& mesh) {
-    return verify(mesh.vertices, mesh.triangles).volume;
+    return mesh::verify(mesh.vertices, mesh.triangles).volume;
 }
 
-/// All that is promised of a result.
+/// Checks everything that the header promises of a result.
 void expect_sound(const BooleanResult& result, const std::vector<const TriangleMesh*>& operands) {
     const TriangleMesh& mesh = result.mesh;
-    const Verification check = verify(mesh.vertices, mesh.triangles);
+    const mesh::Verification check = mesh::verify(mesh.vertices, mesh.triangles);
     EXPECT_TRUE(check.passed()) << check.summary();
     EXPECT_EQ(result.faults_left, 0u);
     ASSERT_EQ(result.triangle_source.size(), mesh.triangles.size());
@@ -95,21 +95,21 @@ TEST(Boolean, BodiesThatTouchInAnEdgeOrAVertexArePartedByLessThanTheTolerance) {
         const BooleanResult result = run(kCube, box(corner, corner + Vec3(1, 1, 1)), Operation::Union, options);
         EXPECT_NEAR(volume(result.mesh), 2.0, 1e-3);
         EXPECT_EQ(result.mesh.triangles.size(), 24u) << "both bodies are there";
-        EXPECT_EQ(result.parted_contacts, corner.z() == 0 ? 2u : 1u);
+        EXPECT_EQ(result.separated_contacts, corner.z() == 0 ? 2u : 1u);
         EXPECT_LE(result.error_bound, options.tolerance);
         EXPECT_GT(result.error_bound, 0.0);
     }
 }
 
 TEST(Boolean, CavitiesThatTouchInAnEdgeOfTheMaterialBetweenThemArePartedThere) {
-    // Above and below the edge the material hangs together, so that its ends have one fan each.
+    // Above and below the edge the material is connected, so that its ends have one fan each.
     const TriangleMesh block = box(Vec3(0, 0, 0), Vec3(4, 4, 3));
     const TriangleMesh one = box(Vec3(1, 1, 1), Vec3(2, 2, 2));
     const TriangleMesh two = box(Vec3(2, 2, 1), Vec3(3, 3, 2));
     const std::vector<const TriangleMesh*> all{&block, &one, &two};
     const BooleanResult result = boolean(all, Operation::Difference, {});
     expect_sound(result, all);
-    EXPECT_EQ(result.parted_contacts, 1u);
+    EXPECT_EQ(result.separated_contacts, 1u);
     EXPECT_NEAR(volume(result.mesh), 46.0, 1e-3);
 }
 
@@ -237,6 +237,7 @@ void expect_sound_booleans(const fuzz::Pair& pair) {
 }
 
 TEST_P(BooleanFuzz, ResultsAreSoundAndVolumesAddUp) {
+    // Pairs of operands in one test.
     constexpr int kPairs = 6;
     for (int i = 0; i < kPairs; ++i) {
         expect_sound_booleans(fuzz::random_pair(static_cast<std::uint64_t>(GetParam() * kPairs + i)));
@@ -263,6 +264,18 @@ TEST(Boolean, SymmetricDifferencesThatFailedOnce) {
     for (const std::uint64_t seed : {107, 222, 239, 305, 357, 371, 390}) {
         expect_sound_difference(fuzz::turned_pair(seed));
     }
+}
+
+/// (a - b) | (a & b) is a, whatever lies where b's surface was.
+TEST(BooleanOfAnExpression, IsRoundedOnce) {
+    const TriangleMesh a = kCube;
+    TriangleMesh b = kCube;
+    fuzz::move(b, Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix(), 1.0, Vec3(0.4, 0.3, 0.2));
+    const BooleanResult result = boolean({&a, &b}, Expression::from({0, 1, -3, 0, 1, -2, -1}, 2), {});
+    EXPECT_NEAR(volume(result.mesh), 1.0, 1e-6);
+    EXPECT_LT(result.error_bound, 1e-6);
+    EXPECT_EQ(result.faults_left, 0u);
+    EXPECT_THROW(boolean({&a, &b}, Expression::chain(Operation::Union, 3), {}), InvalidInput);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "boolean/boolean.h"
 #include "boolean/random_meshes.h"
-#include "mesh/triangle_tree.h"
+#include "mesh/intersection/aabb_tree.h"
 
 /// The stated error bound against the distance of surfaces, measured in both directions.
 namespace mq::boolean {
@@ -35,8 +35,9 @@ double height(const TriangleMesh& mesh, std::size_t t) {
     return (b - a).cross(mesh.vertices[static_cast<std::size_t>(c[2])] - a).norm() / longest;
 }
 
-/// Whether the surface comes back, looking the other way, nearer to a point than `reach`.
-bool comes_back(const TriangleMesh& mesh, const mesh::TriangleTree& tree, const Vec3& p, const Vec3& n, double reach) {
+/// Whether the surface has a point with the opposite normal nearer to a point than `reach`.
+bool comes_back(const TriangleMesh& mesh, const mesh::AabbTree& tree, const Vec3& p, const Vec3& n, double reach) {
+    // Largest cosine between normals that are opposite.
     constexpr double kOpposite = -0.5;
     const Vec3 around = Vec3::Constant(reach);
     bool found = false;
@@ -51,10 +52,11 @@ bool comes_back(const TriangleMesh& mesh, const mesh::TriangleTree& tree, const 
     return found;
 }
 
-/// Whether a ball less than `reach` thick that touches the surface in a point, before or behind it, meets other parts
-/// of the surface: the tip of a sliver, or the neighbourhood of a sharp edge.
-bool in_a_tip(const mesh::TriangleTree& tree, const Vec3& p, const Vec3& n, double reach) {
-    constexpr double kMet = 0.9;  // neighbours that are turned by up to 25 degrees do not count
+/// Whether a ball less than `reach` thick that touches the surface in a point, before or behind it, meets the surface
+/// elsewhere: the tip of a sliver, or the neighbourhood of a sharp edge.
+bool in_a_tip(const mesh::AabbTree& tree, const Vec3& p, const Vec3& n, double reach) {
+    constexpr double kMet = 0.9;  // neighbours whose normals differ by up to 25 degrees do not count
+    // Radius of the smallest ball, as a fraction of `reach`.
     constexpr double kSmallest = 1.0 / 64.0;
     for (double r = reach / (1.0 + kMet); r > kSmallest * reach; r *= 0.5) {
         if (tree.nearest(p + r * n).distance < kMet * r || tree.nearest(p - r * n).distance < kMet * r) {
@@ -70,13 +72,13 @@ struct Distance {
     std::size_t thin = 0;  ///< points of slivers and gaps, left out
 };
 
-/// From points in triangles of one surface, near their corners, the middles of their edges and their centres, to the
-/// other surface. Needles have normals that are mostly rounding; the triangles on both sides of them are as near to the
-/// other surface as they are.
+/// The distance from points in triangles of one surface, near their corners, the middles of their edges and their
+/// centres, to the other surface. The normals of needles are mostly rounding error; the triangles on both sides of them
+/// are as near to the other surface as they are.
 Distance distance(const TriangleMesh& from, const TriangleMesh& to, double sliver, double needle) {
     Distance result;
-    const mesh::TriangleTree own(from.vertices, from.triangles);
-    const mesh::TriangleTree other(to.vertices, to.triangles);
+    const mesh::AabbTree own(from.vertices, from.triangles);
+    const mesh::AabbTree other(to.vertices, to.triangles);
     for (std::size_t t = 0; t < from.triangles.size(); ++t) {
         if (height(from, t) < needle) {
             continue;
@@ -88,6 +90,7 @@ Distance distance(const TriangleMesh& from, const TriangleMesh& to, double slive
         const Vec3 centre = (at(0) + at(1) + at(2)) / 3.0;
         std::vector<Vec3> points{centre};
         for (std::size_t k = 0; k < 3; ++k) {
+            // Distance of the points from the border, as a fraction of the way to the centre.
             constexpr double kInside = 0.02;
             points.push_back(at(k) + kInside * (centre - at(k)));
             const Vec3 middle = 0.5 * (at(k) + at(k + 1));
@@ -119,7 +122,7 @@ void expect_within_bound(const Case& what, Operation operation) {
     TriangleMesh b = a;
     fuzz::move(b, Eigen::AngleAxisd(what.turn, Vec3(1, 2, 3).normalized()).toRotationMatrix(), 1.0, what.shift);
     const BooleanResult result = boolean({&a, &b}, operation, {});
-    BooleanOptions exact;  // next to nothing may be moved
+    BooleanOptions exact;  // a tolerance that allows nearly no displacement
     exact.tolerance = 3e-6;
     const BooleanResult reference = boolean({&a, &b}, operation, exact);
     ASSERT_LT(reference.error_bound, 1e-5);

@@ -177,10 +177,11 @@ inline void move(TriangleMesh& mesh, const Eigen::Matrix3d& rotation, double sca
     round_to_single(mesh);
 }
 
-/// How an operand lies to the other one.
+/// The position of an operand relative to the other one.
 enum class Placement { General, Grid, Same, Near, Touching, kCount };
 
 inline const char* name_of(Placement placement) {
+    /// The names of the placements in their order.
     constexpr const char* kNames[] = {"general", "grid", "same", "near", "touching"};
     return kNames[static_cast<int>(placement)];
 }
@@ -220,12 +221,13 @@ inline void place(TriangleMesh& mesh, Placement placement, Random& random) {
 enum class Defect { Holes, Flips, InsideOut, Duplicates, Opposites, Unwelded, Degenerate, Overlap, kCount };
 
 inline const char* name_of(Defect defect) {
+    /// The names of the defects in their order.
     constexpr const char* kNames[] = {"holes",     "flips",    "inside out", "duplicates",
                                       "opposites", "unwelded", "degenerate", "overlap"};
     return kNames[static_cast<int>(defect)];
 }
 
-/// A triangle of no area on an edge: the neighbour there is divided at a point of the edge, this one is not.
+/// A triangle without area on an edge: the neighbour there is divided at a point of the edge, this one is not.
 inline void add_degenerate(TriangleMesh& mesh, std::size_t k) {
     const Triangle t = mesh.triangles[k];
     const Vec3 a = mesh.vertices[t[0]];
@@ -301,7 +303,7 @@ inline void damage(TriangleMesh& mesh, Defect defect, Random& random) {
 
 // ---- pairs ----------------------------------------------------------------------------------------------------------
 
-/// Two operands and in words what they are.
+/// Two operands and their description in words.
 struct Pair {
     TriangleMesh a;
     TriangleMesh b;
@@ -330,8 +332,9 @@ inline Pair random_pair(std::uint64_t seed) {
     return pair;
 }
 
-/// The same pair turned as a whole, at random: faces that were flush are so only to within rounding.
+/// The same pair, rotated as a whole at random: faces that were coplanar are so only within rounding.
 inline Pair turned_pair(std::uint64_t seed) {
+    /// Offset of the seeds of rotations, so that they differ from those of the pairs.
     constexpr std::uint64_t kOtherSeed = 77777;
     Pair pair = random_pair(seed);
     Random random(seed + kOtherSeed);

@@ -8,32 +8,33 @@
 #include <set>
 #include <vector>
 
+#include "curve/bezier/node_orders.h"
+#include "curve/bezier/validity.h"
 #include "curve/curve.h"
-#include "curve/fill.h"
-#include "curve/gmsh_order.h"
-#include "curve/validity.h"
+#include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "triangulate/triangulate.h"
 
-/// Making curved meshes, and what every one must be, measured from its nodes alone.
+/// Makes curved meshes, and checks the properties of every one, measured from its nodes alone.
 namespace mq::curve {
 
-/// Before anything is filled.
+/// Sets the program for fillings; call it before anything is filled.
 inline void use_fill_program() {
     set_fill_program(MESHQUALITY_FILL_PROGRAM);
 }
 
-inline CurvedMesh curved(const std::shared_ptr<geometry::Model>& model, const Options& options, double max_edge = 0.0) {
+inline CurvedMesh curved(const std::shared_ptr<geometry::Model>& model, const CurveOptions& options,
+                         double max_edge = 0.0) {
     use_fill_program();
     geometry::Engine engine(geometry::Engine::Mode::Direct);
-    triangulate::Options straight;
+    triangulate::TriangulateOptions straight;
     straight.min_angle = 20.0;
     straight.max_edge = max_edge;
     straight.chord_height_relative = max_edge > 0.0 ? 0.0 : 0.02;
     return curve(engine, model, triangulate::triangulate(engine, model, straight).mesh, options);
 }
 
-inline Options of_order(int order, bool volume = false) {
-    Options options;
+inline CurveOptions of_order(int order, bool volume = false) {
+    CurveOptions options;
     options.order = order;
     options.volume = volume;
     return options;
@@ -50,7 +51,7 @@ inline std::vector<Vec3> nodes_of(const CurvedMesh& mesh, const std::vector<std:
     return nodes;
 }
 
-/// Integral of the Jacobian over all tetrahedra: the volume of what the mesh covers, overlaps counted twice.
+/// The integral of the Jacobian over all tetrahedra: the volume that the mesh covers, overlaps counted twice.
 inline double volume_of(const CurvedMesh& mesh) {
     const Lattice& lattice = Lattice::of(3, mesh.order);
     double sum = 0.0;

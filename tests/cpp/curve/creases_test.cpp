@@ -9,14 +9,14 @@
 namespace mq::curve {
 namespace {
 
-/// Creases are followed, and all that comes out is by the shape's own entities.
+/// Creases are followed, and the result refers to the shape's own entities.
 TEST(CreasedParts, AreCurvedByTheirPieces) {
     for (const TopoDS_Shape& shape : {geometry::block_with_one_side(), geometry::wing_with_flat_ends()}) {
         const auto model = geometry::make_shape_model(shape, nullptr, geometry::Creases::Cut);
         geometry::Engine engine(geometry::Engine::Mode::Direct);
         const triangulate::Result straight = triangulate::triangulate(engine, model, {});
         for (int order = 1; order <= 4; ++order) {
-            Options options;
+            CurveOptions options;
             options.order = order;
             const CurvedMesh mesh = curve(engine, model, straight.mesh, options);
             EXPECT_EQ(mesh.report.invalid, 0U);

@@ -14,8 +14,8 @@
 
 #include "base/error.h"
 #include "curve/checks.h"
-#include "geometry/occt/shape_content.h"
 #include "geometry/occt/shape_model.h"
+#include "geometry/occt/solid_volume.h"
 #include "geometry/parts.h"
 
 namespace mq::curve {
@@ -25,7 +25,7 @@ std::shared_ptr<geometry::Model> sphere() {
     return geometry::make_shape_model(BRepPrimAPI_MakeSphere(1.0).Shape());
 }
 
-TEST(CurveSurface, DeviationFallsWithTheOrderPlusOne) {
+TEST(CurveCurvedSurface, DeviationFallsWithTheOrderPlusOne) {
     for (int order = 1; order <= 5; ++order) {
         const CurvedMesh coarse = curved(sphere(), of_order(order), 0.5);
         const CurvedMesh fine = curved(sphere(), of_order(order), 0.25);
@@ -38,7 +38,7 @@ TEST(CurveSurface, DeviationFallsWithTheOrderPlusOne) {
     }
 }
 
-TEST(CurveSurface, NodesLieOnTheSphere) {
+TEST(CurveCurvedSurface, NodesLieOnTheSphere) {
     for (int order = 2; order <= 5; ++order) {
         const CurvedMesh mesh = curved(sphere(), of_order(order));
         for (const Vec3& node : mesh.nodes) {
@@ -47,7 +47,7 @@ TEST(CurveSurface, NodesLieOnTheSphere) {
     }
 }
 
-TEST(CurveSurface, SeamsAndPeriodsOfATorus) {
+TEST(CurveCurvedSurface, SeamsAndPeriodsOfATorus) {
     const auto model = geometry::make_shape_model(BRepPrimAPI_MakeTorus(2.0, 0.6).Shape());
     for (int order = 2; order <= 4; ++order) {
         const CurvedMesh mesh = curved(model, of_order(order));
@@ -59,7 +59,7 @@ TEST(CurveSurface, SeamsAndPeriodsOfATorus) {
     }
 }
 
-TEST(CurveSurface, ApexOfACone) {
+TEST(CurveCurvedSurface, ApexOfACone) {
     const auto model = geometry::make_shape_model(BRepPrimAPI_MakeCone(1.0, 0.0, 2.0).Shape());
     for (int order = 2; order <= 4; ++order) {
         const CurvedMesh mesh = curved(model, of_order(order));
@@ -71,14 +71,14 @@ TEST(CurveSurface, ApexOfACone) {
     }
 }
 
-TEST(CurveSurface, EveryPartIsValidAtOrderTwo) {
+TEST(CurveCurvedSurface, EveryPartIsValidAtOrderTwo) {
     for (const geometry::Part& part : geometry::shape_parts()) {
         const CurvedMesh mesh = curved(part.model, of_order(2));
         EXPECT_EQ(mesh.report.invalid, 0u) << part.name << "\n" << to_text(mesh.report);
     }
 }
 
-TEST(CurveVolume, SolidsAreValidConformingAndOfTheRightVolume) {
+TEST(CurveTetrahedralMesh, SolidsAreValidConformingAndOfTheRightTetrahedralMesh) {
     struct Case {
         const char* name;
         TopoDS_Shape shape;
@@ -102,7 +102,7 @@ TEST(CurveVolume, SolidsAreValidConformingAndOfTheRightVolume) {
     }
 }
 
-TEST(CurveSurface, WhatItEnclosesNearsTheVolumeOfTheCad) {
+TEST(CurveCurvedSurface, WhatItEnclosesNearsTheVolumeOfTheCad) {
     struct Case {
         TopoDS_Shape shape;
         double volume;
@@ -124,7 +124,7 @@ TEST(CurveSurface, WhatItEnclosesNearsTheVolumeOfTheCad) {
     }
 }
 
-TEST(CurveVolume, TwoSolidsWithACommonFaceAreBothCounted) {
+TEST(CurveTetrahedralMesh, TwoSolidsWithACommonFaceAreBothCounted) {
     const TopoDS_Shape low = BRepPrimAPI_MakeCylinder(1.0, 2.0).Shape();
     const TopoDS_Shape high = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0.0, 0.0, 2.0), gp::DZ()), 1.0, 1.0).Shape();
     BOPAlgo_Builder builder;
@@ -137,7 +137,7 @@ TEST(CurveVolume, TwoSolidsWithACommonFaceAreBothCounted) {
     EXPECT_NEAR(geometry::solid_content(builder.Shape()), 3.0 * M_PI, 1e-9);
 }
 
-TEST(CurveVolume, TheSurfaceStaysAsItIs) {
+TEST(CurveTetrahedralMesh, TheSurfaceStaysAsItIs) {
     const auto model = geometry::make_shape_model(BRepPrimAPI_MakeTorus(1.0, 0.35).Shape());
     const CurvedMesh surface = curved(model, of_order(2));
     const CurvedMesh volume = curved(model, of_order(2, true));
@@ -149,7 +149,7 @@ TEST(CurveVolume, TheSurfaceStaysAsItIs) {
     }
 }
 
-TEST(CurveVolume, TheSameInputGivesTheSameBytes) {
+TEST(CurveTetrahedralMesh, TheSameInputGivesTheSameBytes) {
     const auto model = geometry::make_shape_model(BRepPrimAPI_MakeTorus(1.0, 0.35).Shape());
     EXPECT_EQ(to_msh(curved(model, of_order(3, true))), to_msh(curved(model, of_order(3, true))));
 }

@@ -7,7 +7,7 @@
 
 #include "curve/checks.h"
 #include "curve/placed_surface.h"
-#include "curve/surface_repair.h"
+#include "curve/surface/repair.h"
 #include "geometry/occt/shape_model.h"
 
 namespace mq::curve {
@@ -23,7 +23,7 @@ std::shared_ptr<geometry::Model> boss_at_the_border() {
 
 TEST(Cusps, OpenWithoutLeavingTheCad) {
     for (int order = 2; order <= 5; ++order) {
-        PlacedSurface placed(boss_at_the_border(), order, 0.8);
+        PlacedCurvedSurface placed(boss_at_the_border(), order, 0.8);
         const double plain = placed.editor.plain_deviation();
         const Progress progress;
         const SurfaceRepairs repairs = repair_surface(placed.editor, progress);

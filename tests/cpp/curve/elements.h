@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "curve/bernstein.h"
+#include "curve/bezier/bernstein.h"
 
 /// Elements with known maps, to test against.
 namespace mq::curve {

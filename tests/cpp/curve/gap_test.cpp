@@ -7,13 +7,14 @@
 
 #include "curve/checks.h"
 #include "curve/placed_surface.h"
-#include "curve/surface_repair.h"
+#include "curve/surface/repair.h"
 #include "geometry/occt/shape_model.h"
 
 namespace mq::curve {
 namespace {
 
-/// Vertices that lie off their edges by much of a mesh edge, within their tolerance, as Booleans may leave them.
+/// Vertices that deviate from their edges by a large fraction of a mesh edge, within their tolerance, as Booleans may
+/// leave them.
 
 const gp_Pnt kCorner(1.0, 0.0, 2.0);
 
@@ -39,7 +40,7 @@ double from_the_corner(const Vec3& p) {
 TEST(Gaps, ElementsReachAVertexThatLiesOffItsEdges) {
     const auto model = quarter_with_a_vertex_at(0.2);
     for (int order = 2; order <= 5; ++order) {
-        PlacedSurface placed(model, order, 0.3);
+        PlacedCurvedSurface placed(model, order, 0.3);
         EXPECT_GT(placed.invalid(), 0) << order;
         const Progress progress;
         const SurfaceRepairs repairs = repair_surface(placed.editor, progress);

@@ -6,24 +6,24 @@
 #include <memory>
 #include <vector>
 
-#include "curve/surface_editor.h"
+#include "curve/surface/editor.h"
 #include "triangulate/triangulate.h"
 
 namespace mq::curve {
 
 /// A curved surface before any repair.
-class PlacedSurface {
+class PlacedCurvedSurface {
   public:
-    PlacedSurface(const std::shared_ptr<geometry::Model>& model, int order, double max_edge)
-        : PlacedSurface(model, order, straight(model, max_edge)) {}
-    PlacedSurface(const std::shared_ptr<geometry::Model>& model, int order, const mesh::TriangleMesh& straight)
+    PlacedCurvedSurface(const std::shared_ptr<geometry::Model>& model, int order, double max_edge)
+        : PlacedCurvedSurface(model, order, straight(model, max_edge)) {}
+    PlacedCurvedSurface(const std::shared_ptr<geometry::Model>& model, int order, const mesh::TriangleMesh& straight)
         : session(engine, model), surface(classify(session, straight, order)), editor(session, surface) {
         editor.placement.place(living());
     }
 
     static mesh::TriangleMesh straight(const std::shared_ptr<geometry::Model>& model, double max_edge) {
         geometry::Engine engine(geometry::Engine::Mode::Direct);
-        triangulate::Options options;
+        triangulate::TriangulateOptions options;
         options.min_angle = 20.0;
         options.max_edge = max_edge;
         return triangulate::triangulate(engine, model, options).mesh;
@@ -74,7 +74,7 @@ class PlacedSurface {
 
     geometry::Engine engine{geometry::Engine::Mode::Direct};
     mutable geometry::Session session;
-    Surface surface;
+    CurvedSurface surface;
     SurfaceEditor editor;
 };
 

@@ -13,7 +13,7 @@
 namespace mq::curve {
 namespace {
 
-/// Solids that touch or overlap, cut so that what they have in common is one face, or one solid, of both.
+/// Solids that touch or overlap, cut so that their common face, or common solid, is one entity of both.
 std::shared_ptr<geometry::Model> fused(const std::vector<TopoDS_Shape>& shapes) {
     TopTools_ListOfShape arguments;
     for (const TopoDS_Shape& shape : shapes) {
@@ -26,7 +26,8 @@ std::shared_ptr<geometry::Model> fused(const std::vector<TopoDS_Shape>& shapes) 
 }
 
 /// Every face of a tetrahedron belongs to two of them, or to one and a triangle of the boundary; on triangles that two
-/// volumes share, it belongs to one of each, with the same nodes. @return how many of those there are.
+/// volumes share, it belongs to one of each, with the same nodes.
+/// @return the number of such triangles.
 std::size_t expect_conforming_volumes(const CurvedMesh& mesh) {
     auto faces = tetrahedra_of_faces(mesh);
     const auto volume = [&](std::size_t e) { return mesh.tetrahedron_volume[e]; };

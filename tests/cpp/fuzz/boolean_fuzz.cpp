@@ -16,7 +16,7 @@
 #include "base/error.h"
 #include "boolean/boolean.h"
 #include "boolean/random_meshes.h"
-#include "boolean/verification.h"
+#include "mesh/quality/surface_verification.h"
 
 namespace mq::boolean {
 namespace {
@@ -46,7 +46,7 @@ bool sources_hold(const BooleanResult& result, const fuzz::Pair& pair) {
 }
 
 double volume(const mesh::TriangleMesh& mesh) {
-    return verify(mesh.vertices, mesh.triangles).volume;
+    return mesh::verify(mesh.vertices, mesh.triangles).volume;
 }
 
 double area(const mesh::TriangleMesh& mesh) {
@@ -67,7 +67,7 @@ struct Figures {
 /// What is wrong with a result; empty when nothing is.
 std::string fault_of(const fuzz::Pair& pair, Operation operation, Figures& figures) {
     const BooleanResult result = boolean({&pair.a, &pair.b}, operation, {});
-    const Verification check = verify(result.mesh.vertices, result.mesh.triangles);
+    const mesh::Verification check = mesh::verify(result.mesh.vertices, result.mesh.triangles);
     figures.volume[static_cast<int>(operation)] = check.volume;
     figures.error_bound = std::max(figures.error_bound, result.error_bound);
     if (!check.passed()) {

@@ -17,7 +17,7 @@
 #include <gp.hxx>
 #include <gp_Ax1.hxx>
 
-/// Parts with faces that have creases inside.
+/// Shapes with faces that have creases inside.
 namespace mq::geometry {
 
 /// Knots 0, 1, ... of a spline of degree 1.

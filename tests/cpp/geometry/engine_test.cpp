@@ -6,17 +6,19 @@
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "base/error.h"
-#include "geometry/analytic_model.h"
+#include "base/waits.h"
+#include "geometry/analytic/analytic_model.h"
 
 namespace mq::geometry {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// Echoes the query's t; can be held shut, and notes the thread that it was asked on.
+/// Echoes the query's t; can be blocked, and records the thread on which it was called.
 class EchoModel final : public Model {
   public:
     Answer answer(const Query& query) noexcept override {
@@ -50,6 +52,39 @@ void wait_until(const std::atomic<bool>& flag) {
     while (!flag) {
         std::this_thread::yield();
     }
+}
+
+/// The name of what the operation waits for, once it has one.
+std::string wait_of(const Waits& waits) {
+    for (int i = 0; i < 500; ++i) {
+        if (const std::string what = waits.lasting(0ms); !what.empty()) {
+            return what;
+        }
+        std::this_thread::sleep_for(10ms);
+    }
+    return std::string();
+}
+
+TEST(Engine, NamesWhatACallerWaitsFor) {
+    Engine engine;
+    const auto model = std::make_shared<EchoModel>();
+    model->held = true;
+    Progress first;
+    Progress second;
+    first.stage("refining angles", 0.0, 1.0);
+    const Waits first_waits(first, "Mesh of Bracket");
+    const Waits second_waits(second, "Mesh of Box");
+    std::thread user([&] { engine.ask(model, numbered(1), &first); });
+    wait_until(model->started);
+    std::thread waiter([&] { engine.ask(model, numbered(1), &second); });
+    EXPECT_EQ(wait_of(first_waits), "OpenCASCADE: refining angles");
+    EXPECT_EQ(wait_of(second_waits), "the shape engine, used by Mesh of Bracket");
+    EXPECT_EQ(second_waits.lasting(1h), "");
+    model->held = false;
+    user.join();
+    waiter.join();
+    EXPECT_EQ(first_waits.lasting(0ms), "");
+    EXPECT_EQ(second_waits.lasting(0ms), "");
 }
 
 TEST(Engine, AnswersInOrderOnItsOwnThread) {
@@ -150,7 +185,7 @@ TEST(Engine, WithdrawsWhatACancelledCallerWaitsFor) {
             ++cancelled;
         }
     };
-    // Two wait in the queue, and one for room in it.
+    // Two batches wait in the queue, and one for room in it.
     std::thread asker([&] { count_cancelled([&] { engine.ask(model, numbered(1), &progress); }); });
     std::thread runner([&] { count_cancelled([&] { engine.run([&] { ran = true; }, &progress); }); });
     std::thread waiter([&] { count_cancelled([&] { engine.ask(model, numbered(1), &progress); }); });
@@ -188,7 +223,7 @@ TEST(Engine, CancelDropsWhatWaitsAndCutsTheRunningBatchShort) {
         EXPECT_EQ(answers[i].status, Status::Stopped);
     }
     EXPECT_EQ(engine.queries(), 1u);
-    // The engine goes on.
+    // The engine continues to answer.
     EXPECT_EQ(engine.ask(model, numbered(1)).front().status, Status::Ok);
 }
 

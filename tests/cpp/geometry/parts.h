@@ -23,11 +23,11 @@
 #include <string>
 #include <vector>
 
-#include "geometry/analytic_model.h"
+#include "geometry/analytic/analytic_model.h"
 #include "geometry/occt/brep_text.h"
 #include "geometry/shapes.h"
 
-/// The parts that triangulations are tested on.
+/// The shapes on which triangulations are tested.
 namespace mq::geometry {
 
 struct Part {
@@ -76,7 +76,7 @@ inline TopoDS_Face cusp() {
                         arc(circle_about(0.0, 4.0, 4.0), 1.5 * M_PI, 2.0 * M_PI)});
 }
 
-/// Between two arcs that touch in the origin and turn by so many degrees from there.
+/// Between two arcs that touch in the origin and turn by the given angles from there.
 inline TopoDS_Face crescent(double inner_radius, double outer_radius, double inner_turn, double outer_turn) {
     const gp_Circ inner = circle_about(0.0, inner_radius, inner_radius);
     const gp_Circ outer = circle_about(0.0, outer_radius, outer_radius);

@@ -13,7 +13,7 @@
 
 #include "geometry/occt/shape_model.h"
 
-/// What the tests of the OpenCASCADE model have in common.
+/// Helpers that the tests of the OpenCASCADE model share.
 namespace mq::geometry {
 
 inline Vec3 middle_normal(Model& model, int face, Vec3* point = nullptr) {
@@ -27,7 +27,7 @@ inline Vec3 middle_normal(Model& model, int face, Vec3* point = nullptr) {
     return answer.normal;
 }
 
-/// The faces' uses run round them with the interior on the left: a step to the left in (u, v) stays inside, and seen
+/// The faces' uses run around them with the interior on the left: a step to the left in (u, v) stays inside, and seen
 /// along the outward normal the left of the walk is n x d. Skips poles.
 inline void expect_uses_run_left(Model& model) {
     const Topology& topology = model.topology();
@@ -54,6 +54,7 @@ inline void expect_uses_run_left(Model& model) {
 
 /// A closed solid that is seen from outside: the volume by the divergence theorem over a grid of each rectangular face.
 inline double flux_of_rectangles(Model& model) {
+    /// Cells along each parameter of a face.
     constexpr int kCells = 60;
     double volume = 0.0;
     const Topology& topology = model.topology();

@@ -6,28 +6,11 @@
 #include <algorithm>
 
 #include "base/angle.h"
-#include "improve/changes.h"
+#include "improve/flat_grid.h"
+#include "improve/local_operations.h"
 
 namespace mq::improve {
 namespace {
-
-/// A flat square grid with a border.
-mesh::TriangleMesh grid(int cells) {
-    mesh::TriangleMesh mesh;
-    for (int j = 0; j <= cells; ++j) {
-        for (int i = 0; i <= cells; ++i) {
-            mesh.vertices.emplace_back(i, j, 0);
-        }
-    }
-    for (int j = 0; j < cells; ++j) {
-        for (int i = 0; i < cells; ++i) {
-            const int a = j * (cells + 1) + i, c = a + cells + 2;
-            mesh.triangles.push_back({a, a + 1, c});
-            mesh.triangles.push_back({a, c, c - 1});
-        }
-    }
-    return mesh;
-}
 
 std::vector<std::vector<int>> stars(const EditableMesh& mesh) {
     std::vector<std::vector<int>> result;
@@ -39,7 +22,7 @@ std::vector<std::vector<int>> stars(const EditableMesh& mesh) {
 }
 
 TEST(EditableMesh, AnEarlierStateComesBack) {
-    EditableMesh mesh(grid(4), 35.0 * kDegree);
+    EditableMesh mesh(flat_grid(4), 35.0 * kDegree);
     mesh.apply(*swap_edge(mesh, 6, 12));
     const EditableMesh then = mesh;
     const EditableMesh::State state = mesh.state();

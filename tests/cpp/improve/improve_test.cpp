@@ -7,9 +7,9 @@
 #include <random>
 
 #include "base/error.h"
-#include "mesh/report.h"
-#include "mesh/self_intersection.h"
-#include "mesh/surface_distance.h"
+#include "mesh/intersection/self_intersection.h"
+#include "mesh/quality/mesh_report.h"
+#include "mesh/quality/surface_distance.h"
 
 namespace mq::improve {
 namespace {
@@ -62,8 +62,8 @@ TriangleMesh shaken_grid(int cells, double by) {
     return mesh;
 }
 
-/// What improve promises of every result.
-Result checked(const TriangleMesh& given, const Options& options, double tolerance) {
+/// Checks what improve promises of every result.
+Result checked(const TriangleMesh& given, const ImproveOptions& options, double tolerance) {
     const Result result = improve(given, options);
     const mesh::MeshReport before = mesh::measure(given), after = mesh::measure(result.mesh);
     EXPECT_EQ(after.closed, before.closed);
@@ -95,7 +95,7 @@ TEST(Improve, CylinderOfNeedlesReachesTheAngle) {
 TEST(Improve, SharpEdgesStay) {
     const TriangleMesh given = cylinder(48, 3.0);
     const Result result = checked(given, {}, 0.005);
-    // All that is at an end's border is on the circle's chords, and both ends are flat.
+    // All vertices at an end's border are on the circle's chords, and both ends are flat.
     double rim = 0.0;
     for (const Vec3& p : result.mesh.vertices) {
         EXPECT_GE(p.z(), 0.0);
@@ -109,7 +109,7 @@ TEST(Improve, SharpEdgesStay) {
 TEST(Improve, ABorderStaysStraight) {
     const TriangleMesh given = shaken_grid(12, 0.3);
     ASSERT_LT(mesh::measure(given).min_angle, 20.0);
-    Options options;
+    ImproveOptions options;
     options.min_angle = 30.0;
     const Result result = checked(given, options, 0.012);
     EXPECT_TRUE(result.exempt.empty());
@@ -158,7 +158,7 @@ TEST(Improve, TheOriginStays) {
 
 TEST(Improve, BadInputIsRefused) {
     TriangleMesh given = cylinder(20, 4.0);
-    Options options;
+    ImproveOptions options;
     options.min_angle = 40.0;
     try {
         improve(given, options);

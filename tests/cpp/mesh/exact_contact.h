@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/exact.h"
-#include "mesh/triangle_contact.h"
+#include "mesh/intersection/triangle_contact.h"
 
 /// The contact of two triangles by its definition: their intersection, a convex set, by clipping in rational
 /// arithmetic. It shares no code or idea with mesh::contact.
@@ -21,7 +21,7 @@ inline Vector minus(const Vector& a, const Vector& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// The part where normal . (p - origin) >= 0.
+/// The points with normal . (p - origin) >= 0.
 inline Polygon clipped(const Polygon& polygon, const Vector& origin, const Vector& normal) {
     Polygon kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -4,19 +4,18 @@
 #include <map>
 
 #include "triangulate/checks.h"
-#include "triangulate/output.h"
+#include "triangulate/report/manifold_output.h"
 
 namespace mq::triangulate {
 namespace {
 
 using geometry::Part;
-using mesh::SurfaceMesh;
 
 TEST(Assemble, GluesTheFacesOfEveryPart) {
     for (const Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);
         const Pipeline pipeline(part.model);
-        const SurfaceMesh& mesh = pipeline.surface;
+        const ClassifiedMesh& mesh = pipeline.surface;
         EXPECT_EQ(mesh.inconsistency(), "");
         const geometry::Topology& topology = part.model->topology();
         std::set<int> faces;
@@ -25,9 +24,9 @@ TEST(Assemble, GluesTheFacesOfEveryPart) {
         }
         EXPECT_EQ(faces.size(), topology.faces.size());
         for (int s = 0; s < mesh.segment_count(); ++s) {
-            const SurfaceMesh::Segment& segment = mesh.segment(s);
+            const ClassifiedMesh::Segment& segment = mesh.segment(s);
             EXPECT_EQ(segment.uses.size(), topology.edges[segment.edge].uses.size());
-            for (const SurfaceMesh::SegmentUse& use : segment.uses) {
+            for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
                 EXPECT_EQ(topology.uses[use.use].edge, segment.edge);
                 EXPECT_EQ(topology.uses[use.use].face, mesh.face_of(use.half_edge / 3));
             }
@@ -35,7 +34,7 @@ TEST(Assemble, GluesTheFacesOfEveryPart) {
     }
 }
 
-/// Written out as it is, S_C has the topology of the part already.
+/// Written out without refinement, S_C already has the topology of the shape.
 TEST(Assemble, HasTheTopologyOfThePart) {
     for (const Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);

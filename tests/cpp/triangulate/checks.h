@@ -11,23 +11,23 @@
 #include <string>
 #include <vector>
 
-#include "geometry/initial_triangulation.h"
 #include "geometry/parts.h"
-#include "mesh/report.h"
+#include "mesh/quality/mesh_report.h"
 #include "triangulate/assemble.h"
-#include "triangulate/refine.h"
+#include "triangulate/initial/initial_triangulation.h"
+#include "triangulate/refine/angle_refinement.h"
 #include "triangulate/triangulate.h"
 
-/// What every mesh must be, measured without the code that made it.
+/// Properties of every mesh, measured without the code that made it.
 namespace mq::triangulate {
 
-/// The steps of `triangulate` one by one, to look in between.
+/// The single steps of `triangulate`, to inspect the mesh in between.
 class Pipeline {
   public:
     explicit Pipeline(const std::shared_ptr<geometry::Model>& model)
         : session(engine, model),
           grid(model->topology().box),
-          initial(geometry::triangulate_initially(session, grid, progress)),
+          initial(triangulate_initially(session, grid, progress)),
           surface(assemble(initial, model->topology())),
           maxmin(surface),
           work{session, grid, surface, maxmin, progress} {
@@ -39,20 +39,20 @@ class Pipeline {
         std::vector<int> touched;
         maxmin.sweep(touched);
         SegmentSplitter segments(work);
-        Refiner(work, segments, min_angle, insertion).run();
+        AngleRefinement(work, segments, min_angle, insertion).run();
     }
 
     geometry::Engine engine{geometry::Engine::Mode::Direct};
     geometry::Session session;
-    SingleGrid grid;
+    SinglePrecisionGrid grid;
     Progress progress;
-    geometry::InitialTriangulation initial;
-    mesh::SurfaceMesh surface;
-    Maxmin maxmin;
+    InitialTriangulation initial;
+    ClassifiedMesh surface;
+    MaxMinSwaps maxmin;
     Workspace work;
 };
 
-inline Result mesh_of(const std::shared_ptr<geometry::Model>& model, const Options& options = {},
+inline Result mesh_of(const std::shared_ptr<geometry::Model>& model, const TriangulateOptions& options = {},
                       geometry::Engine::Mode mode = geometry::Engine::Mode::Direct) {
     geometry::Engine engine(mode);
     return triangulate(engine, model, options);
@@ -77,22 +77,22 @@ inline bool single_precision(const Vec3& p) {
     return p.allFinite() && is_single(p);
 }
 
-/// Vertices on CAD edges lie on the curve and on every face that shares it.
+/// Checks that vertices on CAD edges lie on the curve and on every face that shares it.
 inline void expect_on_curves(Pipeline& pipeline) {
-    const mesh::SurfaceMesh& surface = pipeline.surface;
+    const ClassifiedMesh& surface = pipeline.surface;
     const double slack = pipeline.grid.resolution() + 1e-6;
     for (int s = 0; s < surface.segment_count(); ++s) {
-        const mesh::SurfaceMesh::Segment& segment = surface.segment(s);
+        const ClassifiedMesh::Segment& segment = surface.segment(s);
         for (int end = 0; end < 2; ++end) {
             const Vec3& local = surface.vertex(segment.vertices[end]).point;
             EXPECT_TRUE(single_precision(local));
             const Vec3 point = pipeline.grid.to_part(local);
             const auto curve = pipeline.session.ask(geometry::Query::edge_point(segment.edge, segment.t[end]));
             EXPECT_LE((point - curve.point).norm(), slack);
-            for (const mesh::SurfaceMesh::SegmentUse& use : segment.uses) {
+            for (const ClassifiedMesh::SegmentUse& use : segment.uses) {
                 const int h = surface.vertex_of(use.half_edge) == segment.vertices[end]
                                   ? use.half_edge
-                                  : mesh::SurfaceMesh::next(use.half_edge);
+                                  : ClassifiedMesh::next(use.half_edge);
                 const Vec2& uv = surface.site(surface.site_of(h)).uv;
                 const int face = surface.face_of(h / 3);
                 const auto on_face = pipeline.session.ask(geometry::Query::face_point(face, uv.x(), uv.y()));
@@ -102,7 +102,8 @@ inline void expect_on_curves(Pipeline& pipeline) {
     }
 }
 
-/// Single-precision vertices, all in use; a manifold, oriented outwards, of the part's topology.
+/// Checks that vertices have single precision and are all in use, and that the mesh is an outward oriented manifold
+/// with the shape's topology.
 inline void expect_sound(const Result& result, long euler, bool closed) {
     const mesh::MeshReport measured = mesh::measure(result.mesh);
     EXPECT_EQ(measured.closed, closed);
@@ -127,9 +128,9 @@ inline void expect_sound(const Result& result, long euler, bool closed) {
     EXPECT_EQ(result.mesh.vertex_entity.size(), result.mesh.vertices.size());
 }
 
-/// Every triangle keeps the bound or is listed with a reason; none is listed that keeps it.
+/// Checks that every triangle reaches the angle bound or is listed with a reason, and that no listed one reaches it.
 inline void expect_angles(const Result& result, double bound) {
-    constexpr double kRounding = 1e-6;  // degrees
+    constexpr double kRounding = 1e-6;  // degrees, for rounding
     std::set<int> exempt;
     for (const auto& [t, why] : result.report.exempt) {
         ASSERT_GE(t, 0);

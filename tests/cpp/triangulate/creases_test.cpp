@@ -3,19 +3,19 @@
 #include "geometry/creased_shapes.h"
 #include "geometry/occt/shape_model.h"
 #include "triangulate/checks.h"
-#include "triangulate/memory.h"
+#include "triangulate/incremental/mesh_cache.h"
 
 namespace mq::triangulate {
 namespace {
 
 using geometry::Creases;
 
-Result cut_and_mesh(const TopoDS_Shape& shape, const Options& options = {}) {
+Result cut_and_mesh(const TopoDS_Shape& shape, const TriangulateOptions& options = {}) {
     return mesh_of(geometry::make_shape_model(shape, nullptr, Creases::Cut), options);
 }
 
 TEST(CreasedParts, KeepTheirShapeExactly) {
-    Options options;
+    TriangulateOptions options;
     options.max_edge = 1.0;
     const Result result = cut_and_mesh(geometry::block_with_one_side(), options);
     EXPECT_TRUE(result.report.closed && result.report.oriented && result.report.manifold);
@@ -31,7 +31,7 @@ TEST(CreasedParts, KeepTheirShapeExactly) {
 
 TEST(CreasedParts, PatchesWithoutAreaLeaveNothingBehind) {
     for (const double angle : {25.0, 30.0}) {
-        Options options;
+        TriangulateOptions options;
         options.min_angle = angle;
         options.chord_height_relative = 0.001;
         const Result result = cut_and_mesh(geometry::wing_with_flat_ends(), options);
@@ -48,7 +48,7 @@ TEST(CreasedParts, PatchesWithoutAreaLeaveNothingBehind) {
 }
 
 TEST(CreasedParts, LocalSizesHoldOnAllPieces) {
-    Options options;
+    TriangulateOptions options;
     options.local_sizes = {{2, 0, 0.3}};
     const Result result = cut_and_mesh(geometry::block_with_one_side(), options);
     double longest = 0.0;
@@ -61,14 +61,14 @@ TEST(CreasedParts, LocalSizesHoldOnAllPieces) {
     }
     EXPECT_GT(longest, 0.1);
     EXPECT_LE(longest, 0.3 + 1e-6);
-    options.local_sizes = {{2, 3, 0.3}};  // a piece, but no face of the shape
+    options.local_sizes = {{2, 3, 0.3}};  // index of a piece, but of no face of the shape
     EXPECT_THROW(cut_and_mesh(geometry::block_with_one_side(), options), InvalidInput);
 }
 
 TEST(CreasedParts, AreRememberedByTheirPieces) {
     geometry::Engine engine(geometry::Engine::Mode::Direct);
-    Memory memory;
-    Options options;
+    MeshCache memory;
+    TriangulateOptions options;
     options.max_edge = 0.5;
     const auto run = [&](const TopoDS_Shape& shape) {
         return triangulate(engine, geometry::make_shape_model(shape, nullptr, Creases::Cut), options, nullptr, &memory);

@@ -5,15 +5,14 @@
 
 #include <vector>
 
-#include "mesh/surface_mesh.h"
+#include "triangulate/work_mesh/classified_mesh.h"
 
 namespace mq::triangulate {
 
-/// The corners of a polygon, counter-clockwise seen from above, joined to a point inside. The origins of half-edges 0,
-/// 3, 6 ... are the corners, that of 2 is the point.
-inline mesh::SurfaceMesh ring_mesh(const std::vector<Vec3>& corners, const Vec3& inside) {
-    using mesh::SurfaceMesh;
-    SurfaceMesh mesh;
+/// Returns a polygon, counter-clockwise seen from above, with its corners joined to a point inside. The origins of
+/// half-edges 0, 3, 6 ... are the corners, that of 2 is the point.
+inline ClassifiedMesh ring_mesh(const std::vector<Vec3>& corners, const Vec3& inside) {
+    ClassifiedMesh mesh;
     const Vec3 up(0, 0, 1);
     const int count = static_cast<int>(corners.size());
     std::vector<int> sites;

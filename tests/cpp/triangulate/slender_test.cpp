@@ -3,16 +3,16 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <gp_GTrsf.hxx>
 
-#include "mesh/self_intersection.h"
+#include "mesh/intersection/self_intersection.h"
 #include "triangulate/checks.h"
 
-/// Wires, rods and needles: smooth surfaces that are far longer than they are wide. Nothing about them is narrow but
-/// the apex of a needle.
+/// Wires, rods and needles: smooth surfaces that are much longer than wide, with no small angle except at the apex of
+/// a needle.
 namespace mq::triangulate {
 namespace {
 
-Options with(Insertion insertion) {
-    Options options;
+TriangulateOptions with(Insertion insertion) {
+    TriangulateOptions options;
     options.insertion = insertion;
     return options;
 }
@@ -41,8 +41,8 @@ TEST(Slender, RingsNeedNoExemptions) {
     }
 }
 
-/// Three triangles are the least around an apex: each has a third of the angle that the unrolled cone has there. Only
-/// towards the apex may angles be missed. How far they fall below that third is no promise: 1.0 of 6 degrees at a
+/// At least three triangles are needed around an apex: each has a third of the total angle of the unrolled cone. Only
+/// towards the apex may angles be below the bound; how far below that third is not guaranteed: 1.0 of 6 degrees at a
 /// length of 20.
 TEST(Slender, NeedlesAreExemptAtTheirApexOnly) {
     for (const double length : {3.0, 5.0, 20.0}) {
@@ -60,8 +60,8 @@ TEST(Slender, NeedlesAreExemptAtTheirApexOnly) {
     }
 }
 
-/// All but a slit of a cone, stretched: from the ends of the side of the parameter domain that is its apex, triangles
-/// reached round the tip and through the slit.
+/// A cone with a narrow or wide slit along it, stretched: from the ends of the side of the parameter domain that is
+/// its apex, triangles extended around the tip and through the slit.
 TEST(Slender, TipsWithASlitDoNotReachRoundIt) {
     gp_GTrsf stretch;
     stretch.SetValue(1, 1, 0.37);

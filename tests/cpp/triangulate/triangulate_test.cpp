@@ -4,6 +4,8 @@
 #include <atomic>
 #include <chrono>
 #include <cstring>
+#include <map>
+#include <string>
 #include <thread>
 
 #include "base/error.h"
@@ -32,7 +34,7 @@ void expect_same(const Result& a, const Result& b) {
 TEST(Triangulate, GivesTheSameBytesOnEveryRunAndEngine) {
     for (const Part& part : geometry::all_parts()) {
         SCOPED_TRACE(part.name);
-        Options options;
+        TriangulateOptions options;
         options.chord_height_relative = 0.01;
         const Result first = mesh_of(part.model, options, Engine::Mode::Direct);
         expect_same(first, mesh_of(part.model, options, Engine::Mode::Direct));
@@ -58,13 +60,13 @@ TEST(Triangulate, ReportsWhatTheMeshIs) {
     }
 }
 
-/// Vertices lie where they are said to lie.
+/// Every vertex lies on its entity.
 TEST(Triangulate, VerticesLieOnTheirEntities) {
     for (const Part& part : geometry::shape_parts()) {
         SCOPED_TRACE(part.name);
         const Result result = mesh_of(part.model);
         const geometry::Topology& topology = part.model->topology();
-        const double slack = SingleGrid(topology.box).resolution() + 1e-6;
+        const double slack = SinglePrecisionGrid(topology.box).resolution() + 1e-6;
         for (std::size_t v = 0; v < result.mesh.vertices.size(); ++v) {
             const Vec3 p = result.mesh.vertices[v] + result.mesh.origin;
             const auto [dimension, index] = result.mesh.vertex_entity[v];
@@ -85,15 +87,18 @@ TEST(Triangulate, VerticesLieOnTheirEntities) {
 }
 
 TEST(Triangulate, StopsAtTheBudgetWithAConsistentMesh) {
+    std::map<std::string, std::size_t> coarsest;  // by part: triangles of a mesh that nothing was added to
     for (const std::size_t budget : {1u, 50u, 200u, 2000u}) {
         for (const Part& part : geometry::analytic_parts()) {
             SCOPED_TRACE(part.name + " " + std::to_string(budget));
-            Options options;
+            TriangulateOptions options;
             options.chord_height_relative = 1e-4;
             options.max_triangles = budget;
             const Result result = mesh_of(part.model, options);
             expect_sound(result, part.euler, part.closed);
             expect_angles(result, options.min_angle);
+            const std::size_t least = coarsest.emplace(part.name, result.mesh.triangles.size()).first->second;
+            EXPECT_LE(result.mesh.triangles.size(), std::max(budget, least));
             if (part.name == "analytic box" && budget >= 50) {
                 EXPECT_TRUE(result.report.complete);
                 continue;
@@ -101,21 +106,48 @@ TEST(Triangulate, StopsAtTheBudgetWithAConsistentMesh) {
             EXPECT_FALSE(result.report.complete);
             ASSERT_FALSE(result.report.notes.empty());
             EXPECT_NE(result.report.notes.back().find("max_triangles"), std::string::npos);
-            EXPECT_LT(result.mesh.triangles.size(), budget + 1000);
+            EXPECT_EQ(result.report.notes.back().rfind("the coarsest mesh", 0) == 0, least > budget);
         }
     }
 }
 
-// Fans of a hundred thousand triangles around the poles: nothing that comes after the limit may look at the whole fan
-// for each of its triangles (it did, and was not back after fifteen minutes).
+// All edges of a round are halved together: the limit holds within the round, too.
+TEST(Triangulate, NeverExceedsTheBudget) {
+    for (const std::size_t budget : {1000u, 3000u, 10001u}) {
+        for (const double max_edge : {1e-3, 1e-4}) {
+            SCOPED_TRACE(std::to_string(budget) + " " + std::to_string(max_edge));
+            TriangulateOptions options;
+            options.max_edge = max_edge;
+            options.max_triangles = budget;
+            const Result result = mesh_of(geometry::make_box(1.0, 1.0, 1.0), options);
+            expect_sound(result, 2, true);
+            EXPECT_FALSE(result.report.complete);
+            EXPECT_LE(result.mesh.triangles.size(), budget);
+            EXPECT_GT(result.mesh.triangles.size() + 10, budget);
+        }
+    }
+}
+
+// A mesh that needs all triangles that it may have is complete.
+TEST(Triangulate, IsCompleteWithAsManyTrianglesAsItMayHave) {
+    TriangulateOptions options;
+    options.max_triangles = 12;
+    const Result result = mesh_of(geometry::make_box(1.0, 1.0, 1.0), options);
+    EXPECT_TRUE(result.report.complete);
+    EXPECT_EQ(result.mesh.triangles.size(), 12u);
+}
+
+// Fans of a hundred thousand triangles around the poles: no step after the limit may visit the whole fan for each of
+// its triangles, which once took more than fifteen minutes.
 TEST(Triangulate, EndsAtTheBudgetWithLongFans) {
-    Options options;
+    TriangulateOptions options;
     options.edges_per_circle = 1e5;
     options.max_triangles = 100000;
     const Result result = mesh_of(geometry::make_sphere(1.0), options);
     EXPECT_FALSE(result.report.complete);
-    EXPECT_LT(result.report.self_intersections, 0);  // not searched for
-    EXPECT_GT(result.report.exempt.size(), 100000u);
+    EXPECT_LT(result.report.self_intersections, 0);  // no search took place
+    EXPECT_LE(result.mesh.triangles.size(), options.max_triangles);
+    EXPECT_GT(result.report.exempt.size(), 90000u);
     EXPECT_GE(result.report.min_angle_unexempted, options.min_angle);
     for (const auto& [triangle, why] : result.report.exempt) {
         ASSERT_EQ(why.rfind("the triangle limit max_triangles was reached", 0), 0u) << triangle << ": " << why;
@@ -124,7 +156,7 @@ TEST(Triangulate, EndsAtTheBudgetWithLongFans) {
 
 TEST(Triangulate, IsCancelledFromAnotherThread) {
     const auto model = geometry::make_torus(5.0, 1.5);
-    Options options;
+    TriangulateOptions options;
     options.chord_height = 1e-5;
     for (const Engine::Mode mode : {Engine::Mode::Threaded, Engine::Mode::Direct}) {
         Engine engine(mode);
@@ -187,7 +219,7 @@ TEST(Triangulate, WorksAtEverySize) {
                                       {"box", geometry::make_box(1.0 * scale, 2.0 * scale, 3.0 * scale), 2, true}};
         for (const Part& part : parts) {
             SCOPED_TRACE(part.name);
-            Options options;
+            TriangulateOptions options;
             options.chord_height_relative = 0.005;
             const Result result = mesh_of(part.model, options);
             expect_sound(result, part.euler, true);
@@ -198,7 +230,7 @@ TEST(Triangulate, WorksAtEverySize) {
     }
 }
 
-/// OpenCASCADE's own tolerance is 1e-7 mm: such parts are as small as a shape can be, or as large.
+/// OpenCASCADE's own tolerance is 1e-7 mm: such shapes are as small, or as large, as possible.
 TEST(Triangulate, WorksOnTinyAndHugeShapes) {
     for (const double scale : {1e-3, 1e5}) {
         SCOPED_TRACE(scale);
@@ -211,13 +243,13 @@ TEST(Triangulate, WorksOnTinyAndHugeShapes) {
     }
 }
 
-/// Several threads may mesh at once on one engine.
-/// Two CAD edges of the part end at the same nodes, and both chords are near enough to their curves at first.
+/// Several threads may mesh at once on one engine. Two CAD edges of the shape end at the same nodes, and both chords
+/// are within the tolerance of their curves at first.
 TEST(Triangulate, EdgesBetweenTheSameNodesStayTwoEdges) {
     const auto model = geometry::make_shape_model(geometry::stored("doubled_edge"));
     for (const double bound : {0.0, 0.02, 0.004464248404181683}) {
         SCOPED_TRACE(bound);
-        Options options;
+        TriangulateOptions options;
         options.min_angle = 20.265115815158513;
         options.chord_height_relative = bound;
         const Result result = mesh_of(model, options);

@@ -17,8 +17,8 @@
 namespace mq::triangulate {
 
 /// A square of side 10 with the given heights over its 4 x 4 poles, in two parameterisations: with weights c^i d^j
-/// instead of 1 the points stay where they are, but the parameters run c and d times as fast at one end as in the
-/// middle, and c^2 and d^2 times as fast as at the other (u = t / (t + c (1 - t)), Farin 1997, section 13.6).
+/// instead of 1 the points do not change, but the parameters are c and d times as fast at one end as in the middle,
+/// and c^2 and d^2 times as fast as at the other (u = t / (t + c (1 - t)), Farin 1997, section 13.6).
 inline std::shared_ptr<geometry::Model> bezier_face(const std::function<double(int, int)>& height, double c, double d) {
     TColgp_Array2OfPnt poles(1, 4, 1, 4);
     TColStd_Array2OfReal weights(1, 4, 1, 4);
@@ -37,7 +37,7 @@ inline std::shared_ptr<geometry::Model> warped_face(double c, double d) {
     return bezier_face([](int i, int j) { return (i == 1 || i == 2) != (j == 1 || j == 2) ? 4.0 : 0.0; }, c, d);
 }
 
-/// Flat but for a ridge near one side.
+/// A surface that is flat except for a ridge near one side.
 inline std::shared_ptr<geometry::Model> peaked_face() {
     TColgp_Array2OfPnt poles(1, 7, 1, 3);
     const double x[7] = {0.0, 4.0, 4.9, 5.0, 5.1, 6.0, 10.0};
@@ -51,9 +51,10 @@ inline std::shared_ptr<geometry::Model> peaked_face() {
     return geometry::make_shape_model(BRepBuilderAPI_MakeFace(surface, 1e-7).Face());
 }
 
-/// A square of side 10 with `waves` / pi half waves along x, and seven tenths as many along y, which run askew.
+/// A square of side 10 with `waves` / pi half waves along x, and seven tenths of that number along y, in an oblique
+/// direction.
 inline std::shared_ptr<geometry::Model> wavy_face(double waves, double height) {
-    constexpr int kPoints = 21;
+    constexpr int kPoints = 21;  // Points along each parameter.
     TColgp_Array2OfPnt points(1, kPoints, 1, kPoints);
     for (int i = 0; i < kPoints; ++i) {
         for (int j = 0; j < kPoints; ++j) {
@@ -68,9 +69,9 @@ inline std::shared_ptr<geometry::Model> wavy_face(double waves, double height) {
     return geometry::make_shape_model(BRepBuilderAPI_MakeFace(surface.Surface(), 1e-7).Face());
 }
 
-/// A steep flank of a thread: five turns that lie close above each other and face the same way.
+/// A steep flank of a thread: five turns close above each other with the same orientation.
 inline std::shared_ptr<geometry::Model> thread_face() {
-    constexpr int kAround = 101;
+    constexpr int kAround = 101;  // Points along the thread, twenty for each turn and one at its end.
     TColgp_Array2OfPnt points(1, kAround, 1, 2);
     for (int i = 0; i < kAround; ++i) {
         const double angle = 10.0 * M_PI * i / (kAround - 1);

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Checks of arguments: what can be seen of a job without starting FreeCAD. Each raises Error."""
+
+import os
+
+from .. import files, options
+from ..errors import Error
+from .parser import CAD_SUFFIXES, FEM_SUFFIXES, FLAT_SUFFIXES, INPUTS, OUTPUTS, TABLES
+
+STANDARD = "-"
+
+
+def job_of(arguments):
+    """What FreeCAD is to do; raises Error for what can be seen without starting it.
+
+    A dict of the arguments: files by absolute path, of standard input and output by "-" yet;
+    "options" has those of the operation, checked.
+    """
+    job = vars(arguments).copy()
+    command = job["command"]
+    for name in ("input", "shape", "output"):
+        if job.get(name):
+            job[name] = _absolute(job[name])
+    job["inputs"] = [_absolute(path) for path in job.get("inputs") or [job["input"]]]
+    for path in job["inputs"]:
+        require_input(path, INPUTS[command], job["input_format"])
+    require_input(job.get("shape"), CAD_SUFFIXES, job["input_format"])
+    if (job["inputs"] + [job.get("shape")]).count(STANDARD) > 1:
+        raise Error("standard input, -, can be read once only: name a file for the others")
+    if len(job["inputs"]) == 1 and command == "boolean":
+        raise Error("a Boolean needs two inputs or more")
+    job["options"] = take_options(job, TABLES[command])
+    job["suffix"] = suffix_of_output(job)
+    for flag, value in (("--time-limit", job["time_limit"]), ("--memory-limit", job["memory_limit"])):
+        if value is not None and not 0 < value < float("inf"):
+            raise Error(f"{flag} {value:g} is not allowed: it must be greater than 0")
+    if job.get("output") == STANDARD and job["json"]:
+        raise Error("--json and the mesh cannot both go to standard output: name a file with -o")
+    return job
+
+
+def _absolute(path):
+    return path if path == STANDARD else os.path.abspath(path)
+
+
+def take_options(job, table):
+    """The options of a table, checked, as a dict; they are taken out of the job."""
+    return options.check(table, {option.name: job.pop(option.name) for option in table})
+
+
+def require_input(path, suffixes, input_format=None):
+    """Raises Error where a file is not there or has no extension that says what it is."""
+    if path == STANDARD:
+        if input_format is None:
+            raise Error("--input-format must say what standard input is: one of "
+                        + " ".join(suffix[1:] for suffix in suffixes))
+        require_format("--input-format", input_format, suffixes)
+    elif path:
+        _require_file(path)
+        _require_suffix(path, suffixes)
+
+
+def _require_file(path):
+    try:
+        kind = files.kind_of(os.stat(path).st_mode)
+    except (OSError, ValueError):
+        raise Error(f"there is no file '{path}'") from None
+    if kind:
+        raise Error(f"'{path}' is {kind}, not a file")
+
+
+def require_format(flag, name, suffixes):
+    """The extension of a format; raises Error for one that is not known here."""
+    if "." + name.lower() not in suffixes:
+        raise Error(f"{flag} {name} is not known here: it must be one of "
+                    + " ".join(suffix[1:] for suffix in suffixes))
+    return "." + name.lower()
+
+
+def _require_suffix(path, suffixes):
+    suffix = os.path.splitext(path)[1].lower()
+    if suffix not in suffixes:
+        raise Error(f"'{path}' has no known extension: it must be one of {' '.join(suffixes)}")
+    return suffix
+
+
+def suffix_of_output(job):
+    """The extension that says how the mesh is written, None without output; raises Error."""
+    path, name, known = job.get("output"), job.get("format"), OUTPUTS[job["command"]]
+    if not path:
+        if name:
+            raise Error(f"--format {name} needs a file to write to: give one with -o")
+        if job.get("deviation"):
+            raise Error("--deviation is for flat triangles in a file: give one with -o")
+        return None
+    if name:
+        suffix = require_format("--format", name, known)
+    elif path == STANDARD:
+        raise Error("--format must say how the mesh goes to standard output: one of "
+                    + " ".join(suffix[1:] for suffix in known))
+    else:
+        suffix = _require_suffix(path, known)
+    if path != STANDARD and os.path.isdir(path):
+        raise Error(f"'{path}' is a folder: give the name of a file with -o")
+    if path != STANDARD and not os.path.isdir(os.path.dirname(path)):
+        raise Error(f"there is no folder '{os.path.dirname(path)}' to write to")
+    if job["command"] == "curve":
+        require_curved_output(job, suffix)
+    return suffix
+
+
+def require_curved_output(job, suffix):
+    """Raises Error where a curved mesh cannot be written so."""
+    order = job["options"]["order"]
+    if suffix in FEM_SUFFIXES and order > 2:
+        raise Error(f"{suffix} files hold elements of order 1 and 2, not {order}: use .msh or .vtu")
+    if job.get("deviation") is not None:
+        job["deviation"] = options.check(options.CURVED_DISPLAY,
+                                         {"deviation": job["deviation"]})["deviation"]
+        if suffix not in FLAT_SUFFIXES:
+            raise Error(f"--deviation is for flat triangles, not for {suffix} files")

@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The arguments of bin/meshquality. Its help and its manual page are made from this parser.
+
+Imports nothing of FreeCAD.
+"""
+
+import argparse
+
+from .. import options
+from ..version import __version__
+
+CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
+MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
+FLAT_SUFFIXES = (".stl", ".ply", ".obj", ".off")
+CURVED_SUFFIXES = (".msh", ".vtu")
+FEM_SUFFIXES = (".inp", ".unv")
+
+INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
+          "quality": MESH_SUFFIXES, "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
+OUTPUTS = {"triangulate": FLAT_SUFFIXES + CURVED_SUFFIXES,
+           "curve": CURVED_SUFFIXES + FLAT_SUFFIXES + FEM_SUFFIXES,
+           "improve": FLAT_SUFFIXES + CURVED_SUFFIXES, "boolean": FLAT_SUFFIXES + CURVED_SUFFIXES,
+           "quality": ()}
+TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
+          "improve": options.IMPROVE, "boolean": options.BOOLEAN, "quality": ()}
+_FLAT_HEADING = {"Display": "Flat triangles"}
+BATCHED = ("triangulate", "curve", "improve", "quality")
+
+STATUS = ("Exit status: 0 done, 1 failed, 2 bad usage or input, 3 with --strict: done, but a requested limit is not "
+          "met.\nThe last line on stderr says why.")
+
+EXAMPLES = {
+    None: """
+examples:
+  meshquality triangulate part.step -o part.ply --chord-height-relative 0.001
+  meshquality curve part.step --order 2 --volume -o part.msh
+  meshquality boolean a.stl b.stl --operation difference -o c.stl
+  meshquality batch parts/ -o out/ --jobs 8
+""",
+    "triangulate": """
+examples:
+  meshquality triangulate part.step -o part.ply              max. deviation 0.003 of the size
+  meshquality triangulate part.FCStd --object Body -o part.stl --chord-height 0.05
+  meshquality triangulate part.step --local-sizes "Face3=0.5, Edge7=0.2" --json
+  cat part.brep | meshquality triangulate - --input-format brep -o - --format ply > part.ply
+""",
+    "curve": """
+examples:
+  meshquality curve part.step --order 3 -o part.vtu
+  meshquality curve part.step --volume -o part.inp           quadratic tetrahedra for CalculiX
+  meshquality curve part.step -o part.stl --deviation 0.01   flat triangles
+""",
+    "boolean": """
+examples:
+  meshquality boolean block.step scan.stl --operation difference -o left.ply --tolerance 0.01
+  meshquality boolean a.stl b.stl c.stl -o all.stl
+""",
+    "improve": """
+examples:
+  meshquality improve scan.stl -o better.ply --min-angle 30
+""",
+    "quality": """
+examples:
+  meshquality quality part.stl
+  meshquality quality part.stl --shape part.step --json
+""",
+    "batch": """
+examples:
+  meshquality batch parts/ -o out/ --chord-height-relative 0.002
+  meshquality batch parts/ -o out/ --command curve --volume --order 2 --format msh
+  meshquality batch parts/ -o out/ --scheduler tcp://head:8786
+""",
+}
+
+
+class Formatter(argparse.RawDescriptionHelpFormatter):
+    """Help with room for the names of options; descriptions and examples are left as they are."""
+
+    def __init__(self, prog):
+        super().__init__(prog, max_help_position=26)
+        self._action_max_length = 22  # at least; alone it forgets that commands are indented
+
+
+def parser(batched="triangulate"):
+    """The argument parser; `batched` is what `batch` does to each part: its options are taken."""
+    top = argparse.ArgumentParser(
+        prog="meshquality", formatter_class=Formatter,
+        description="Quality meshes of CAD shapes, and operations on meshes. Lengths are in mm, angles in "
+                    "degrees.",
+        epilog=EXAMPLES[None].lstrip("\n") + "\nmeshquality COMMAND --help lists the options of a "
+               "command.\n" + STATUS)
+    top.add_argument("--version", action="version", version=f"meshquality {__version__}")
+    commands = top.add_subparsers(title="commands", dest="command", required=True,
+                                  metavar="COMMAND")
+    _add_single(commands, "triangulate", "mesh a CAD shape",
+                "Triangulates a CAD shape with a guaranteed smallest angle and deviation.")
+    _add_single(commands, "curve", "mesh a CAD shape with curved elements",
+                "Meshes a CAD shape with curved triangles or tetrahedra, each proven valid.\n"
+                "By the extension of the output, .msh and .vtu hold the curved elements, .inp and\n"
+                ".unv those of order 1 and 2 for FEM programs, the others flat triangles.")
+    _add_single(commands, "boolean", "unite, intersect or subtract closed meshes and shapes",
+                "Boolean of two or more meshes or CAD shapes, applied in their order. The result\n"
+                "is closed and free of self-intersections.")
+    _add_single(commands, "improve", "improve the triangles of a mesh",
+                "Improves the triangles of a mesh on its own surface; sharp edges stay.")
+    one = _add_single(commands, "quality", "measure the quality of a mesh",
+                      "Measures a mesh: topology, angles, and its distance to a shape if given.")
+    one.add_argument("--shape", metavar="CAD", help="CAD file to measure the distance to")
+    _add_batch(commands, batched)
+    return top
+
+
+def _new(commands, name, title, description, arguments):
+    """A parser of a command. No abbreviations: what a script says must mean the same in all later versions."""
+    return commands.add_parser(name, help=title, description=description, allow_abbrev=False,
+                               usage=f"meshquality {name} {arguments} [options]",
+                               epilog=EXAMPLES[name].lstrip("\n") + "\n" + STATUS,
+                               formatter_class=Formatter)
+
+
+def _add_single(commands, name, title, description):
+    inputs = "INPUT INPUT ..." if name == "boolean" else "INPUT"
+    output = " [-o FILE]" if OUTPUTS[name] else ""
+    one = _new(commands, name, title, description, inputs + output)
+    kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file"}.get(INPUTS[name],
+                                                                      "mesh or CAD file")
+    text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
+    if name == "boolean":
+        one.add_argument("inputs", nargs="+", metavar="INPUT", help=text)
+    else:
+        one.add_argument("input", metavar="INPUT", help=text)
+    one.add_argument("--input-format", metavar="NAME",
+                     help="format of standard input: " + _names(INPUTS[name]))
+    if OUTPUTS[name]:
+        one.add_argument("-o", "--output", metavar="FILE",
+                         help=f"mesh file: {' '.join(OUTPUTS[name])}; -: standard output")
+        one.add_argument("--format", metavar="NAME",
+                         help="format of the mesh, whatever the extension: " + _names(OUTPUTS[name]))
+    _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
+    if name != "improve":
+        one.add_argument("--object", metavar="NAME",
+                         help="name or label of the object to take from an FCStd file; default: all "
+                              "final ones")
+    one.add_argument("--json", action="store_true",
+                     help="print the report as one JSON object on stdout")
+    running = one.add_argument_group("limits")
+    running.add_argument("--time-limit", type=float, metavar="SECONDS",
+                         help="end with status 1 after this time, reading and checks included (default: none)")
+    running.add_argument("--memory-limit", type=float, metavar="GIB",
+                         help="end with status 1 beyond this memory; on Linux (default: none)")
+    _add_options(one, TABLES[name])
+    if name == "curve":
+        _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)
+    return one
+
+
+def _add_strict(one, start):
+    one.add_argument("--strict", action="store_true",
+                     help=f"exit with status 3 where {start} does not meet a requested limit or has faults; see "
+                          "the verdict in --json")
+
+
+def _names(suffixes):
+    return ", ".join(suffix[1:] for suffix in suffixes)
+
+
+def _add_batch(commands, batched):
+    one = _new(
+        commands, "batch", "process every file below a folder",
+        "Meshes every file below a folder, on several cores or machines. A part that crashes, hangs\n"
+        "or takes too much memory costs that part only. A second run does what is missing.\n"
+        "The options of --command are taken, too: see triangulate, curve, improve and quality.", "DIR -o OUT")
+    one.add_argument("folder", metavar="DIR", help="folder with CAD files (meshes for improve and "
+                     "quality); subfolders are searched, too")
+    one.add_argument("-o", "--output", metavar="OUT", required=True,
+                     help="folder for meshes/, parts.jsonl (one line per part), parts.csv and report.html")
+    one.add_argument("--command", dest="batched", choices=BATCHED, metavar="NAME",
+                     default="triangulate",
+                     help=f"command for each part: {', '.join(BATCHED)} (default: triangulate)")
+    one.add_argument("--format", metavar="NAME", help="format of the meshes (default: ply; "
+                     "curve: msh)")
+    one.add_argument("--only", action="append", metavar="PATTERN",
+                     help="only files whose path below DIR matches, such as 'gears/*.step'; can be "
+                          "repeated")
+    running = one.add_argument_group("execution")
+    running.add_argument("--jobs", type=int, metavar="N",
+                         help="parts processed at the same time on this machine (default: number of "
+                              "cores)")
+    running.add_argument("--scheduler", metavar="ADDRESS",
+                         help="use the Dask cluster with this scheduler, such as tcp://host:8786; its "
+                              "workers must see DIR, OUT and this program under the same paths")
+    running.add_argument("--time-limit", type=float, default=600.0, metavar="SECONDS",
+                         help="time limit for each part (default: 600)")
+    running.add_argument("--memory-limit", type=float, default=4.0, metavar="GIB",
+                         help="memory limit for each part (default: 4)")
+    running.add_argument("--dashboard", action="store_true",
+                         help="show Dask's dashboard at http://127.0.0.1:8787 while it runs, to all users of this "
+                              "machine")
+    running.add_argument("--retry", action="store_true",
+                         help="repeat the parts that failed in earlier runs")
+    running.add_argument("--check-content", action="store_true",
+                         help="compare files by content; default: by size and time of change")
+    one.add_argument("--json", action="store_true",
+                     help="print a summary as one JSON object on stdout")
+    _add_strict(one, "all parts are done, but a mesh")
+    _add_options(one, TABLES[batched])
+    if batched == "curve":
+        _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)
+
+
+def _add_options(one, table, headings=None):
+    groups = {}
+    for option in table:
+        title = (headings or {}).get(option.group, option.group)
+        group = groups.get(title) or one.add_argument_group(title[0].lower() + title[1:])
+        groups[title] = group
+        if option.kind is bool:
+            # --no-... exists for what is on unless it is switched off.
+            action = argparse.BooleanOptionalAction if option.default else "store_true"
+            group.add_argument(option.flag, action=action, default=option.default,
+                               help=option.help)
+            _add_alias(group, option, action=action)
+            continue
+        if option.is_distance:
+            groups[options.DISTANCE] = groups.get(options.DISTANCE) \
+                or group.add_mutually_exclusive_group()
+            group = groups[options.DISTANCE]
+        default = f"; default: {option.unset if option.default is None else option.default}" \
+            if not option.is_sizes and option.name != options.DISTANCE[0] else ""
+        text = f"{option.help} ({option.range_text}{default})"
+        # The default of the bound on the distance depends on both of its options: options.check has it.
+        group.add_argument(option.flag, type=_type(option), metavar=_metavar(option),
+                           default=None if option.is_distance else option.default,
+                           help=text.replace("%", "%%"))
+        _add_alias(group, option, type=_type(option))
+
+
+def _add_alias(group, option, **how):
+    """The flag of older versions, which help does not show."""
+    if option.alias:
+        group.add_argument(option.alias_flag, dest=option.name, default=argparse.SUPPRESS,
+                           help=argparse.SUPPRESS, **how)
+
+
+def _type(option):
+    if option.can_be_unbounded:
+        return _length_or_none
+    return str if option.is_sizes else option.kind
+
+
+def _length_or_none(text):
+    if text == options.NO_BOUND:
+        return options.NO_BOUND
+    try:
+        return float(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(f"'{text}' is neither a length in mm nor "
+                                         f"{options.NO_BOUND}") from error
+
+
+def _metavar(option):
+    if option.can_be_unbounded:
+        return "MM|none"
+    if option.unit:
+        return option.unit.upper()
+    if option.is_sizes:
+        return "SIZES"
+    return "NAME" if option.choices else {int: "N", float: "NUMBER"}[option.kind]
+
+
+def parse(arguments=None):
+    """The arguments as a namespace; ends the program for --help, --version and bad usage."""
+    return parser(_batched_of(arguments)).parse_args(arguments)
+
+
+def _batched_of(arguments):
+    """What `--command` says, where it is good: it decides which options there are."""
+    peek = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
+    peek.add_argument("--command", nargs="?")
+    chosen = peek.parse_known_args(arguments)[0].command
+    return chosen if chosen in BATCHED else "triangulate"

@@ -1,0 +1,376 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line inside FreeCAD: does the job of the file named by MESHQUALITY_JOB."""
+
+import json
+import math
+import os
+import sys
+import time
+import traceback
+
+import FreeCAD
+
+import MeshQuality as mq
+from MeshQuality import files, limits
+from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
+from MeshQuality.cli.parser import CURVED_SUFFIXES, FEM_SUFFIXES, MESH_SUFFIXES
+from MeshQuality.compat import extension
+from MeshQuality.core import convert, hidden_parts, verdict
+
+_STAGE = 39  # characters, in a line of 80
+_GRACE = 30  # seconds beyond the limit, after which it ends without its owner
+
+# What is said without findings; only `quality` has no options that request anything.
+_left_out = []  # sentences about what is hidden in the containers that the present job has read
+_NO_FINDING = ("all requested limits are met", "no limits were requested, and no faults were found")
+
+REPORT_FIELDS = (
+    "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
+    "nonmanifold_edges", "misoriented_edges", "pinched_vertices", "degenerate_triangles",
+    "duplicate_triangles", "self_intersections", "overlaps", "components", "euler", "min_angle", "max_angle",
+    "mean_min_angle", "max_aspect", "angle_histogram", "area", "volume", "min_angle_asked",
+    "min_angle_unexempted", "max_chord_height", "max_chord_height_to", "chord_height_asked", "exempt",
+    "exempt_causes", "fallback", "missing_faces", "crossing_faces", "notes", "complete", "seconds",
+    "cpu_seconds", "queries", "predicates",
+    "exact_predicates",
+)
+
+BOOLEAN_REPORT_FIELDS = (
+    "error_bound", "tolerance_asked", "retained", "reconstructed", "repaired", "faults_left", "crossing_pairs",
+    "curve_edges", "parted_contacts", "separated_vertices", "fitted_vertices", "unfitted_vertices",
+)
+CURVE_REPORT_FIELDS = (
+    "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
+    "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
+    "chord_height_asked", "volume", "cad_volume", "volume_error", "self_intersections", "overlaps", "crossing_faces",
+    "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
+)
+
+
+def report_fields(report):
+    """A report as plain values for JSON; numbers that JSON has no word for become null."""
+    if isinstance(report, mq.CurveReport):
+        return {**_plain({name: getattr(report, name) for name in CURVE_REPORT_FIELDS}),
+                "straight": report_fields(report.straight)}
+    names = REPORT_FIELDS
+    if isinstance(report, mq.BooleanReport):
+        names += BOOLEAN_REPORT_FIELDS
+    fields = {name: getattr(report, name) for name in names}
+    fields["box"] = None if report.box is None else [corner.tolist() for corner in report.box]
+    return _plain(fields)
+
+
+def _plain(fields):
+    return {name: None if isinstance(value, float) and not math.isfinite(value) else value
+            for name, value in fields.items()}
+
+
+def read_shape(path, name=None):
+    """The shape of a CAD file; of an FCStd file that of one object, or of all final ones."""
+    return read_shape_and_objects(path, name)[0]
+
+
+def read_shape_and_objects(path, name=None):
+    """The same, and the objects of an FCStd file that make it up; none of other files."""
+    if not path.lower().endswith(".fcstd"):
+        return _read_file(path, name), []
+    objects = _read_objects(path, name)
+    return _shape_of_objects(objects), objects
+
+
+def _shape_of_objects(objects):
+    import Part
+
+    shapes = [convert.shape_of(obj) for obj in objects]
+    return shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
+
+
+def read_operand(path, name=None):
+    """What a Boolean takes of a file: a mesh, a shape, or the object of an FCStd file, with the meshes in it."""
+    if path.lower().endswith(MESH_SUFFIXES):
+        return read_mesh(path)
+    if not path.lower().endswith(".fcstd"):
+        return _read_file(path, name)
+    objects = _read_objects(path, name, with_meshes=True)
+    holding = [obj for obj in objects if convert.meshes_in(obj)]
+    if len(objects) > 1 and holding:
+        raise mq.InvalidInput(f"'{path}' has {len(objects)} objects with shapes, and {convert.label_of(holding[0])} holds "
+                              "meshes, too: choose one object by --object")
+    return objects[0] if len(objects) == 1 else _shape_of_objects(objects)
+
+
+def _read_file(path, name):
+    import Part
+
+    if name:
+        raise mq.InvalidInput(f"--object is for FCStd files, not for '{path}'")
+    try:
+        shape = Part.read(path)
+    except Exception as error:  # noqa: BLE001 - FreeCAD raises many types, some of them its own
+        raise mq.InvalidInput(f"cannot read '{path}': {error}") from error
+    if shape.isNull():
+        raise mq.InvalidInput(f"cannot read '{path}': it holds no shape")
+    return shape
+
+
+def _read_objects(path, name, with_meshes=False):
+    """The object of this name or label in an FCStd file, or all final ones; `_left_out` tells of what is hidden in them,
+    meshes too where these count.
+    """
+    found = _objects_in(path, name)
+    for obj in found:
+        _left_out.extend(hidden_parts.sentences_of(obj, with_meshes))
+    return found
+
+
+def _objects_in(path, name):
+    try:
+        document = FreeCAD.openDocument(path)
+    except Exception as error:  # noqa: BLE001
+        raise mq.InvalidInput(f"cannot read '{path}': {error}") from error
+    if name:
+        found = [o for o in document.Objects if name in (o.Name, o.Label)][:1]
+        if not found:
+            raise mq.InvalidInput(f"'{path}' has no object named '{name}'")
+        return found
+    found = final_objects(document)
+    if not found:
+        raise mq.InvalidInput(f"'{path}' has no object with faces")
+    return found
+
+
+def final_objects(document):
+    """Those objects with faces that no other object with faces is made of or holds.
+
+    Meshes, drawings and analyses may refer to them all the same.
+    """
+    import Part
+
+    shaped = []
+    for obj in document.Objects:
+        shape = Part.getShape(obj)
+        if not shape.isNull() and shape.Faces and not obj.isDerivedFrom("App::OriginFeature"):
+            shaped.append(obj)
+    return [obj for obj in shaped if not any(user in shaped for user in obj.InListRecursive)]
+
+
+def sizes_in(shape, objects, path, sizes):
+    """Local sizes by the sub-elements of the shape that objects of a file make up.
+
+    A name may begin with that of one of the objects, as if the file was a container, and goes on with the path
+    from there as in Python: "Box.Face6", "Part.Box.Face6". With one object it may begin below that, too.
+    """
+    found = {}
+    for name, size in (sizes or {}).items():
+        plain = _name_in_file(shape, objects, path, name) if "." in name else name
+        found[plain] = min(size, found.get(plain, size))
+    return found or None
+
+
+def _name_in_file(shape, objects, path, name):
+    if not objects:
+        element = name.rpartition(".")[2]
+        raise mq.InvalidInput(f"local_sizes names {name}, but '{path}' has no objects with names, as FCStd files have: "
+                              f"name the sub-element of the whole shape, such as {element}")
+    first, rest = name.split(".", 1)
+    owners = [obj for obj in objects if obj.Name == first] or [obj for obj in objects if obj.Label == first]
+    if owners:
+        plain = next(iter(convert.resolve_sizes(owners[0], {rest: 1.0})))
+        return convert.name_in(shape, _element(owners[0], plain, name))
+    if len(objects) == 1:
+        return next(iter(convert.resolve_sizes(objects[0], {name: 1.0})))
+    raise mq.InvalidInput(f"local_sizes names {name}, but '{path}' has no '{first}' among the objects that are meshed: "
+                          f"begin with one of {', '.join(obj.Name for obj in objects)}")
+
+
+def _element(obj, plain, name):
+    shape = convert.shape_of(obj)
+    try:
+        return shape.getElement(plain)
+    except Exception as error:  # noqa: BLE001 - FreeCAD raises many types, some of them its own
+        raise mq.InvalidInput(f"local_sizes names {name}, but {convert.label_of(obj)} has no {plain}") from error
+
+
+def read_mesh(path):
+    """The Mesh.Mesh of a mesh file."""
+    import Mesh
+
+    try:
+        mesh = Mesh.Mesh(path)
+    except Exception as error:  # noqa: BLE001
+        raise mq.InvalidInput(f"cannot read '{path}': {error}") from error
+    if mesh.CountFacets == 0:
+        raise mq.InvalidInput(f"cannot read '{path}': it holds no triangles")
+    return mesh
+
+
+def _is_shown():
+    """Whether stderr, which the caller hands on, ends at a terminal."""
+    return os.environ.get("MESHQUALITY_TERMINAL") == "1"
+
+
+def progress_line():
+    """A progress callback: a line for people at a terminal, and the end when the caller is gone."""
+    visible, parent = _is_shown(), os.getppid()
+    last = [0.0]
+
+    def show(fraction, stage):
+        if os.getppid() != parent:
+            return False
+        now = time.monotonic()
+        if visible and now - last[0] > 0.2:
+            last[0] = now
+            done = int(30 * fraction)
+            print(f"\r[{'#' * done:<30}] {100 * fraction:3.0f} %  {stage:<{_STAGE}.{_STAGE}}", end="",
+                  file=sys.stderr, flush=True)
+        return True
+
+    return show
+
+
+def end_progress_line():
+    """Takes the progress line away."""
+    if _is_shown():
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+
+def written(job, write):
+    """Has `write` write the mesh to a path, if asked for; says where, for the sentence to end with.
+
+    A file that is there is replaced once the mesh is written in whole.
+    """
+    path = job.get("output")
+    if not path:
+        return ""
+    path = os.path.realpath(path)
+    ready = job["ready"]
+    if (os.path.exists(path) and not os.path.isfile(path)) or not files.freecad_takes(ready):
+        # Not beside a pipe or a device; nor where FreeCAD cannot write.
+        ready = os.path.join(job["scratch"], "mesh" + job["suffix"])
+    try:
+        write(ready)
+        files.put_in_place(ready, path)
+    except (mq.IoError, OSError) as error:
+        # Asked while what was written still takes the room.
+        if (isinstance(error, OSError) and files.is_full(error)) or files.disk_is_full(ready):
+            raise files.DiskFull(f"'{path}' cannot be written: the disk is full") from error
+        raise mq.IoError(str(error).replace(ready, path)) from error
+    finally:
+        files.remove_if_there(ready)
+    return f" in {path}"
+
+
+def write_curved(mesh, path, deviation):
+    """Writes a CurvedMesh: its elements, or flat triangles, by extension."""
+    suffix = os.path.splitext(path)[1].lower()
+    if suffix in CURVED_SUFFIXES:
+        mesh.write(path)
+    elif suffix in FEM_SUFFIXES:
+        mesh.to_fem_mesh().write(path)
+    else:
+        mesh.tessellate(deviation).surface().write(path)
+
+
+def _count(number, noun):
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def triangulate(job):
+    """Returns the report, what the command did, and the findings."""
+    shape, objects = read_shape_and_objects(job["input"], job.get("object"))
+    values = {**job["options"],
+              "local_sizes": sizes_in(shape, objects, job["input"], job["options"].get("local_sizes"))}
+    mesh = mq.triangulate(shape, **values, progress=progress_line())
+    report, where = mesh.report, written(job, mesh.write)
+    return report, _count(report.triangles, "triangle") + where, \
+        verdict.of_triangulation(mesh, verdict.must_be_closed(shape), values, shape)
+
+
+def curve(job):
+    """Likewise."""
+    shape = read_shape(job["input"], job.get("object"))
+    mesh = mq.curve(shape, **job["options"], progress=progress_line())
+    report = mesh.report
+    where = written(job, lambda path: write_curved(mesh, path, job.get("deviation")))
+    return report, f"{_count(report.elements, 'element')} of order {mesh.order}{where}", \
+        verdict.of_curved(mesh, verdict.must_be_closed(shape), job["options"], shape=shape)
+
+
+def boolean(job):
+    """Likewise."""
+    sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
+    mesh = mq.boolean(sources, **job["options"], progress=progress_line())
+    report, where = mesh.report, written(job, mesh.write)
+    return report, f"{_count(report.triangles, 'triangle')}{where}, {report.retained} of them unchanged from the " \
+                   "operands", verdict.of_boolean(mesh)
+
+
+def improve(job):
+    """Likewise; the mesh is to be as closed as that before it."""
+    given = mesh_of(read_mesh(job["input"]))
+    mesh = mq.improve(given, **job["options"], progress=progress_line())
+    report, where = mesh.report, written(job, mesh.write)
+    return report, _count(report.triangles, "triangle") + where, \
+        verdict.of_improvement(mesh, given.report.closed)
+
+
+def mesh_of(mesh):
+    """The SurfaceMesh of a Mesh.Mesh."""
+    return mq.SurfaceMesh(convert.surface_of_arrays(extension(), *convert.arrays_of_mesh(mesh)))
+
+
+def quality(job):
+    """Likewise; a mesh is to be watertight unless the shape is not."""
+    mesh = mesh_of(read_mesh(job["input"]))
+    shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
+    report = mq.quality(mesh, shape, progress_line())
+    return report, f"measured {_count(report.triangles, 'triangle')} of {job['input']}", \
+        verdict.of_measured(mesh, report, shape is None or verdict.must_be_closed(shape))
+
+
+def run(job):
+    """The job's result as plain data; never raises."""
+    _left_out.clear()
+    try:
+        report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
+                                  "quality": quality}[job["command"]](job)
+    except mq.InvalidInput as error:
+        return {"status": USAGE, "text": str(error)}
+    except files.DiskFull as error:
+        return {"status": FAILED, "text": str(error), "limit": "disk"}
+    except MemoryError as error:
+        return {"status": FAILED, "text": f"there is not enough memory: {error or 'MemoryError'}", "limit": "memory"}
+    except mq.Error as error:
+        return {"status": FAILED, "text": str(error)}
+    except (ImportError, OSError) as error:  # the system's limits and disks; no traceback says more of these
+        return {"status": FAILED, "text": str(error)}
+    except Exception as error:  # noqa: BLE001 - whatever it is, the caller must hear of it
+        traceback.print_exc()
+        return {"status": FAILED, "text": f"{type(error).__name__}: {error}"}
+    finally:
+        end_progress_line()
+    met = not findings
+    said = verdict.sentence(findings) if findings else _NO_FINDING[job["command"] == "quality"]
+    fields = report_fields(report)
+    return {"status": DONE, "text": ". ".join(part.rstrip(".") for part in (f"{text}; {said}", *_left_out)), "met": met,
+            "sound": not getattr(report, "faults_left", 0),
+            "report": {**fields, "notes": [*fields["notes"], *_left_out], **verdict.plain(findings)},
+            "report_text": str(report) + "".join(f"finding      {finding.text}\n" for finding in findings)}
+
+
+def main():
+    with open(os.environ["MESHQUALITY_JOB"], encoding="utf-8") as stream:
+        job = json.load(stream)
+    limits.end_with_owner()
+    if job["memory_limit"]:
+        limits.limit_memory(int(job["memory_limit"] * 2**30))
+    if job["time_limit"]:
+        limits.end_itself_after(int(job["time_limit"]) + _GRACE)
+    result = run(job)
+    with open(job["result"], "w", encoding="utf-8") as stream:
+        json.dump(result, stream)
+    sys.exit(result["status"])
+
+
+if "MESHQUALITY_JOB" in os.environ:
+    main()

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""BooleanMesh: a Boolean of closed meshes, and how it is made."""
+
+from .. import options
+from ..compat import extension
+from ..errors import Error, InvalidInput
+from .operands import Operands, part_of
+from .surface_mesh import SurfaceMesh
+
+# Share of the progress that meshing shapes has, where there are any.
+_MESHING = 0.4
+
+
+class BooleanMesh(SurfaceMesh):
+    """A SurfaceMesh that tells where its triangles come from.
+
+    triangle_source  int32 (T, 2): operand (0, 1, ...) and triangle there of each triangle that is
+                     an operand's own, bit for bit, turned around where an operand was subtracted;
+                     (-1, -1) of those made or changed
+    report           BooleanReport: a MeshReport with error_bound, retained, reconstructed, repaired
+
+    vertices, origin, triangles, to_mesh and write are those of a SurfaceMesh; triangle_face and
+    vertex_entity are empty.
+    """
+
+    __slots__ = ()
+
+    triangle_source = property(lambda self: self._surface.triangle_source, doc="int32 (T, 2)")
+
+
+def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=None,
+            method="default"):
+    """Joins, intersects or subtracts closed meshes and shapes.
+
+    a, b        operands: Mesh.Mesh, SurfaceMesh, arrays (V, F), Part.Shape, or document objects
+                with a mesh or a shape, taken where the document has them. Or `a` is a list of any
+                number of operands and b is left out: the operation is applied from the first on
+    operation   "union", "intersection", "difference" or "symmetric_difference"
+    resolution  cells along the longest side of all operands; the tolerance is then sqrt(3) times
+                such a cell (method "uniform": a cell of its grid, which has free cells around them)
+    tolerance   mm; largest distance of the result from the exact one
+    progress    callable(fraction 0..1, stage); returning False cancels
+    method      "default", or "uniform": the scheme of Wang 2010, for two operands
+
+    Shapes are meshed within half the tolerance first. Operands with small faults (holes,
+    duplicate, flipped or degenerate triangles, self-intersections) are repaired, which the report
+    tells. Returns a BooleanMesh; an empty one where nothing is left.
+    Raises InvalidInput naming the operand, the defect and the remedy; TopologyError; Cancelled.
+    """
+    if isinstance(b, str):
+        raise InvalidInput(f"b = {b!r} is no operand: with a list of operands give operation={b!r}")
+    if b is None and not isinstance(a, (list, tuple)):
+        raise InvalidInput("a second operand is needed: give a and b, or a list of operands")
+    values = options.check(options.BOOLEAN, {
+        "operation": operation, "resolution": resolution, "tolerance": tolerance,
+        "method": method,
+    })
+    options.require_callable(progress)
+    sources = list(a) if b is None else [a, b]
+    if not sources:
+        raise InvalidInput("the list of operands is empty")
+    return run(Operands(sources), values, progress)
+
+
+def run(operands, values, progress=None):
+    """The BooleanMesh of operands that were read, with checked options."""
+    module = extension()
+    core_options, before = module.BooleanOptions(), module.WorkBefore()
+    core_options.resolution = values["resolution"]
+    core_options.tolerance = values["tolerance"] or 0.0
+    meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING))
+    before.seconds, before.notes = operands.seconds, operands.notes
+    before.cpu_seconds = operands.cpu_seconds
+    try:
+        return BooleanMesh(module.boolean(
+            operands.surfaces, values["operation"], core_options, values["method"], before,
+            part_of(progress, _MESHING if meshing else 0.0, 1.0)))
+    except Error as error:
+        raise operands.explain(error) from error

@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CurvedMesh: a mesh of high-order elements, and how it is made."""
+
+import FreeCAD
+import numpy as np
+
+from .. import options
+from ..compat import extension, program
+from ..errors import InvalidInput
+from ..listing import Public
+from . import convert, frames
+from .surface_mesh import SurfaceMesh
+
+# The arrays that make up a curved mesh, and what document objects call them.
+ARRAYS = {
+    "Nodes": "nodes", "NodeEntity": "node_entity", "EdgeNodes": "edges",
+    "EdgeEntity": "edge_entity", "TriangleNodes": "triangles", "TriangleFace": "triangle_face",
+    "TriangleQuality": "triangle_quality", "TetrahedronNodes": "tetrahedra",
+    "TetrahedronSolid": "tetrahedron_solid", "TetrahedronQuality": "tetrahedron_quality",
+}
+_FEM_TETRAHEDRON = (1, 0, 2, 3, 4, 6, 5, 9, 7, 8)
+
+
+class CurvedMesh(metaclass=Public):
+    """Curved triangles, or tetrahedra, of one order with their link to the CAD and a report.
+
+    order              1 to 5 (volumes: 4)
+    nodes              float64 (N, 3), mm; the corners come first
+    elements           int32 (E, nodes per element), Gmsh node order: tetrahedra of a volume mesh,
+                       triangles otherwise
+    triangles          int32 (T, nodes per triangle), on the CAD faces
+    triangle_face      int32 (T,), triangle i lies on shape.Faces[triangle_face[i]]
+    edges              int32 (L, order + 1), on the CAD edges
+    tetrahedra         int32 (E, nodes per tetrahedron), empty without volume
+    tetrahedron_solid  int32 (E,), tetrahedron i lies in shape.Solids[tetrahedron_solid[i]]
+    node_entity        int32 (N, 2), (dimension 0|1|2|3, index)
+    triangle_quality   float64 (T,), lower bounds of min J / max J against the CAD normal; not
+                       positive: invalid
+    tetrahedron_quality
+                       float64 (E,), lower bounds of min J / J of the straight element; likewise
+    triangle_distortion, tetrahedron_distortion
+                       float64 (T,), (E,), measured when they are first asked for: how far the shape
+                       of the worst place of each element is from that of the regular simplex, see
+                       docs/method/validity.md; upper bounds, 1 is best, infinite: it folds
+    report             CurveReport; None of a mesh that comes from a document
+    straight           SurfaceMesh that was curved, with its report; likewise
+
+    The arrays are read-only views of the core's memory.
+    """
+
+    __slots__ = ("_curved", "_distortions", "_measured")
+
+    def __init__(self, curved, measured=True):
+        self._curved = curved
+        self._measured = measured
+        self._distortions = {}
+
+    @classmethod
+    def of(cls, obj):
+        """The curved mesh that a document object of add_curved_mesh keeps, where the document has it, or has
+        it by a link.
+
+        Its report is None: what it said is in the object's properties. Raises InvalidInput for
+        other objects and for one that was never computed.
+        """
+        return taken_from(obj)()
+
+    order = property(lambda self: self._curved.order, doc="1 to 5")
+    nodes = property(lambda self: self._curved.nodes, doc="float64 (N, 3), mm")
+    triangles = property(lambda self: self._curved.triangles, doc="int32 (T, nodes per triangle)")
+    triangle_face = property(lambda self: self._curved.triangle_face, doc="int32 (T,)")
+    edges = property(lambda self: self._curved.edges, doc="int32 (L, order + 1)")
+    tetrahedra = property(lambda self: self._curved.tetrahedra,
+                          doc="int32 (E, nodes per tetrahedron)")
+    tetrahedron_solid = property(lambda self: self._curved.tetrahedron_solid, doc="int32 (E,)")
+    node_entity = property(lambda self: self._curved.node_entity, doc="int32 (N, 2)")
+    triangle_quality = property(lambda self: self._curved.triangle_quality, doc="float64 (T,)")
+    tetrahedron_quality = property(lambda self: self._curved.tetrahedron_quality,
+                                   doc="float64 (E,)")
+
+    @property
+    def triangle_distortion(self):
+        """float64 (T,)"""
+        return self._distortion("triangle_distortions")
+
+    @property
+    def tetrahedron_distortion(self):
+        """float64 (E,)"""
+        return self._distortion("tetrahedron_distortions")
+
+    def _distortion(self, which, progress=None):
+        if which not in self._distortions:
+            found = getattr(self._curved, which)(progress)
+            found.flags.writeable = False
+            self._distortions[which] = found
+        return self._distortions[which]
+
+    @property
+    def report(self):
+        """CurveReport, or None."""
+        return self._curved.report if self._measured else None
+
+    @property
+    def straight(self):
+        """SurfaceMesh, or None."""
+        surface = self._curved.straight
+        return None if surface is None else SurfaceMesh(surface)
+
+    @property
+    def elements(self):
+        """The tetrahedra of a volume mesh, the triangles of a surface mesh."""
+        return self.tetrahedra if len(self.tetrahedra) else self.triangles
+
+    @property
+    def shown_quality(self):
+        """float64 (T,): of each triangle, or of the tetrahedron behind it where there is one."""
+        return self._shown(self.triangle_quality, self.tetrahedron_quality)
+
+    def tetrahedra_at_surface(self):
+        """How many tetrahedra have a triangle on the surface."""
+        behind = self._curved.tetrahedra_behind()
+        return len(np.unique(behind[behind >= 0]))
+
+    def shown_distortion(self, progress=None):
+        """float64 (T,), likewise; progress as for curve."""
+        tetrahedra = self._distortion("tetrahedron_distortions", progress)
+        return self._shown(self._distortion("triangle_distortions"), tetrahedra)
+
+    def _shown(self, of_triangles, of_tetrahedra):
+        if not len(self.tetrahedra):
+            return of_triangles
+        behind = self._curved.tetrahedra_behind()
+        return np.where(behind >= 0, of_tetrahedra[np.maximum(behind, 0)], of_triangles)
+
+    def tessellate(self, deviation=None, progress=None):
+        """Flat triangles that the curved ones keep within `deviation` mm of.
+
+        None: a thousandth of the size. Only what bends is cut. The result has `surface()`,
+        `element` (by triangle: index of its curved triangle), `edge_lines` (the curved triangles'
+        edges as runs of vertices, each followed by -1), `normals` of the curved triangles and three
+        `triangle_normals` a triangle.
+        Raises InvalidInput when that takes more than 20 million triangles, or is finer than single
+        precision; Cancelled.
+        """
+        values = options.check(options.CURVED_DISPLAY, {"deviation": deviation})
+        options.require_callable(progress)
+        return self._curved.tessellate(values["deviation"] or 0.0, progress)
+
+    def to_mesh(self, deviation=None):
+        """A Mesh.Mesh of the curved triangles as `tessellate` cuts them; one segment a CAD face."""
+        return convert.mesh_of_surface(self.tessellate(deviation).surface())
+
+    def to_fem_mesh(self):
+        """A Fem.FemMesh of a mesh of order 1 or 2: tetrahedra of a volume, triangles otherwise.
+
+        Node i + 1 is nodes[i]; element i + 1 is elements[i]. Raises InvalidInput for higher orders,
+        which FreeCAD's FEM meshes cannot hold.
+        """
+        if self.order > 2:
+            raise InvalidInput(f"a FEM mesh of FreeCAD has order 1 or 2, not {self.order}: curve "
+                               "with order=2")
+        import Fem
+
+        mesh = Fem.FemMesh()
+        for i, point in enumerate(self.nodes.tolist(), 1):
+            mesh.addNode(*point, i)
+        volume = len(self.tetrahedra) > 0
+        # FreeCAD's tetrahedra are turned the other way round than Gmsh's, and their middle nodes
+        # come in another order; triangles are alike.
+        order = _FEM_TETRAHEDRON if volume else range(6)
+        count = self.elements.shape[1]
+        elements = self.elements[:, [k for k in order if k < count]] + 1
+        add = mesh.addVolume if volume else mesh.addFace
+        for element in elements.tolist():
+            add(element)
+        return mesh
+
+    def write(self, path):
+        """Writes .msh (Gmsh 4.1, ASCII, with a physical group a CAD entity) or .vtu (VTK) by
+        extension, in mm. Raises IoError naming the path.
+        """
+        self._curved.write(convert.file_name(path))
+
+    def __repr__(self):
+        count, kind = len(self.elements), "tetrahedron" if len(self.tetrahedra) else "triangle"
+        plural = "tetrahedra" if kind == "tetrahedron" else "triangles"
+        quality = self.tetrahedron_quality if len(self.tetrahedra) else self.triangle_quality
+        folded = int((~(quality > 0.0)).sum())
+        valid = f"{folded:,} not proven valid" if folded else "all valid"
+        return f"<CurvedMesh: {count:,} {kind if count == 1 else plural} of order {self.order}, {valid}>"
+
+
+def taken_from(obj):
+    """A function that makes what CurvedMesh.of gives of the object as it is now; any thread may call it."""
+    if not holds_elements(obj):
+        raise InvalidInput(f"{convert.label_of(obj)} holds no curved mesh: give an object of "
+                           "add_curved_mesh that was computed, or a link to one")
+    return loader_of(frames.linked_of(obj)[0], frames.motion_of(obj))
+
+
+def holds_elements(source):
+    """Whether it is a document object with curved elements, or a link to one that shows it once."""
+    if not isinstance(frames.object_of(source), FreeCAD.DocumentObject):
+        return False
+    once = not getattr(frames.leaf_of(source), "ElementCount", 0)
+    return once and getattr(frames.linked_of(source)[0], "ElementsOrder", 0) > 0
+
+
+def loader_of(obj, motion=None):
+    """The same for an object that holds elements, where they were computed, or moved from there by a placement."""
+    label, order = obj.Label, obj.ElementsOrder
+    lists = {name: getattr(obj, name) for name in ARRAYS}
+
+    def make():
+        arrays = {array: np.array(lists[name], dtype=np.float64)
+                  for name, array in ARRAYS.items()}
+        for name, width in (("nodes", 3), ("node_entity", 2)):
+            if len(arrays[name]) % width:
+                raise InvalidInput(f"{label} holds {len(arrays[name])} numbers as {name}, not {width} for each "
+                                   "node: update it")
+        if motion is not None:
+            arrays["nodes"] = convert.moved(arrays["nodes"].reshape(-1, 3), motion).ravel()
+        return CurvedMesh(extension().curved_from_arrays(order, arrays), measured=False)
+
+    return make
+
+
+def lists_of(curved):
+    """{property: list} of a CurvedMesh, as store_in needs it; any thread may make them."""
+    return {name: convert.lists(getattr(curved._curved, array).ravel()) for name, array in ARRAYS.items()}
+
+
+def store_in(obj, curved, lists):
+    """Puts a CurvedMesh into the properties of a document object, from which loader_of makes it again."""
+    for name, values in lists.items():
+        setattr(obj, name, values)
+    obj.ElementsOrder = curved.order
+
+
+@options.takes_aliases(options.CURVE)
+def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
+          min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None):
+    """A mesh of curved elements on a shape, proven valid element by element.
+
+    shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
+                   `shape`, from which it was made
+    order          of the elements: 1 to 5, volumes 1 to 4
+    volume         fill the solids with tetrahedra
+    straighten_invalid
+                   make elements straight that stay invalid after all repairs
+    min_angle, chord_height, chord_height_relative, max_edge
+                   of the straight mesh that is curved, as for triangulate; where neither chord
+                   height is given it is 0.01 of the largest dimension
+    progress       callable(fraction 0..1, stage); returning False cancels
+
+    Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
+    Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
+    """
+    options.require_callable(progress)
+    values = options.check(options.CURVE, {
+        "order": order, "volume": volume, "straighten_invalid": straighten_invalid, "min_angle": min_angle,
+        "chord_height": chord_height, "chord_height_relative": chord_height_relative,
+        "max_edge": max_edge,
+    })
+    module = extension()
+    module.set_fill_program(program("meshquality_fill"))
+    curving = module.CurveOptions()
+    options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
+    if isinstance(shape_or_mesh, SurfaceMesh):
+        if shape is None:
+            raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")
+        return CurvedMesh(module.curve_surface(shape_or_mesh._surface, convert.shape_of(shape),
+                                               curving, progress))
+    straight = module.TriangulateOptions()
+    options.hand_over(values, straight)
+    return CurvedMesh(module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress))

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The operands of a Boolean: what scripts may pass, as surfaces of the core."""
+
+import hashlib
+import re
+import string
+import time
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+
+import FreeCAD
+import numpy as np
+
+from ..compat import attribute_of, extension
+from ..errors import InvalidInput, TopologyError
+from . import convert, frames
+from .surface_mesh import SurfaceMesh
+from .triangulation import triangulate
+
+# Triangulating asks for at least 4 times the rounding error of single precision, which is sqrt(3)
+# times 2^-24 of the largest coordinate in the local frame of the shape. That frame keeps
+# coordinates within 4 times the shape's size.
+_FINEST_CHORD = 4.0 * 3.0**0.5 * 2.0**-24
+_FRAME = 4.0
+# Fraction of the size of all operands that a Boolean asks for at least.
+_FINEST_TOLERANCE = 4.0 * 2.0**-23
+_NAMES_ONE = re.compile(r"\boperand [A-Z\d]")
+
+
+@dataclass(frozen=True)
+class _Mixed:
+    """What a container holds: the meshes, and the Part.Shape of its shapes. They are joined to one operand."""
+
+    meshes: convert.MeshCopy
+    shape: object
+
+
+class Operands:
+    """Meshes and shapes on their way into a Boolean. FreeCAD's are taken as they are at first; any
+    thread may do the rest.
+
+    surfaces    [(core.Surface, whether it may be rounded to single precision,
+                the Part.Shape it was made of or None), ...]
+    notes       a sentence for each shape that was meshed
+    seconds     [(stage, wall-clock seconds), ...]
+    cpu_seconds of the process, in all stages
+    """
+
+    def __init__(self, sources):
+        self.seconds, self.cpu_seconds, self.notes = [], 0.0, []
+        self._sources = sources
+        self._letters = letters(len(sources))
+        self._names = [f"operand {letter}" for letter in self._letters]
+        self._taken = [self._take(i) for i in range(len(sources))]
+        # Only document objects ask for a digest.
+        of_document = all(isinstance(frames.object_of(source), FreeCAD.DocumentObject) for source in sources)
+        self._arrangement = frames.arrangement_of(sources) if of_document else ""
+        self._own_shapes = [None if isinstance(taken, convert.MeshCopy) or not of_document
+                            else convert.own_shape_of(source) for taken, source in zip(self._taken, sources)]
+
+    @property
+    def surfaces(self):
+        return [found for found in self._found if isinstance(found, tuple)]
+
+    @cached_property
+    def _found(self):
+        """What _read gives for each."""
+        with self._stage("reading the operands"):
+            return [self._read(i) for i in range(len(self._taken))]
+
+    def mesh_shapes(self, core_options, progress):
+        """Meshes the operands that are shapes, half as far from them as the tolerance of these
+        core.BooleanOptions allows.
+
+        Returns whether there were any.
+        """
+        shapes = [i for i, found in enumerate(self._found) if not isinstance(found, tuple)]
+        if not shapes:
+            return False
+        with self._stage("meshing shapes"):
+            wanted = self._possible(core_options.tolerance_for(self._size()))
+            for done, i in enumerate(shapes):
+                part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
+                self._found[i] = self._mesh_shape(i, 0.5 * wanted, part)
+        return True
+
+    def _possible(self, tolerance):
+        """The tolerance; raises InvalidInput where it is finer than the core can keep, before shapes are
+        meshed as finely.
+        """
+        least = _FINEST_TOLERANCE * self._size()
+        if tolerance < least:
+            raise InvalidInput(f"tolerance is {tolerance:.4g} mm: single precision holds these operands to {least:.4g} "
+                               "mm only; choose a larger value")
+        return tolerance
+
+    def digest(self):
+        """A hash of document objects as operands, and of how they stand to each other; the same after
+        saving and loading, and after a container around all of them was moved.
+        """
+        digest = hashlib.sha256(self._arrangement.encode())
+        for taken, own_shape in zip(self._taken, self._own_shapes):
+            if own_shape is not None:
+                digest.update(convert.shape_text(own_shape))
+            copy = taken.meshes if isinstance(taken, _Mixed) else taken
+            for array in copy.own_arrays if isinstance(copy, convert.MeshCopy) else ():
+                digest.update(str(array.shape).encode())
+                digest.update(np.ascontiguousarray(array))
+        return digest.hexdigest()
+
+    @contextmanager
+    def _stage(self, name):
+        wall, cpu = time.perf_counter(), time.process_time()
+        yield
+        self.seconds.append((name, time.perf_counter() - wall))
+        self.cpu_seconds += time.process_time() - cpu
+
+    def _take(self, i):
+        """A convert.MeshCopy of a mesh of FreeCAD, a SurfaceMesh or arrays as they are, the Part.Shape
+        of anything else; of a container everything that is visible in it.
+        """
+        source = self._sources[i]
+        with self._naming(i):
+            if isinstance(source, SurfaceMesh) or is_arrays(source):
+                return source
+            if convert.is_mesh(source):
+                return convert.MeshCopy(source)
+            of_document = isinstance(frames.object_of(source), FreeCAD.DocumentObject)
+            if not (of_document and convert.meshes_in(source)):
+                return convert.shape_of(source)
+            meshes = convert.MeshCopy(source)
+            return _Mixed(meshes, convert.shape_of(source)) if convert.has_faces(source) else meshes
+
+    def _read(self, i):
+        """(surface, round, None) of a mesh, the Part.Shape or the _Mixed as it is."""
+        taken, module = self._taken[i], extension()
+        with self._naming(i):
+            if isinstance(taken, SurfaceMesh):
+                return taken._surface, False, None
+            if isinstance(taken, convert.MeshCopy):
+                return convert.surface_of_arrays(module, *taken.arrays, measured=False), True, None
+            if is_arrays(taken):
+                return convert.surface_of_arrays(module, *taken, measured=False), False, None
+            return taken
+
+    @contextmanager
+    def _naming(self, i):
+        """Has errors name the operand."""
+        try:
+            yield
+        except InvalidInput as error:
+            raise InvalidInput(f"{self._names[i]}: {error}; operands are meshes (Mesh.Mesh, "
+                               "SurfaceMesh, arrays (V, F)), shapes, and document objects with a "
+                               "mesh or a shape") from error
+
+    def _size(self):
+        """Longest side of the box of all operands, mm."""
+        boxes = []
+        for found in self._found:
+            if not isinstance(found, tuple):
+                box = attribute_of(_shape_in(found), "BoundBox")
+                boxes += [(box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)]
+                if isinstance(found, _Mixed):
+                    boxes += [found.meshes.arrays[0].min(axis=0), found.meshes.arrays[0].max(axis=0)]
+            elif len(found[0].vertices):
+                points = found[0].vertices
+                boxes += [points.min(axis=0) + found[0].origin,
+                          points.max(axis=0) + found[0].origin]
+        return float(np.ptp(np.array(boxes), axis=0).max())
+
+    def _mesh_shape(self, i, chord_height, progress):
+        shape = _shape_in(self._found[i])
+        box = attribute_of(shape, "BoundBox")
+        side = max(box.XLength, box.YLength, box.ZLength)
+        largest = max(map(abs, (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)))
+        chord_height = max(chord_height, _FINEST_CHORD * min(largest, _FRAME * side))
+        try:
+            mesh = triangulate(shape, chord_height=chord_height, progress=progress)
+        except (InvalidInput, TopologyError) as error:
+            raise type(error)(f"{self._names[i]}, {convert.label_of(self._sources[i])}: {error}") \
+                from error
+        if not mesh.report.complete:
+            raise InvalidInput(f"{self._names[i]}, {convert.label_of(self._sources[i])}, has more "
+                               f"than {mesh.report.triangles} triangles at a max. deviation of "
+                               f"{chord_height:g} mm: give a larger tolerance")
+        mixed = isinstance(self._found[i], _Mixed)
+        what = "holds shapes and meshes: the mesh of the shapes" if mixed else "is a shape: its mesh"
+        self.notes.append(f"{self._names[i]} {what} deviates by at most "
+                          f"{mesh.report.max_chord_height:.3g} mm from {'them' if mixed else 'it'}; the error bound is "
+                          "that of the Boolean of the meshes")
+        if not mixed:
+            return mesh._surface, False, shape
+        # Overlapping surfaces of one operand enclose together what each of them does.
+        vertices, triangles = self._found[i].meshes.arrays
+        own = np.asarray(mesh.vertices) + mesh.origin
+        return convert.surface_of_arrays(extension(), np.concatenate((own, vertices)),
+                                         np.concatenate((mesh.triangles, triangles + len(own))),
+                                         measured=False), True, None
+
+    def explain(self, error):
+        """The error with the labels of the operands, where it names one by its letter."""
+        labels = [f"{letter} is {convert.label_of(source)}"
+                  for letter, source in zip(self._letters, self._sources)
+                  if getattr(source, "Label", None)]
+        if not labels or not _NAMES_ONE.search(str(error)):
+            return error
+        return type(error)(f"{error} ({', '.join(labels)})")
+
+
+def _shape_in(found):
+    return found.shape if isinstance(found, _Mixed) else found
+
+
+def letters(count):
+    """How operands are called: A, B, ... Z; by number where there are more of them."""
+    if count <= len(string.ascii_uppercase):
+        return list(string.ascii_uppercase[:count])
+    return [str(i + 1) for i in range(count)]
+
+
+def is_arrays(source):
+    """True for a pair of array-likes of three columns."""
+    if not isinstance(source, (tuple, list)) or len(source) != 2:
+        return False
+    return all(hasattr(part, "__len__") and not isinstance(part, str) for part in source)
+
+
+def part_of(progress, low, high):
+    """A callback that reports [0, 1] as [low, high] of the whole; None stays None."""
+    if progress is None:
+        return None
+    return lambda fraction, stage: progress(low + (high - low) * fraction, stage)

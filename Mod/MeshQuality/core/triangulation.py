@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""triangulate, and the cache by which it follows edits."""
+
+from .. import options
+from ..compat import extension
+from ..errors import InvalidInput
+from ..listing import Public
+from . import convert
+from .surface_mesh import SurfaceMesh
+
+
+@options.takes_aliases(options.TRIANGULATE, memory="cache")
+def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=None,
+                max_edge=None, min_edge=None, method="refine", max_triangles=None,
+                progress=None, insertion="off-centre", allow_missing_faces=False,
+                connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
+                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0,
+                cache=None):
+    """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
+
+    shape                  Part.Shape with faces, or a document object that has one
+    min_angle              degrees, 0 < min_angle <= 34
+    chord_height           mm; largest distance to the shape; "none": no bound
+    chord_height_relative  the same as a fraction of the largest dimension; give one of the two, or
+                           neither for 0.003 of the largest dimension
+    max_edge, min_edge     mm; None: no bound
+    local_sizes            {"Face3": 0.5, "Edge7": 0.2, "Vertex1": 0.1}: longest edges in mm of the
+                           triangles on a face, along an edge, around a vertex; of a container or link
+                           also {"Box.Face3": 0.5}, with the names of the objects on the way
+    edges_per_circle       smallest number of edges for each full turn of a curve or a surface, 3 to 10000
+    growth_rate            growth rate of edge length from fine to coarse regions, greater than 1;
+                           None: as fast as the angles allow
+    method                 "refine"; "star" and "sprinkle" sample the faces by their curvature first
+    max_triangles          the work ends incomplete at this number; None: 5 million
+    progress               callable(fraction 0..1, stage or "waits for ..."); returning False cancels
+    insertion              where a triangle with a small angle gets its new point: "off-centre" needs
+                           fewer triangles, "circumcentre" is the rule of Aftosmis 1999
+    keep_edges             "all": the mesh follows every edge of the shape; "feature": not those that
+                           the surface crosses smoothly, so that tiny edges and slivers between such
+                           edges cost no triangles; report.spanning then names the triangles that
+                           lie on several faces
+    feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than
+                           this all along
+    allow_missing_faces    mesh the other faces where some fail, and name those in the report
+
+    connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
+                           the faces' parameters ("parametric")
+    refine_samples         of star and sprinkle: refine afterwards, so that the bounds hold
+    seed                   of sprinkle's random points
+
+    cache                  a MeshCache of earlier calls: faces that an edit left alone keep their triangles
+
+    Returns a SurfaceMesh. The shape is only read.
+    Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
+    """
+    values = options.check(options.TRIANGULATE, {
+        "min_angle": min_angle, "chord_height": chord_height,
+        "chord_height_relative": chord_height_relative, "max_edge": max_edge,
+        "min_edge": min_edge, "method": method, "insertion": insertion,
+        "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
+        "connectivity": connectivity, "refine_samples": refine_samples, "seed": seed,
+        "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth_rate": growth_rate,
+        "keep_edges": keep_edges, "feature_angle": feature_angle,
+    })
+    options.require_callable(progress)
+    live_shape = convert.shape_of(shape)
+    values = convert.with_resolved_sizes(shape, values)
+    module = extension()
+    core_options = module.TriangulateOptions()
+    core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
+    options.hand_over(values, core_options)
+    return SurfaceMesh(module.triangulate(live_shape, core_options, progress, _core_cache(cache)))
+
+
+class MeshCache(metaclass=Public):
+    """Meshes of the last calls of triangulate, for the next calls while a shape is edited.
+
+    The same shape with the same options as in one of them gets the same mesh. Otherwise faces of the same
+    geometry start with the triangles that they had, if the options are the same: the guarantees are
+    the same, but the triangles depend on what is cached. report.reused_faces says how many faces
+    kept all of their triangles. No face is cached by star and sprinkle, nor with keep_edges="feature".
+    Not saved; about 250 bytes a triangle.
+
+    most_runs   largest number of calls in the cache; the least recently used ones are evicted
+    most_bytes  largest size of all of them, in bytes
+    """
+
+    def __init__(self, most_runs=8, most_bytes=2**29):
+        for name, value in (("most_runs", most_runs), ("most_bytes", most_bytes)):
+            if not isinstance(value, int) or not 0 <= value < 2**63:
+                raise InvalidInput(f"{name} = {value!r} is not allowed: it must be a whole number, "
+                                   "at least 0 and less than 2^63")
+        self._core_cache = extension().MeshCache(most_runs, most_bytes)
+
+    def __len__(self):
+        """How many calls it holds."""
+        return self._core_cache.runs
+
+    @property
+    def bytes(self):
+        """About how many bytes it holds."""
+        return self._core_cache.bytes
+
+    def __repr__(self):
+        calls = "1 call" if len(self) == 1 else f"{len(self)} calls"
+        return f"<MeshCache: {calls} of triangulate, {self.bytes / 2**20:.1f} MiB>"
+
+
+def _core_cache(cache):
+    if cache is not None and not isinstance(cache, MeshCache):
+        raise InvalidInput(f"cache is {cache!r}: give a MeshQuality.MeshCache")
+    return None if cache is None else cache._core_cache

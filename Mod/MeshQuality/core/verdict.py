@@ -1,0 +1,480 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether a finished mesh meets what was requested: one rule for document objects, the command line and
+batches. Imports nothing of documents.
+
+It is about the mesh as it was measured after rounding to single precision, not about the algorithm.
+Its sentences are made of the phrases of one table, by which panels translate them.
+"""
+
+from dataclasses import asdict, dataclass, replace
+
+import numpy as np
+
+from .. import phrases
+from ..compat import extension
+from ..phrases import MET, NOT_MET
+from . import convert
+
+# Elements whose shape is distorted more than this are a finding. The inverse of the distortion is the shape metric of
+# Knupp 2001, so that 10 is a metric of 0.1. The map from the regular tetrahedron then stretches at least 13 times more one
+# way than another (needles; flat ones 58 times), and with that grow the errors of gradients and the condition of stiffness
+# matrices. A triangle of 10 has a corner of 3.3 degrees.
+SHAPE_DISTORTION_LIMIT = 10.0
+
+UNKNOWN = "unknown: the mesh was made by an older version; update it"
+_OLD_MET, _OLD_NOT_MET = "kept", "missed: "  # in documents of older versions
+_NAMED = 3  # elements or faces that a sentence names
+_NO_VOLUME = 1e-9  # of the area to the power 3/2: a sheet with two sides encloses that much by rounding
+_COUNTED = 1000  # contacts that the core counts at most, where nobody has counted them before
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something requested that the mesh does not meet, or a fault that no mesh should have.
+
+    text    one or more sentences
+    faces   the CAD faces ("Face7", ...) where that is
+    place   the corners of the triangle where it is worst, in the document's frame: three points;
+            none where that is not known
+    forced  whether the shape itself rules out what was requested, as a corner smaller than the
+            smallest angle does
+    """
+
+    text: str
+    faces: tuple = ()
+    place: tuple = ()
+    forced: bool = False
+
+
+def word(findings):
+    """"met" or "not met"."""
+    return NOT_MET if findings else MET
+
+
+def sentence(findings):
+    """What the property Certificate says."""
+    return f"{NOT_MET}: {_joined(findings)}" if findings else MET
+
+
+def _joined(findings):
+    """The sentences of all, to stand after a colon."""
+    return phrases.lower_first(" ".join(finding.text for finding in findings))
+
+
+def is_met(certificate):
+    """Whether a Certificate, also of an older version, says that all limits are met."""
+    return certificate in (MET, _OLD_MET)
+
+
+def is_missed(certificate):
+    """Whether it says that some are not."""
+    return certificate.startswith((NOT_MET, _OLD_NOT_MET))
+
+
+def said(certificate):
+    """What a Certificate says is not met, without the words before it."""
+    for start in (f"{NOT_MET}: ", _OLD_NOT_MET):
+        if certificate.startswith(start):
+            return certificate[len(start):]
+    return ""
+
+
+def faces(findings):
+    """The CAD faces of all findings, each once."""
+    return list(dict.fromkeys(face for finding in findings for face in finding.faces))
+
+
+def place(findings):
+    """The place of the first finding that has one, as three points."""
+    return next((finding.place for finding in findings if finding.place), ())
+
+
+def plain(findings):
+    """The verdict and the findings as plain values for JSON."""
+    return {"verdict": word(findings), "findings": [
+        {name: list(value) if isinstance(value, tuple) else value
+         for name, value in asdict(finding).items()} for finding in findings]}
+
+
+def line(label, report, findings, say=str):
+    """One line for people about a finished mesh: its figures, and whether all requested limits are met.
+
+    say   say(text that a phrase of `phrases` fits) -> text in the user's language and units
+    """
+    verdict = phrases.TARGET_NOT_MET.format(text=_joined(findings)) if findings else phrases.ALL_MET
+    return f"{label}: {', '.join(map(say, _figures(report)))}; {say(verdict)}"
+
+
+def _figures(report):
+    """What the line says of a MeshReport, BooleanReport or CurveReport."""
+    if hasattr(report, "elements"):
+        yield _counted(phrases.ELEMENTS, report.elements)
+        yield phrases.MAX_DISTORTION.format(number=_number(report.max_shape_distortion))
+        yield phrases.MAX_DEVIATION.format(length=_length(_rounded(report.max_deviation)))
+    else:
+        yield _counted(phrases.TRIANGLES, report.triangles)
+        if report.triangles:
+            yield phrases.SMALLEST_ANGLE.format(number=_rounded(report.min_angle))
+        if hasattr(report, "error_bound"):
+            yield phrases.ERROR_BOUND.format(length=_length(_rounded(report.error_bound)))
+        elif report.max_chord_height >= 0:
+            yield phrases.MAX_DEVIATION.format(length=_length(_rounded(report.max_chord_height)))
+    if report.overlaps > 0:
+        yield _counted(phrases.OVERLAPS, report.overlaps)
+
+
+def must_be_closed(shape):
+    """Whether all faces of the shape belong to solids."""
+    return bool(shape.Solids) and sum(len(solid.Faces) for solid in shape.Solids) >= len(shape.Faces)
+
+
+def of_triangulation(mesh, closed, values=None, shape=None):
+    """Findings of a SurfaceMesh that triangulate made of the shape with these options."""
+    return [*angles(mesh), *deviation(mesh), *edges(mesh, values or {}, shape), *_incomplete(mesh.report),
+            *_missing_faces(mesh.report), *topology(mesh.report, closed, mesh), *_crossings(mesh.report)]
+
+
+def of_improvement(mesh, closed, progress=None):
+    """Findings of a SurfaceMesh that improve made; `closed`: whether the mesh before it was; progress as for
+    improve.
+    """
+    return [*angles(mesh), *topology(mesh.report, closed, mesh), *_crossing_pairs(mesh, progress)]
+
+
+def of_boolean(mesh):
+    """Findings of a BooleanMesh. An empty one has none."""
+    report = mesh.report
+    found = _too_far(report.error_bound, report.tolerance_asked, phrases.RESULT_DISTANCE)
+    if report.self_intersections > 0:  # counted of method uniform only
+        found.append(Finding(f"{_counted(phrases.CROSSING, report.self_intersections)} "
+                             f"{_sentence(phrases.UNIFORM_CROSSES)}"))
+    elif report.faults_left:
+        found.append(Finding(_counted(phrases.FAULTS_LEFT, report.faults_left)))
+    return found + (topology(report, True, mesh) if report.triangles else [])
+
+
+def of_curved(curved, closed, values=None, corners=None, shape=None):
+    """Findings of a CurvedMesh that was made of this Part.Shape with these options; `corners`: what
+    `topology_of_corners` gives, where that is known.
+    """
+    return [*elements(curved), *distortion(curved), *_before_curving(curved, values or {}, shape),
+            *_too_far(curved.report.max_deviation, curved.report.chord_height_asked, phrases.SHAPE_DISTANCE),
+            *topology(corners or topology_of_corners(curved), closed), *_crossings(curved.report)]
+
+
+def _before_curving(curved, values, shape):
+    """Findings of the straight mesh of a CurvedMesh, for which angles and lengths of edges are requested."""
+    straight = curved.straight
+    if straight is None:
+        return []
+    return [replace(found, text=_sentence(phrases.BEFORE_CURVING, phrase=phrases.lower_first(found.text)))
+            for found in (*angles(straight), *edges(straight, values, shape))]
+
+
+def topology_of_corners(curved):
+    """The MeshReport of the triangles between the corners of a CurvedMesh's triangles."""
+    corners = curved.triangles[:, :3]
+    last = corners.max(initial=-1) + 1
+    return convert.surface_of_arrays(extension(), curved.nodes[:last], corners).report
+
+
+def of_measured(mesh, report, closed):
+    """Findings of a mesh of unknown origin with its MeshReport: faults that no mesh should have."""
+    return [*topology(report, closed, mesh), *_crossing_pairs(mesh)]
+
+
+def topology(report, closed, mesh=None):
+    """Findings where a mesh is not manifold, inside out, or not closed where it must be; a SurfaceMesh also
+    tells where.
+    """
+    found = []
+    if closed and not report.closed:
+        found.append(_at_edges(_counted(phrases.NOT_CLOSED, report.border_edges), mesh,
+                               lambda uses: uses == 1))
+    for phrase, count in ((phrases.NONMANIFOLD, report.nonmanifold_edges),
+                          (phrases.PINCHED, report.pinched_vertices),
+                          (phrases.DEGENERATE, report.degenerate_triangles),
+                          (phrases.NOT_ORIENTED,
+                           report.misoriented_edges - report.nonmanifold_edges)):
+        if count:
+            found.append(_at_edges(_counted(phrase, count), mesh, lambda uses: uses > 2))
+    if report.closed and report.volume < -_NO_VOLUME * report.area**1.5:
+        found.append(Finding(_sentence(phrases.INSIDE_OUT)))
+    return found
+
+
+def angles(mesh):
+    """The finding of triangles of a SurfaceMesh below the requested smallest angle."""
+    report = mesh.report
+    asked = report.min_angle_asked
+    if not report.triangles or report.min_angle >= asked:
+        return []
+    measured = extension().triangle_shapes(mesh._surface)[0]
+    worst, below = int(np.argmin(measured)), np.flatnonzero(measured < asked)
+    reasons = dict(report.exempt)
+    forced = all(phrases.is_forced(reasons.get(int(triangle), "")) for triangle in below)
+    least, limit = _told_apart(report.min_angle, asked)
+    text = _sentence(phrases.ANGLE, number=least, number2=limit, phrase=_triangle(mesh, worst))
+    if worst in reasons:
+        text += f" {phrases.sentence(_without_face(mesh, worst, reasons[worst]))}"
+    if len(below) > 1:
+        more = phrases.MORE_FORCED if forced else phrases.MORE_BELOW
+        text += " " + _counted(more, len(below) - 1, number=limit)
+    return [Finding(text, _names(mesh, below), _corners(mesh, worst), forced)]
+
+
+def _without_face(mesh, triangle, reason):
+    """A reason without the face at its end, which the sentence before it names."""
+    for name in _names(mesh, [triangle]):
+        reason = reason.removesuffix(phrases.ON_FACE.format(phrase="", face=name))
+    return reason
+
+
+def deviation(mesh):
+    """The finding that a SurfaceMesh is too far from the shape, and where it is farthest."""
+    report = mesh.report
+    worst = report.max_chord_triangle
+    if worst < 0:
+        return _too_far(report.max_chord_height, report.chord_height_asked, phrases.SHAPE_DISTANCE)
+    found = _too_far(report.max_chord_height, report.chord_height_asked,
+                     phrases.SHAPE_DISTANCE_AT, phrase=_triangle(mesh, worst))
+    return [Finding(finding.text, _names(mesh, [worst]), _corners(mesh, worst)) for finding in found]
+
+
+def edges(mesh, values, shape=None):
+    """The finding that edges of a SurfaceMesh are longer than max_edge or the local sizes allow. `shape`: the
+    Part.Shape that was meshed, needed for the sizes of its edges.
+    """
+    sizes = {"Face": {}, "Edge": {}, "Vertex": {}}
+    for name, size in (values.get("local_sizes") or {}).items():
+        kind = name.rstrip("0123456789")
+        sizes[kind][int(name[len(kind):]) - 1] = size
+    if not (any(sizes.values()) or values.get("max_edge")) or not len(mesh.triangles):
+        return []
+    corners = mesh.vertices[mesh.triangles]
+    lengths = np.linalg.norm(corners - np.roll(corners, -1, axis=1), axis=2)
+    allowed = np.full(lengths.shape, values.get("max_edge") or np.inf)
+    for face, size in sizes["Face"].items():
+        on_face = np.asarray(mesh.triangle_face) == face
+        allowed[on_face] = np.minimum(allowed[on_face], size)
+    ends = np.stack((mesh.triangles, np.roll(mesh.triangles, -1, axis=1)), axis=2)
+    for vertex, size in sizes["Vertex"].items():
+        there = (np.asarray(mesh.vertex_entity)[ends] == (0, vertex)).all(axis=3).any(axis=2)
+        allowed[there] = np.minimum(allowed[there], size)
+    along = _edges_of_shape(mesh, ends, sizes["Edge"], shape) if sizes["Edge"] \
+        else np.full(lengths.shape, -1)
+    for edge, size in sizes["Edge"].items():
+        allowed[along == edge] = np.minimum(allowed[along == edge], size)
+    # Rounding to single precision may lengthen an edge by a millionth.
+    beyond = np.flatnonzero((lengths > allowed * (1.0 + 1e-5)).any(axis=1))
+    if not len(beyond):
+        return []
+    worst, side = np.unravel_index(np.argmax(lengths / allowed), lengths.shape)
+    where = _triangle(mesh, worst)
+    if along[worst, side] >= 0:
+        where = phrases.ON_EDGE.format(phrase=where, edge=f"Edge{along[worst, side] + 1}")
+    return [Finding(finding.text, _names(mesh, beyond), _corners(mesh, worst)) for finding in _too_far(
+        lengths[worst, side], allowed[worst, side], phrases.LONGEST_EDGE, phrase=where)]
+
+
+def _edges_of_shape(mesh, ends, wanted, shape):
+    """int (T, 3): which of the wanted edges of the shape each side of the triangles lies on, -1: none.
+
+    A side lies on an edge where both of its ends do, and triangles of different faces, or only one triangle, meet
+    in it. The seam of a closed face has the same face on both sides: there the ends alone tell.
+    """
+    entity = np.asarray(mesh.vertex_entity)[ends]
+    dimension, index = entity[..., 0], entity[..., 1]
+    keys = np.sort(ends.reshape(-1, 2).astype(np.int64), axis=1)
+    _, side, uses = np.unique(keys[:, 0] << 32 | keys[:, 1], return_inverse=True, return_counts=True)
+    face = np.repeat(np.asarray(mesh.triangle_face), 3)
+    low, high = np.full(len(uses), np.iinfo(np.int64).max), np.full(len(uses), -1)
+    np.minimum.at(low, side, face)
+    np.maximum.at(high, side, face)
+    border = ((uses == 1) | (low != high))[side].reshape(len(ends), 3)
+    found = np.full((len(ends), 3), -1)
+    vertices, edges_of_shape = shape.Vertexes, shape.Edges
+    for edge in wanted:
+        inside = (dimension == 1) & (index == edge)
+        at_ends = (dimension == 0) & np.isin(index, _ends_of(edges_of_shape[edge], vertices))
+        on_edge = (inside | at_ends).all(axis=2)
+        if inside.any():
+            on_edge &= inside.any(axis=2)
+        chosen = on_edge & border
+        found[chosen if chosen.any() else on_edge] = edge
+    return found
+
+
+def _ends_of(edge, vertices):
+    """The indices of the vertices at the ends of a Part.Edge."""
+    return [i for i, vertex in enumerate(vertices) if any(vertex.isSame(end) for end in edge.Vertexes)]
+
+
+def _too_far(measured, asked, phrase, /, **places):
+    """The finding that a measured length in mm exceeds the requested one; asked 0: none was."""
+    if not asked or measured <= asked:
+        return []
+    length, limit = map(_length, _told_apart(measured, asked))
+    return [Finding(_sentence(phrase, length=length, length2=limit, **places))]
+
+
+def elements(curved):
+    """The finding of elements of a CurvedMesh that are not proven to be free of folds."""
+    report = curved.report
+    if not report.invalid:
+        return []
+    named = report.invalid_elements
+    text = _first_of(named)
+    return [Finding(_counted(phrases.FOLDED, report.invalid, count2=report.elements, list=text),
+                    _names(curved, np.flatnonzero(_folded(curved.triangle_quality))), _first_folded(curved))]
+
+
+def _folded(quality):
+    """Which elements are not proven valid, by their measured quality; NaN is no proof."""
+    return ~(quality > 0.0)
+
+
+def _first_folded(curved):
+    """Corners of the first element that is not proven valid."""
+    for quality, nodes in ((curved.triangle_quality, curved.triangles),
+                           (curved.tetrahedron_quality, curved.tetrahedra)):
+        folded = np.flatnonzero(_folded(quality))
+        if len(folded):
+            return tuple(map(tuple, curved.nodes[nodes[folded[0], :3]].tolist()))
+    return ()
+
+
+def distortion(curved):
+    """The finding of elements of a CurvedMesh, inside the volume too, far from the regular shape. Those
+    that fold are not counted: `elements` has them.
+    """
+    if not curved.report.max_shape_distortion > SHAPE_DISTORTION_LIMIT:
+        return []
+    filled = len(curved.tetrahedra) > 0
+    values = curved.tetrahedron_distortion if filled else curved.triangle_distortion
+    values = np.where(np.isfinite(values), values, 0.0)
+    count = int((values > SHAPE_DISTORTION_LIMIT).sum())
+    if not count:
+        return []
+    worst = int(np.argmax(values))
+    faces = () if filled else tuple(dict.fromkeys(
+        f"Face{face + 1}" for face in curved.triangle_face[values > SHAPE_DISTORTION_LIMIT].tolist()))
+    where = phrases.TETRAHEDRON.format(count=worst, solid=f"Solid{curved.tetrahedron_solid[worst] + 1}") if filled \
+        else phrases.ON_FACE.format(phrase=phrases.TRIANGLE.format(count=worst),
+                                    face=f"Face{curved.triangle_face[worst] + 1}")
+    most, limit = _told_apart(values[worst], SHAPE_DISTORTION_LIMIT)
+    text = _sentence(phrases.DISTORTED, number=most, number2=limit, phrase=where)
+    if count > 1:
+        text += " " + _counted(phrases.MORE_DISTORTED, count - 1, number=limit)
+    corners = (curved.tetrahedra if filled else curved.triangles)[worst, :3]
+    return [Finding(text, faces, tuple(map(tuple, curved.nodes[corners].tolist())))]
+
+
+def _crossing_pairs(mesh, progress=None):
+    """The finding of crossing triangles of a SurfaceMesh whose report does not count them."""
+    check = None if progress is None else lambda fraction, stage: progress(1.0, "checking")
+    count = extension().verify(mesh._surface, check)["crossing pair of triangles"]
+    if count >= _COUNTED:
+        return [Finding(_sentence(phrases.CROSSING_MANY, count=f"{_COUNTED:,}"))]
+    return [Finding(_counted(phrases.CROSSING, count))] if count else []
+
+
+def _crossings(report):
+    """The finding of a MeshReport or CurveReport that says which CAD faces cross."""
+    if report.self_intersections <= 0:
+        return []
+    pairs = [tuple(f"Face{face + 1}" for face in crossing[:2]) for crossing in report.crossing_faces]
+    text = _counted(phrases.CROSSING, report.self_intersections)
+    for first, second in pairs[:_NAMED]:
+        text += " " + (phrases.CROSSES_ITSELF.format(face=first) if first == second
+                       else phrases.FACES_CROSS.format(face=first, face2=second))
+    return [Finding(text, tuple(dict.fromkeys(face for pair in pairs for face in pair)))]
+
+
+def _missing_faces(report):
+    """The finding of CAD faces that were left out as they could not be meshed."""
+    names = tuple(dict.fromkeys(f"Face{face + 1}" for face, _ in report.missing_faces))
+    if not names:
+        return []
+    return [Finding(counted_list(phrases.MISSING, names), names)]
+
+
+def _incomplete(report):
+    return [] if report.complete else [Finding(phrases.sentence(phrases.LIMIT))]
+
+
+def _counted(phrase, count, /, **places):
+    """The phrase for one or for many, as a sentence."""
+    return _sentence(phrase[count != 1], count=f"{count:,}", **places)
+
+
+def counted_list(phrase, names, /, **places):
+    """The same with the names of the first ones."""
+    return _counted(phrase, len(names), list=_first_of(names), **places)
+
+
+def _first_of(names):
+    listed = ", ".join(names[:_NAMED])
+    return phrases.AND_MORE.format(list=listed, count=len(names) - _NAMED) if len(names) > _NAMED else listed
+
+
+def _sentence(phrase, /, **places):
+    return phrases.upper_first(phrase.format(**places))
+
+
+_ROUNDING = 1e-6
+_DIGITS = 3
+_LIMIT_DIGITS = 4  # so that three digits of a limit that was given in inches are right there, too
+
+
+def _number(value, digits=_DIGITS):
+    """Three digits; of small angles too, but not in powers of ten."""
+    return np.format_float_positional(value, precision=digits, fractional=False, trim="-")
+
+
+def _told_apart(value, limit):
+    """The texts of a value and of its limit, with as many digits as tell them apart."""
+    if value < _ROUNDING <= limit:
+        return "0", _number(limit, _LIMIT_DIGITS)
+    pairs = ((_number(value, digits), _number(limit, max(digits, _LIMIT_DIGITS))) for digits in range(_DIGITS, 18))
+    return next((shown, bound) for shown, bound in pairs
+                if float(shown) != float(bound) and (float(shown) < float(bound)) == (value < limit))
+
+
+def _rounded(value):
+    """Likewise of mm and degrees; less than a millionth is rounding."""
+    return _number(value) if value >= _ROUNDING else "0"
+
+
+def _length(number):
+    return f"{number} mm"
+
+
+def _triangle(mesh, triangle):
+    """"triangle 7 on Face3"; without the face where that is not known."""
+    text = phrases.TRIANGLE.format(count=triangle)
+    names = _names(mesh, [triangle])
+    return phrases.ON_FACE.format(phrase=text, face=names[0]) if names else text
+
+
+def _at_edges(text, mesh, bad):
+    """A Finding at the triangles with an edge whose number of triangles is bad."""
+    if mesh is None:
+        return Finding(text)
+    triangles = np.asarray(mesh.triangles)
+    sides = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    _, edge, uses = np.unique(sides, axis=0, return_inverse=True, return_counts=True)
+    where = np.flatnonzero(bad(uses[edge.ravel()]).reshape(-1, 3).any(axis=1))
+    return Finding(text, _names(mesh, where), _corners(mesh, where[0]) if len(where) else ())
+
+
+def _names(mesh, triangles):
+    """The faces of triangles, each once; none of a mesh that comes from no shape."""
+    known = len(getattr(mesh, "triangle_face", ())) > 0
+    return tuple(f"Face{face + 1}" for face in dict.fromkeys(mesh.triangle_face[triangles].tolist())) \
+        if known else ()
+
+
+def _corners(mesh, triangle):
+    """The corners of a triangle in the document's frame."""
+    return tuple(map(tuple, (mesh.vertices[mesh.triangles[triangle]] + mesh.origin).tolist()))

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What document objects ask of the window. The window fills this in: document objects import nothing of it."""
+
+import importlib
+import math
+
+_filled_by = ""  # name of the module that answers where there is a window
+
+
+class Windowless:
+    """What they ask, and the answers where there is no window."""
+
+    def attach_view(self, obj):
+        """Gives the view of an object its proxy."""
+
+    def begin_in_background(self, obj):
+        """Has the background compute an object; returns whether it does."""
+        return False
+
+    def resume_in_background(self, obj):
+        """Has it compute what it had not finished when the document was saved."""
+
+    def stop_in_background(self, obj):
+        """Ends that."""
+
+    def translated(self, text):
+        """A reason, an error or another phrase, for the report view."""
+        return str(text)
+
+    def manual_above(self):
+        """Number of triangles above which a new mesh does not follow its source by itself."""
+        return math.inf
+
+    def show_in_place_of_sources(self, obj):
+        """Shows an object that was added where its sources were seen."""
+
+    def drawing(self):
+        """drawing(tessellation, quality), which any thread may call, makes what shows a curved mesh; None: nothing
+        shows it.
+        """
+        return None
+
+
+WINDOWLESS = Windowless()
+
+
+def fill(module):
+    """Names the module whose WINDOW, a Windowless, answers where there is a window; it is loaded on first use."""
+    global _filled_by
+    _filled_by = module
+
+
+def window():
+    """What answers now."""
+    import FreeCAD  # not above: the command line loads this outside FreeCAD, too
+
+    return importlib.import_module(_filled_by).WINDOW if FreeCAD.GuiUp and _filled_by else WINDOWLESS

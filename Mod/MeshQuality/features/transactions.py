@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What changes a document: objects are added to it and updated, each as one undo step."""
+
+from contextlib import contextmanager
+
+import FreeCAD
+
+from .. import options
+from ..core import convert, frames
+from ..errors import Error, InvalidInput
+from . import bindings
+from .gui_hooks import window
+from .mesh_object import MANUAL, UP_TO_DATE, MeshObject, with_precomputed
+from .properties import options_of, set_options
+
+
+def add(document, name, title, make):
+    """Adds an object and computes it, as one undo step of its own or within the transaction that is open.
+    `make(obj)` gives it its properties and returns its proxy.
+
+    Returns the object; on an error nothing is added.
+    """
+    with _undo_step(document, title):
+        obj = document.addObject("Mesh::FeaturePython", name)
+        try:
+            proxy = make(obj)
+            window().attach_view(obj)
+            obj.recompute()
+            if proxy.error is not None:
+                raise proxy.error
+            if obj.Mesh.CountFacets > window().manual_above():
+                obj.Recompute = MANUAL
+            window().show_in_place_of_sources(obj)
+            obj.purgeTouched()
+        except BaseException:
+            document.removeObject(obj.Name)
+            raise
+    return obj
+
+
+def update(obj, progress=None, **values):
+    """Brings a document object of this package up to date, with changed options; one undo step.
+
+    obj       of add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh
+    progress  callable(fraction 0..1, stage); returning False cancels
+    values    options to change; the others stay as they are, but a bound on the distance replaces the
+              one that was there
+
+    Raises what adding such an object raises, and then leaves it as it was; InvalidInput for an option whose
+    property is bound to an expression; Error where progress has removed the object, closed its document
+    or changed what it is made of.
+    """
+    options.require_callable(progress)
+    if isinstance(obj, FreeCAD.DocumentObject):
+        obj = frames.linked_of(obj)[0]
+    proxy = getattr(obj, "Proxy", None)
+    if not isinstance(proxy, MeshObject):
+        raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
+                           "add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh")
+    table, sources = proxy.OPTIONS, proxy.sources(obj)
+    before = options_of(obj, table)
+    values = options.check(table, options.merged(before, options.renamed(table, values)))
+    bindings.require_free(obj, table, before, values)
+    done = proxy.precomputed_for(sources, values)
+    if done is None:
+        work = proxy.work_on(sources, values, obj)
+        label = obj.Label
+        done = work, None if proxy.is_result(obj, work) else work.result(progress)
+        if progress is not None and done[1] is not None:
+            _require_unchanged(obj, label, values, work)
+    with _undo_step(obj.Document, f"Update {obj.Label}"):
+        set_options(obj, table, values)
+        if done[1] is None:
+            obj.Status = UP_TO_DATE
+            return
+        with with_precomputed(proxy, *done):
+            obj.recompute()
+        if proxy.error is not None:
+            raise proxy.error
+        obj.purgeTouched()
+        for dependent in obj.InList:
+            dependent.touch()
+
+
+def _require_unchanged(obj, label, values, work):
+    """Raises Error where scripts have taken away meanwhile what the result is for."""
+    try:
+        there = obj.Document.getObject(obj.Name) == obj
+    except (ReferenceError, RuntimeError, AttributeError):
+        there = False
+    if not there:
+        raise Error(f"'{label}' was removed, or its document closed, while it was computed: nothing was changed")
+    now = obj.Proxy.work_on(obj.Proxy.sources(obj), values, obj)
+    if now.fingerprint != work.fingerprint:
+        raise Error(f"the source of '{label}' was changed while the mesh was computed: the mesh stays as it was; "
+                    "update it again")
+
+
+@contextmanager
+def _undo_step(document, title):
+    """One undo step, or changes of the transaction that is open; none after an error."""
+    # A transaction that was opened shows in the document only after its first change.
+    own_transaction = not (document.HasPendingTransaction or FreeCAD.getActiveTransaction())
+    if own_transaction:
+        document.openTransaction(title)
+    try:
+        yield
+    except BaseException:
+        if own_transaction:
+            document.abortTransaction()
+        raise
+    if own_transaction:
+        document.commitTransaction()
+
+
+def add_of_source(proxy_class, source, values, name, title, label=None):
+    """Adds an object that is made of `source`, a document object or a pair (document object, path) as in
+    frames; see add. Its label begins with that of the source and ends with `label`, or the title.
+    """
+    if not isinstance(frames.object_of(source), FreeCAD.DocumentObject):
+        raise InvalidInput(f"a document object with {proxy_class.NEEDS} is needed, not "
+                           f"{type(source).__name__}")
+    checked = options.check(proxy_class.OPTIONS, values)
+
+    def make(obj):
+        proxy = proxy_class(obj)
+        obj.Label = f"{frames.leaf_of(source).Label} {label or title.lower()}"
+        obj.Source, obj.SourcePath = frames.object_of(source), frames.path_of(source)
+        set_options(obj, proxy_class.OPTIONS, checked)
+        return proxy
+
+    return add(frames.object_of(source).Document, name, title, make)

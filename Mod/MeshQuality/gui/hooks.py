@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the window answers to document objects; see features/gui_hooks.py."""
+
+from ..compat import PlainState
+from ..features.curved_mesh import CurvedMeshObject
+from ..features.gui_hooks import Windowless
+from . import background_recompute, looks, mesh_view, preferences, translation
+
+
+class Window(Windowless):
+    """The answers where there is a window."""
+
+    def attach_view(self, obj):
+        """Gives the view of an object its proxy, unless it has one."""
+        if not isinstance(obj.ViewObject.Proxy, PlainState):
+            _view_of(obj)(obj.ViewObject)
+
+    def begin_in_background(self, obj):
+        """As background_recompute.begin."""
+        return background_recompute.begin(obj)
+
+    def resume_in_background(self, obj):
+        """As background_recompute.resume."""
+        background_recompute.resume(obj)
+
+    def stop_in_background(self, obj):
+        """As background_recompute.stop."""
+        background_recompute.stop(obj)
+
+    def translated(self, text):
+        """As translation.translated."""
+        return translation.translated(text)
+
+    def manual_above(self):
+        """As preferences.manual_above."""
+        return preferences.manual_above()
+
+    def show_in_place_of_sources(self, obj):
+        """As looks.show_in_place_of_sources."""
+        looks.show_in_place_of_sources(obj)
+
+    def drawing(self):
+        """That of the 3D view."""
+        # Here, not on the thread that computes: Coin is loaded where the window is.
+        from .curved_view import Drawing
+
+        return Drawing
+
+
+def _view_of(obj):
+    """The class of the view's proxy: curved elements are shown with their edges."""
+    if isinstance(obj.Proxy, CurvedMeshObject):
+        from .curved_view import CurvedMeshView  # with it Coin, which no other object needs
+
+        return CurvedMeshView
+    return mesh_view.MeshView
+
+
+WINDOW = Window()

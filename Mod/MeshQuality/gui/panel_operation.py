@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a panel does to the document: it adds a mesh, or gives one other options.
+
+The change is a line of Python that the macro records. The object takes the result, which has been computed
+before, in the background.
+"""
+
+import FreeCAD
+import FreeCADGui
+
+from .. import options
+from ..core import convert, frames
+from ..errors import InvalidInput
+from ..features import bindings, mesh_object, properties
+
+translate = FreeCAD.Qt.translate
+
+# Properties of a source that do not change its shape or mesh.
+_LOOKS = ("Label", "Label2", "Visibility", "Proxy", "ExpressionEngine")
+
+
+class Operation:
+    """One mesh that a panel makes.
+
+    title    for windows and undo
+    kind     class of the object's proxy
+    sources  what the mesh is made of: document objects, or pairs (document object, path) as in frames
+    trial    trial(values, obj) -> Trial with these options, for an estimate; None: no estimate
+    obj      the document object, once there is one
+    document name of the document
+    """
+
+    def __init__(self, title, kind, sources, trial=None, obj=None):
+        self.title, self.kind, self.sources = title, kind, list(sources)
+        self.trial, self._obj = trial, obj
+        self.document = (obj or frames.object_of(self.sources[0])).Document.Name
+
+    @classmethod
+    def of_object(cls, title, obj, trial=None):
+        """The operation that edits an object."""
+        return cls(title, type(obj.Proxy), obj.Proxy.sources(obj), trial, obj)
+
+    @property
+    def obj(self):
+        """The document object; None before it was added and after it was removed."""
+        return self._obj if self._obj is not None and is_there(self.document, self._obj) else None
+
+    def size(self):
+        """Largest dimension of the source in mm, for people; 0: unknown."""
+        return convert.size_of(self.sources[0])
+
+    def values(self):
+        """The options of the object, {} without one."""
+        return properties.options_of(self.obj, self.kind.OPTIONS) if self.obj else {}
+
+    def expressions(self):
+        """{option: expression} of those options of the object that expressions set."""
+        found = bindings.expressions_of(self.obj, self.kind.OPTIONS) if self.obj else {}
+        return {name: expression for name, (_, expression) in found.items()}
+
+    def work(self, values):
+        """The Work to be done."""
+        return self.kind.work_on(self.sources, values, self.obj)
+
+    def is_done(self, work):
+        """Whether the object already holds what the work would give, and says so."""
+        return self.obj is not None and work.values == self.values() \
+            and self.obj.Proxy.is_result(self.obj, work)
+
+    def possible(self, edited):
+        """Whether the document still has the sources, and the object that is edited unless None."""
+        needed = [*self.sources, *([edited] if edited is not None else [])]
+        return all(obj is not None and is_there(self.document, frames.object_of(obj)) for obj in needed)
+
+    def obstacle(self):
+        """What a result has to wait for before it can land, as in obstacle_in."""
+        return obstacle_in(self.document)
+
+    def obstacle_beside_tasks(self):
+        """The same while the user may have opened another task: the mesh is no part of its step of
+        undo, and would end that too early.
+        """
+        step_is_open = FreeCADGui.Control.activeDialog() and self.document in FreeCAD.listDocuments() \
+            and (FreeCAD.getDocument(self.document).HasPendingTransaction or FreeCAD.getActiveTransaction())
+        return obstacle_in(self.document) or (
+            translate("MeshQuality", "waiting until the open task is closed") if step_is_open else "")
+
+    @property
+    def step(self):
+        """What undo calls it."""
+        return translate("MeshQuality", "Edit {}").format(self.obj.Label) \
+            if self.obj is not None else self.title
+
+    def line(self, values):
+        """The line of Python that does it."""
+        if self.obj is not None:
+            return f"mq.update({name_of(self.obj)}{_arguments(values, self.values())})"
+        given = name_of(self.sources[0])
+        if len(self.sources) > 1:
+            given = f"[{', '.join(map(name_of, self.sources))}]"
+        return f"mq.{self.kind.CALL}({given}{_arguments(values, options.defaults(self.kind.OPTIONS))})"
+
+    def land(self, work, result, watch):
+        """Changes the document by that line, as one undo step. Where a source has changed while the
+        work ran, the object is left touched: the next recompute brings it up to date.
+        """
+        document, line = FreeCAD.getDocument(self.document), self.line(work.values)
+        document.openTransaction(self.step)
+        try:
+            taker = self.obj.Proxy if self.obj is not None else self.kind
+            with mesh_object.with_precomputed(taker, work, result):
+                FreeCADGui.doCommand("import MeshQuality as mq")
+                FreeCADGui.doCommand(line)
+        except BaseException:
+            document.abortTransaction()
+            raise
+        if self.obj is None:
+            self._obj = document.ActiveObject
+        document.commitTransaction()
+        if watch.changed:
+            self._obj.Status = mesh_object.OUT_OF_DATE
+            self._obj.touch()
+
+
+class Watch:
+    """Notes whether one of the sources, what they are made of, or a container around them changes."""
+
+    def __init__(self, sources):
+        objects = [frames.object_of(source) for source in sources if frames.object_of(source) is not None]
+        self._objects = {(obj.Document.Name, obj.Name) for source in objects
+                         for obj in (source, *source.OutListRecursive, *frames.containers_of(source))}
+        self.changed = False
+        FreeCAD.addDocumentObserver(self)
+
+    def end(self):
+        """Watches no longer."""
+        FreeCAD.removeDocumentObserver(self)
+
+    def slotChangedObject(self, obj, name):
+        """Called by FreeCAD."""
+        if name not in _LOOKS and (obj.Document.Name, obj.Name) in self._objects:
+            self.changed = True
+
+
+def is_there(document, obj):
+    """Whether the object still is in the document of this name."""
+    return document in FreeCAD.listDocuments() and obj in FreeCAD.getDocument(document).Objects
+
+
+def obstacle_in(document):
+    """What the document of this name is in the middle of, in the user's language; empty: of nothing."""
+    if document not in FreeCAD.listDocuments():
+        return ""
+    found = FreeCAD.getDocument(document)
+    if found.Recomputing:
+        return translate("MeshQuality", "waits for FreeCAD: recomputing {}").format(found.Label)
+    if found.Transacting:
+        return translate("MeshQuality", "waits for FreeCAD: undoing or redoing in {}").format(found.Label)
+    return translate("MeshQuality", "waits for FreeCAD: loading {}").format(found.Label) if found.Restoring else ""
+
+
+def name_of(source):
+    """The object or the source, in Python."""
+    obj, path = frames.object_of(source), frames.path_of(source)
+    if path:
+        return f"({name_of(obj)}, {path!r})"
+    return f"App.getDocument({obj.Document.Name!r}).getObject({obj.Name!r})"
+
+
+def _arguments(values, known):
+    """Those values that are not known, as arguments in Python."""
+    return "".join(f", {name}={value!r}" for name, value in options.differing(values, known).items())
+
+
+def check(operations, values):
+    """The checked options of operations with one table.
+
+    Raises InvalidInput, also where the document has lost what the operations need.
+    """
+    if operations[0].document not in FreeCAD.listDocuments():
+        raise InvalidInput("The document was closed. Close this panel.")
+    if not all(made.possible(made.obj) for made in operations):
+        raise InvalidInput("The source was deleted. Close this panel.")
+    return options.check(operations[0].kind.OPTIONS, values)

@@ -1,0 +1,336 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of Analyse Quality: how good a mesh is, where it is worst, and why."""
+
+from dataclasses import dataclass
+from typing import Optional
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+from PySide import QtGui
+
+from ...compat import flags
+from ...core import frames
+from ...errors import Error
+from .. import jobs, looks
+from ..quality_data import DISTANCE, Histogram, QualityData, Scale
+from ..quantities import count_text
+from ..translation import translated
+from ..view import badge, colour_scale
+from ..view.quality_scene import QualityScene
+from .histogram import HistogramView
+
+translate = FreeCAD.Qt.translate
+
+WORST = 50  # elements in the list
+_DIGITS = 3  # of the numbers in the table, which may be 230 pixels wide
+_EDGES = 50_000  # triangles up to which edges are drawn from the beginning
+
+
+@dataclass(frozen=True)
+class _Found:
+    """What is shown of a measure.
+
+    values     float64 (E,)
+    scale      Scale of them
+    of_all     (worst, mean) of all tetrahedra, of which the elements are those at the surface; None
+               where the elements are all there are
+    colours    uint8 (T, 4), of the triangles that are drawn
+    coarse     uint8 (n, 4), of the coarse ones; None without them
+    histogram  Histogram
+    faces      [FaceRow, ...]
+    worst      indices of the worst elements
+    """
+
+    values: np.ndarray
+    scale: Scale
+    of_all: Optional[tuple]
+    colours: np.ndarray
+    coarse: Optional[np.ndarray]
+    histogram: Histogram
+    faces: list
+    worst: np.ndarray
+
+
+class QualityPanel:
+    """A panel for FreeCADGui.Control.showDialog. The mesh and what it was made of are hidden meanwhile,
+    as the coloured mesh takes their place.
+
+    source  a document object with a mesh, or a link to one, see frames
+    """
+
+    def __init__(self, source):
+        self.obj = frames.object_of(source)
+        self._document, self._label = self.obj.Document.Name, frames.leaf_of(source).Label
+        self.data = QualityData(source)
+        self.values = self.measure = self.scale = None
+        self.lit = None  # of each element: whether it is lit up
+        self.ended = False
+        self._found = {}  # values by title of the measure
+        self._job = None
+        self._make_form()
+        view = FreeCADGui.getDocument(self._document).activeView()
+        try:
+            self.scene = QualityScene(view)
+        except ImportError as error:
+            self.scene = None
+            self._say(translate(
+                "MeshQuality", "The mesh cannot be drawn in colour: {0}").format(error))
+        self._hidden = [o for o in looks.all_shown_at(source) if self.scene and o.ViewObject.Visibility]
+        for hidden in self._hidden:
+            hidden.ViewObject.Visibility = False
+        FreeCAD.addDocumentObserver(self)
+        self._choose_measure()
+
+    def _make_form(self):
+        self.form = QtGui.QWidget()
+        self.form.setWindowTitle(translate("MeshQuality", "Mesh quality"))
+        self.form.setWindowIcon(QtGui.QIcon(badge.path_of("MeshQuality_Analyse")))
+        of, self.summary = QtGui.QLabel(
+            translate("MeshQuality", "Mesh: {0}").format(self._label)), QtGui.QLabel()
+        self.measures, self.histogram = QtGui.QComboBox(), HistogramView()
+        self.meaning, self.hint = QtGui.QLabel(), QtGui.QLabel(_hint())
+        self.worst, self.faces = QtGui.QListWidget(), QtGui.QTableWidget(0, 4)
+        self.edges = QtGui.QCheckBox(translate("MeshQuality", "Draw edges"))
+        self.edges.setEnabled(False)
+        for measure in self.data.measures:
+            self.measures.addItem(translate("MeshQuality", measure.title))
+        for label in (of, self.meaning, self.summary, self.hint):
+            label.setWordWrap(True)
+        self.worst.setWordWrap(True)
+        self.worst.setAlternatingRowColors(True)
+        # The panel may be 260 pixels wide.
+        self.measures.setSizeAdjustPolicy(
+            QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.faces.setHorizontalHeaderLabels([
+            translate("MeshQuality", "Face"), translate("MeshQuality", "Count"),
+            translate("MeshQuality", "Worst"), translate("MeshQuality", "Mean")])
+        self.faces.verticalHeader().hide()
+        self.faces.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        self.faces.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+        self.faces.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
+        self.faces.horizontalHeader().setMinimumSectionSize(0)
+        self.faces.horizontalHeader().setStretchLastSection(True)
+        self.tabs = QtGui.QTabWidget()
+        self.tabs.addTab(self.worst, translate("MeshQuality", "Worst"))
+        self.tabs.addTab(self.faces, translate("MeshQuality", "Faces"))
+        layout = QtGui.QVBoxLayout(self.form)
+        layout.setContentsMargins(0, 0, 0, 0)
+        for widget in (of, self.measures, self.meaning, self.summary, self.histogram, self.hint, self.tabs,
+                       self.edges):
+            layout.addWidget(widget)
+        self.measures.currentIndexChanged.connect(self._choose_measure)
+        self.histogram.picked.connect(self._pick_bar)
+        self.worst.currentRowChanged.connect(self._pick_worst)
+        self.worst.itemClicked.connect(lambda _: self._pick_worst(self.worst.currentRow()))
+        self.faces.itemSelectionChanged.connect(self._pick_face)
+        self.edges.toggled.connect(self._draw_edges)
+
+    def getStandardButtons(self):
+        return flags(QtGui.QDialogButtonBox.Close)
+
+    def reject(self):
+        """Close: the view is as it was before."""
+        self._end()
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def slotDeletedDocument(self, document):
+        """FreeCAD closes a document."""
+        if document.Name == self._document:
+            self._end(gone=True)
+            FreeCADGui.Control.closeDialog()
+
+    def slotDeletedObject(self, obj):
+        """An object goes."""
+        if obj is self.obj:
+            self._end()
+            FreeCADGui.Control.closeDialog()
+
+    def _end(self, gone=False):
+        if self.ended:
+            return
+        self.ended = True
+        FreeCAD.removeDocumentObserver(self)
+        if self._job is not None and self._job.active:
+            self._job.cancel()
+        if gone:
+            return
+        if self.scene is not None:
+            self.scene.close()
+        for hidden in self._hidden:
+            if hidden in hidden.Document.Objects:
+                hidden.ViewObject.Visibility = True
+
+    def _choose_measure(self, *_):
+        measure = self.data.measures[self.measures.currentIndex()]
+        if self._job is not None and self._job.active:
+            self._job.cancel()
+        if measure.title in self._found:
+            self._show(measure, self._found[measure.title])
+            return
+        self._measuring()
+        if len(jobs.queue()):
+            self._say(translate("MeshQuality", "Measuring starts when other work has finished."))
+        self._job = jobs.queue().add(jobs.Job(
+            translate("MeshQuality", measure.title), lambda progress: self._compute(measure, progress),
+            lambda found: self._take(measure, found), quiet=True, prepare=self._measuring))
+        job = self._job
+        job.changed.connect(lambda: self._tell(job))
+        job.ended.connect(lambda: job.error and self._say(translated(job.error)))
+
+    def _tell(self, job):
+        if job is self._job and job.active and (job.fraction or job.wait):
+            measuring = translate("MeshQuality", "Measuring: {0} %").format(round(100 * job.fraction))
+            self._say("\n".join(filter(None, (measuring, job.wait))))
+
+    def _measuring(self):
+        self._say(translate("MeshQuality", "Measuring ..."))
+
+    def _compute(self, measure, progress):
+        self.data.prepare()
+        if len(self.data.corners) <= _EDGES:
+            _ = self.data.lines
+        values = np.asarray(measure.values(self.data, progress))
+        scale, of_all = self.data.scale(measure, values), None
+        if self.data.tetrahedra:
+            whole = measure.of_all(self.data, progress)
+            of_all = whole[measure.order(whole)[0]], _mean(whole)
+        colours = colour_scale.bytes_of(scale.goodness(values))[self.data.element]
+        coarse = None if self.data.coarse is None else self.data.coarse_colours(colours)
+        return _Found(values, scale, of_all, colours, coarse, Histogram.of(values, scale),
+                      self.data.faces(values, measure), measure.order(values)[:WORST])
+
+    def _take(self, measure, found):
+        if not self._found and self.scene is not None:
+            self.scene.show(self.data)
+            self.edges.setChecked(len(self.data.corners) <= _EDGES)
+            self.edges.setEnabled(True)
+        self._found[measure.title] = found
+        self._show(measure, found)
+
+    def _show(self, measure, found):
+        self.measure, self.values, self._bars = measure, found.values, found.histogram
+        self._worst, self.scale = found.worst, found.scale
+        self.meaning.setText(self._meaning(measure))
+        self._say(self._summary(found))
+        self.histogram.show_histogram(found.histogram, found.scale)
+        self.hint.setText(_hint())
+        self._list_worst()
+        self._list_faces(found.faces)
+        if self.scene is not None:
+            self.scene.colour(found.colours, found.coarse, found.scale)
+        self._light_up(np.zeros(self.data.elements, dtype=bool))
+
+    def _meaning(self, measure):
+        words = translate("MeshQuality", measure.help)
+        if measure is not DISTANCE:
+            return words
+        if self.data.bound is None:
+            return words + " " + translate("MeshQuality", "Red: the largest distance of this mesh.")
+        return words + " " + translate("MeshQuality", "Red: more than the requested {0}.").format(
+            self.scale.text(self.data.bound))
+
+    def _summary(self, found):
+        text = found.scale.text
+        worst, mean = text(found.values[found.worst[0]]), text(_mean(found.values))
+        if found.of_all is not None:
+            everything = translate("MeshQuality", "{0} tetrahedra: worst {1}, mean {2}")
+            shown = translate("MeshQuality", "Shown are the {0} at the surface: worst {1}, mean {2}")
+            return "\n".join((everything.format(count_text(self.data.tetrahedra), *map(text, found.of_all)),
+                              shown.format(count_text(self.data.shown), worst, mean)))
+        words = translate("MeshQuality", "{0} elements: worst {1}, mean {2}") if self.data.curved \
+            else translate("MeshQuality", "{0} triangles: worst {1}, mean {2}")
+        return words.format(count_text(self.data.elements), worst, mean)
+
+    def _list_worst(self):
+        self.worst.blockSignals(True)
+        self.worst.clear()
+        for element in self._worst:
+            text = f"{self.scale.text(self.values[element])}: {self.data.place(element)}"
+            reason = translated(self.data.reason(element))
+            item = QtGui.QListWidgetItem(text + (f"\n{reason}" if reason else ""))
+            item.setToolTip(reason or translate("MeshQuality", "Click to move the camera there"))
+            self.worst.addItem(item)
+        self.worst.blockSignals(False)
+
+    def _list_faces(self, faces):
+        self._faces = faces
+        unit = self.scale.unit.strip()
+        self.tabs.setTabText(1, translate("MeshQuality", "Faces") + (f" [{unit}]" if unit else ""))
+        self.faces.blockSignals(True)
+        self.faces.setRowCount(len(faces))
+        for i, row in enumerate(faces):
+            texts = (f"Face{row.face + 1}", count_text(row.elements), self.scale.number(row.worst, _DIGITS),
+                     self.scale.number(row.mean, _DIGITS))
+            for k, text in enumerate(texts):
+                self.faces.setItem(i, k, QtGui.QTableWidgetItem(text))
+        self.faces.blockSignals(False)
+
+    def _pick_bar(self, bar):
+        chosen = self._bars.bar == bar
+        self.hint.setText(self.histogram.words(bar) if bar >= 0 else _hint())
+        self._light_up(chosen)
+
+    def _pick_worst(self, row):
+        if row < 0 or self.scene is None:
+            return
+        chosen = np.zeros(self.data.elements, dtype=bool)
+        chosen[self._worst[row]] = True
+        self._light_up(chosen)
+        self.scene.fly_to(self.data.triangles_of(chosen))
+
+    def _pick_face(self):
+        rows = {index.row() for index in self.faces.selectedIndexes()}
+        self._light_up(np.isin(self.data.face, [self._faces[row].face for row in rows]))
+
+    def _light_up(self, chosen):
+        self.lit = chosen
+        if self.scene is not None:
+            self.scene.light_up(self.data.triangles_of(chosen))
+
+    def _draw_edges(self, *_):
+        if self.scene is None:
+            return
+        if not self.edges.isChecked() or self.data.has_lines:
+            self.scene.draw_edges(self.data, self.edges.isChecked())
+            return
+        jobs.queue().add(jobs.Job(
+            translate("MeshQuality", "Draw edges"), lambda progress: self.data.lines, lambda lines: self._draw_edges(),
+            lambda: not self.ended and self.edges.isChecked(), quiet=True))
+
+    def _say(self, text):
+        self.summary.setText(text)
+
+
+def _mean(values):
+    """The mean of the values that are finite."""
+    finite = values[np.isfinite(values)]
+    return finite.mean() if len(finite) else values[0]
+
+
+def _hint():
+    return translate("MeshQuality", "Click a bar to highlight its elements.")
+
+
+_shown = None
+
+
+def shown():
+    """The panel that is open; None without one."""
+    return _shown if _shown is not None and not _shown.ended else None
+
+
+def open_panel(source):
+    """Opens the panel for a mesh; what is wrong with it goes to the report view."""
+    try:
+        panel = QualityPanel(source)
+    except (Error, ImportError) as error:
+        FreeCAD.Console.PrintError(f"{frames.leaf_of(source).Label}: {translated(error)}\n")
+        QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(),
+                                  translate("MeshQuality", "Mesh quality"), translated(error))
+        return None
+    FreeCADGui.Control.showDialog(panel)
+    global _shown
+    _shown = panel
+    return panel

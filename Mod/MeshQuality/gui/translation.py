@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the core, certificates and errors say, in the user's language and units."""
+
+import FreeCAD
+
+from .. import phrases
+from . import quantities
+
+
+def translate_phrase(text):
+    """One of phrases.texts() in the user's language, with places for what differs."""
+    return FreeCAD.Qt.translate("MeshQuality", text)
+
+
+WORDING = phrases.Wording(translate_phrase, quantities.in_locale, quantities.lengths_in_units)
+
+
+def translated(text):
+    """A reason, an error, or anything else of the table of phrases."""
+    return phrases.translated(str(text), WORDING)
+
+
+def translated_certificate(text):
+    """The sentences of a certificate."""
+    return phrases.sentences(text, WORDING)
+
+
+def translated_stage(stage):
+    """A stage of the work in the user's language."""
+    return phrases.stage(stage, WORDING)
+
+
+def translated_rest(stage):
+    """What goes on after cancelling in the middle of a stage, in the user's language."""
+    return phrases.rest(stage, WORDING)

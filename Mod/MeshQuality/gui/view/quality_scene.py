@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The quality of a mesh in a 3D view: colours, lit elements, a legend, and the camera's flight."""
+
+import importlib
+
+import numpy as np
+from pivy import coin
+from PySide import QtCore
+
+from . import legend
+
+_STEPS, _TICK = 16, 25  # of a flight; ms
+_SLOW = 0.05  # seconds of drawing from which on moving is drawn coarsely
+_STILL = 250  # ms without a move after which all is drawn again
+_AROUND = 25.0  # width of the view around a place, in sizes of the place
+
+
+class QualityScene:
+    """Draws in one 3D view until `close`."""
+
+    def __init__(self, view):
+        # Built for one Coin, unlike the rest: without it there are no colours, but all numbers.
+        module = importlib.import_module("MeshQuality._view")
+        self.scene = module.QualityScene()
+        self.view = view
+        self.node = coin.SoNode.getByName(self.scene.name)
+        self._graph = view.getSceneGraph()
+        self._graph.addChild(self.node)
+        self.flight = None
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(_STILL)
+        self._timer.timeout.connect(lambda: self.scene.moving(False))
+        self._camera, self._pose = view.getCameraNode(), None
+        self._sensor = coin.SoNodeSensor(self._moved, None)
+        self._sensor.attach(self._camera)
+
+    def close(self):
+        """Leaves the view as it was."""
+        if self.flight is not None:
+            self.flight.stop()
+        self._timer.stop()
+        self._sensor.detach()
+        self._graph.removeChild(self.node)
+        self._graph, self.node = None, None
+
+    def show(self, data):
+        """Takes the triangles of a QualityData."""
+        self.scene.show(data.corners)
+        if data.coarse is not None:
+            self.scene.show_coarse(data.coarse)
+
+    def _moved(self, *_):
+        """The camera has changed: if it has moved and drawing takes long, coarse triangles are drawn
+        meanwhile. What Coin sets at each drawing, between which distances is drawn, is no move.
+        """
+        camera = self._camera
+        size = camera.height if hasattr(camera, "height") else camera.heightAngle
+        pose = (camera.position.getValue().getValue(), camera.orientation.getValue().getValue(),
+                size.getValue())
+        moved, self._pose = pose != self._pose, pose
+        if moved and self.scene.drawing_seconds > _SLOW:
+            self.scene.moving(True)
+            self._timer.start()
+
+    def draw_edges(self, data, wanted):
+        """Draws the edges, or not."""
+        lines = data.lines if wanted else (np.zeros((0, 3)), np.zeros(0, dtype=np.int32))
+        self.scene.draw_edges(*lines)
+
+    def colour(self, colours, coarse, scale):
+        """uint8 (T, 4) colours of the triangles, (n, 4) of the coarse ones, and the legend of the
+        scale that they show.
+        """
+        self.scene.colour(colours)
+        if coarse is not None:
+            self.scene.colour_coarse(coarse)
+        self.scene.legend(legend.picture(scale), *legend.corner_to_leave())
+
+    def light_up(self, corners):
+        """Lights up triangles, float32 (n, 3, 3), instead of those before."""
+        self.scene.light_up(corners)
+
+    def fly_to(self, corners):
+        """Moves the camera to look at triangles, from outside."""
+        self.flight = flight_to(self.view, corners)
+
+
+def flight_to(view, corners):
+    """Begins to move a view's camera to look at triangles, (n, 3, 3), from outside; the Flight."""
+    points = corners.reshape(-1, 3).astype(float)
+    centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    sides = corners.astype(float)
+    normal = np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]).sum(axis=0)
+    return Flight(view.getCameraNode(), centre, normal, _AROUND * size)
+
+
+class Flight(QtCore.QObject):
+    """Turns and moves a camera step by step to look at a place."""
+
+    def __init__(self, camera, centre, normal, height):
+        super().__init__()
+        self.camera = camera
+        self._perspective = camera.isOfType(coin.SoPerspectiveCamera.getClassTypeId())
+        self._from = self._now()
+        distance = height
+        if self._perspective:
+            distance = 0.5 * height / np.tan(0.5 * camera.heightAngle.getValue())
+        turn = self._from[1]
+        if np.linalg.norm(normal) > 0.0:
+            # A camera looks along its -z.
+            to = coin.SbVec3f(*(-normal / np.linalg.norm(normal)))
+            ahead = turn.multVec(coin.SbVec3f(0, 0, -1))
+            turn = turn * coin.SbRotation(ahead, to)
+        back = turn.multVec(coin.SbVec3f(0, 0, 1)).getValue()
+        self._to = (np.asarray(centre) + distance * np.array(back), turn, height, distance)
+        self._step = 0
+        self._timer = QtCore.QTimer(self)
+        self._timer.setInterval(_TICK)
+        self._timer.timeout.connect(self._next)
+        self._timer.start()
+
+    @property
+    def active(self):
+        """Whether it has not arrived."""
+        return self._timer.isActive()
+
+    def stop(self):
+        """Stays where it is."""
+        self._timer.stop()
+
+    def _now(self):
+        height = 0.0 if self._perspective else self.camera.height.getValue()
+        return (np.array(self.camera.position.getValue().getValue()),
+                coin.SbRotation(*self.camera.orientation.getValue().getValue()), height,
+                self.camera.focalDistance.getValue())
+
+    def _next(self):
+        self._step += 1
+        part = self._step / _STEPS
+        part = part * part * (3.0 - 2.0 * part)
+        start, end = self._from, self._to
+        self.camera.position.setValue(*(start[0] + part * (end[0] - start[0])))
+        self.camera.orientation.setValue(coin.SbRotation.slerp(start[1], end[1], part))
+        self.camera.focalDistance.setValue(start[3] + part * (end[3] - start[3]))
+        if not self._perspective:
+            # Heights change by factors: each step halves or doubles what is seen alike.
+            self.camera.height.setValue(start[2] * (end[2] / start[2]) ** part)
+        if self._step >= _STEPS:
+            self._timer.stop()

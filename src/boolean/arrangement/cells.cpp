@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/arrangement/cells.h"
+
+#include <algorithm>
+#include <optional>
+#include <queue>
+#include <string>
+
+#include "base/disjoint_sets.h"
+#include "base/error.h"
+#include "boolean/arrangement/radial_order.h"
+#include "boolean/arrangement/ray_winding.h"
+#include "boolean/input/operand_repair.h"
+#include "mesh/edge_table.h"
+
+namespace mq::boolean {
+
+namespace {
+
+using Sets = DisjointSets<std::int32_t>;
+
+std::string position(const Vec3& p) {
+    return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")";
+}
+
+/// An edge where patches meet: its faces are found at [first, last) of a list.
+struct CurveEdge {
+    std::int32_t low;
+    std::int32_t high;
+    std::size_t first;
+    std::size_t last;
+};
+
+class CellFinder {
+  public:
+    CellFinder(const Soup& soup, const Arrangement& arrangement, const Progress& progress)
+        : soup_(soup), arrangement_(arrangement), progress_(progress) {}
+
+    Cells run() {
+        find_patches();
+        progress_.check();
+        find_sides();
+        progress_.check();
+        add_up();
+        std::vector<std::vector<std::int32_t>> faces(static_cast<std::size_t>(components_));
+        for (std::size_t f = 0; f < patch_.size(); ++f) {
+            faces[static_cast<std::size_t>(body_[static_cast<std::size_t>(patch_[f])])].push_back(
+                static_cast<std::int32_t>(f));
+        }
+        for (std::int32_t component = 0; component < components_; ++component) {
+            progress_.check();
+            settle(component, faces[static_cast<std::size_t>(component)]);
+        }
+        return std::move(cells_);
+    }
+
+  private:
+    /// Patches are faces joined across edges that have exactly two.
+    void find_patches() {
+        std::vector<Triangle> triangles;
+        triangles.reserve(arrangement_.faces.size());
+        for (const Face& face : arrangement_.faces) {
+            triangles.push_back(face.points);
+        }
+        const mesh::EdgeTable table(triangles, static_cast<std::size_t>(arrangement_.points.size()));
+        Sets sets(triangles.size());
+        table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
+            if (last - first == 1) {
+                throw TopologyError("the surfaces do not close at the edge near " +
+                                    position(arrangement_.points.approx(low)));
+            }
+            if (last - first == 2 && runs_up(first[0], low) != runs_up(first[1], low)) {
+                sets.unite(static_cast<std::int32_t>(first[0] / 3), static_cast<std::int32_t>(first[1] / 3));
+                return;
+            }
+            curve_.push_back({low, high, corners_.size(), corners_.size() + static_cast<std::size_t>(last - first)});
+            corners_.insert(corners_.end(), first, last);
+        });
+        std::int32_t count = 0;
+        patch_ = sets.number(count);
+        cells_.patches = static_cast<std::size_t>(count);
+        cells_.curve_edges = curve_.size();
+    }
+
+    /// Whether the directed edge of a corner starts at `low`.
+    bool runs_up(std::uint32_t corner, std::int32_t low) const {
+        return arrangement_.faces[corner / 3].points[corner % 3] == low;
+    }
+
+    /// Sides of patches are in one cell where they face each other across an edge. Side 2 p is the front of patch p.
+    void find_sides() {
+        Sets sides(2 * cells_.patches);
+        Sets bodies(cells_.patches);
+        std::vector<RadialFace> around;
+        for (const CurveEdge& edge : curve_) {
+            around.clear();
+            for (std::size_t i = edge.first; i < edge.last; ++i) {
+                const std::uint32_t c = corners_[i];
+                const std::int32_t apex = arrangement_.faces[c / 3].points[(c % 3 + 2) % 3];
+                around.push_back({static_cast<std::int32_t>(c / 3), apex, runs_up(c, edge.low)});
+            }
+            sort_radially(arrangement_.points, edge.low, edge.high, around);
+            for (std::size_t i = 0; i < around.size(); ++i) {
+                const RadialFace& one = around[i];
+                const RadialFace& two = around[(i + 1) % around.size()];
+                const std::int32_t p = patch_[static_cast<std::size_t>(one.face)];
+                const std::int32_t q = patch_[static_cast<std::size_t>(two.face)];
+                sides.unite(2 * p + (one.runs_up ? 0 : 1), 2 * q + (two.runs_up ? 1 : 0));
+                bodies.unite(p, q);
+            }
+        }
+        std::int32_t cells = 0;
+        side_cell_ = sides.number(cells);
+        cells_.operands = soup_.operands;
+        cells_.winding.assign(static_cast<std::size_t>(cells) * static_cast<std::size_t>(soup_.operands), 0);
+        body_ = bodies.number(components_);
+        cells_.front.resize(patch_.size());
+        cells_.back.resize(patch_.size());
+        for (std::size_t f = 0; f < patch_.size(); ++f) {
+            cells_.front[f] = side_cell_[static_cast<std::size_t>(2 * patch_[f])];
+            cells_.back[f] = side_cell_[static_cast<std::size_t>(2 * patch_[f] + 1)];
+        }
+    }
+
+    std::int32_t* windings(std::int32_t cell) {
+        return cells_.winding.data() + static_cast<std::size_t>(cell) * static_cast<std::size_t>(soup_.operands);
+    }
+
+    /// The change of each operand's winding number on passing a face from its front to its back.
+    std::vector<std::int32_t> jump(const Face& face) const {
+        std::vector<std::int32_t> result(static_cast<std::size_t>(soup_.operands), 0);
+        const auto add = [&](const CoplanarCover& cover) {
+            const Source& source = soup_.source[static_cast<std::size_t>(cover.triangle)];
+            result[static_cast<std::size_t>(source.operand)] += cover.turn;
+        };
+        if (face.stack < 0) {
+            add({face.source, 1});
+        } else {
+            const std::vector<CoplanarCover>& stack = arrangement_.stacks[static_cast<std::size_t>(face.stack)];
+            std::for_each(stack.begin(), stack.end(), add);
+        }
+        return result;
+    }
+
+    /// Computes the windings of all cells relative to one cell of each component.
+    void add_up() {
+        std::vector<std::int32_t> face_of(cells_.patches, -1);
+        for (std::size_t f = 0; f < patch_.size(); ++f) {
+            face_of[static_cast<std::size_t>(patch_[f])] = static_cast<std::int32_t>(f);
+        }
+        const std::size_t cells = cells_.winding.size() / static_cast<std::size_t>(soup_.operands);
+        std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>> beside(cells);  // (patch, cell beyond)
+        for (std::size_t p = 0; p < cells_.patches; ++p) {
+            const std::int32_t front = side_cell_[2 * p];
+            const std::int32_t back = side_cell_[2 * p + 1];
+            beside[static_cast<std::size_t>(front)].emplace_back(static_cast<std::int32_t>(p), back);
+            beside[static_cast<std::size_t>(back)].emplace_back(static_cast<std::int32_t>(p), front);
+        }
+        std::vector<char> known(cells, 0);
+        component_cells_.resize(static_cast<std::size_t>(components_));
+        for (std::size_t start = 0; start < cells; ++start) {
+            if (known[start] != 0) {
+                continue;
+            }
+            known[start] = 1;
+            std::queue<std::int32_t> todo;
+            todo.push(static_cast<std::int32_t>(start));
+            while (!todo.empty()) {
+                const std::int32_t cell = todo.front();
+                todo.pop();
+                for (const auto& [patch, beyond] : beside[static_cast<std::size_t>(cell)]) {
+                    pass(cell, patch, beyond, face_of[static_cast<std::size_t>(patch)], known, todo);
+                }
+                const std::int32_t patch = beside[static_cast<std::size_t>(cell)].front().first;
+                component_cells_[static_cast<std::size_t>(body_[static_cast<std::size_t>(patch)])].push_back(cell);
+            }
+        }
+    }
+
+    void pass(std::int32_t cell, std::int32_t patch, std::int32_t beyond, std::int32_t face, std::vector<char>& known,
+              std::queue<std::int32_t>& todo) {
+        const std::vector<std::int32_t> step = jump(arrangement_.faces[static_cast<std::size_t>(face)]);
+        const int sign = side_cell_[static_cast<std::size_t>(2 * patch)] == cell ? 1 : -1;
+        const bool first = known[static_cast<std::size_t>(beyond)] == 0;
+        for (int k = 0; k < soup_.operands; ++k) {
+            const std::int32_t value = windings(cell)[k] + sign * step[static_cast<std::size_t>(k)];
+            if (first) {
+                windings(beyond)[k] = value;
+            } else if (windings(beyond)[k] != value) {
+                const Vec3 at =
+                    arrangement_.points.approx(arrangement_.faces[static_cast<std::size_t>(face)].points[0]);
+                throw TopologyError(
+                    "the surface of " +
+                    operand_name(static_cast<std::size_t>(k), static_cast<std::size_t>(soup_.operands)) +
+                    " bounds no volume near " + position(at));
+            }
+        }
+        if (first) {
+            known[static_cast<std::size_t>(beyond)] = 1;
+            todo.push(beyond);
+        }
+    }
+
+    /// Makes a component's windings absolute by one ray from its largest face. A component too thin to hold a point of
+    /// double precision encloses nothing: all its cells become one.
+    void settle(std::int32_t component, const std::vector<std::int32_t>& faces) {
+        const std::vector<std::int32_t>& cells = component_cells_[static_cast<std::size_t>(component)];
+        const std::optional<RayWinding> found = winding_in_front(soup_, arrangement_, faces);
+        if (!found.has_value()) {
+            for (const std::int32_t c : cells) {
+                std::fill(windings(c), windings(c) + soup_.operands, 0);
+            }
+            return;
+        }
+        const std::int32_t cell = cells_.front[static_cast<std::size_t>(found->face)];
+        std::vector<std::int32_t> offset(static_cast<std::size_t>(soup_.operands));
+        for (int k = 0; k < soup_.operands; ++k) {
+            offset[static_cast<std::size_t>(k)] = found->winding[static_cast<std::size_t>(k)] - windings(cell)[k];
+        }
+        for (const std::int32_t c : cells) {
+            for (int k = 0; k < soup_.operands; ++k) {
+                windings(c)[k] += offset[static_cast<std::size_t>(k)];
+            }
+        }
+    }
+
+    const Soup& soup_;
+    const Arrangement& arrangement_;
+    const Progress& progress_;
+    Cells cells_;
+    std::vector<CurveEdge> curve_;
+    std::vector<std::uint32_t> corners_;  ///< corners 3 * face + k of the faces at curve edges
+    std::vector<std::int32_t> patch_;     ///< patch of each face
+    std::vector<std::int32_t> side_cell_;
+    std::vector<std::int32_t> body_;  ///< component of each patch
+    std::vector<std::vector<std::int32_t>> component_cells_;
+    std::int32_t components_ = 0;
+};
+
+}  // namespace
+
+Cells find_cells(const Soup& soup, const Arrangement& arrangement, const Progress& progress) {
+    return CellFinder(soup, arrangement, progress).run();
+}
+
+}  // namespace mq::boolean

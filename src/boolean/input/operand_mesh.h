@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "boolean/input/operand_repair.h"
+#include "mesh/corner_table.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// An operand's surface while it is being repaired.
+///
+/// `mates` pairs the corners (directed edges, 3 * triangle + i) of neighbours; mesh::kBorder and mesh::kIrregular as in
+/// mesh::edge_twins. Unlike twins, mates may run the same way until the triangles have been oriented.
+struct OperandMesh {
+    std::vector<Vec3> vertices;
+    std::vector<mesh::Triangle> triangles;
+    std::vector<std::int32_t> source;
+    std::vector<std::int32_t> mates;
+    std::vector<std::int32_t> attached;  ///< triangles of walls and fins, left over at an edge whose others were paired
+    Repairs repairs;
+    std::string name;            ///< name of the operand, for messages
+    Vec3 origin = Vec3::Zero();  ///< origin of the vertices' frame
+
+    std::int32_t tail(std::int32_t corner) const { return triangles[corner / 3][corner % 3]; }
+    std::int32_t head(std::int32_t corner) const { return tail(mesh::next_corner(corner)); }
+    const Vec3& point(std::int32_t corner) const { return vertices[tail(corner)]; }
+    void pair(std::int32_t h, std::int32_t g) {
+        mates[h] = g;
+        mates[g] = h;
+    }
+    void find_twins() { mates = mesh::edge_twins(triangles, vertices.size()); }
+    /// Removes the triangles marked; their mates are on the border then.
+    void remove(const std::vector<char>& marked);
+    /// Reverses the triangles marked, and their mates with them.
+    void turn(const std::vector<char>& marked);
+    double area(std::int32_t triangle) const;
+    /// Formats a position in the model's frame: "(1.5, 0, -2) mm".
+    std::string position(const Vec3& local) const;
+};
+
+// ---- the steps, in their order --------------------------------------------------------------------------------------
+
+/// Leaves one triangle for each set of three vertices. Where as many run one way as the other, the one that fits the
+/// neighbours is left, or none where they are in balance without it, as at a wall between two solids.
+void remove_duplicates(OperandMesh& draft);
+
+/// Removes triangles whose corners lie on one line: the neighbour along the long edge is divided at the corner that
+/// lies on it. Needs twins, and keeps them valid. A triangle without a usable neighbour stays.
+/// @return the number removed
+std::size_t remove_degenerate(OperandMesh& draft);
+
+/// Reverses triangles so that neighbours agree, the majority of each patch staying as it is, and pairs up the triangles
+/// of edges that have more than two: going around the edge, those with the solid between them belong together. Edges of
+/// two triangles that run the same way are mates afterwards, too; a corner without a partner is on the border.
+/// @throws InvalidInput when the surface has one side only.
+void pair_and_orient(OperandMesh& draft);
+
+/// Fills all holes with the least area, preferring fillings that do not cross the rest of the surface; then removes or
+/// refuses components that are too open.
+/// @throws InvalidInput for an open surface.
+void close_holes(OperandMesh& draft, const Progress* progress);
+
+/// Gives each fan of a vertex a vertex of its own, so that indices alone tell the neighbours.
+void split_fans(OperandMesh& draft);
+
+/// Reverses components whose orientation contradicts what is around them. A component with negative volume is reversed
+/// where it does not lie in another one, together with all that lies in it; in another one it is a cavity.
+void orient_to_bound_volume(OperandMesh& draft);
+
+}  // namespace mq::boolean

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/input/operand_repair.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/error.h"
+#include "base/predicates.h"
+#include "boolean/input/operand_mesh.h"
+#include "mesh/corner_table.h"
+#include "mesh/weld_vertices.h"
+
+namespace mq::boolean {
+namespace {
+
+/// The largest coordinate, mm, for which predicates are exact (base/predicates.h). Beyond it exact numbers overflow,
+/// and grow without end.
+constexpr double kLargest = 1e15;
+
+void require_usable(const mesh::TriangleMesh& mesh, const std::string& name) {
+    if (mesh.triangles.empty()) {
+        throw InvalidInput(name + " has no triangles");
+    }
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        if (!mesh.vertices[v].allFinite()) {
+            throw InvalidInput(name + ": vertex " + std::to_string(v) +
+                               " has a coordinate that is not a finite number");
+        }
+        if (mesh.vertices[v].cwiseAbs().maxCoeff() > kLargest) {
+            throw InvalidInput(name + ": vertex " + std::to_string(v) +
+                               " has a coordinate beyond 1e15 mm, up to which Booleans are exact; give a smaller mesh");
+        }
+    }
+    const auto count = static_cast<std::int64_t>(mesh.vertices.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        for (const std::int32_t v : mesh.triangles[t]) {
+            if (v < 0 || v >= count) {
+                throw InvalidInput(name + ": triangle " + std::to_string(t) + " names vertex " + std::to_string(v) +
+                                   ", but the mesh has " + std::to_string(count) + " vertices");
+            }
+        }
+    }
+}
+
+OperandMesh draft_of(const mesh::TriangleMesh& mesh, const std::string& name) {
+    OperandMesh draft;
+    draft.vertices = mesh.vertices;
+    draft.triangles = mesh.triangles;
+    draft.source.resize(mesh.triangles.size());
+    for (std::size_t t = 0; t < draft.source.size(); ++t) {
+        draft.source[t] = static_cast<std::int32_t>(t);
+    }
+    draft.name = name;
+    draft.origin = mesh.origin;
+    return draft;
+}
+
+/// Gives equal vertices one index, and removes triangles that name one twice.
+void weld(OperandMesh& draft) {
+    const std::vector<std::int32_t> equal = mesh::equal_vertices(draft.vertices);
+    for (std::size_t v = 0; v < equal.size(); ++v) {
+        draft.repairs.welded += equal[v] != static_cast<std::int32_t>(v) ? 1 : 0;
+    }
+    if (draft.repairs.welded > 0) {
+        for (mesh::Triangle& t : draft.triangles) {
+            t = {equal[t[0]], equal[t[1]], equal[t[2]]};
+        }
+    }
+    std::vector<char> marked(draft.triangles.size(), 0);
+    std::size_t collapsed = 0;
+    for (std::size_t k = 0; k < marked.size(); ++k) {
+        const mesh::Triangle& t = draft.triangles[k];
+        marked[k] = static_cast<char>(t[0] == t[1] || t[1] == t[2] || t[2] == t[0]);
+        collapsed += marked[k];
+    }
+    if (collapsed > 0) {
+        draft.repairs.degenerate += collapsed;
+        draft.remove(marked);
+    }
+}
+
+bool all_paired(const OperandMesh& draft) {
+    return std::all_of(draft.mates.begin(), draft.mates.end(), [](std::int32_t mate) { return mate >= 0; });
+}
+
+/// Two triangles on the same three vertices that are neighbours along more than one edge.
+bool has_flat_pair(const OperandMesh& draft) {
+    for (std::size_t h = 0; h < draft.mates.size(); h += 3) {
+        const std::int32_t* mate = &draft.mates[h];
+        if (mate[0] >= 0 && (mate[0] / 3 == mate[1] / 3 || mate[0] / 3 == mate[2] / 3)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool has_degenerate(const OperandMesh& draft) {
+    return std::any_of(draft.triangles.begin(), draft.triangles.end(), [&](const mesh::Triangle& t) {
+        return collinear(draft.vertices[t[0]], draft.vertices[t[1]], draft.vertices[t[2]]);
+    });
+}
+
+bool single_fans(const OperandMesh& draft) {
+    std::vector<char> met(draft.vertices.size(), 0);
+    for (const std::int32_t v : mesh::fans(draft.triangles, draft.mates).vertex_of) {
+        if (met[v] != 0) {
+            return false;
+        }
+        met[v] = 1;
+    }
+    return true;
+}
+
+bool is_fit(const OperandMesh& draft) {
+    return all_paired(draft) && !has_flat_pair(draft) && !has_degenerate(draft) && single_fans(draft);
+}
+
+/// Puts a vertex in the middle of the edge of h and its mate: (u, v, x) and (v, u, y) become (u, m, x), (m, v, x) and
+/// (v, m, y), (m, u, y).
+void split_edge(OperandMesh& draft, std::int32_t h) {
+    const std::array<std::int32_t, 2> sides{h, draft.mates[h]};
+    const auto middle = static_cast<std::int32_t>(draft.vertices.size());
+    const Vec3 point = 0.5 * (draft.point(sides[0]) + draft.point(sides[1]));
+    const bool single = is_single(draft.point(sides[0])) && is_single(draft.point(sides[1]));
+    draft.vertices.push_back(single ? to_single(point) : point);
+    std::array<std::int32_t, 2> halves{};
+    for (int i = 0; i < 2; ++i) {
+        const std::int32_t side = sides[i];
+        const std::int32_t half = 3 * static_cast<std::int32_t>(draft.triangles.size()) + side % 3;
+        mesh::Triangle triangle = draft.triangles[side / 3];
+        draft.triangles[side / 3][mesh::next_corner(side) % 3] = middle;
+        triangle[side % 3] = middle;
+        draft.triangles.push_back(triangle);
+        const std::int32_t source = draft.source[side / 3];
+        draft.source.push_back(source);
+        draft.mates.resize(3 * draft.triangles.size(), mesh::kBorder);
+        const std::int32_t beyond = draft.mates[mesh::next_corner(side)];
+        draft.pair(mesh::next_corner(half), beyond);
+        draft.pair(mesh::next_corner(side), mesh::previous_corner(half));
+        halves[i] = half;
+    }
+    draft.pair(sides[0], halves[1]);
+    draft.pair(sides[1], halves[0]);
+}
+
+/// Edges that two pairs of triangles still share, as their ends are one fan each, get a vertex in their middle: one for
+/// each pair but the first. Every corner has a mate afterwards.
+void part_edges(OperandMesh& draft) {
+    bool again = true;
+    while (again) {
+        again = false;
+        const std::vector<std::int32_t> twins = mesh::edge_twins(draft.triangles, draft.vertices.size());
+        std::vector<std::array<std::int32_t, 3>> shared;  // low vertex, high vertex, a corner of each pair
+        for (std::size_t h = 0; h < twins.size(); ++h) {
+            const auto corner = static_cast<std::int32_t>(h);
+            if (twins[h] == mesh::kIrregular && corner < draft.mates[h]) {
+                const auto [low, high] = std::minmax({draft.tail(corner), draft.head(corner)});
+                shared.push_back({low, high, corner});
+            }
+        }
+        std::sort(shared.begin(), shared.end());
+        std::vector<char> changed(draft.triangles.size(), 0);  // triangles whose corners may have moved
+        for (std::size_t i = 1; i < shared.size(); ++i) {
+            const std::int32_t h = shared[i][2];
+            if (shared[i][0] != shared[i - 1][0] || shared[i][1] != shared[i - 1][1]) {
+                continue;
+            }
+            again = true;
+            if (changed[h / 3] == 0 && changed[draft.mates[h] / 3] == 0) {
+                changed[h / 3] = 1;
+                changed[draft.mates[h] / 3] = 1;
+                split_edge(draft, h);
+                changed.resize(draft.triangles.size(), 1);
+            }
+        }
+    }
+}
+
+/// How many triangles run opposite to the input.
+std::size_t count_flipped(const OperandMesh& draft, const mesh::TriangleMesh& mesh) {
+    std::size_t flipped = 0;
+    for (std::size_t t = 0; t < draft.triangles.size(); ++t) {
+        if (draft.source[t] < 0) {
+            continue;
+        }
+        const mesh::Triangle& now = draft.triangles[t];
+        const mesh::Triangle& then = mesh.triangles[draft.source[t]];
+        for (int i = 0; i < 3; ++i) {
+            flipped += draft.vertices[now[0]] == mesh.vertices[then[i]] &&
+                               draft.vertices[now[1]] == mesh.vertices[then[(i + 2) % 3]] &&
+                               draft.vertices[now[2]] == mesh.vertices[then[(i + 1) % 3]]
+                           ? 1
+                           : 0;
+        }
+    }
+    return flipped;
+}
+
+void repair(OperandMesh& draft, const Progress* progress) {
+    // A swap may make duplicates, and the triangles covered by these may be swapped afterwards.
+    for (int round = 0; round < 3; ++round) {
+        remove_duplicates(draft);
+        draft.find_twins();
+        const std::size_t gone = remove_degenerate(draft);
+        draft.repairs.degenerate += gone;
+        check_cancelled(progress);
+        if (gone == 0) {
+            break;
+        }
+        draft.find_twins();
+    }
+    pair_and_orient(draft);
+    check_cancelled(progress);
+    close_holes(draft, progress);
+    check_cancelled(progress);
+    draft.repairs.degenerate += remove_degenerate(draft);
+    split_fans(draft);
+    part_edges(draft);
+}
+
+}  // namespace
+
+bool Repairs::any() const {
+    return welded + degenerate + duplicate + flipped + nonmanifold_edges + nonmanifold_vertices + holes + scraps > 0;
+}
+
+std::string Repairs::summary() const {
+    std::string text;
+    const auto add = [&text](std::size_t count, const std::string& one, const std::string& many, const char* done) {
+        if (count > 0) {
+            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + (count == 1 ? one : many) + " " + done;
+        }
+    };
+    add(welded, "vertex", "vertices", "welded");
+    add(degenerate, "degenerate triangle", "degenerate triangles", "removed");
+    add(duplicate, "duplicate triangle", "duplicate triangles", "removed");
+    add(flipped, "triangle", "triangles", "turned around");
+    add(nonmanifold_edges, "edge", "edges", "of more than two triangles parted");
+    add(nonmanifold_vertices, "vertex", "vertices", "of several sheets parted");
+    add(holes, "hole", "holes", "closed");
+    if (holes > 0) {
+        text += " (" + std::to_string(hole_triangles) + (hole_triangles == 1 ? " triangle)" : " triangles)");
+    }
+    add(scraps, "triangle", "triangles", "of open sheets removed");
+    return text.empty() ? "none" : text;
+}
+
+std::string operand_name(std::size_t index, std::size_t count) {
+    return count <= 26 ? std::string("operand ") + static_cast<char>('A' + index)
+                       : "operand " + std::to_string(index + 1);
+}
+
+Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress) {
+    require_usable(mesh, name);
+    check_cancelled(progress);
+    OperandMesh draft = draft_of(mesh, name);
+    check_cancelled(progress);
+    weld(draft);
+    check_cancelled(progress);
+    draft.find_twins();
+    check_cancelled(progress);
+    if (!is_fit(draft)) {
+        repair(draft, progress);
+    }
+    check_cancelled(progress);
+    if (draft.triangles.empty()) {
+        throw InvalidInput(name + " has no triangle with an area that encloses a volume");
+    }
+    orient_to_bound_volume(draft);
+    if (draft.repairs.flipped > 0) {
+        draft.repairs.flipped = count_flipped(draft, mesh);
+    }
+    return {std::move(draft.vertices), std::move(draft.triangles), std::move(draft.source), draft.repairs};
+}
+
+}  // namespace mq::boolean

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// The repairs that made a closed, oriented surface of an operand, by number.
+struct Repairs {
+    std::size_t welded = 0;                ///< vertices with the coordinates of another one
+    std::size_t degenerate = 0;            ///< triangles without area removed
+    std::size_t duplicate = 0;             ///< triangles on the same three vertices removed
+    std::size_t flipped = 0;               ///< triangles reversed
+    std::size_t nonmanifold_edges = 0;     ///< edges of more than two triangles, separated into sheets
+    std::size_t nonmanifold_vertices = 0;  ///< vertices where sheets met in a point, separated
+    std::size_t holes = 0;                 ///< holes closed
+    std::size_t hole_triangles = 0;        ///< triangles made to close holes
+    std::size_t scraps = 0;                ///< triangles of open sheets removed: inner walls, fins, stray triangles
+
+    bool any() const;
+    /// "2 holes closed (15 triangles), 1 duplicate triangle removed", or "none".
+    std::string summary() const;
+};
+
+/// An operand fit for the Boolean: closed, every edge with exactly two triangles that run along it opposite ways, every
+/// vertex with a single fan, no triangle without area, components oriented outward unless they are cavities. It may
+/// intersect itself. Vertices of sheets that were separated have equal coordinates.
+struct Operand {
+    std::vector<Vec3> vertices;  ///< the input's vertices in their places, in its frame; then added ones
+    std::vector<mesh::Triangle> triangles;
+    /// The input's triangle that each one is, or is a piece of; -1 for hole fillings.
+    std::vector<std::int32_t> source;
+    Repairs repairs;
+};
+
+/// An open component is closed only if the area to be added is at most this fraction of its own: a box without its lid
+/// (0.2) and most of a sphere are, half a sphere (0.5) and a sheet (1) are not.
+constexpr double kLargestFilledShare = 1.0 / 3.0;
+/// Open components that cannot be closed are left out if together they have at most this fraction of the operand's
+/// area; those that are attached to the rest along edges of three or more triangles (inner walls, fins) up to half of
+/// it.
+constexpr double kLargestScrapShare = 0.05;
+
+/// "operand A", "operand B", ...; a number where there are more operands than letters.
+std::string operand_name(std::size_t index, std::size_t count);
+
+/// Inspects an operand and makes the repairs listed in Repairs. 0.25 us a triangle when there is nothing to repair.
+///
+/// Triangles keep their order; a triangle that was only reversed or renumbered keeps its corners' coordinates bit for
+/// bit.
+/// @param name for messages, such as "operand A"
+/// @throws InvalidInput naming the operand, the defect and its position: no triangles, a coordinate that is not finite,
+/// an index out of range, a one-sided surface, an open surface (see kLargestFilledShare).
+/// @throws Cancelled.
+Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress = nullptr);
+
+}  // namespace mq::boolean

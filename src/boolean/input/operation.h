@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mq::boolean {
+
+/// The four operations on two solids.
+enum class Operation { Union, Intersection, Difference, SymmetricDifference };
+
+/// The name in the public API: "union", "intersection", "difference", "symmetric_difference".
+const char* name(Operation operation);
+
+/// The operation of that name.
+/// @throws InvalidInput naming the operations there are.
+Operation operation_from(const std::string& name);
+
+/// Whether a point of space belongs to the result, given whether it lies in the operands.
+bool in_result(Operation operation, bool in_a, bool in_b);
+
+/// How the material of two solids is joined where their surfaces run along each other.
+enum class Pairing { Union, Intersection, FirstLessSecond, SecondLessFirst, None };
+
+/// Solids joined by operations: a tree whose leaves are operands (constructive solid geometry; Requicha 1980). One
+/// arrangement of all operands tells of each of its cells whether it belongs to the result, so that a sequence of
+/// operations is rounded once, not after each.
+class Expression {
+  public:
+    /// The operation applied from the first operand on.
+    static Expression chain(Operation operation, int operands);
+    /// @param postfix  operand k as k, an operation as -1 - its number, after the two that it joins; operands may occur
+    ///     several times
+    /// @throws InvalidInput unless this is one expression, with each of the operands
+    static Expression from(const std::vector<std::int32_t>& postfix, int operands);
+
+    std::size_t operands() const { return leaf_.size(); }
+    /// The operation, if the expression is a chain of it.
+    std::optional<Operation> chained() const { return chained_; }
+    /// Whether a point of space belongs to the result.
+    /// @param winding  how often each operand winds around the point: it lies in those with more than 0
+    bool contains(const std::int32_t* winding) const;
+    /// How two operands are joined; None by a symmetric difference, and where one of them occurs several times.
+    Pairing pairing(int first, int second) const;
+
+  private:
+    struct Node {
+        std::int32_t operand = -1;  ///< -1: an operation
+        Operation operation = Operation::Union;
+        int parent = -1;
+        bool complemented = false;  ///< the second solid of a difference
+    };
+    void add_operand(int operand);
+    void add_operation(Operation operation);
+
+    std::vector<Node> nodes_;  ///< in postfix order
+    std::vector<int> open_;    ///< nodes without a parent
+    std::vector<int> leaf_;    ///< node of each operand; -1 where there are several
+    std::optional<Operation> chained_;
+};
+
+}  // namespace mq::boolean

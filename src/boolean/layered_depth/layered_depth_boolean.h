@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/stage_clock.h"
+#include "boolean/input/operation.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// Options of the uniform scheme.
+struct UniformOptions {
+    /// Rays along the longest side of the box in which the result can lie (that of A for a difference, that common to A
+    /// and B for an intersection, else that of both), rounded up to 2^n + 1; 9 to 4097.
+    int resolution = 513;
+    /// Surfaces of A and B nearer than this are in contact: gaps and slabs between them vanish. A fraction of the
+    /// longest side (the paper's epsilon).
+    double thinnest = 1e-6;
+    /// Whether inside is where the normal index is 1 or more, so that only the outer surface of an operand that
+    /// intersects itself counts. Otherwise inside is after an odd number of crossings.
+    bool normal_index = true;
+};
+
+/// The result of a Boolean by layered depth images, and its counts.
+struct UniformResult {
+    mesh::TriangleMesh mesh;
+    /// Operand (0 or 1) and index there of each triangle that is the operand's own, all coordinates unchanged (reversed
+    /// where the result has its outside within the operand); {-1, -1} for triangles made or changed here.
+    std::vector<std::array<std::int32_t, 2>> triangle_source;
+    /// The paper's bound, not measured: sqrt(3) r, where r is the distance between rays (Wang 2010, section IV-A: every
+    /// point of the true result has a sample this near). It does not hold where features are thinner than r: those may
+    /// be lost, and the triangles that close the gap can lie farther away. 0 where nothing was reconstructed. mm.
+    double error_bound = 0.0;
+    double spacing = 0.0;  ///< the distance r between rays, mm
+
+    std::size_t samples = 0;              ///< samples of both operands
+    std::size_t result_samples = 0;       ///< samples of the result
+    std::size_t retained = 0;             ///< triangles that are an operand's own
+    std::size_t changed = 0;              ///< triangles of operands that stitching split or moved
+    std::size_t reconstructed = 0;        ///< triangles made by contouring
+    std::size_t unsampled_triangles = 0;  ///< triangles in components that no ray met: they are lost
+    std::size_t cells = 0;                ///< leaves of the octree with samples to reconstruct
+    std::size_t boundary_cells = 0;
+    std::size_t complex_cells = 0;  ///< boundary cells that the three filters had to amend
+    std::size_t split_edges = 0, collapsed_nodes = 0, moved_nodes = 0, left_nodes = 0;
+    std::size_t refused_triangles = 0;  ///< triangles not made, because an edge would have had a third one
+    std::size_t opened_nodes = 0;       ///< points added by Node-Open
+    std::size_t holes_filled = 0, hole_triangles = 0, largest_hole = 0;
+
+    StageTimes seconds;
+};
+
+/// The approximate Boolean of Wang 2010 on a uniform grid of rays (method "uniform").
+///
+/// The result is closed, oriented and 2-manifold in its connections. As in the paper it is not guaranteed to be free of
+/// self-intersections where it was reconstructed, and features thinner than the distance between rays may be lost.
+/// @throws InvalidInput for an option out of range, a resolution whose samples would take more than 2 GB, an operand
+/// that
+///     is not closed, not oriented or inside out, or operands with different origins
+/// @throws Cancelled
+UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
+                                    const UniformOptions& options, Progress* progress);
+
+/// The largest error bound of a result whose operands have a common box with this longest side, mm.
+double uniform_bound(double size, int resolution);
+
+/// The least resolution whose bound is within the tolerance, mm.
+/// @throws InvalidInput naming the least tolerance where the rays do not suffice.
+int uniform_resolution(double size, double tolerance);
+
+}  // namespace mq::boolean

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// The Node-Open operator (Wang 2010, Fig. 12): every point that the triangles around it meet in more than one fan is
+/// doubled, one copy a fan, so that each border point has two border edges and each inner point one closed fan. No
+/// directed edge may be used twice.
+///
+/// @param points copies are appended
+/// @param triangles is rewritten; must hold all triangles around the points marked in `candidate`
+/// @param candidate which points to look at
+/// @return for each point added the one that it is a copy of
+std::vector<std::int32_t> open_nodes(std::vector<Vec3>& points, std::vector<mesh::Triangle>& triangles,
+                                     const std::vector<std::uint8_t>& candidate);
+
+/// Separates doubled points, so that the sheets do not touch: each copy moves towards the middle of its neighbours, by
+/// `distance` or a tenth of the way when that is less. Points of triangles with a source (not negative) stay.
+/// @param originals see open_nodes; the copies are the points from `first_copy` on
+void separate_nodes(std::vector<Vec3>& points, const std::vector<mesh::Triangle>& triangles,
+                    const std::vector<std::int32_t>& source, const std::vector<std::int32_t>& originals,
+                    std::int32_t first_copy, double distance);
+
+/// The holes of a surface: closed loops over its border points, against the direction of the triangles beside them,
+/// that is, in the direction of the triangles that would fill them. Each border point must have two border edges. Edges
+/// between two points that are not in `candidate` are ignored.
+std::vector<std::vector<std::int32_t>> find_holes(const std::vector<mesh::Triangle>& triangles,
+                                                  const std::vector<std::uint8_t>& candidate);
+
+}  // namespace mq::boolean

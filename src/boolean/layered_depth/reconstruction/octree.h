@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "boolean/layered_depth/reconstruction/retained_surface.h"
+#include "boolean/layered_depth/samples/combine_samples.h"
+
+namespace mq::boolean {
+
+/// The kinds of leaves with IR-samples (Wang 2010, section III-A). IR-samples are samples of the result whose triangle
+/// is gone.
+enum class CellKind : std::uint8_t {
+    Interior,      ///< reconstructed: all samples are IR-samples; or no border passes
+    SingleEdge,    ///< simple boundary cell with one border edge that passes through
+    SharedVertex,  ///< simple boundary cell with two border edges and their shared vertex
+    Complex,       ///< any other boundary cell
+};
+
+/// A border edge within a leaf.
+struct CellEdge {
+    std::int32_t edge;  ///< index into RetainedSurface::border
+    double from, to;    ///< parameters where it enters and leaves the cell, 0 <= from <= to <= 1
+};
+
+/// One sheet of the surface in a leaf, which becomes a vertex. A leaf wider than r has one.
+struct Sheet {
+    Vec3 minimiser = Vec3::Zero();  ///< minimiser of the quadratic error function, within the cell; grid coordinates
+};
+
+struct Leaf {
+    std::array<std::int16_t, 3> low{};  ///< lowest corner
+    std::int16_t size = 1;              ///< both in grid units
+    CellKind kind = CellKind::Interior;
+    std::uint32_t first_edge = 0, end_edge = 0;  ///< range in Octree::edges
+    std::int32_t first_sheet = 0;                ///< index into Octree::sheets
+    /// In a boundary cell the sheet with both IR- and retained samples, which takes its vertex from the border. -1
+    /// else.
+    std::int32_t border_sheet = -1;
+    std::array<std::uint8_t, 12> sheet_of_edge{};  ///< sheet within the leaf of each of its edges, see CellSheets
+
+    /// Whether a point in grid coordinates belongs to this cell; every point belongs to one leaf.
+    bool holds(const Vec3& g) const {
+        return (g.array() >= Vec3(low[0], low[1], low[2]).array()).all() &&
+               (g.array() < Vec3(low[0] + size, low[1] + size, low[2] + size).array()).all();
+    }
+};
+
+/// The octree over the IR-samples. Its cell edges lie on rays.
+class Octree {
+  public:
+    std::vector<Leaf> leaves;  ///< those with IR-samples
+    std::vector<Sheet> sheets;
+    std::vector<CellEdge> edges;
+
+    /// The leaf that has the unit cell (x, y, z); -1 where it has no IR-samples. `size` is the leaf's size only where
+    /// it has IR-samples.
+    std::int32_t leaf_at(int x, int y, int z) const;
+
+  private:
+    friend class OctreeBuilder;
+    std::vector<std::int32_t> nodes_;  // index of the first of eight children; -1: no IR-samples; -2 - leaf
+    int levels_ = 0;
+};
+
+/// Builds the octree top down (Procedures 1 and 2). A cell with IR-samples and wider than r is split while it is
+/// face- or voxel-ambiguous, has an edge with more than one sample, is a fake solid or empty volume or has such a face,
+/// its vertex (the minimiser, or the point on the border) lies farther than 0.1 r from a sample's plane, or the border
+/// in it is not simple.
+///
+/// Beyond the paper, a leaf of width r that several sheets of the surface pass has a vertex for each of them (as in
+/// Schaefer, Ju and Warren 2007), so that thin walls and narrow gaps stay 2-manifold.
+/// @throws Cancelled
+Octree build_octree(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
+                    const std::vector<Retention>& fate, const RetainedSurface& retained, Progress* progress);
+
+}  // namespace mq::boolean

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "boolean/layered_depth/reconstruction/triangle_retention.h"
+
+namespace mq::boolean {
+
+/// The triangles that stay, M_D, and the border where the others are missing.
+struct RetainedSurface {
+    /// An edge of a retained triangle without a neighbour, directed as in that triangle.
+    struct BorderEdge {
+        std::int32_t from, to;
+        std::int32_t triangle;  ///< index into `triangles`
+    };
+
+    std::vector<Vec3> points;               ///< points of both operands, mm; new ones are appended
+    std::vector<mesh::Triangle> triangles;  ///< reversed where the result's surface is
+    std::vector<std::int32_t> source;       ///< triangle of the pair, or -1 once it was changed
+    std::vector<BorderEdge> border;         ///< sorted by its ends
+    std::vector<std::uint8_t> on_border;    ///< for each point whether it is on the border
+};
+
+RetainedSurface retained_surface(const OperandPair& pair, const std::vector<Retention>& fate);
+
+}  // namespace mq::boolean

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/progress.h"
+#include "boolean/input/operation.h"
+#include "boolean/layered_depth/samples/layered_depth_image.h"
+
+namespace mq::boolean {
+
+/// Samples of the result along the rays of one direction. They alternate: the first of a ray enters, the second leaves.
+struct CombinedDepth {
+    std::vector<std::uint32_t> begin;  ///< first sample of each ray in the arrays below, and the end
+    std::vector<double> depth;         ///< grid coordinate along the ray
+    std::vector<std::int32_t> source;  ///< 2 * triangle + 1 where the result's surface is the triangle reversed
+
+    static std::int32_t triangle(std::int32_t source) { return source >> 1; }
+    static bool reversed(std::int32_t source) { return (source & 1) != 0; }
+    /// Whether the grid node at `k` on the ray lies inside; a sample exactly at a node lies before it.
+    bool inside(std::size_t ray, double k) const {
+        std::uint32_t i = begin[ray];
+        while (i < begin[ray + 1] && depth[i] <= k) {
+            ++i;
+        }
+        return ((i - begin[ray]) & 1) != 0;
+    }
+};
+using CombinedSet = std::array<CombinedDepth, 3>;
+
+struct CombineOptions {
+    Operation operation = Operation::Union;
+    /// Samples of A and B no farther apart than this (grid units) are in contact.
+    double thinnest = 0.0;
+    /// Inside is where the normal index is 1 or more (Wang 2010, section IV-C), so that only the outer surface of an
+    /// operand that intersects itself counts; otherwise inside is after an odd number of samples.
+    bool normal_index = true;
+};
+
+/// The Boolean operation ray by ray (Wang 2010, section II, step 2 and section IV-B), in parallel.
+///
+/// A gap or a slab between A and B as thin as a contact vanishes. Where both are oriented the same way the sample is
+/// that of the lower triangle, whichever comes first (Remark 3): a contact region keeps one operand's triangles whole.
+/// Samples of one operand alone are left as they are, however near to each other.
+/// @throws InvalidInput where a ray does not leave an operand as often as it enters: the operand is not closed, or not
+/// oriented
+CombinedSet combine(const std::array<LayeredDepthSet, 2>& operands, const SampleGrid& grid,
+                    const CombineOptions& options, const Progress* progress);
+
+}  // namespace mq::boolean

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/vec.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// The uniform grid whose lines are the rays (Wang 2010, section II): 2^n cells a side, so that an octree's cell edges
+/// lie on rays. One unit of grid coordinates is the distance r between two rays.
+class SampleGrid {
+  public:
+    /// `box` bounds the result; at least `resolution` rays lie along its cube, rounded up to 2^n + 1.
+    SampleGrid(const Box& box, int resolution);
+
+    /// The distance between two rays of such a grid around a box with this longest side, mm. It counts the free cells
+    /// around the box, which take some of the rays.
+    static double spacing_of(double side, int resolution);
+    /// The least resolution whose rays are no farther apart than `spacing`.
+    static double resolution_for(double side, double spacing);
+
+    int cells() const { return cells_; }
+    int rays() const { return cells_ + 1; }
+    /// The binary logarithm of cells().
+    int levels() const { return levels_; }
+    /// The distance r between two rays, mm.
+    double spacing() const { return spacing_; }
+    Vec3 to_grid(const Vec3& p) const { return (p - origin_) / spacing_; }
+    Vec3 to_space(const Vec3& g) const { return origin_ + spacing_ * g; }
+
+  private:
+    Vec3 origin_;
+    double spacing_ = 1.0;
+    int levels_ = 0;
+    int cells_ = 0;
+};
+
+/// The triangles of both operands under one numbering, those of A first.
+struct OperandPair {
+    OperandPair(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b);
+
+    std::vector<Vec3> points;
+    std::vector<mesh::Triangle> triangles;
+    std::array<std::int32_t, 3> first_triangle{};  ///< first triangle of A and of B, and the end
+    std::array<std::int32_t, 3> first_point{};
+
+    int operand_of(std::int32_t triangle) const { return triangle < first_triangle[1] ? 0 : 1; }
+};
+
+/// Depths of a solid's surface along the rays of one direction, the samples of a ray in ascending order.
+///
+/// The rays of axis a have the index v * rays + u, where u and v are their grid coordinates on axes a + 1 and a + 2
+/// (modulo 3).
+struct LayeredDepthImage {
+    std::vector<std::uint32_t> begin;  ///< first sample of each ray in the arrays below, and the end
+    std::vector<double> depth;         ///< grid coordinate along the ray
+    std::vector<std::int32_t> code;    ///< triangle where the ray enters the solid, ~triangle where it leaves
+};
+
+/// The x-, y- and z-LDI of one solid.
+using LayeredDepthSet = std::array<LayeredDepthImage, 3>;
+
+}  // namespace mq::boolean

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/project_to_cad.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mesh/intersection/aabb_tree.h"
+#include "mesh/quality/surface_verification.h"
+
+namespace mq::boolean {
+
+namespace {
+
+using geometry::Query;
+using mesh::Triangle;
+using mesh::TriangleMesh;
+
+/// Surfaces whose normals differ by less than this angle (radians) count as one where they are intersected.
+constexpr double kLeastAngle = 0.02;
+/// Newton steps; each about squares the distance.
+constexpr int kSteps = 8;
+/// A vertex is on its surfaces when its distance is at most this fraction of the size: about the resolution of single
+/// precision.
+constexpr double kOnSurface = 2e-7;
+/// Rounds of undoing moves that made faults, before all are undone.
+constexpr int kRounds = 12;
+/// Projections requested at a time: enough to hide the engine's latency, few enough to cancel at once.
+constexpr std::size_t kBatch = 512;
+
+/// The surface on which a vertex must lie: a face of an operand's model, or the plane of a triangle of an operand
+/// without one.
+struct Constraint {
+    std::int32_t operand = -1;
+    std::int32_t face = -1;  ///< -1: a plane
+    Vec3 foot = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
+    double u = 0.0, v = 0.0;
+    bool asked = false;  ///< (u, v) is that of the last projection
+
+    double distance(const Vec3& p) const { return face < 0 ? std::abs(normal.dot(foot - p)) : (foot - p).norm(); }
+};
+
+struct Candidate {
+    std::int32_t vertex = -1;
+    Vec3 before = Vec3::Zero(), now = Vec3::Zero();
+    std::vector<Constraint> constraints;
+    double first_distance = -1.0;  ///< distance from its surfaces before it moved, mm
+    bool lost = false;
+
+    double distance() const {
+        double largest = 0.0;
+        for (const Constraint& c : constraints) {
+            largest = std::max(largest, c.distance(now));
+        }
+        return largest;
+    }
+};
+
+Vec3 normal_of(const std::vector<Vec3>& vertices, const Triangle& t) {
+    return (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]);
+}
+
+/// The least displacement onto the tangent planes of all constraints.
+Vec3 newton_step(const Candidate& candidate) {
+    Eigen::MatrixXd normals(candidate.constraints.size(), 3);
+    Eigen::VectorXd away(candidate.constraints.size());
+    for (std::size_t i = 0; i < candidate.constraints.size(); ++i) {
+        const Constraint& c = candidate.constraints[i];
+        normals.row(static_cast<Eigen::Index>(i)) = c.normal.transpose();
+        away[static_cast<Eigen::Index>(i)] = c.normal.dot(c.foot - candidate.now);
+    }
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+    solver.setThreshold(kLeastAngle);
+    return solver.compute(normals).solve(away);
+}
+
+class Fitting {
+  public:
+    Fitting(TriangleMesh& result, const std::vector<CadOperand>& operands, geometry::Engine& engine, Progress& progress)
+        : result_(result), operands_(operands), engine_(engine), progress_(progress) {
+        Box box;
+        for (const Vec3& p : result.vertices) {
+            box.add(p);
+        }
+        on_surface_ = kOnSurface * box.largest_side();
+    }
+
+    void find_candidates(const std::vector<std::array<std::int32_t, 2>>& source, double near) {
+        std::vector<char> made(result_.vertices.size(), 0);
+        for (const bool own : {false, true}) {
+            for (std::size_t t = 0; t < source.size(); ++t) {
+                if ((source[t][0] >= 0) == own) {
+                    for (const std::int32_t v : result_.triangles[t]) {
+                        made[static_cast<std::size_t>(v)] = own ? 0 : 1;
+                    }
+                }
+            }
+        }
+        std::vector<std::int32_t> vertices;
+        for (std::size_t v = 0; v < made.size(); ++v) {
+            if (made[v] != 0) {
+                vertices.push_back(static_cast<std::int32_t>(v));
+            }
+        }
+        constrain(vertices, near);
+    }
+
+    /// Runs Newton's method for all candidates side by side.
+    void approach() {
+        for (int step = 0; step <= kSteps; ++step) {
+            std::vector<Candidate*> active;
+            for (Candidate& c : candidates_) {
+                if (!c.lost && (c.first_distance < 0.0 || c.distance() > on_surface_)) {
+                    active.push_back(&c);
+                }
+            }
+            ask(active);
+            for (Candidate* c : active) {
+                if (c->first_distance < 0.0) {
+                    c->first_distance = c->distance();
+                }
+                if (!c->lost && step < kSteps && c->distance() > on_surface_) {
+                    c->now += newton_step(*c);
+                }
+            }
+        }
+    }
+
+    CadProjection apply(double limit) {
+        CadProjection fit;
+        for (Candidate& c : candidates_) {
+            const bool arrived = !c.lost && c.distance() <= std::max(on_surface_, 0.05 * c.first_distance);
+            const bool there = arrived && c.first_distance <= on_surface_;
+            if (there) {
+                c.now = c.before;
+            } else if (!arrived || (c.now - c.before).norm() > limit) {
+                ++fit.left;
+                c.now = c.before;
+            } else if (is_single(c.before)) {
+                c.now = to_single(c.now);
+            }
+            result_.vertices[static_cast<std::size_t>(c.vertex)] = c.now;
+        }
+        fit.reverted = undo_faults();
+        for (const Candidate& c : candidates_) {
+            const double move = (result_.vertices[static_cast<std::size_t>(c.vertex)] - c.before).norm();
+            fit.moved += move > 0.0;
+            fit.largest_move = std::max(fit.largest_move, move);
+        }
+        return fit;
+    }
+
+  private:
+    /// Makes a candidate of each vertex that lies on a face of a shape and is no operand's own.
+    void constrain(const std::vector<std::int32_t>& vertices, double near) {
+        std::vector<Candidate> found(vertices.size());
+        std::vector<char> own(vertices.size(), 0);
+        for (std::size_t o = 0; o < operands_.size(); ++o) {
+            const TriangleMesh& mesh = *operands_[o].mesh;
+            const mesh::AabbTree tree(mesh.vertices, mesh.triangles);
+            for (std::size_t i = 0; i < vertices.size(); ++i) {
+                found[i].vertex = vertices[i];
+                found[i].before = found[i].now = result_.vertices[static_cast<std::size_t>(vertices[i])];
+                own[i] = own[i] != 0 || !add_constraints(found[i], static_cast<std::int32_t>(o), tree, near);
+            }
+            progress_.check();
+        }
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const auto& list = found[i].constraints;
+            if (own[i] == 0 && std::any_of(list.begin(), list.end(), [](const Constraint& c) { return c.face >= 0; })) {
+                candidates_.push_back(std::move(found[i]));
+            }
+        }
+    }
+
+    /// False when the vertex is one of the operand's own.
+    bool add_constraints(Candidate& candidate, std::int32_t o, const mesh::AabbTree& tree, double near) const {
+        const CadOperand& operand = operands_[static_cast<std::size_t>(o)];
+        const TriangleMesh& mesh = *operand.mesh;
+        const Vec3 p = candidate.before;
+        Box box;
+        box.add(p - Vec3::Constant(near));
+        box.add(p + Vec3::Constant(near));
+        bool own = false;
+        tree.for_each_in_box(box, [&](std::int32_t t) {
+            const Triangle& corners = mesh.triangles[static_cast<std::size_t>(t)];
+            const Vec3 &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]], &c = mesh.vertices[corners[2]];
+            own = own || p == a || p == b || p == c;
+            if ((mesh::nearest_on_triangle(p, a, b, c) - p).norm() > near) {
+                return;
+            }
+            Constraint constraint;
+            constraint.operand = o;
+            constraint.foot = a;
+            constraint.normal = (b - a).cross(c - a).normalized();
+            constraint.face = operand.model ? (*operand.faces)[static_cast<std::size_t>(t)] : -1;
+            const auto same = [&](const Constraint& other) {
+                return other.operand == o && other.face == constraint.face &&
+                       (other.face >= 0 || other.normal.cross(constraint.normal).norm() < kLeastAngle);
+            };
+            if (std::none_of(candidate.constraints.begin(), candidate.constraints.end(), same)) {
+                candidate.constraints.push_back(constraint);
+            }
+        });
+        return !own;
+    }
+
+    /// Requests projections and normals of all candidates on their faces.
+    void ask(const std::vector<Candidate*>& active) {
+        for (std::size_t o = 0; o < operands_.size(); ++o) {
+            if (!operands_[o].model) {
+                continue;
+            }
+            geometry::Engine::Batch batch;
+            std::vector<std::pair<Candidate*, Constraint*>> asked;
+            for (Candidate* candidate : active) {
+                for (Constraint& c : candidate->constraints) {
+                    if (c.operand != static_cast<std::int32_t>(o) || c.face < 0) {
+                        continue;
+                    }
+                    const Vec3 p = candidate->now + result_.origin;
+                    batch.push_back(c.asked ? Query::face_nearest(c.face, p, c.u, c.v)
+                                            : Query::face_nearest_global(c.face, p));
+                    asked.emplace_back(candidate, &c);
+                    if (batch.size() == kBatch) {
+                        take(operands_[o], batch, asked);
+                    }
+                }
+            }
+            take(operands_[o], batch, asked);
+        }
+    }
+    void take(const CadOperand& operand, geometry::Engine::Batch& batch,
+              std::vector<std::pair<Candidate*, Constraint*>>& asked) {
+        progress_.check();
+        const geometry::Engine::Answers answers = engine_.ask(operand.model, batch, &progress_);
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            const geometry::Answer& answer = answers[i];
+            auto& [candidate, constraint] = asked[i];
+            if (answer.status != geometry::Status::Ok) {
+                candidate->lost = true;
+                continue;
+            }
+            constraint->foot = answer.point - result_.origin;
+            constraint->normal = answer.normal;
+            constraint->u = answer.u;
+            constraint->v = answer.v;
+            constraint->asked = true;
+        }
+        batch.clear();
+        asked.clear();
+    }
+
+    /// Reverts the moves of vertices at triangles with faults, until there are none; returns how many.
+    std::size_t undo_faults() {
+        std::map<std::int32_t, const Candidate*> moved;
+        for (const Candidate& c : candidates_) {
+            if (c.now != c.before) {
+                moved.emplace(c.vertex, &c);
+            }
+        }
+        const std::size_t all = moved.size();
+        for (int round = 0; !moved.empty(); ++round) {
+            const std::vector<std::int32_t> faulty = faulty_triangles(moved);
+            if (faulty.empty()) {
+                break;
+            }
+            const std::size_t before = moved.size();
+            for (const std::int32_t t : faulty) {
+                for (const std::int32_t v : result_.triangles[static_cast<std::size_t>(t)]) {
+                    take_back(moved, v);
+                }
+            }
+            if (moved.size() == before || round == kRounds) {
+                while (!moved.empty()) {
+                    take_back(moved, moved.begin()->first);
+                }
+            }
+        }
+        return all - moved.size();
+    }
+    void take_back(std::map<std::int32_t, const Candidate*>& moved, std::int32_t vertex) {
+        const auto found = moved.find(vertex);
+        if (found != moved.end()) {
+            result_.vertices[static_cast<std::size_t>(vertex)] = found->second->before;
+            moved.erase(found);
+        }
+    }
+
+    /// Triangles that turned over, or are at fault, because of vertices that moved.
+    std::vector<std::int32_t> faulty_triangles(const std::map<std::int32_t, const Candidate*>& moved) const {
+        std::vector<std::int32_t> changed, faulty;
+        for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
+            std::array<Vec3, 3> before;
+            bool any = false;
+            for (int i = 0; i < 3; ++i) {
+                const std::int32_t v = result_.triangles[t][i];
+                const auto found = moved.find(v);
+                any = any || found != moved.end();
+                before[i] =
+                    found != moved.end() ? found->second->before : result_.vertices[static_cast<std::size_t>(v)];
+            }
+            if (any) {
+                changed.push_back(static_cast<std::int32_t>(t));
+                const Vec3 normal = (before[1] - before[0]).cross(before[2] - before[0]);
+                if (normal.dot(normal_of(result_.vertices, result_.triangles[t])) <= 0.0) {
+                    faulty.push_back(static_cast<std::int32_t>(t));
+                }
+            }
+        }
+        if (faulty.empty()) {
+            // Faults listed at most; more would only be reverted in the next round.
+            constexpr std::size_t kListed = 100'000;
+            const mesh::Verification check =
+                mesh::verify(result_.vertices, result_.triangles, &changed, kListed, &progress_);
+            for (const mesh::Fault& fault : check.faults) {
+                for (const std::int32_t t : fault.triangles) {
+                    if (t >= 0) {
+                        faulty.push_back(t);
+                    }
+                }
+            }
+        }
+        return faulty;
+    }
+
+    TriangleMesh& result_;
+    const std::vector<CadOperand>& operands_;
+    geometry::Engine& engine_;
+    Progress& progress_;
+    double on_surface_ = 0.0;
+    std::vector<Candidate> candidates_;
+};
+
+}  // namespace
+
+CadProjection fit_to_native_surfaces(TriangleMesh& result, const std::vector<std::array<std::int32_t, 2>>& source,
+                                     const std::vector<CadOperand>& operands, geometry::Engine& engine, double near,
+                                     double limit, Progress& progress) {
+    Fitting fitting(result, operands, engine, progress);
+    fitting.find_candidates(source, near);
+    fitting.approach();
+    return fitting.apply(limit);
+}
+
+}  // namespace mq::boolean

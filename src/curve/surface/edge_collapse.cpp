@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <set>
+
+#include "curve/surface/editor.h"
+
+namespace mq::curve {
+
+namespace {
+
+std::set<int> neighbours(const CurvedSurface& surface, int v) {
+    std::set<int> result;
+    for (const int t : surface.triangles_of_vertex(v)) {
+        for (const int other : surface.triangles[static_cast<std::size_t>(t)].corners) {
+            result.insert(other);
+        }
+    }
+    result.erase(v);
+    return result;
+}
+
+/// The neighbour of `a` along its CAD edge on the side away from `b`; -1 when there is not exactly one.
+int next_along(const CurvedSurface& surface, int a, int b) {
+    int found = -1;
+    for (const int v : neighbours(surface, a)) {
+        if (v != b && surface.segment(a, v) != nullptr) {
+            if (found >= 0) {
+                return -1;
+            }
+            found = v;
+        }
+    }
+    return found;
+}
+
+bool allowed(const CurvedSurface& surface, int a, int b, int& along) {
+    const int dimension = surface.shapes.vertices[static_cast<std::size_t>(a)].entity[0];
+    const Segment* segment = surface.segment(a, b);
+    if (dimension == 0 || (dimension == 1) != (segment != nullptr)) {
+        return false;
+    }
+    if (dimension == 1) {
+        along = next_along(surface, a, b);
+        if (along < 0 || surface.segment(a, along)->edge != segment->edge || surface.has_edge(along, b)) {
+            return false;
+        }
+    }
+    // Link condition: only the corners opposite to the edge may neighbour both ends.
+    const std::set<int> of_a = neighbours(surface, a);
+    const std::set<int> of_b = neighbours(surface, b);
+    const auto common = std::count_if(of_a.begin(), of_a.end(), [&](int v) { return of_b.count(v) > 0; });
+    return common == static_cast<std::ptrdiff_t>(surface.triangles_of_edge(a, b).size());
+}
+
+}  // namespace
+
+bool collapse_surface_edge(SurfaceEditor& editor, int a, int b, SurfaceEditor::Rule rule) {
+    CurvedSurface& surface = editor.surface;
+    int along = -1;
+    if (!allowed(surface, a, b, along)) {
+        return false;
+    }
+    const std::vector<int> removed = surface.triangles_of_vertex(a);
+    std::vector<SurfaceEditor::Corners> added;
+    for (const int t : removed) {
+        std::array<int, 3> corners = editor.triangle(t).corners;
+        if (std::find(corners.begin(), corners.end(), b) == corners.end()) {
+            std::replace(corners.begin(), corners.end(), a, b);
+            added.push_back({corners, editor.triangle(t).face});
+        }
+    }
+    if (added.empty()) {
+        return false;
+    }
+    if (along >= 0) {
+        surface.set_segment(along, b, surface.segment(a, b)->edge, surface.t_of(along, a), surface.t_of(b, a));
+    }
+    if (editor.replace(removed, added, rule)) {
+        return true;
+    }
+    if (along >= 0) {
+        surface.segments.erase(pair_key(along, b));
+    }
+    return false;
+}
+
+}  // namespace mq::curve

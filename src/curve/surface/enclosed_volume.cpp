@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/surface/enclosed_volume.h"
+
+#include <cmath>
+#include <numeric>
+
+#include "curve/bezier/jacobian.h"
+
+namespace mq::curve {
+
+namespace {
+
+/// By CAD face: the volume of the cone from `apex` to its triangles.
+std::vector<double> cones_of_faces(const CurvedSurface& surface, std::size_t faces, const Vec3& apex) {
+    const Lattice& lattice = Lattice::of(2, surface.shapes.order());
+    std::vector<double> cones(faces, 0.0);
+    std::vector<Vec3> control;
+    for (const SurfaceTriangle& triangle : surface.triangles) {
+        if (!triangle.alive) {
+            continue;
+        }
+        surface.shapes.triangle(triangle.corners, control);
+        for (Vec3& point : control) {
+            point -= apex;
+        }
+        // The reference triangle has area 1/2; the mean of the coefficients is that of the polynomial.
+        const std::vector<double> flux =
+            normal_component(lattice, control, bezier_to_nodes(lattice, control)).coefficients;
+        cones[static_cast<std::size_t>(triangle.face)] +=
+            std::accumulate(flux.begin(), flux.end(), 0.0) / (6.0 * static_cast<double>(flux.size()));
+    }
+    return cones;
+}
+
+}  // namespace
+
+double enclosed_volume(const CurvedSurface& surface, const geometry::Topology& topology) {
+    const std::vector<double> cones = cones_of_faces(surface, topology.faces.size(), topology.box.center());
+    double sum = 0.0;
+    for (std::size_t v = 0; v < topology.volumes.size(); ++v) {
+        if (topology.volumes[v].kind == geometry::Volume::Kind::Solid) {
+            double solid = 0.0;
+            for (const auto& [face, flipped] : surface.volume_faces[v]) {
+                solid += (flipped ? -1.0 : 1.0) * cones[static_cast<std::size_t>(face)];
+            }
+            sum += std::abs(solid);
+        }
+    }
+    return sum;
+}
+
+}  // namespace mq::curve

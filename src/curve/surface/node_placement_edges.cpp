@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "curve/surface/node_placement.h"
+
+namespace mq::curve {
+
+namespace {
+
+using geometry::Answer;
+using geometry::Query;
+
+/// Newton steps towards even arc lengths; each about squares the error.
+constexpr int kArcRounds = 3;
+/// Newton steps towards even distances inside faces; the nodes need not be exact.
+constexpr int kEvenRounds = 2;
+
+/// Sum of squared steps, 1 when all are equal and on a line: grows with length and with unevenness.
+double unevenness(const Vec3& from, const std::vector<Vec3>& inner, const Vec3& to) {
+    double sum = 0.0;
+    Vec3 last = from;
+    for (const Vec3& p : inner) {
+        sum += (p - last).squaredNorm();
+        last = p;
+    }
+    sum += (to - last).squaredNorm();
+    return sum * static_cast<double>(inner.size() + 1) / (to - from).squaredNorm();
+}
+
+}  // namespace
+
+void Placement::Gaps::close(std::vector<Vec3>& inner_nodes) const {
+    for (std::size_t i = 0; i < inner_nodes.size(); ++i) {
+        inner_nodes[i] =
+            closed(inner_nodes[i], static_cast<double>(i + 1) / static_cast<double>(inner_nodes.size() + 1));
+    }
+}
+
+/// @param at_a, at_b the queries of the CAD points at the ends.
+Placement::Gaps Placement::gaps(int a, int b, const Query& at_a, const Query& at_b) {
+    const auto gap_at = [&](int v, const Query& at) -> Vec3 {
+        const Answer answer = surface_.off_cad.count(v) > 0 ? session_.ask(at) : Answer();
+        return answer.found() ? Vec3(point(v) - answer.point) : Vec3::Zero();
+    };
+    Gaps found{gap_at(a, at_a), gap_at(b, at_b)};
+    found.none = std::max(found.at_a.norm(), found.at_b.norm()) <= kGap * (point(b) - point(a)).norm();
+    return found;
+}
+
+bool Placement::may_be_off_cad(int vertex) const {
+    const geometry::Topology& topology = session_.topology();
+    const mesh::VertexEntity& entity = surface_.shapes.vertices[static_cast<std::size_t>(vertex)].entity;
+    const auto index = static_cast<std::size_t>(entity[1]);
+    const double tolerance = entity[0] == 0   ? topology.nodes[index].tolerance
+                             : entity[0] == 1 ? topology.edges[index].tolerance
+                                              : 0.0;
+    for (const int t : surface_.triangles_of_vertex(vertex)) {
+        for (const int other : surface_.triangles[static_cast<std::size_t>(t)].corners) {
+            if (other != vertex && tolerance > kGap * (point(other) - point(vertex)).norm()) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+double Placement::distance_off_cad(int vertex) {
+    double most = 0.0;
+    const auto ask = [&](const Query& query) {
+        const Answer answer = session_.ask(query);
+        most = std::max(most, answer.found() ? (point(vertex) - answer.point).norm() : 0.0);
+    };
+    for (const int t : surface_.triangles_of_vertex(vertex)) {
+        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+        const Vec2& uv = *surface_.uv_of(vertex, triangle.face);
+        ask(Query::face_point(triangle.face, uv.x(), uv.y()));
+        for (const int other : triangle.corners) {
+            const Segment* segment = other != vertex ? surface_.segment(vertex, other) : nullptr;
+            if (segment != nullptr) {
+                ask(Query::edge_point(segment->edge, surface_.t_of(vertex, other)));
+            }
+        }
+    }
+    return most;
+}
+
+void Placement::set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes) {
+    std::vector<Vec3> all{surface_.shapes.vertices[static_cast<std::size_t>(a)].point};
+    all.insert(all.end(), nodes.begin(), nodes.end());
+    all.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
+    const std::vector<Vec3> control = nodes_to_bezier(Lattice::of(1, surface_.shapes.order()), all);
+    surface_.shapes.set_edge(a, b, {control.begin() + 1, control.end() - 1});
+}
+
+void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
+    const int q = surface_.shapes.order();
+    std::vector<Query> points;
+    for (const EdgeTask& task : tasks) {
+        const Segment& s = *surface_.segment(task.a, task.b);
+        for (int k = 1; k < q; ++k) {
+            points.push_back(Query::edge_point(s.edge, s.t_low + (s.t_high - s.t_low) * k / q));  // equation (5)
+        }
+    }
+    auto at = session_.ask(points);
+    for (int round = 0; round < kArcRounds; ++round) {
+        std::vector<Query> lengths;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
+            const Segment& s = *surface_.segment(task.a, task.b);
+            lengths.push_back(Query::edge_length(s.edge, s.t_low, points[i].t));
+            lengths.push_back(Query::edge_length(s.edge, points[i].t, s.t_high));
+        }
+        const auto length = session_.ask(std::move(lengths));
+        double worst = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
+            const Segment& s = *surface_.segment(task.a, task.b);
+            const double whole = length[2 * i].distance + length[2 * i + 1].distance;
+            const double wanted = whole * static_cast<double>(i % static_cast<std::size_t>(q - 1) + 1) / q;
+            const double speed = at[i].normal.norm();
+            const double sense = s.t_high > s.t_low ? 1.0 : -1.0;
+            const double t = points[i].t + (speed > 0.0 ? sense * (wanted - length[2 * i].distance) / speed : 0.0);
+            // Where the derivative of the curve nearly vanishes a step may leave the segment: the parameter then stays
+            // as it is.
+            if ((t - s.t_low) * sense > 0.0 && (s.t_high - t) * sense > 0.0) {
+                worst = std::max(worst, std::abs(t - points[i].t) / std::abs(s.t_high - s.t_low));
+                points[i].t = t;
+            }
+        }
+        if (worst < 1e-9) {
+            break;
+        }
+        at = session_.ask(points);
+    }
+    std::vector<Vec3> nodes;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
+        if (!at[i].found()) {
+            throw GeometryError("no point on " + session_.topology().name_of({1, points[i].index}) + " at parameter " +
+                                std::to_string(points[i].t) + ": repair the edge");
+        }
+        nodes.push_back(at[i].point);
+        if (nodes.size() == static_cast<std::size_t>(q - 1)) {
+            const Segment& s = *surface_.segment(task.a, task.b);
+            gaps(task.a, task.b, Query::edge_point(s.edge, s.t_low), Query::edge_point(s.edge, s.t_high)).close(nodes);
+            set_edge_nodes(task.a, task.b, nodes);
+            nodes.clear();
+        }
+    }
+}
+
+/// The nodes of a mesh edge inside a face while they are placed.
+struct Placement::InnerEdge {
+    EdgeTask task;
+    Vec2 from;  ///< (u, v) at a
+    Vec2 to;
+    /// Whether to project the points of the straight edge; otherwise points between the (u, v) are taken.
+    bool project = true;
+    std::vector<double> s;  ///< parameters of the nodes along the edge, 0 to 1
+    std::vector<Vec3> nodes;
+    Gaps gaps{};
+};
+
+Query Placement::node_query(const InnerEdge& edge, double s, bool project) const {
+    const Vec3& a = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.a)].point;
+    const Vec3& b = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.b)].point;
+    const Vec2 uv = edge.from + s * (edge.to - edge.from);
+    return project ? Query::face_nearest(edge.task.face, a + s * (b - a), uv.x(), uv.y())
+                   : Query::face_point(edge.task.face, uv.x(), uv.y());
+}
+
+Placement::Gaps Placement::inner_gaps(const InnerEdge& edge, bool project) {
+    return gaps(edge.task.a, edge.task.b, node_query(edge, 0.0, project), node_query(edge, 1.0, project));
+}
+
+void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
+    const int q = surface_.shapes.order();
+    std::vector<InnerEdge> edges;
+    std::vector<Query> batch;
+    for (const EdgeTask& task : tasks) {
+        InnerEdge edge{task, *surface_.uv_of(task.a, task.face), Vec2::Zero(), true, {}, {}};
+        edge.to = unwrapped(task.b, task.face, edge.from);
+        resolve_free(task.a, task.face, edge.to, edge.from);
+        resolve_free(task.b, task.face, edge.from, edge.to);
+        for (int k = 1; k < q; ++k) {
+            edge.s.push_back(static_cast<double>(k) / q);
+            batch.push_back(node_query(edge, edge.s.back(), true));
+            batch.push_back(node_query(edge, edge.s.back(), false));
+        }
+        edges.push_back(std::move(edge));
+    }
+    const auto answers = session_.ask(std::move(batch));
+    std::size_t next = 0;
+    for (InnerEdge& edge : edges) {
+        std::array<std::vector<Vec3>, 2> ways;
+        std::array<bool, 2> found{true, true};
+        for (int k = 1; k < q; ++k) {
+            for (std::size_t way = 0; way < 2; ++way, ++next) {
+                ways[way].push_back(answers[next].point);
+                found[way] = found[way] && answers[next].found();
+            }
+        }
+        const Vec3& a = point(edge.task.a);
+        const Vec3& b = point(edge.task.b);
+        std::array<Gaps, 2> open;
+        for (std::size_t way = 0; way < 2; ++way) {
+            open[way] = inner_gaps(edge, way == 0);
+            open[way].close(ways[way]);
+        }
+        if (!found[0] && !found[1]) {
+            throw GeometryError("no points of " + session_.topology().name_of({2, edge.task.face}) +
+                                " for a mesh edge on it");
+        }
+        edge.project = found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
+        edge.nodes = ways[edge.project ? 0 : 1];
+        edge.gaps = open[edge.project ? 0 : 1];
+    }
+    for (int round = 0; round < kEvenRounds && q > 2; ++round) {
+        space_evenly(edges);
+    }
+    for (const InnerEdge& edge : edges) {
+        set_edge_nodes(edge.task.a, edge.task.b, edge.nodes);
+    }
+}
+
+/// One step of Newton's method towards nodes at even distances in space. On an arc, nodes projected from even places on
+/// the chord deviate several times as much between them.
+void Placement::space_evenly(std::vector<InnerEdge>& edges) {
+    const int q = surface_.shapes.order();
+    std::vector<Query> batch;
+    std::vector<std::vector<double>> moved;
+    for (const InnerEdge& edge : edges) {
+        std::vector<double> s{0.0};
+        std::vector<double> length{0.0};
+        Vec3 last = surface_.shapes.vertices[static_cast<std::size_t>(edge.task.a)].point;
+        const auto go_on = [&](double at, const Vec3& point) {
+            s.push_back(at);
+            length.push_back(length.back() + (point - last).norm());
+            last = point;
+        };
+        for (std::size_t i = 0; i < edge.nodes.size(); ++i) {
+            go_on(edge.s[i], edge.nodes[i]);
+        }
+        go_on(1.0, surface_.shapes.vertices[static_cast<std::size_t>(edge.task.b)].point);
+        std::vector<double>& to = moved.emplace_back();
+        for (std::size_t k = 1; k + 1 < s.size(); ++k) {
+            const double wanted = length.back() * static_cast<double>(k) / q;
+            const double slope = (s[k + 1] - s[k - 1]) / (length[k + 1] - length[k - 1]);
+            const double at = s[k] + slope * (wanted - length[k]);
+            to.push_back(at > s[k - 1] && at < s[k + 1] ? at : s[k]);
+            batch.push_back(node_query(edge, to.back(), edge.project));
+        }
+    }
+    const auto answers = session_.ask(std::move(batch));
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        for (std::size_t k = 0; k < edges[i].nodes.size(); ++k, ++next) {
+            if (answers[next].found()) {
+                edges[i].s[k] = moved[i][k];
+                const double along = static_cast<double>(k + 1) / q;
+                edges[i].nodes[k] = edges[i].gaps.closed(answers[next].point, along);
+            }
+        }
+    }
+}
+
+void Placement::set_warped(int a, int b, double by, int degree) {
+    const Segment& segment = *surface_.segment(a, b);
+    const double t_a = surface_.t_of(a, b);
+    const double t_b = surface_.t_of(b, a);
+    std::vector<Vec3> nodes;
+    for (int k = 1; k < degree; ++k) {
+        const double s = static_cast<double>(k) / degree;
+        const double t = t_a + (s + 4.0 * by * s * (1.0 - s)) * (t_b - t_a);
+        const Answer answer = session_.ask(Query::edge_point(segment.edge, t));
+        if (!answer.found()) {
+            return;
+        }
+        nodes.push_back(answer.point);
+    }
+    gaps(a, b, Query::edge_point(segment.edge, t_a), Query::edge_point(segment.edge, t_b)).close(nodes);
+    // The polynomial of the lower degree at the nodes of the mesh's order.
+    nodes.insert(nodes.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
+    nodes.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
+    const Lattice& lower = Lattice::of(1, degree);
+    const std::vector<Vec3> control = nodes_to_bezier(lower, nodes);
+    const int q = surface_.shapes.order();
+    std::vector<Vec3> raised;
+    for (int k = 1; k < q; ++k) {
+        const double s = static_cast<double>(k) / q;
+        raised.push_back(value(lower, control, {1.0 - s, s, 0.0, 0.0}));
+    }
+    set_edge_nodes(a, b, raised);
+}
+
+bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
+    const int q = surface_.shapes.order();
+    std::vector<Vec3> control = surface_.shapes.edge_inner(a, b);
+    control.insert(control.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
+    control.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
+    std::vector<Vec3> nodes = bezier_to_nodes(Lattice::of(1, q), control);
+    nodes = {nodes.begin() + 1, nodes.end() - 1};
+    Vec2 from = *surface_.uv_of(a, face);
+    Vec2 to = unwrapped(b, face, from);
+    resolve_free(a, face, to, from);
+    resolve_free(b, face, from, to);
+    std::vector<Query> batch;
+    for (int k = 1; k < q; ++k) {
+        const double s = static_cast<double>(k) / q;
+        Vec3& node = nodes[static_cast<std::size_t>(k - 1)];
+        node += 4.0 * s * (1.0 - s) * by;
+        const Vec2 uv = from + s * (to - from);
+        batch.push_back(Query::face_nearest(face, node, uv.x(), uv.y()));
+    }
+    if (!planar(face)) {
+        const auto answers = session_.ask(std::move(batch));
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (!answers[i].found()) {
+                return false;
+            }
+            nodes[i] = answers[i].point;
+        }
+        inner_gaps({{a, b, face}, from, to, true, {}, {}, {}}, true).close(nodes);
+    }
+    set_edge_nodes(a, b, nodes);
+    return true;
+}
+
+}  // namespace mq::curve

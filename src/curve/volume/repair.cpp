@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/volume/repair.h"
+
+#include <algorithm>
+
+#include "curve/bezier/locality.h"
+#include "curve/volume/editor.h"
+#include "curve/volume/untangle.h"
+
+namespace mq::curve {
+
+namespace {
+
+/// I = min J / max J below which a tetrahedron is repaired.
+constexpr double kGoodTetrahedron = 0.15;
+/// The least Bernstein coefficient, relative to the straight element, at which the optimisation aims.
+constexpr double kTarget = 0.3;
+/// A corner whose three edges are fixed must keep this fraction of the straight element's J.
+constexpr double kFreeCorner = 0.2;
+/// Rounds of freeing corners at most.
+constexpr int kFreeingRounds = 4;
+/// Rounds of curving and changing the topology at most.
+constexpr int kRounds = 5;
+/// Sweeps that carry the bulges of the surface's edges inwards.
+constexpr int kSweeps = 15;
+constexpr int kSingleEdges = 3;  // edges of one element that are tried singly
+/// Fraction of bad tetrahedra up to which single edges are curved before patches.
+constexpr double kFew = 0.005;
+class Repair {
+  public:
+    Repair(TetrahedralMesh& volume, const Progress& progress) : volume_(volume), editor_(volume), progress_(progress) {}
+
+    VolumeRepairs run() {
+        volume_.measure(volume_.living());
+        done_.invalid_before = invalid();
+        for (int round = 0; round < kFreeingRounds && free_corners(); ++round) {
+        }
+        curve_single_edges();
+        std::vector<int> last;
+        for (int round = 0; round < kRounds; ++round) {
+            if (round >= moving_round()) {
+                improve(bad_ones());
+            }
+            const std::vector<int> bad = bad_ones();
+            if (bad.empty() || (round > moving_round() && bad == last)) {
+                break;
+            }
+            curve_inside(bad, 2 + round, round);
+            last = bad;
+        }
+        done_.invalid_after = invalid();
+        return done_;
+    }
+
+  private:
+    /// From this round on the topology may change, and inner vertices of bad elements may move: the mesher knew only
+    /// the straight surface, and may have put them between it and the curved one. Orders above 2 have one more round
+    /// before.
+    int moving_round() const { return volume_.shapes().order() > 2 ? 2 : 1; }
+
+    int invalid() const {
+        return static_cast<int>(std::count_if(volume_.tetrahedra.begin(), volume_.tetrahedra.end(),
+                                              [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); }));
+    }
+
+    std::vector<int> bad_ones() const {
+        std::vector<int> bad;
+        for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
+            if (volume_.tetrahedra[t].alive && volume_.tetrahedra[t].quality < kGoodTetrahedron) {
+                bad.push_back(static_cast<int>(t));
+            }
+        }
+        return bad;
+    }
+
+    /// Elements that a single edge or face can repair need no patch. Only where bad elements are few: many together
+    /// become better when their edges are curved together.
+    void curve_single_edges() {
+        const std::vector<int> bad = bad_ones();
+        if (static_cast<double>(bad.size()) > kFew * static_cast<double>(volume_.tetrahedra.size())) {
+            return;
+        }
+        for (const int t : bad) {
+            progress_.check();
+            const double& quality = volume_.tetrahedra[static_cast<std::size_t>(t)].quality;
+            for (int i = 0; i < kSingleEdges && quality < kGoodTetrahedron && curve_region_edge(editor_, t); ++i) {
+                ++done_.curved_edges;
+            }
+            relocate_faces(t);
+        }
+    }
+
+    void relocate_faces(int t) {
+        const std::array<int, 4> v = editor_.tetrahedron(t).corners;
+        for (std::size_t k = 0; k < 4 && editor_.tetrahedron(t).quality < kGoodTetrahedron; ++k) {
+            const bool moved = relocate_face_nodes(editor_, v[(k + 1) % 4], v[(k + 2) % 4], v[(k + 3) % 4]);
+            done_.relocated_faces += moved ? 1 : 0;
+        }
+    }
+
+    /// Bad elements whose surroundings meet share a patch.
+    void curve_inside(const std::vector<int>& bad, int layers, int round) {
+        std::vector<char> taken(volume_.tetrahedra.size(), 0);
+        std::vector<char> marked(volume_.tetrahedra.size(), 0);
+        for (const int t : bad) {
+            mark_around(t, layers, marked);
+        }
+        for (const int t : bad) {
+            if (taken[static_cast<std::size_t>(t)]) {
+                continue;
+            }
+            progress_.check();
+            work_on(component(t, marked, taken), round);
+        }
+    }
+
+    void mark_around(int t, int layers, std::vector<char>& marked) const {
+        marked[static_cast<std::size_t>(t)] = 1;
+        std::vector<int> vertices(volume_.tetrahedra[static_cast<std::size_t>(t)].corners.begin(),
+                                  volume_.tetrahedra[static_cast<std::size_t>(t)].corners.end());
+        std::unordered_set<int> known(vertices.begin(), vertices.end());
+        for (int layer = 0; layer < layers; ++layer) {
+            std::vector<int> next;
+            for (const int v : vertices) {
+                for (const int other : volume_.of_vertex(v)) {
+                    marked[static_cast<std::size_t>(other)] = 1;
+                    for (const int w : volume_.tetrahedra[static_cast<std::size_t>(other)].corners) {
+                        if (known.insert(w).second) {
+                            next.push_back(w);
+                        }
+                    }
+                }
+            }
+            vertices = std::move(next);
+        }
+    }
+
+    /// The marked tetrahedra that are connected with `start` by vertices.
+    std::vector<int> component(int start, const std::vector<char>& marked, std::vector<char>& taken) const {
+        std::vector<int> result{start};
+        taken[static_cast<std::size_t>(start)] = 1;
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            for (const int v : volume_.tetrahedra[static_cast<std::size_t>(result[i])].corners) {
+                for (const int other : volume_.of_vertex(v)) {
+                    const auto k = static_cast<std::size_t>(other);
+                    if (marked[k] && !taken[k]) {
+                        taken[k] = 1;
+                        result.push_back(other);
+                    }
+                }
+            }
+        }
+        std::sort(result.begin(), result.end());
+        return result;
+    }
+
+    void work_on(const std::vector<int>& members, int round) {
+        const std::unordered_set<int> loose =
+            round >= moving_round() ? loose_vertices(members) : std::unordered_set<int>();
+        const int order = volume_.shapes().order();
+        if (order > 2) {
+            done_.relocations += curve_patch(members, loose, 2, round);
+        }
+        // The first round is for most of the bad elements; those that it leaves are handled again in smaller patches.
+        if (order == 2 || (round > 0 && any_poor(members))) {
+            done_.relocations += curve_patch(members, loose, order, order > 2 ? 1 : round);
+        }
+        ++done_.patches;
+    }
+
+    int curve_patch(const std::vector<int>& members, const std::unordered_set<int>& loose, int degree, int round) {
+        UntanglingPatch patch(volume_, members, loose, degree);
+        if (round == 0) {
+            patch.propagate_curvature(kSweeps);
+        }
+        untangle(patch, kTarget, progress_);
+        return patch.store();
+    }
+
+    bool any_poor(const std::vector<int>& members) const {
+        return std::any_of(members.begin(), members.end(), [&](int t) {
+            return volume_.tetrahedra[static_cast<std::size_t>(t)].quality < kGoodTetrahedron;
+        });
+    }
+
+    /// Inner vertices of bad elements, all of whose elements are members.
+    std::unordered_set<int> loose_vertices(const std::vector<int>& members) const {
+        std::unordered_set<int> loose;
+        for (const int t : members) {
+            const Tetrahedron& tetrahedron = volume_.tetrahedra[static_cast<std::size_t>(t)];
+            for (const int v : tetrahedron.corners) {
+                const bool inner = volume_.shapes().vertices[static_cast<std::size_t>(v)].entity[0] == 3;
+                if (inner && tetrahedron.quality < kGoodTetrahedron) {
+                    loose.insert(v);
+                }
+            }
+        }
+        return loose;
+    }
+
+    /// @return whether anything changed.
+    bool free_corners() {
+        bool any = false;
+        for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
+            const Tetrahedron& tetrahedron = volume_.tetrahedra[t];
+            if (tetrahedron.alive && tetrahedron.quality < 1.0 &&
+                editor_.score(tetrahedron.corners).fixed < kFreeCorner) {
+                progress_.check();
+                any = change(static_cast<int>(t), VolumeEditor::Rule::Free) || any;
+            }
+        }
+        return any;
+    }
+
+    void improve(const std::vector<int>& bad) {
+        for (const int t : bad) {
+            if (volume_.tetrahedra[static_cast<std::size_t>(t)].alive) {
+                progress_.check();
+                change(t, VolumeEditor::Rule::Improve);
+            }
+        }
+    }
+
+    bool change(int t, VolumeEditor::Rule rule) {
+        const std::array<int, 4> v = volume_.tetrahedra[static_cast<std::size_t>(t)].corners;
+        return swap(v, rule) || (rule == VolumeEditor::Rule::Improve && collapse(v)) || split(t, v, rule);
+    }
+
+    bool swap(const std::array<int, 4>& v, VolumeEditor::Rule rule) {
+        // The edges found by the locality rules come first.
+        std::vector<Vec3> control;
+        volume_.shapes().tetrahedron(v, control);
+        const CandidateEdges blamed = candidate_edges(Lattice::of(3, volume_.shapes().order()), control);
+        for (const bool first : {true, false}) {
+            std::size_t edge = 0;
+            for (std::size_t i = 0; i < 4; ++i) {
+                for (std::size_t k = i + 1; k < 4; ++k, ++edge) {
+                    if (blamed[edge] == first && swap_region_edge(editor_, v[i], v[k], rule)) {
+                        ++done_.edge_swaps;
+                        return true;
+                    }
+                }
+            }
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (swap_region_face(editor_, v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4], rule)) {
+                ++done_.face_swaps;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    bool collapse(const std::array<int, 4>& v) {
+        for (const int a : v) {
+            for (const int b : v) {
+                if (a != b && collapse_region_edge(editor_, a, b)) {
+                    ++done_.collapses;
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    bool split(int t, const std::array<int, 4>& v, VolumeEditor::Rule rule) {
+        bool done = false;
+        for (std::size_t i = 0; i < 4 && !done; ++i) {
+            for (std::size_t k = i + 1; k < 4 && !done; ++k) {
+                done = split_region_edge(editor_, v[i], v[k], rule);
+            }
+        }
+        for (std::size_t i = 0; i < 4 && !done; ++i) {
+            done = split_region_face(editor_, v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4], rule);
+        }
+        done = done || split_region(editor_, t, rule);
+        done_.splits += done ? 1 : 0;
+        return done;
+    }
+
+    TetrahedralMesh& volume_;
+    VolumeEditor editor_;
+    const Progress& progress_;
+    VolumeRepairs done_;
+};
+
+}  // namespace
+
+VolumeRepairs repair_volume(TetrahedralMesh& volume, const Progress& progress) {
+    return Repair(volume, progress).run();
+}
+
+}  // namespace mq::curve

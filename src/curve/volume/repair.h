@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/progress.h"
+#include "curve/volume/tetrahedral_mesh.h"
+
+namespace mq::curve {
+
+struct VolumeRepairs {
+    int invalid_before = 0;
+    int invalid_after = 0;
+    int edge_swaps = 0;
+    int face_swaps = 0;
+    int collapses = 0;
+    int curved_edges = 0;
+    int relocated_faces = 0;  ///< faces whose inner nodes moved
+    int relocations = 0;      ///< inner vertices moved
+    int splits = 0;           ///< vertices put on inner edges, faces and into tetrahedra
+    int patches = 0;          ///< patches whose inner edges and faces were curved
+};
+
+/// Repairs invalid and poor tetrahedra; the surface stays as it is.
+///
+/// First the elements that no curving can help, because three edges on the surface meet in one of their corners nearly
+/// in a plane: swaps, then splits. Then the bad ones with the layers around them form patches, whose inner edges and
+/// faces are curved. Elements that are bad after that are swapped, collapsed or split, and curved again.
+VolumeRepairs repair_volume(TetrahedralMesh& volume, const Progress& progress);
+
+}  // namespace mq::curve

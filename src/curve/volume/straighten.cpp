@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/volume/straighten.h"
+
+#include <algorithm>
+
+namespace mq::curve {
+
+namespace {
+
+/// Rounds at most; each straightens the elements that the last one made invalid.
+constexpr int kRounds = 50;
+
+template <std::size_t N>
+void make_straight(CurvedShapes& shapes, const std::array<int, N>& v) {
+    for (std::size_t i = 0; i < N; ++i) {
+        for (std::size_t k = i + 1; k < N; ++k) {
+            shapes.forget_edge(v[i], v[k]);
+            for (std::size_t m = k + 1; m < N; ++m) {
+                shapes.forget_face({v[i], v[k], v[m]});
+            }
+        }
+    }
+}
+
+void measure_around(SurfaceEditor& editor, const std::set<int>& vertices) {
+    std::set<int> triangles;
+    for (const int v : vertices) {
+        const std::vector<int>& at = editor.surface.triangles_of_vertex(v);
+        triangles.insert(at.begin(), at.end());
+    }
+    editor.placement.measure({triangles.begin(), triangles.end()});
+}
+
+}  // namespace
+
+std::set<int> straighten_triangles(SurfaceEditor& editor) {
+    std::set<int> done;
+    for (int round = 0; round < kRounds; ++round) {
+        std::set<int> vertices;
+        for (std::size_t t = 0; t < editor.surface.triangles.size(); ++t) {
+            const SurfaceTriangle& triangle = editor.surface.triangles[t];
+            if (triangle.alive && !(triangle.quality > 0.0) && done.insert(static_cast<int>(t)).second) {
+                make_straight(editor.surface.shapes, triangle.corners);
+                vertices.insert(triangle.corners.begin(), triangle.corners.end());
+            }
+        }
+        if (vertices.empty()) {
+            break;
+        }
+        measure_around(editor, vertices);
+    }
+    return done;
+}
+
+std::set<int> straighten_tetrahedra(TetrahedralMesh& volume, SurfaceEditor& editor) {
+    std::set<int> done;
+    for (int round = 0; round < kRounds; ++round) {
+        std::set<int> vertices;
+        for (const int t : volume.living()) {
+            const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
+            if (!(tetrahedron.quality > 0.0) && done.insert(t).second) {
+                make_straight(volume.shapes(), tetrahedron.corners);
+                vertices.insert(tetrahedron.corners.begin(), tetrahedron.corners.end());
+            }
+        }
+        if (vertices.empty()) {
+            break;
+        }
+        for (const int v : vertices) {
+            volume.measure(volume.of_vertex(v));
+        }
+        measure_around(editor, vertices);
+    }
+    return done;
+}
+
+}  // namespace mq::curve

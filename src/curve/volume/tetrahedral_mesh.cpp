@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/volume/tetrahedral_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "curve/bezier/validity.h"
+#include "curve/surface/self_intersections.h"
+#include "curve/volume/mesher/tetrahedral_mesher.h"
+
+namespace mq::curve {
+
+namespace {
+
+bool holds(const std::array<int, 4>& corners, int v) {
+    return std::find(corners.begin(), corners.end(), v) != corners.end();
+}
+
+}  // namespace
+
+TetrahedralMesh::TetrahedralMesh(CurvedSurface& given) : surface(given) {
+    for (const SurfaceTriangle& t : surface.triangles) {
+        if (!t.alive) {
+            continue;
+        }
+        fixed_faces_.insert(face_key(t.corners[0], t.corners[1], t.corners[2]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            fixed_edges_.insert(pair_key(t.corners[k], t.corners[(k + 1) % 3]));
+        }
+    }
+    of_vertex_.resize(surface.shapes.vertices.size());
+}
+
+int TetrahedralMesh::add(const std::array<int, 4>& corners, int volume) {
+    const int index = static_cast<int>(tetrahedra.size());
+    Tetrahedron t;
+    t.corners = corners;
+    t.volume = volume;
+    tetrahedra.push_back(t);
+    for (const int v : corners) {
+        of_vertex_[static_cast<std::size_t>(v)].push_back(index);
+    }
+    return index;
+}
+
+void TetrahedralMesh::remove(int tetrahedron) {
+    Tetrahedron& t = tetrahedra[static_cast<std::size_t>(tetrahedron)];
+    t.alive = false;
+    for (const int v : t.corners) {
+        std::vector<int>& list = of_vertex_[static_cast<std::size_t>(v)];
+        list.erase(std::find(list.begin(), list.end(), tetrahedron));
+    }
+}
+
+int TetrahedralMesh::add_vertex(const Vec3& point, int volume) {
+    const int v = surface.add_vertex({point, {3, volume}});
+    of_vertex_.resize(surface.shapes.vertices.size());
+    return v;
+}
+
+const std::vector<int>& TetrahedralMesh::of_vertex(int v) const {
+    return of_vertex_[static_cast<std::size_t>(v)];
+}
+
+std::vector<int> TetrahedralMesh::of_edge(int a, int b) const {
+    std::vector<int> result;
+    for (const int t : of_vertex(a)) {
+        if (holds(tetrahedra[static_cast<std::size_t>(t)].corners, b)) {
+            result.push_back(t);
+        }
+    }
+    return result;
+}
+
+std::vector<int> TetrahedralMesh::of_face(int a, int b, int c) const {
+    std::vector<int> result;
+    for (const int t : of_vertex(a)) {
+        const auto& corners = tetrahedra[static_cast<std::size_t>(t)].corners;
+        if (holds(corners, b) && holds(corners, c)) {
+            result.push_back(t);
+        }
+    }
+    return result;
+}
+
+bool TetrahedralMesh::has_edge(int a, int b) const {
+    return std::any_of(of_vertex(a).begin(), of_vertex(a).end(),
+                       [&](int t) { return holds(tetrahedra[static_cast<std::size_t>(t)].corners, b); });
+}
+
+double TetrahedralMesh::straight_jacobian(const std::array<int, 4>& c) const {
+    return (point(c[1]) - point(c[0])).cross(point(c[2]) - point(c[0])).dot(point(c[3]) - point(c[0]));
+}
+
+double TetrahedralMesh::straight_shape(const std::array<int, 4>& c) const {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = i + 1; k < 4; ++k) {
+            squares += (point(c[i]) - point(c[k])).squaredNorm();
+        }
+    }
+    // The mean ratio: 12 (3 V)^(2/3) / sum of the squared edges, with 3 V = J / 2.
+    const double half = 0.5 * straight_jacobian(c);
+    return std::copysign(12.0 * std::cbrt(half * half), half) / squares;
+}
+
+bool TetrahedralMesh::curved(const std::array<int, 4>& c) const {
+    for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t k = i + 1; k < 4; ++k) {
+            if (shapes().has_edge(c[i], c[k])) {
+                return true;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < 4 && shapes().order() > 2; ++i) {
+        if (shapes().has_face({c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4]})) {
+            return true;
+        }
+    }
+    return false;
+}
+
+double TetrahedralMesh::measure(const std::array<int, 4>& corners) const {
+    if (shapes().order() == 1 || !curved(corners)) {
+        return straight_jacobian(corners) > 0.0 ? 1.0 : -1.0;
+    }
+    std::vector<Vec3> control;
+    shapes().tetrahedron(corners, control);
+    return certified_ratio(jacobian_of(Lattice::of(3, shapes().order()), control));
+}
+
+void TetrahedralMesh::measure(const std::vector<int>& list) {
+    for (const int t : list) {
+        Tetrahedron& tetrahedron = tetrahedra[static_cast<std::size_t>(t)];
+        tetrahedron.quality = measure(tetrahedron.corners);
+    }
+}
+
+std::vector<int> TetrahedralMesh::living() const {
+    std::vector<int> result;
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+        if (tetrahedra[t].alive) {
+            result.push_back(static_cast<int>(t));
+        }
+    }
+    return result;
+}
+
+namespace {
+
+/// Outward triangles of one volume on numbers of their own.
+struct Shell {
+    std::vector<int> vertices;  // vertices of the surface
+    std::vector<Vec3> points;
+    std::vector<std::array<int, 3>> triangles;
+};
+
+Shell shell_of(const CurvedSurface& surface, std::size_t volume) {
+    Shell shell;
+    std::unordered_map<int, int> number;
+    double sum = 0.0;
+    for (const auto& [face, flipped] : surface.volume_faces[volume]) {
+        for (const SurfaceTriangle& t : surface.triangles) {
+            if (!t.alive || t.face != face) {
+                continue;
+            }
+            std::array<int, 3> corners{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int v = t.corners[flipped ? 2 - k : k];
+                const auto [found, fresh] = number.emplace(v, static_cast<int>(shell.vertices.size()));
+                if (fresh) {
+                    shell.vertices.push_back(v);
+                    shell.points.push_back(surface.shapes.vertices[static_cast<std::size_t>(v)].point);
+                }
+                corners[k] = found->second;
+            }
+            const auto at = [&](std::size_t k) -> const Vec3& {
+                return shell.points[static_cast<std::size_t>(corners[k])];
+            };
+            sum += at(0).dot(at(1).cross(at(2)));
+            shell.triangles.push_back(corners);
+        }
+    }
+    if (sum < 0.0) {
+        for (auto& t : shell.triangles) {
+            std::swap(t[1], t[2]);
+        }
+    }
+    return shell;
+}
+
+}  // namespace
+
+TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
+                            const Progress& progress) {
+    TetrahedralMesh volume(surface);
+    for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
+        progress.check();
+        if (topology.volumes[i].kind != geometry::Volume::Kind::Solid) {
+            continue;
+        }
+        const Shell shell = shell_of(surface, i);
+        TetrahedralFilling filling;
+        try {
+            filling = fill(shell.points, shell.triangles, grading_factor, progress);
+        } catch (const MeshingFailed& error) {
+            throw MeshingFailed("Solid" + std::to_string(i + 1) + ": " + error.what() + " (" +
+                                trouble_spot(surface, topology, i, progress) + ")");
+        } catch (const GeometryError& error) {
+            throw GeometryError("Solid" + std::to_string(i + 1) + ": " + error.what() + " (" +
+                                trouble_spot(surface, topology, i, progress) + ")");
+        }
+        std::vector<int> number = shell.vertices;
+        for (const Vec3& p : filling.inner_points) {
+            number.push_back(volume.add_vertex(p, static_cast<int>(i)));
+        }
+        for (const auto& t : filling.tetrahedra) {
+            const auto at = [&](std::size_t k) { return number[static_cast<std::size_t>(t[k])]; };
+            volume.add({at(0), at(1), at(2), at(3)}, static_cast<int>(i));
+        }
+    }
+    return volume;
+}
+
+}  // namespace mq::curve

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <unordered_set>
+#include <vector>
+
+#include "base/progress.h"
+#include "curve/surface/curved_surface.h"
+
+namespace mq::curve {
+
+struct Tetrahedron {
+    std::array<int, 4> corners{};
+    int volume = -1;
+    double quality = 1.0;  ///< lower bound of I = min J / max J; not positive: invalid
+    bool alive = true;
+};
+
+/// Tetrahedra inside a curved surface, whose vertices and shapes they share. The surface stays as it is: its vertices,
+/// edges and triangles are fixed. Tetrahedra are only added or marked dead.
+class TetrahedralMesh {
+  public:
+    explicit TetrahedralMesh(CurvedSurface& surface);
+
+    CurvedSurface& surface;
+    std::vector<Tetrahedron> tetrahedra;
+
+    CurvedShapes& shapes() { return surface.shapes; }
+    const CurvedShapes& shapes() const { return surface.shapes; }
+    const Vec3& point(int v) const { return surface.shapes.vertices[static_cast<std::size_t>(v)].point; }
+
+    int add(const std::array<int, 4>& corners, int volume);
+    void remove(int tetrahedron);
+    int add_vertex(const Vec3& point, int volume);
+
+    const std::vector<int>& of_vertex(int v) const;
+    std::vector<int> of_edge(int a, int b) const;
+    std::vector<int> of_face(int a, int b, int c) const;
+    bool has_edge(int a, int b) const;
+    bool fixed_edge(int a, int b) const { return fixed_edges_.count(pair_key(a, b)) > 0; }
+    bool fixed_face(int a, int b, int c) const { return fixed_faces_.count(face_key(a, b, c)) > 0; }
+    /// Six times the volume of the straight tetrahedron.
+    double straight_jacobian(const std::array<int, 4>& corners) const;
+    /// 1 for the regular tetrahedron, 0 for a flat one, negative for an inverted one.
+    double straight_shape(const std::array<int, 4>& corners) const;
+    bool curved(const std::array<int, 4>& corners) const;
+
+    /// Certified quality of an element.
+    double measure(const std::array<int, 4>& corners) const;
+    void measure(const std::vector<int>& tetrahedra);
+    std::vector<int> living() const;
+
+  private:
+    std::vector<std::vector<int>> of_vertex_;
+    std::unordered_set<EdgeKey> fixed_edges_;
+    std::unordered_set<FaceKey, FaceKeyHash> fixed_faces_;
+};
+
+/// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.
+/// @param grading_factor see fill().
+/// @throws MeshingFailed naming the solid.
+TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
+                            const Progress& progress);
+
+}  // namespace mq::curve

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepCheck_ListOfStatus.hxx>
+#include <BRepCheck_Result.hxx>
+#include <BRepCheck_Shell.hxx>
+#include <BRepCheck_Solid.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <Precision.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <algorithm>
+#include <gp_Trsf.hxx>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/waits.h"
+#include "geometry/occt/checks/linear_time_checks.h"
+#include "geometry/occt/topology/shape_map.h"
+#include "geometry/occt/topology/sub_shapes.h"
+
+namespace mq::geometry {
+
+namespace {
+
+/// The description of a status, as in FreeCAD's check of a geometry.
+struct Wording {
+    BRepCheck_Status status;
+    const char* text;
+};
+/// The descriptions of all statuses.
+constexpr Wording kWordings[] = {
+    {BRepCheck_InvalidPointOnCurve, "invalid point on curve"},
+    {BRepCheck_InvalidPointOnCurveOnSurface, "invalid point on curve on surface"},
+    {BRepCheck_InvalidPointOnSurface, "invalid point on surface"},
+    {BRepCheck_No3DCurve, "no 3D curve"},
+    {BRepCheck_Multiple3DCurve, "multiple 3D curves"},
+    {BRepCheck_Invalid3DCurve, "invalid 3D curve"},
+    {BRepCheck_NoCurveOnSurface, "no curve on surface"},
+    {BRepCheck_InvalidCurveOnSurface, "invalid curve on surface"},
+    {BRepCheck_InvalidCurveOnClosedSurface, "invalid curve on closed surface"},
+    {BRepCheck_InvalidSameRangeFlag, "invalid same-range flag"},
+    {BRepCheck_InvalidSameParameterFlag, "invalid same-parameter flag"},
+    {BRepCheck_InvalidDegeneratedFlag, "invalid degenerated flag"},
+    {BRepCheck_FreeEdge, "free edge"},
+    {BRepCheck_InvalidMultiConnexity, "invalid multi-connexity"},
+    {BRepCheck_InvalidRange, "invalid range"},
+    {BRepCheck_EmptyWire, "empty wire"},
+    {BRepCheck_RedundantEdge, "redundant edge"},
+    {BRepCheck_SelfIntersectingWire, "self-intersecting wire"},
+    {BRepCheck_NoSurface, "no surface"},
+    {BRepCheck_InvalidWire, "invalid wire"},
+    {BRepCheck_RedundantWire, "redundant wire"},
+    {BRepCheck_IntersectingWires, "intersecting wires"},
+    {BRepCheck_InvalidImbricationOfWires, "invalid imbrication of wires"},
+    {BRepCheck_EmptyShell, "empty shell"},
+    {BRepCheck_RedundantFace, "redundant face"},
+    {BRepCheck_InvalidImbricationOfShells, "invalid imbrication of shells"},
+    {BRepCheck_UnorientableShape, "unorientable shape"},
+    {BRepCheck_NotClosed, "not closed"},
+    {BRepCheck_NotConnected, "not connected"},
+    {BRepCheck_SubshapeNotInShape, "sub-shape not in shape"},
+    {BRepCheck_BadOrientation, "bad orientation"},
+    {BRepCheck_BadOrientationOfSubshape, "bad orientation of a sub-shape"},
+    {BRepCheck_InvalidPolygonOnTriangulation, "invalid polygon on triangulation"},
+    {BRepCheck_InvalidToleranceValue, "invalid tolerance value"},
+    {BRepCheck_EnclosedRegion, "enclosed region"},
+    {BRepCheck_CheckFail, "the check failed"},
+};
+
+const char* describe(BRepCheck_Status status) {
+    for (const Wording& wording : kWordings) {
+        if (wording.status == status) {
+            return wording.text;
+        }
+    }
+    return "unknown fault";
+}
+
+// Edges of a face, and faces of a shell, up to which OpenCASCADE checks them at once: no longer than a watcher waits
+// for an answer.
+constexpr int kMostAtOnce = 512;
+
+bool more_than(int count, const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
+    TopExp_Explorer parts(shape, kind);
+    while (parts.More() && count >= 0) {
+        parts.Next();
+        --count;
+    }
+    return count < 0;
+}
+
+/// Collects the statuses of every sub-shape once. A fault of an edge on a face names both.
+///
+/// The faces are checked one by one: the check of a whole shape cannot be cancelled, and takes twice as long. The same
+/// is true for a face with many edges.
+class FaultList {
+  public:
+    FaultList(const TopoDS_Shape& shape, const Progress* progress) {
+        const std::pair<TopAbs_ShapeEnum, const char*> kinds[] = {{TopAbs_VERTEX, "Vertex"}, {TopAbs_EDGE, "Edge"},
+                                                                  {TopAbs_WIRE, "Wire"},     {TopAbs_FACE, "Face"},
+                                                                  {TopAbs_SHELL, "Shell"},   {TopAbs_SOLID, "Solid"}};
+        for (const auto& [kind, name] : kinds) {
+            kinds_.push_back(Kind{kind, name, {}});
+            map_sub_shapes(shape, kind, kinds_.back().map, progress);
+        }
+    }
+
+    std::vector<std::string> collect(const Progress* progress) {
+        for (const Kind& kind : kinds_) {
+            for (int i = 1; i <= kind.map.Extent(); ++i) {
+                check_cancelled(progress);
+                const OpenCascadeWait wait(progress, "checking " + (kind.name + std::to_string(i)));
+                check(kind, kind.map(i), progress);
+            }
+        }
+        return std::move(faults_);
+    }
+
+  private:
+    struct Kind {
+        TopAbs_ShapeEnum kind;
+        const char* name;
+        TopTools_IndexedMapOfShape map;
+    };
+
+    std::string name(const TopoDS_Shape& shape) const {
+        for (const Kind& kind : kinds_) {
+            if (const int index = kind.map.FindIndex(shape); index > 0) {
+                return kind.name + std::to_string(index);
+            }
+        }
+        return std::string();
+    }
+
+    /// Wires, edges and vertices are checked with their faces, shells with their solids.
+    void check(const Kind& kind, const TopoDS_Shape& shape, const Progress* progress) {
+        try {
+            if (kind.kind == TopAbs_FACE) {
+                check_face(TopoDS::Face(shape), progress);
+            } else if (kind.kind == TopAbs_SOLID) {
+                check_solid(TopoDS::Solid(shape), progress);
+            }
+        } catch (const Standard_Failure& failure) {
+            const char* text = failure.GetMessageString();
+            add_line(name(shape) + ": OpenCASCADE's check ended with an exception: " +
+                     (text != nullptr && *text != '\0' ? text : failure.DynamicType()->Name()));
+        }
+    }
+
+    void check_face(const TopoDS_Face& face, const Progress* progress) {
+        if (more_than(kMostAtOnce, face, TopAbs_EDGE)) {
+            add(check_large_face(face, progress));
+            return;
+        }
+        const BRepCheck_Analyzer analyzer(face);
+        for (const TopAbs_ShapeEnum part : {TopAbs_VERTEX, TopAbs_EDGE, TopAbs_WIRE, TopAbs_FACE}) {
+            TopTools_IndexedMapOfShape parts;
+            TopExp::MapShapes(face, part, parts);
+            for (int i = 1; i <= parts.Extent(); ++i) {
+                add(parts(i), analyzer.Result(parts(i)));
+            }
+        }
+    }
+
+    void check_solid(const TopoDS_Solid& solid, const Progress* progress) {
+        const Handle(BRepCheck_Solid) result = new BRepCheck_Solid(solid);
+        result->Blind();
+        add(solid, result);
+        for (TopExp_Explorer shells(solid, TopAbs_SHELL); shells.More(); shells.Next()) {
+            if (more_than(kMostAtOnce, shells.Current(), TopAbs_FACE)) {
+                add(check_large_shell(TopoDS::Shell(shells.Current()), progress));
+                continue;
+            }
+            const Handle(BRepCheck_Shell) shell = new BRepCheck_Shell(TopoDS::Shell(shells.Current()));
+            shell->Blind();
+            shell->InContext(solid);
+            add(shells.Current(), shell);
+        }
+    }
+
+    void add(const std::vector<Finding>& findings) {
+        for (const Finding& finding : findings) {
+            const std::string context = finding.context.IsNull() ? "" : name(finding.context);
+            add(finding.status, name(finding.whose) + (context.empty() ? "" : " in " + context));
+        }
+    }
+
+    void add(const TopoDS_Shape& shape, const Handle(BRepCheck_Result) & result) {
+        if (result.IsNull()) {
+            return;
+        }
+        add(result->Status(), name(shape));
+        for (result->InitContextIterator(); result->MoreShapeInContext(); result->NextShapeInContext()) {
+            const std::string context = name(result->ContextualShape());
+            if (!result->ContextualShape().IsSame(shape)) {
+                add(result->StatusOnShape(), name(shape) + (context.empty() ? "" : " in " + context));
+            }
+        }
+    }
+
+    void add(const BRepCheck_ListOfStatus& statuses, const std::string& whose) {
+        for (const BRepCheck_Status status : statuses) {
+            add(status, whose);
+        }
+    }
+
+    void add(BRepCheck_Status status, const std::string& whose) {
+        if (status != BRepCheck_NoError) {
+            add_line(whose + ": " + describe(status));
+        }
+    }
+
+    void add_line(const std::string& line) {
+        if (seen_.insert(line).second) {
+            faults_.push_back(line);
+        }
+    }
+
+    std::vector<Kind> kinds_;
+    std::set<std::string> seen_;
+    std::vector<std::string> faults_;
+};
+
+/// Solids whose faces look inward. The check of the shape takes them for holes in infinite space.
+void add_inverted_solids(const ShapeMap& live, const Topology& topology, std::vector<std::string>& faults,
+                         const Progress* progress) {
+    for (std::size_t i = 0; i < live.volumes.size(); ++i) {
+        check_cancelled(progress);
+        if (topology.volumes[i].kind != Volume::Kind::Solid) {
+            continue;
+        }
+        const OpenCascadeWait wait(progress, "checking Solid" + std::to_string(i + 1));
+        BRepClass3d_SolidClassifier classifier(live.volumes[i].Located(TopLoc_Location()));
+        classifier.PerformInfinitePoint(Precision::Confusion());
+        if (classifier.State() == TopAbs_IN) {
+            faults.push_back("Solid" + std::to_string(i + 1) + ": is turned inside out");
+        }
+    }
+}
+
+bool at_one_place(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+    const gp_Trsf there = a.Location().Transformation();
+    const gp_Trsf here = b.Location().Transformation();
+    for (int row = 1; row <= 3; ++row) {
+        for (int column = 1; column <= 4; ++column) {
+            if (there.Value(row, column) != here.Value(row, column)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/// Solids that a shape lists several times at one place by locations that OpenCASCADE takes for different ones, as
+/// FreeCAD's shape of a container does with what lies in a group in it.
+void add_repeated_solids(const ShapeMap& live, const Topology& topology, std::vector<std::string>& faults) {
+    std::map<const void*, std::vector<std::size_t>> known;
+    for (std::size_t i = 0; i < live.volumes.size(); ++i) {
+        if (topology.volumes[i].kind != Volume::Kind::Solid) {
+            continue;
+        }
+        std::vector<std::size_t>& alike = known[live.volumes[i].TShape().get()];
+        const auto first = std::find_if(alike.begin(), alike.end(),
+                                        [&](std::size_t k) { return at_one_place(live.volumes[k], live.volumes[i]); });
+        if (first != alike.end()) {
+            faults.push_back("Solid" + std::to_string(i + 1) + ": is Solid" + std::to_string(*first + 1) +
+                             " again, at the same place");
+        } else {
+            alike.push_back(i);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> kernel_faults(const TopoDS_Shape& shape, const ShapeMap& live, const Topology& topology,
+                                       const Progress* progress) {
+    std::vector<std::string> faults = FaultList(shape, progress).collect(progress);
+    add_inverted_solids(live, topology, faults, progress);
+    add_repeated_solids(live, topology, faults);
+    return faults;
+}
+
+}  // namespace mq::geometry

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+#include <gp_Pnt.hxx>
+#include <gp_Vec.hxx>
+
+#include "base/vec.h"
+
+namespace mq::geometry {
+
+inline Vec3 to_vec(const gp_XYZ& p) {
+    return Vec3(p.X(), p.Y(), p.Z());
+}
+inline Vec3 to_vec(const gp_Pnt& p) {
+    return to_vec(p.XYZ());
+}
+inline Vec3 to_vec(const gp_Vec& v) {
+    return to_vec(v.XYZ());
+}
+inline Vec3 to_vec(const gp_Dir& d) {
+    return to_vec(d.XYZ());
+}
+inline gp_Pnt to_pnt(const Vec3& p) {
+    return gp_Pnt(p.x(), p.y(), p.z());
+}
+
+/// A bound of the height of a function's peak over the highest of its samples, from three samples in a row. Four times
+/// the value for a parabola.
+inline double rise_over_sample(double before, double middle, double after) {
+    return std::max(0.0, 0.5 * (2.0 * middle - before - after));
+}
+
+}  // namespace mq::geometry

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <Precision.hxx>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/evaluation/face_evaluator.h"
+
+namespace mq::geometry {
+
+namespace {
+
+/// Pi: latitudes lie within half of it.
+constexpr double kPi = 3.14159265358979323846;
+/// Stands for bounds that do not exist.
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// A Newton step below this fraction of the face's size is the last one: the next would be of the order of its square.
+/// Steps that are not full Newton steps converge slowly, and go on to kLastSlowStep.
+constexpr double kLastStep = 1e-7;
+/// The same for other steps: near the rounding of distances.
+constexpr double kLastSlowStep = 1e-11;
+
+Vec2 clamped(const Vec2& uv, const ParameterBox& box) {
+    return Vec2(std::clamp(uv.x(), box.low[0], box.high[0]), std::clamp(uv.y(), box.low[1], box.high[1]));
+}
+
+/// The surface by a Taylor series of second order, after a step so short that the remainder is below rounding.
+SurfacePoint moved(const SurfacePoint& s, const Vec2& by) {
+    SurfacePoint r;
+    r.point =
+        s.point + by.x() * (s.su + 0.5 * by.x() * s.suu + by.y() * s.suv) + by.y() * (s.sv + 0.5 * by.y() * s.svv);
+    r.su = s.su + by.x() * s.suu + by.y() * s.suv;
+    r.sv = s.sv + by.x() * s.suv + by.y() * s.svv;
+    return r;
+}
+
+}  // namespace
+
+/// A box of one period around the guess where the surface closes; elsewhere the surface's own bounds, or a box wider
+/// than the face.
+ParameterBox FaceEvaluator::elementary_box(const Vec2& guess) const {
+    ParameterBox box;
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (period_[i] > 0.0) {
+            const double middle = guess[static_cast<Eigen::Index>(i)];
+            box.low[i] = middle - 0.5 * period_[i];
+            box.high[i] = middle + 0.5 * period_[i];
+            continue;
+        }
+        const double margin = 0.5 * (trimmed_.high[i] - trimmed_.low[i]);
+        box.low[i] = std::max(natural_.low[i], trimmed_.low[i] - margin);
+        box.high[i] = std::min(natural_.high[i], trimmed_.high[i] + margin);
+    }
+    if (elementary_->kind == ElementarySurface::Kind::Sphere) {
+        box.low[1] = -0.5 * kPi;
+        box.high[1] = 0.5 * kPi;
+    } else if (elementary_->kind == ElementarySurface::Kind::Cone) {
+        // The box ends at the apex, unless the face itself extends beyond it.
+        const double apex = -elementary_->radius / std::sin(elementary_->angle);
+        if (apex <= trimmed_.low[1]) {
+            box.low[1] = std::max(box.low[1], apex);
+        } else if (apex >= trimmed_.high[1]) {
+            box.high[1] = std::min(box.high[1], apex);
+        }
+    }
+    return box;
+}
+
+void FaceEvaluator::set_search_box() {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double margin = 0.5 * (trimmed_.high[i] - trimmed_.low[i]);
+        search_.low[i] = period_[i] > 0.0 ? -kInfinity : std::max(natural_.low[i], trimmed_.low[i] - margin);
+        search_.high[i] = period_[i] > 0.0 ? kInfinity : std::min(natural_.high[i], trimmed_.high[i] + margin);
+    }
+}
+
+/// One step towards the minimum of r^2 / 2, r = S(u, v) - p. A parameter that is at a bound and would leave it stays.
+FaceEvaluator::Step FaceEvaluator::newton_step(const SurfacePoint& s, const Vec3& r, const Vec2& uv,
+                                               const ParameterBox& box) const {
+    const Vec2 gradient(r.dot(s.su), r.dot(s.sv));
+    const Vec2 squares(s.su.squaredNorm(), s.sv.squaredNorm());
+    const Vec2 hessian(squares.x() + r.dot(s.suu), squares.y() + r.dot(s.svv));
+    std::array<bool, 2> free{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        const double tiny = kLastSlowStep * (i == 0 ? su_ * su_ : sv_ * sv_);
+        free[i] = !(uv[k] <= box.low[i] && gradient[k] >= 0.0) && !(uv[k] >= box.high[i] && gradient[k] <= 0.0) &&
+                  squares[k] > tiny;
+    }
+    Step step;
+    step.squares = squares;
+    if (free[0] && free[1]) {
+        const double full = s.su.dot(s.sv) + r.dot(s.suv);
+        const double det = hessian.x() * hessian.y() - full * full;
+        step.minimum = hessian.x() > 0.0 && det > 1e-6 * squares.x() * squares.y();
+        if (step.minimum) {
+            step.move = Vec2(full * gradient.y() - hessian.y() * gradient.x(),
+                             full * gradient.x() - hessian.x() * gradient.y()) /
+                        det;
+        } else {
+            // The step to the projection on the tangent plane, where that is well-defined.
+            const double mixed = s.su.dot(s.sv);
+            const double gauss = std::max(squares.x() * squares.y() - mixed * mixed, 1e-6 * squares.x() * squares.y());
+            step.move = Vec2(mixed * gradient.y() - squares.y() * gradient.x(),
+                             mixed * gradient.x() - squares.x() * gradient.y()) /
+                        gauss;
+        }
+        return step;
+    }
+    step.minimum = true;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        if (free[i]) {
+            step.minimum = hessian[k] > 0.0;
+            step.move[k] = -gradient[k] / (hessian[k] > 0.01 * squares[k] ? hessian[k] : squares[k]);
+        }
+    }
+    return step;
+}
+
+/// @param p point in the surface's own coordinates.
+FaceEvaluator::Foot FaceEvaluator::newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const {
+    // Newton steps at most; searches that need more start anew elsewhere.
+    constexpr int kSteps = 30;
+    // Halvings of a step that does not reduce the distance.
+    constexpr int kHalvings = 8;
+    const Vec2 longest(0.25 * (trimmed_.high[0] - trimmed_.low[0]), 0.25 * (trimmed_.high[1] - trimmed_.low[1]));
+    Foot foot;
+    foot.uv = clamped(start, box);
+    SurfacePoint s = second(foot.uv.x(), foot.uv.y());
+    foot.square = (s.point - p).squaredNorm();
+    for (int i = 0; i < kSteps; ++i) {
+        const Step step = newton_step(s, s.point - p, foot.uv, box);
+        Vec2 move = step.move.cwiseMin(longest).cwiseMax(-longest);
+        const Vec2 next = clamped(foot.uv + move, box);
+        move = next - foot.uv;
+        const double square_moved = step.squares.x() * move.x() * move.x() + step.squares.y() * move.y() * move.y();
+        const double last = (step.minimum ? kLastStep : kLastSlowStep) * size_;
+        if (square_moved <= last * last) {
+            foot.uv = next;
+            foot.found = step.minimum;
+            foot.at = moved(s, move);
+            return foot;
+        }
+        int halvings = 0;
+        for (; halvings <= kHalvings; ++halvings, move *= 0.5) {
+            const Vec2 uv = foot.uv + move;
+            s = second(uv.x(), uv.y());
+            const double square = (s.point - p).squaredNorm();
+            if (square <= foot.square * (1.0 + 1e-14) + 1e-28 * size_ * size_) {
+                foot.uv = uv;
+                foot.square = square;
+                break;
+            }
+        }
+        if (halvings > kHalvings) {
+            return foot;
+        }
+    }
+    return foot;
+}
+
+/// Whether one parameter has no effect, as at a pole, so that a search cannot leave in every direction.
+bool FaceEvaluator::collapsed(const SurfacePoint& s) const {
+    // Length of a derivative that counts as zero, as a fraction of the usual one.
+    constexpr double kCollapsed = 1e-5;
+    return s.su.norm() <= kCollapsed * su_ || s.sv.norm() <= kCollapsed * sv_;
+}
+
+/// Whether r is orthogonal to the surface, or points out of the box.
+bool FaceEvaluator::is_foot(const Vec3& p, const Foot& foot, const ParameterBox& box) const {
+    const SurfacePoint& s = foot.at;
+    const Vec3 r = s.point - p;
+    const double slack = 1e-6 * r.norm() + 1e-9 * size_;
+    const double across[2] = {r.dot(s.su), r.dot(s.sv)};
+    const double squares[2] = {s.su.squaredNorm(), s.sv.squaredNorm()};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double x = foot.uv[static_cast<Eigen::Index>(i)];
+        const bool sloping = across[i] * across[i] > slack * slack * squares[i];
+        if (sloping && (across[i] > 0.0 ? x > box.low[i] : x < box.high[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Samples the face's box, for searches without a guess and for the face's bounding box: about as dense in both
+/// directions, and several samples in each span of the surface.
+void FaceEvaluator::sample() {
+    // Samples of the face on the whole, unless the spans need more.
+    constexpr double kTotal = 600.0;
+    // Samples along each parameter at least.
+    constexpr int kLeast = 8;
+    // Samples along each parameter at most; bounds time and memory.
+    constexpr int kMost = 160;
+    const std::array<double, 2> range{trimmed_.high[0] - trimmed_.low[0], trimmed_.high[1] - trimmed_.low[1]};
+    const std::array<double, 2> lengths{su_ * range[0], sv_ * range[1]};
+    const std::array<int, 2> spans{surface_.NbUIntervals(GeomAbs_C2), surface_.NbVIntervals(GeomAbs_C2)};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const double natural = natural_.high[i] - natural_.low[i];
+        const double part = natural < Precision::Infinite() ? std::min(1.0, range[i] / natural) : 1.0;
+        const double even = std::sqrt(kTotal * std::max(lengths[i], 1e-300) / std::max(lengths[1 - i], 1e-300));
+        const double wanted = std::max(std::min(even, kTotal), std::ceil(3.0 * part * spans[i]));
+        samples_[i] = static_cast<int>(std::clamp<double>(wanted, kLeast, kMost));
+    }
+    for (int i = 0; i <= samples_[0]; ++i) {
+        for (int k = 0; k <= samples_[1]; ++k) {
+            const Vec2 at = sample_at(i, k);
+            grid_.push_back(place(at.x(), at.y()));
+        }
+    }
+}
+
+Vec2 FaceEvaluator::sample_at(int i, int k) const {
+    return Vec2(trimmed_.low[0] + i * (trimmed_.high[0] - trimmed_.low[0]) / samples_[0],
+                trimmed_.low[1] + k * (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);
+}
+
+/// The samples that are nearer than all their neighbours, best first, with their squared distances.
+std::vector<std::pair<double, Vec2>> FaceEvaluator::best_samples(const Vec3& p) const {
+    // Samples from which Newton's method starts at most.
+    constexpr std::size_t kMost = 6;
+    const int nu = samples_[0] + 1;
+    const int nv = samples_[1] + 1;
+    std::vector<double> squares(grid_.size());
+    std::transform(grid_.begin(), grid_.end(), squares.begin(), [&](const Vec3& q) { return (q - p).squaredNorm(); });
+    std::vector<std::pair<double, Vec2>> found;
+    for (int i = 0; i < nu; ++i) {
+        for (int k = 0; k < nv; ++k) {
+            const double here = squares[static_cast<std::size_t>(i * nv + k)];
+            bool least = true;
+            for (int a = std::max(0, i - 1); a <= std::min(nu - 1, i + 1) && least; ++a) {
+                for (int b = std::max(0, k - 1); b <= std::min(nv - 1, k + 1) && least; ++b) {
+                    least = here <= squares[static_cast<std::size_t>(a * nv + b)];
+                }
+            }
+            if (least) {
+                found.emplace_back(here, sample_at(i, k));
+            }
+        }
+    }
+    const std::size_t kept = std::min(kMost, found.size());
+    std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(kept), found.end(),
+                      [](const auto& x, const auto& y) { return x.first < y.first; });
+    found.resize(kept);
+    return found;
+}
+
+/// At a pole a search has no direction: this takes the best of the points around it. Where a derivative vanishes
+/// without a pole, it takes a point further in.
+Vec2 FaceEvaluator::offset_from_pole(const Vec3& p, const Vec2& pole) const {
+    // Points around the pole.
+    constexpr int kTurns = 24;
+    // Distance of these points from the pole, as a fraction of the samples' spacing.
+    constexpr double kAside = 0.1;
+    Vec2 inward;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        const double cell = (trimmed_.high[i] - trimmed_.low[i]) / samples_[i];
+        inward[k] = pole[k] > 0.5 * (trimmed_.low[i] + trimmed_.high[i]) ? -kAside * cell : kAside * cell;
+    }
+    const int around = pole_parameter(pole);
+    if (around < 0) {
+        return pole + inward;
+    }
+    const auto a = static_cast<std::size_t>(around);
+    Vec2 best = pole;
+    double least = kInfinity;
+    for (int i = 0; i <= kTurns; ++i) {
+        Vec2 uv = pole + inward;
+        uv[around] = trimmed_.low[a] + i * (trimmed_.high[a] - trimmed_.low[a]) / kTurns;
+        const double square = (place(uv.x(), uv.y()) - p).squaredNorm();
+        if (square < least) {
+            least = square;
+            best = uv;
+        }
+    }
+    return best;
+}
+
+/// Newton's method from the best samples; where none comes closer (at a crease, at a pole), the best sample is improved
+/// without derivatives.
+FaceEvaluator::Foot FaceEvaluator::search(const Vec3& p, const ParameterBox& box) {
+    if (grid_.empty()) {
+        sample();
+    }
+    const std::vector<std::pair<double, Vec2>> starts = best_samples(p);
+    Foot best;
+    best.square = kInfinity;
+    if (starts.empty()) {
+        return best;
+    }
+    for (const auto& [square, uv] : starts) {
+        const Foot foot = newton(p, collapsed(first(uv.x(), uv.y())) ? offset_from_pole(p, uv) : uv, box);
+        if (foot.found && is_foot(p, foot, box) && foot.square < best.square) {
+            best = foot;
+        }
+    }
+    if (!best.found || starts.front().first < best.square * (1.0 - 1e-9)) {
+        best = pattern_search(p, clamped(starts.front().second, box), box);
+    }
+    return best;
+}
+
+FaceEvaluator::Foot FaceEvaluator::pattern_search(const Vec3& p, const Vec2& start, const ParameterBox& box) const {
+    Foot foot;
+    foot.uv = start;
+    foot.square = (place(start.x(), start.y()) - p).squaredNorm();
+    Vec2 reach((trimmed_.high[0] - trimmed_.low[0]) / samples_[0], (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);
+    // Steps of the search without derivatives at most.
+    constexpr int kSteps = 400;
+    // Relative step at which that search ends: near double precision.
+    constexpr double kEnd = 1e-12;
+    double part = 1.0;
+    for (int i = 0; i < kSteps && part > kEnd; ++i) {
+        bool better = false;
+        for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
+            const Vec2 uv = clamped(foot.uv + part * reach.cwiseProduct(way), box);
+            const double square = (place(uv.x(), uv.y()) - p).squaredNorm();
+            if (square < foot.square) {
+                foot.uv = uv;
+                foot.square = square;
+                better = true;
+            }
+        }
+        part *= better ? 1.0 : 0.5;
+    }
+    foot.found = std::isfinite(foot.square);
+    foot.at = first(foot.uv.x(), foot.uv.y());
+    return foot;
+}
+
+/// The answer at the projection (u, v) of `point`, on the turn nearest to the guess.
+Answer FaceEvaluator::foot_at(const Vec3& point, const Foot& foot, const Vec2& guess) const {
+    const double u = branch_nearest(foot.uv.x(), guess.x(), period_[0]);
+    const double v = branch_nearest(foot.uv.y(), guess.y(), period_[1]);
+    Answer answer = at(u, v, foot.at);
+    answer.distance = (answer.point - point).norm();
+    return answer;
+}
+
+Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
+    Answer answer;
+    answer.status = Status::BadQuery;
+    if (!(std::abs(u) < 1e50) || !(std::abs(v) < 1e50)) {
+        return answer;
+    }
+    const Vec3 p = local(point);
+    const Vec2 guess(u, v);
+    answer.status = Status::NotFound;
+    if (elementary_) {
+        const auto uv = elementary_->nearest(p, elementary_box(guess), guess);
+        return uv ? foot_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, guess) : answer;
+    }
+    Foot foot = newton(p, guess, search_);
+    const bool local = foot.found && is_foot(p, foot, search_);
+    if (!local || collapsed(foot.at)) {
+        const Foot other = search(p, search_);
+        foot = local && foot.square <= other.square ? foot : other;
+    }
+    return foot.found ? foot_at(point, foot, guess) : answer;
+}
+
+Answer FaceEvaluator::nearest_global(const Vec3& point) {
+    Answer answer;
+    answer.status = Status::NotFound;
+    const Vec3 p = local(point);
+    const Vec2 middle(0.5 * (trimmed_.low[0] + trimmed_.high[0]), 0.5 * (trimmed_.low[1] + trimmed_.high[1]));
+    if (elementary_) {
+        const auto uv = elementary_->nearest(p, trimmed_, middle);
+        return uv ? foot_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, *uv) : answer;
+    }
+    const Foot foot = search(p, trimmed_);
+    return foot.found ? foot_at(point, foot, foot.uv) : answer;
+}
+
+}  // namespace mq::geometry

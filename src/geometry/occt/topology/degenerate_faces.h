@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "geometry/occt/topology/creases.h"
+#include "geometry/occt/topology/shape_map.h"
+
+namespace mq::geometry {
+
+/// Sews gaps that `cut_at_creases` leaves. A piece of a face without area is a curve, or a point: it is removed, and
+/// the entities around it become one edge or node. The same is done with the halves of an edge that runs to and fro on
+/// one curve, as the border in the middle of a wing's flat end does. A whole face between two edges that is no wider
+/// than their tolerance is a curve, too; `topology.faults` says so.
+/// @throws Cancelled
+void sew_collapsed_pieces(const OrderedShape& shape, Topology& topology, ShapeMap& live, const Progress* progress);
+
+}  // namespace mq::geometry

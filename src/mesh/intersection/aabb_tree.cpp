@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/intersection/aabb_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace mq::mesh {
+namespace {
+
+/// Triangles in a leaf at most; a leaf is tested triangle by triangle.
+constexpr std::size_t kLeafSize = 4;
+/// Nodes on the stack while the tree is descended: one for each level, of which there are at most 30 for the bits of
+/// the Morton codes, and 32 for the halvings of triangles with the same code.
+constexpr std::size_t kDeepest = 64;
+
+/// The next single-precision number toward minus infinity; std::nextafter, but inlined.
+float next_below(float x) {
+    if (x == 0.0f) {
+        return -std::numeric_limits<float>::denorm_min();
+    }
+    std::int32_t bits = 0;
+    std::memcpy(&bits, &x, sizeof bits);
+    bits += x > 0.0f ? -1 : 1;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+float round_down(double x) {
+    const auto rounded = static_cast<float>(x);
+    return static_cast<double>(rounded) <= x ? rounded : next_below(rounded);
+}
+
+float round_up(double x) {
+    return -round_down(-x);
+}
+
+/// The ten lowest bits, each followed by two zeros.
+std::uint32_t spread(std::uint32_t x) {
+    x = (x | (x << 16)) & 0x030000ffu;
+    x = (x | (x << 8)) & 0x0300f00fu;
+    x = (x | (x << 4)) & 0x030c30c3u;
+    return (x | (x << 2)) & 0x09249249u;
+}
+
+constexpr std::uint32_t kCells = 1024;  ///< cells along a side of the Morton grid
+
+}  // namespace
+
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const double d1 = ab.dot(p - a);
+    const double d2 = ac.dot(p - a);
+    if (d1 <= 0.0 && d2 <= 0.0) {
+        return a;
+    }
+    const double d3 = ab.dot(p - b);
+    const double d4 = ac.dot(p - b);
+    if (d3 >= 0.0 && d4 <= d3) {
+        return b;
+    }
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+        return a + d1 / (d1 - d3) * ab;
+    }
+    const double d5 = ab.dot(p - c);
+    const double d6 = ac.dot(p - c);
+    if (d6 >= 0.0 && d5 <= d6) {
+        return c;
+    }
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+        return a + d2 / (d2 - d6) * ac;
+    }
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6) {
+        return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    }
+    return a + vb / (va + vb + vc) * ab + vc / (va + vb + vc) * ac;
+}
+
+void AabbTree::Bounds::add(const Bounds& o) {
+    for (int i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], o.low[i]);
+        high[i] = std::max(high[i], o.high[i]);
+    }
+}
+
+AabbTree::Bounds AabbTree::outward(const Box& box) {
+    return {{round_down(box.low.x()), round_down(box.low.y()), round_down(box.low.z())},
+            {round_up(box.high.x()), round_up(box.high.y()), round_up(box.high.z())}};
+}
+
+AabbTree::Bounds AabbTree::bounds_of(std::int32_t triangle) const {
+    const Triangle& t = (*triangles_)[triangle];
+    const Vec3& a = (*vertices_)[t[0]];
+    const Vec3& b = (*vertices_)[t[1]];
+    const Vec3& c = (*vertices_)[t[2]];
+    Bounds bounds;
+    for (int i = 0; i < 3; ++i) {
+        bounds.low[i] = round_down(std::min(a[i], std::min(b[i], c[i])) - slack_);
+        bounds.high[i] = round_up(std::max(a[i], std::max(b[i], c[i])) + slack_);
+    }
+    return bounds;
+}
+
+AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack)
+    : vertices_(&vertices), triangles_(&triangles), slack_(slack), items_(triangles.size()) {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        items_[i].triangle = static_cast<std::int32_t>(i);
+    }
+    build();
+}
+
+AabbTree::AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                   const std::vector<std::int32_t>& subset, double slack)
+    : vertices_(&vertices), triangles_(&triangles), slack_(slack), items_(subset.size()) {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+        items_[i].triangle = subset[i];
+    }
+    build();
+}
+
+Box AabbTree::box() const {
+    Box box;
+    if (!nodes_.empty()) {
+        const Bounds& bounds = nodes_[0].bounds;
+        box.low = Vec3(bounds.low[0], bounds.low[1], bounds.low[2]);
+        box.high = Vec3(bounds.high[0], bounds.high[1], bounds.high[2]);
+    }
+    return box;
+}
+
+void AabbTree::build() {
+    if (items_.empty()) {
+        return;
+    }
+    sort_items();
+    nodes_.reserve(items_.size());
+    nodes_.push_back({});
+    build_node(0, 0, items_.size());
+}
+
+/// Morton order of the middles of the boxes, in cubic cells, by a radix sort (ties: by position in the input).
+void AabbTree::sort_items() {
+    Bounds all = bounds_of(items_[0].triangle);
+    for (Item& item : items_) {
+        item.bounds = bounds_of(item.triangle);
+        all.add(item.bounds);
+    }
+    double side = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        side = std::max(side, double(all.high[i]) - double(all.low[i]));
+    }
+    const double scale = side > 0.0 ? 0.5 * (kCells - 1) / side : 0.0;
+    // Bits of the code along one axis, which are also the digits of one pass of the radix sort.
+    constexpr int kBits = 10;
+    // Buckets of one pass of the radix sort.
+    constexpr std::size_t kBuckets = std::size_t{1} << kBits;
+    std::array<std::array<std::uint32_t, kBuckets + 1>, 3> begin{};
+    struct Key {
+        std::uint32_t code;
+        std::uint32_t item;
+    };
+    std::vector<Key> keys(items_.size());
+    for (std::size_t k = 0; k < items_.size(); ++k) {
+        const Bounds& bounds = items_[k].bounds;
+        std::uint32_t code = 0;
+        for (int i = 0; i < 3; ++i) {
+            const double twice_middle = double(bounds.low[i]) + double(bounds.high[i]) - 2.0 * double(all.low[i]);
+            // No number where bounds are infinite, beyond single precision: then items need no order.
+            const double cell = twice_middle * scale;
+            code = (code << 1) | spread(cell > 0.0 ? static_cast<std::uint32_t>(cell) : 0U);
+        }
+        items_[k].code = code;
+        keys[k] = {code, static_cast<std::uint32_t>(k)};
+        for (int pass = 0; pass < 3; ++pass) {
+            ++begin[pass][((code >> (kBits * pass)) & (kBuckets - 1)) + 1];
+        }
+    }
+    std::vector<Key> sorted(keys.size());
+    for (int pass = 0; pass < 3; ++pass) {
+        std::partial_sum(begin[pass].begin(), begin[pass].end(), begin[pass].begin());
+        for (const Key& key : keys) {
+            sorted[begin[pass][(key.code >> (kBits * pass)) & (kBuckets - 1)]++] = key;
+        }
+        keys.swap(sorted);
+    }
+    std::vector<Item> items(items_.size());
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        items[k] = items_[keys[k].item];
+    }
+    items_.swap(items);
+}
+
+void AabbTree::build_node(std::int32_t node, std::size_t begin, std::size_t end) {
+    if (end - begin <= kLeafSize) {
+        Bounds bounds = items_[begin].bounds;
+        for (std::size_t i = begin + 1; i < end; ++i) {
+            bounds.add(items_[i].bounds);
+        }
+        nodes_[node] = {bounds, static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end - begin)};
+        return;
+    }
+    const std::size_t middle = split(begin, end);
+    const auto child = static_cast<std::int32_t>(nodes_.size());
+    nodes_.resize(nodes_.size() + 2);
+    build_node(child, begin, middle);
+    build_node(child + 1, middle, end);
+    Bounds bounds = nodes_[child].bounds;
+    bounds.add(nodes_[child + 1].bounds);
+    nodes_[node] = {bounds, child, 0};
+}
+
+/// Where the second half begins: at the highest bit in which the codes differ; within one cell of the Morton grid at
+/// the median along the longest side of the middles' box.
+std::size_t AabbTree::split(std::size_t begin, std::size_t end) {
+    const std::uint32_t differing = items_[begin].code ^ items_[end - 1].code;
+    if (differing != 0) {
+        std::uint32_t bit = differing;
+        while ((bit & (bit - 1)) != 0) {
+            bit &= bit - 1;
+        }
+        const auto second = std::partition_point(items_.begin() + begin, items_.begin() + end,
+                                                 [bit](const Item& item) { return (item.code & bit) == 0; });
+        return second - items_.begin();
+    }
+    const auto middle_of = [](const Item& item, int i) {
+        return double(item.bounds.low[i]) + double(item.bounds.high[i]);
+    };
+    Box middles;
+    for (std::size_t k = begin; k < end; ++k) {
+        middles.add(Vec3(middle_of(items_[k], 0), middle_of(items_[k], 1), middle_of(items_[k], 2)));
+    }
+    int axis = 0;
+    (middles.high - middles.low).maxCoeff(&axis);
+    const std::size_t median = begin + (end - begin) / 2;
+    std::nth_element(items_.begin() + begin, items_.begin() + median, items_.begin() + end,
+                     [&](const Item& a, const Item& b) {
+                         const double x = middle_of(a, axis);
+                         const double y = middle_of(b, axis);
+                         return x != y ? x < y : a.triangle < b.triangle;
+                     });
+    return median;
+}
+
+void AabbTree::set_groups(const std::vector<std::int32_t>& group) {
+    node_group_.resize(nodes_.size());
+    for (std::size_t k = nodes_.size(); k-- > 0;) {
+        const Node& node = nodes_[k];
+        if (node.count == 0) {
+            const std::int32_t first = node_group_[node.first];
+            node_group_[k] = first == node_group_[node.first + 1] ? first : -1;
+            continue;
+        }
+        node_group_[k] = group[items_[node.first].triangle];
+        for (std::int32_t i = node.first + 1; i < node.first + node.count; ++i) {
+            node_group_[k] = group[items_[i].triangle] == node_group_[k] ? node_group_[k] : -1;
+        }
+    }
+}
+
+namespace {
+
+/// Divides tasks, breadth first and in place, until there are `count` or none can be divided.
+template <typename Divide>
+std::vector<AabbTree::Task> divided(std::size_t count, const Divide& divide) {
+    std::vector<AabbTree::Task> tasks{{0, 0}};
+    bool changed = true;
+    while (changed && tasks.size() < count) {
+        changed = false;
+        std::vector<AabbTree::Task> next;
+        for (const AabbTree::Task& task : tasks) {
+            const std::size_t before = next.size();
+            divide(task, next);
+            const bool same = next.size() == before + 1 && next[before].a == task.a && next[before].b == task.b;
+            changed = changed || !same;
+        }
+        tasks.swap(next);
+    }
+    return tasks;
+}
+
+}  // namespace
+
+std::vector<AabbTree::Task> AabbTree::own_pair_tasks(std::size_t count) const {
+    if (size() == 0) {
+        return {};
+    }
+    return divided(count, [&](const Task& task, std::vector<Task>& next) {
+        const Node& a = nodes_[task.a];
+        const Node& b = nodes_[task.b];
+        if (in_one_group(task)) {
+            return;
+        }
+        if (task.a == task.b && a.count == 0) {
+            next.push_back({a.first, a.first});
+            next.push_back({a.first + 1, a.first + 1});
+            next.push_back({a.first, a.first + 1});
+        } else if (task.a == task.b || (a.count > 0 && b.count > 0)) {
+            next.push_back(task);
+        } else if (a.bounds.meets(b.bounds) && divide_first(a, b)) {
+            next.push_back({a.first, task.b});
+            next.push_back({a.first + 1, task.b});
+        } else if (a.bounds.meets(b.bounds)) {
+            next.push_back({task.a, b.first});
+            next.push_back({task.a, b.first + 1});
+        }
+    });
+}
+
+/// visit(i) for the triangles of the leaves whose boxes are within a bound, which visits may lower, the nearer half of
+/// each node first. A visit that returns false ends it.
+template <typename Visit>
+void AabbTree::for_each_near(const Vec3& p, const double& bound_squared, Visit&& visit) const {
+    // Squared distance of a box, rounded down.
+    const auto distance = [&p](const Bounds& bounds) {
+        double sum = 0.0;
+        for (int i = 0; i < 3; ++i) {
+            const double gap = std::max(0.0, std::max(double(bounds.low[i]) - p[i], p[i] - double(bounds.high[i])));
+            sum += gap * gap;
+        }
+        return sum * (1.0 - 8.0 * std::numeric_limits<double>::epsilon());
+    };
+    struct Entry {
+        double distance;
+        std::int32_t node;
+    };
+    std::array<Entry, kDeepest> stack;
+    std::size_t height = 0;
+    if (!nodes_.empty()) {
+        stack[height++] = {distance(nodes_[0].bounds), 0};
+    }
+    while (height > 0) {
+        const Entry top = stack[--height];
+        if (top.distance > bound_squared) {
+            continue;
+        }
+        const Node& node = nodes_[top.node];
+        if (node.count == 0) {
+            Entry near{distance(nodes_[node.first].bounds), node.first};
+            Entry far{distance(nodes_[node.first + 1].bounds), node.first + 1};
+            if (far.distance < near.distance) {
+                std::swap(near, far);
+            }
+            if (far.distance <= bound_squared) {
+                stack[height++] = far;
+            }
+            stack[height++] = near;
+            continue;
+        }
+        for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+            if (distance(items_[i].bounds) <= bound_squared && !visit(items_[i].triangle)) {
+                return;
+            }
+        }
+    }
+}
+
+void AabbTree::search(const Vec3& p, ClosestPoint& best, double best_squared) const {
+    for_each_near(p, best_squared, [&](std::int32_t triangle) {
+        const Vec3 q = nearest_on(triangle, p);
+        const double squared = (q - p).squaredNorm();
+        const bool lower = best.triangle < 0 || triangle < best.triangle;
+        if (squared < best_squared || (squared == best_squared && lower)) {
+            best_squared = squared;
+            best = {triangle, q, std::sqrt(squared)};
+        }
+        return true;
+    });
+}
+
+ClosestPoint AabbTree::nearest(const Vec3& p, double bound) const {
+    ClosestPoint best;
+    search(p, best, bound * bound);
+    return best;
+}
+
+ClosestPoint AabbTree::nearest_from(const Vec3& p, std::int32_t guess) const {
+    const Vec3 q = nearest_on(guess, p);
+    const double squared = (q - p).squaredNorm();
+    ClosestPoint best{guess, q, std::sqrt(squared)};
+    search(p, best, squared);
+    return best;
+}
+
+std::int32_t AabbTree::any_within(const Vec3& p, double distance, std::int32_t guess) const {
+    const auto is_within = [&](std::int32_t triangle) { return (nearest_on(triangle, p) - p).norm() <= distance; };
+    if (is_within(guess)) {
+        return guess;
+    }
+    std::int32_t found = -1;
+    const double bound_squared = distance * distance * (1.0 + 8.0 * std::numeric_limits<double>::epsilon());
+    for_each_near(p, bound_squared, [&](std::int32_t triangle) {
+        found = is_within(triangle) ? triangle : -1;
+        return found < 0;
+    });
+    return found;
+}
+
+}  // namespace mq::mesh

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+#include "base/vec.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::mesh {
+
+/// The point of a set of triangles nearest to a given point.
+struct ClosestPoint {
+    std::int32_t triangle = -1;  ///< -1: none within the bound
+    Vec3 point = Vec3::Zero();
+    double distance = std::numeric_limits<double>::infinity();  ///< distance, mm
+};
+
+/// The point of the triangle (a, b, c) nearest to p (Ericson, Real-Time Collision Detection, section 5.1.5).
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// A hierarchy of bounding boxes over triangles (Lauterbach et al. 2009: Morton order, split at the highest bit that
+/// differs). Built in O(n); about 0.1 s for a million triangles.
+///
+/// Boxes are closed and stored in single precision, rounded outward: a query never misses a triangle that it should
+/// report, but it may report one whose box is only within a rounding of the query. Triangles are reported by their
+/// index in the vector given, in an order that depends on the input only.
+///
+/// The vertices and triangles are referred to, not copied: they must outlive the tree and keep their places. All
+/// indices must be in range and all coordinates finite.
+class AabbTree {
+  public:
+    /// @param slack  mm, by which boxes are larger than their triangles on all sides: for vertices with rounding errors
+    AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, double slack = 0.0);
+    /// A tree over some of the triangles only, each named once.
+    AabbTree(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+             const std::vector<std::int32_t>& subset, double slack = 0.0);
+
+    std::size_t size() const { return items_.size(); }
+    /// The box of all triangles, rounded outward; empty when there are none.
+    Box box() const;
+
+    /// Groups of triangles of which no two need be reported as own pairs: the group of each triangle, -1 for none.
+    /// Pairs of one group may still be reported where its subtrees hold other groups too.
+    void set_groups(const std::vector<std::int32_t>& group);
+
+    /// One task of a traversal: all pairs between two subtrees, or within one when they are the same.
+    struct Task {
+        std::int32_t a = 0;
+        std::int32_t b = 0;
+    };
+    /// Divides the search for own pairs into about `count` tasks, for several threads; the concatenation of the tasks'
+    /// pairs is the list that for_each_own_pair gives.
+    std::vector<Task> own_pair_tasks(std::size_t count) const;
+
+    /// visit(i, j) for each triangle i of this tree and j of the other whose boxes meet.
+    template <typename Visit>
+    void for_each_pair(const AabbTree& other, Visit&& visit) const;
+
+    /// visit(i, j) once for each two different triangles of this tree whose boxes meet.
+    template <typename Visit>
+    void for_each_own_pair(Visit&& visit) const {
+        if (size() > 0) {
+            for_each_own_pair(Task{0, 0}, visit);
+        }
+    }
+    template <typename Visit>
+    void for_each_own_pair(Task task, Visit&& visit) const;
+
+    /// visit(i) for each triangle whose box meets the closed box. A visit that returns a bool ends the search by false;
+    /// so do the visits below.
+    template <typename Visit>
+    void for_each_in_box(const Box& box, Visit&& visit) const;
+
+    /// visit(i) for each triangle whose box meets the points origin + t direction, 0 <= t <= reach.
+    template <typename Visit>
+    void for_each_on_ray(const Vec3& origin, const Vec3& direction, double reach, Visit&& visit) const;
+    template <typename Visit>
+    void for_each_on_ray(const Vec3& origin, const Vec3& direction, Visit&& visit) const {
+        for_each_on_ray(origin, direction, std::numeric_limits<double>::infinity(), visit);
+    }
+
+    /// The triangle nearest to p among those at most `bound` away (mm); among equally near ones the one with the lowest
+    /// index.
+    ClosestPoint nearest(const Vec3& p, double bound = std::numeric_limits<double>::infinity()) const;
+    /// The same without a bound; the nearer the triangle `guess` is to p, the faster.
+    ClosestPoint nearest_from(const Vec3& p, std::int32_t guess) const;
+    /// Some triangle at most `distance` away (mm), -1: none; `guess`, a triangle of the tree, if it is near enough.
+    std::int32_t any_within(const Vec3& p, double distance, std::int32_t guess) const;
+
+  private:
+    struct Bounds {
+        std::array<float, 3> low;
+        std::array<float, 3> high;
+
+        bool meets(const Bounds& o) const {
+            // Without branches: half of the tested boxes meet, and no branch prediction knows which.
+            return bool(int(low[0] <= o.high[0]) & int(o.low[0] <= high[0]) & int(low[1] <= o.high[1]) &
+                        int(o.low[1] <= high[1]) & int(low[2] <= o.high[2]) & int(o.low[2] <= high[2]));
+        }
+        void add(const Bounds& o);
+        float size() const { return (high[0] - low[0]) + (high[1] - low[1]) + (high[2] - low[2]); }
+    };
+    /// A triangle in the order of the leaves.
+    struct Item {
+        Bounds bounds;
+        std::int32_t triangle;
+        std::uint32_t code;  ///< Morton code of the middle of its box
+    };
+    /// A leaf has `count` items from `first` on; an inner node (count 0) has the children `first` and `first` + 1,
+    /// which come later than itself.
+    struct Node {
+        Bounds bounds;
+        std::int32_t first;
+        std::int32_t count;
+    };
+    class Ray;
+
+    static Bounds outward(const Box& box);
+    Bounds bounds_of(std::int32_t triangle) const;
+    void build();
+    void sort_items();
+    void build_node(std::int32_t node, std::size_t begin, std::size_t end);
+    std::size_t split(std::size_t begin, std::size_t end);
+
+    /// Whether the first of two nodes that meet is the one to be divided.
+    static bool divide_first(const Node& a, const Node& b) {
+        return b.count > 0 || (a.count == 0 && a.bounds.size() >= b.bounds.size());
+    }
+    /// Runs one task of a traversal: reports the pairs of two leaves, or puts the subtasks on the stack.
+    template <typename Visit>
+    void step(const AabbTree& other, Task task, std::vector<Task>& stack, Visit& visit) const;
+    template <typename Visit>
+    void own_step(Task task, std::vector<Task>& stack, Visit& visit) const;
+    bool in_one_group(Task task) const {
+        return !node_group_.empty() && node_group_[task.a] >= 0 && node_group_[task.a] == node_group_[task.b];
+    }
+    template <typename Visit>
+    static bool go_on(Visit& visit, std::int32_t triangle) {
+        if constexpr (std::is_same_v<decltype(visit(triangle)), bool>) {
+            return visit(triangle);
+        } else {
+            visit(triangle);
+            return true;
+        }
+    }
+    Vec3 nearest_on(std::int32_t triangle, const Vec3& p) const {
+        const Triangle& t = (*triangles_)[triangle];
+        return nearest_on_triangle(p, (*vertices_)[t[0]], (*vertices_)[t[1]], (*vertices_)[t[2]]);
+    }
+    template <typename Visit>
+    void for_each_near(const Vec3& p, const double& bound_squared, Visit&& visit) const;
+    void search(const Vec3& p, ClosestPoint& best, double best_squared) const;
+    template <typename Meets, typename Visit>
+    void descend(const Meets& meets, Visit& visit) const;
+
+    const std::vector<Vec3>* vertices_;
+    const std::vector<Triangle>* triangles_;
+    double slack_ = 0.0;
+    std::vector<Item> items_;
+    std::vector<Node> nodes_;
+    /// The common group of all triangles of a node, else -1; empty without groups.
+    std::vector<std::int32_t> node_group_;
+};
+
+/// Tests a ray against boxes: the slabs of Kay and Kajiya, with divisions rounded so that no box is missed.
+class AabbTree::Ray {
+  public:
+    Ray(const Vec3& origin, const Vec3& direction, double reach)
+        : origin_(origin), direction_(direction), reach_(reach) {}
+
+    bool operator()(const Bounds& bounds) const {
+        double enter = 0.0;
+        double leave = reach_;
+        for (int i = 0; i < 3; ++i) {
+            const double to_low = double(bounds.low[i]) - origin_[i];
+            const double to_high = double(bounds.high[i]) - origin_[i];
+            if (direction_[i] == 0.0) {
+                if (to_low > 0.0 || to_high < 0.0) {
+                    return false;
+                }
+                continue;
+            }
+            const double first = (direction_[i] > 0.0 ? to_low : to_high) / direction_[i];
+            const double last = (direction_[i] > 0.0 ? to_high : to_low) / direction_[i];
+            enter = first > enter ? first : enter;
+            leave = last < leave ? last : leave;
+        }
+        // A difference and a quotient, each with an error of half a unit in the last place; their signs are right.
+        constexpr double kSlack = 4.0 * std::numeric_limits<double>::epsilon();
+        return leave >= 0.0 && enter * (1.0 - kSlack) <= leave * (1.0 + kSlack);
+    }
+
+  private:
+    Vec3 origin_;
+    Vec3 direction_;
+    double reach_;
+};
+
+template <typename Visit>
+void AabbTree::step(const AabbTree& other, Task task, std::vector<Task>& stack, Visit& visit) const {
+    const Node& a = nodes_[task.a];
+    const Node& b = other.nodes_[task.b];
+    if (!a.bounds.meets(b.bounds)) {
+        return;
+    }
+    if (a.count > 0 && b.count > 0) {
+        const Item* a_end = items_.data() + a.first + a.count;
+        const Item* b_end = other.items_.data() + b.first + b.count;
+        for (const Item* i = &items_[a.first]; i != a_end; ++i) {
+            for (const Item* j = &other.items_[b.first]; j != b_end; ++j) {
+                if (i->bounds.meets(j->bounds)) {
+                    visit(i->triangle, j->triangle);
+                }
+            }
+        }
+    } else if (divide_first(a, b)) {
+        stack.push_back({a.first + 1, task.b});
+        stack.push_back({a.first, task.b});
+    } else {
+        stack.push_back({task.a, b.first + 1});
+        stack.push_back({task.a, b.first});
+    }
+}
+
+template <typename Visit>
+void AabbTree::own_step(Task task, std::vector<Task>& stack, Visit& visit) const {
+    if (in_one_group(task)) {
+        return;
+    }
+    if (task.a != task.b) {
+        step(*this, task, stack, visit);
+        return;
+    }
+    const Node& node = nodes_[task.a];
+    if (node.count == 0) {
+        stack.push_back({node.first, node.first + 1});
+        stack.push_back({node.first + 1, node.first + 1});
+        stack.push_back({node.first, node.first});
+        return;
+    }
+    const Item* end = items_.data() + node.first + node.count;
+    for (const Item* i = &items_[node.first]; i != end; ++i) {
+        for (const Item* j = i + 1; j != end; ++j) {
+            if (i->bounds.meets(j->bounds)) {
+                visit(i->triangle, j->triangle);
+            }
+        }
+    }
+}
+
+template <typename Visit>
+void AabbTree::for_each_pair(const AabbTree& other, Visit&& visit) const {
+    std::vector<Task> stack;
+    if (size() > 0 && other.size() > 0) {
+        stack.push_back({0, 0});
+    }
+    while (!stack.empty()) {
+        const Task top = stack.back();
+        stack.pop_back();
+        step(other, top, stack, visit);
+    }
+}
+
+template <typename Visit>
+void AabbTree::for_each_own_pair(Task task, Visit&& visit) const {
+    std::vector<Task> stack{task};
+    while (!stack.empty()) {
+        const Task top = stack.back();
+        stack.pop_back();
+        own_step(top, stack, visit);
+    }
+}
+
+template <typename Meets, typename Visit>
+void AabbTree::descend(const Meets& meets, Visit& visit) const {
+    std::vector<std::int32_t> stack;
+    if (!nodes_.empty()) {
+        stack.push_back(0);
+    }
+    while (!stack.empty()) {
+        const Node& node = nodes_[stack.back()];
+        stack.pop_back();
+        if (!meets(node.bounds)) {
+            continue;
+        }
+        if (node.count == 0) {
+            stack.push_back(node.first + 1);
+            stack.push_back(node.first);
+            continue;
+        }
+        for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
+            if (meets(items_[i].bounds) && !go_on(visit, items_[i].triangle)) {
+                return;
+            }
+        }
+    }
+}
+
+template <typename Visit>
+void AabbTree::for_each_in_box(const Box& box, Visit&& visit) const {
+    const Bounds bounds = outward(box);
+    descend([&bounds](const Bounds& other) { return bounds.meets(other); }, visit);
+}
+
+template <typename Visit>
+void AabbTree::for_each_on_ray(const Vec3& origin, const Vec3& direction, double reach, Visit&& visit) const {
+    descend(Ray(origin, direction, reach), visit);
+}
+
+}  // namespace mq::mesh

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/intersection/self_intersection.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "base/parallel.h"
+#include "base/predicates.h"
+#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/embedded_star.h"
+#include "mesh/intersection/height_fields.h"
+#include "mesh/intersection/needle_frame.h"
+#include "mesh/vertex_stars.h"
+
+namespace mq::mesh {
+namespace {
+
+/// Whether triangle b is near the plane of a, but not in it.
+bool flush(const std::vector<Vec3>& vertices, const Triangle& a, const Triangle& b, double distance) {
+    const Vec3& o = vertices[a[0]];
+    const Vec3& p = vertices[a[1]];
+    const Vec3& q = vertices[a[2]];
+    const Vec3 n = (p - o).cross(q - o);
+    const double farthest = distance * n.norm();
+    return std::all_of(b.begin(), b.end(),
+                       [&](std::int32_t v) { return std::abs(n.dot(vertices[v] - o)) <= farthest; }) &&
+           std::any_of(b.begin(), b.end(), [&](std::int32_t v) { return orient3d(o, p, q, vertices[v]) != 0; });
+}
+
+/// The overlap of two nearly coplanar triangles: the distance by which one must be moved so that an edge separates
+/// them.
+double overlap(const std::vector<Vec3>& vertices, const Triangle& a, const Triangle& b) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [own, other] : {std::pair{a, b}, std::pair{b, a}}) {
+        const Vec3 n = (vertices[own[1]] - vertices[own[0]]).cross(vertices[own[2]] - vertices[own[0]]);
+        for (int k = 0; k < 3; ++k) {
+            const Vec3& from = vertices[own[k]];
+            const Vec3 inward = n.cross(vertices[own[(k + 1) % 3]] - from).normalized();
+            double deepest = -std::numeric_limits<double>::infinity();
+            for (const std::int32_t v : other) {
+                deepest = std::max(deepest, inward.dot(vertices[v] - from));
+            }
+            least = std::min(least, deepest);
+        }
+    }
+    return least;
+}
+
+void add_if_flush(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                  const std::array<std::int32_t, 2>& pair, CoplanarPairs& found) {
+    const Triangle& a = triangles[pair[0]];
+    const Triangle& b = triangles[pair[1]];
+    if (flush(vertices, a, b, found.distance) || flush(vertices, b, a, found.distance)) {
+        const double depth = overlap(vertices, a, b);
+        if (depth > -found.distance) {
+            (depth > found.distance ? found.over : found.beside).push_back(pair);
+        }
+    }
+}
+
+/// Takes pairs whose boxes meet, and keeps those that are in contact.
+class Collector {
+  public:
+    /// `patch`: for each triangle a patch without contacts, or -1; empty: no patches are known.
+    /// `embedded`: for each vertex at which several patches meet whether no two triangles of its star are in contact.
+    Collector(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+              const std::vector<std::int32_t>& patch, const std::vector<char>& embedded, std::size_t limit,
+              const Progress* progress, const CoplanarPairs* flush = nullptr)
+        : vertices_(vertices),
+          triangles_(triangles),
+          patch_(patch),
+          embedded_(embedded),
+          limit_(limit),
+          progress_(progress),
+          body_(flush != nullptr ? flush->body.data() : nullptr) {
+        flush_.distance = flush != nullptr ? flush->distance : 0.0;
+    }
+
+    void operator()(std::int32_t i, std::int32_t j) {
+        // Pairs tested between two checks for cancellation.
+        constexpr std::uint32_t kPairsBetweenChecks = 1u << 16;
+        if (progress_ != nullptr && ++asked_ % kPairsBetweenChecks == 0) {
+            progress_->check();
+        }
+        if (found_.size() >= limit_ || in_one_patch(i, j) || settled(triangles_[i], triangles_[j])) {
+            return;
+        }
+        const auto [a, b] = std::minmax(i, j);
+        const Contact how = contact(vertices_, triangles_[a], triangles_[b]);
+        if (how != Contact::None) {
+            found_.push_back({a, b, how});
+        }
+        if (body_ != nullptr && body_[a] != body_[b]) {
+            add_if_flush(vertices_, triangles_, {a, b}, flush_);
+        }
+    }
+
+    std::vector<ContactPair> take() { return std::move(found_); }
+    const CoplanarPairs& flush_pairs() const { return flush_; }
+
+  private:
+    bool in_one_patch(std::int32_t i, std::int32_t j) const {
+        return !patch_.empty() && patch_[i] >= 0 && patch_[i] == patch_[j];
+    }
+    bool settled(const Triangle& t, const Triangle& s) const {
+        for (const std::int32_t v : t) {
+            if ((v == s[0] || v == s[1] || v == s[2]) && embedded_[v] != 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    const std::vector<Vec3>& vertices_;
+    const std::vector<Triangle>& triangles_;
+    const std::vector<std::int32_t>& patch_;
+    const std::vector<char>& embedded_;
+    std::size_t limit_;
+    const Progress* progress_;
+    const std::int32_t* body_;
+    CoplanarPairs flush_;
+    std::uint32_t asked_ = 0;
+    std::vector<ContactPair> found_;
+};
+
+/// A grid whose cells are marked where they meet the boxes of some triangles: a quick test of what may meet them.
+class OccupiedCells {
+  public:
+    OccupiedCells(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                  const std::vector<std::int32_t>& marked)
+        : occupied_(kSide * kSide * kSide, 0) {
+        Box box;
+        for (const std::int32_t t : marked) {
+            for (const std::int32_t v : triangles[t]) {
+                box.add(vertices[v]);
+            }
+        }
+        // The cell of a coordinate is a monotone function of it, however it is rounded. Cells 0 and kSide - 1 take all
+        // coordinates outside of the box.
+        cell_.resize(vertices.size());
+        Vec3 scale = box.high - box.low;
+        scale = scale.unaryExpr([](double size) { return size > 0.0 ? (kSide - 3) / size : 0.0; });
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            for (int i = 0; i < 3; ++i) {
+                const double place = (vertices[v][i] - box.low[i]) * scale[i];
+                const double inside = 1.0 + std::min(place, kSide - 3.0);
+                cell_[v][i] = static_cast<std::uint8_t>(vertices[v][i] < box.low[i]    ? 0.0
+                                                        : vertices[v][i] > box.high[i] ? kSide - 1.0
+                                                                                       : inside);
+            }
+        }
+        for (const std::int32_t t : marked) {
+            all_ = all_ || !visit(triangles[t], kMostMarked, [this](std::size_t cell) {
+                       occupied_[cell] = 1;
+                       return true;
+                   });
+        }
+    }
+
+    /// False only if the triangle's box meets none of those of the marked triangles.
+    bool may_meet(const Triangle& t) const {
+        return all_ || !visit(t, kMostAsked, [this](std::size_t cell) { return occupied_[cell] == 0; });
+    }
+
+  private:
+    /// Cells along a side of the grid: 2 MB of marks.
+    static constexpr int kSide = 128;
+    static constexpr int kMostMarked = 4096;  ///< cells of one triangle at most; larger triangles make the grid useless
+    /// Cells of a tested triangle at most; for larger ones the test takes too long.
+    static constexpr int kMostAsked = 64;
+
+    /// use(cell) for each cell of the box of a triangle. False when that has too many, or as soon as `use` says so.
+    template <typename Use>
+    bool visit(const Triangle& t, int most, const Use& use) const {
+        std::array<int, 3> low;
+        std::array<int, 3> high;
+        for (int i = 0; i < 3; ++i) {
+            const auto [least, greatest] = std::minmax({cell_[t[0]][i], cell_[t[1]][i], cell_[t[2]][i]});
+            low[i] = least;
+            high[i] = greatest;
+        }
+        if ((high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) > most) {
+            return false;
+        }
+        for (int z = low[2]; z <= high[2]; ++z) {
+            for (int y = low[1]; y <= high[1]; ++y) {
+                for (int x = low[0]; x <= high[0]; ++x) {
+                    if (!use(static_cast<std::size_t>((z * kSide + y) * kSide + x))) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+
+    std::vector<std::array<std::uint8_t, 3>> cell_;  ///< cell of each vertex
+    std::vector<char> occupied_;
+    bool all_ = false;  ///< whether everything may meet the marked triangles
+};
+
+std::vector<ContactPair> sorted(std::vector<ContactPair>&& pairs) {
+    std::sort(pairs.begin(), pairs.end(),
+              [](const ContactPair& p, const ContactPair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+    return std::move(pairs);
+}
+
+/// 0 for the vertices that lie inside a patch or on the border of one alone, 1 for others.
+std::vector<char> between_patches(std::size_t vertex_count, const std::vector<Triangle>& triangles,
+                                  const std::vector<std::int32_t>& patch) {
+    // The vertex belongs to no patch yet.
+    constexpr std::int32_t kUnseen = -2;
+    std::vector<std::int32_t> own(vertex_count, kUnseen);
+    std::vector<char> result(vertex_count, 0);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (const std::int32_t v : triangles[t]) {
+            result[v] |= static_cast<char>(patch[t] < 0 || (own[v] != kUnseen && own[v] != patch[t]));
+            own[v] = patch[t];
+        }
+    }
+    return result;
+}
+
+/// For each vertex at which several patches meet whether no two triangles of its star are in contact.
+std::vector<char> embedded_vertices(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                    const std::vector<std::int32_t>& patch, const Progress* progress) {
+    // Vertices in one parallel task: enough that starting a task costs little.
+    constexpr std::size_t kAtOnce = 8192;
+    std::vector<char> embedded = between_patches(vertices.size(), triangles, patch);
+    std::vector<Triangle> around;  // all triangles with such a vertex
+    std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(around), [&](const Triangle& t) {
+        return std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return embedded[v] != 0; });
+    });
+    const VertexStars stars(around, vertices.size());
+    parallel_for(static_cast<int>((vertices.size() + kAtOnce - 1) / kAtOnce), [&](int k) {
+        check_cancelled(progress);
+        const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
+        for (std::size_t v = first; v < std::min(first + kAtOnce, vertices.size()); ++v) {
+            embedded[v] = static_cast<char>(embedded[v] != 0 && embedded_star(vertices, around, stars[v]));
+        }
+    });
+    return embedded;
+}
+
+}  // namespace
+
+std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles,
+                                            std::size_t limit, const Progress* progress, CoplanarPairs* flush) {
+    // Triangles from which a patch saves more pairs than its proof costs.
+    constexpr std::size_t kWorthAProof = 64;
+    const std::vector<std::int32_t> patch = height_fields(vertices, triangles, kWorthAProof, progress);
+    const std::vector<char> embedded = embedded_vertices(vertices, triangles, patch, progress);
+    const NeedleFrame frame(vertices, triangles);
+    check_cancelled(progress);
+    AabbTree tree(frame.vertices(), triangles, frame.slack());
+    check_cancelled(progress);
+    tree.set_groups(patch);
+    // Tasks of the traversal: several for each thread, so that all threads end at about the same time.
+    constexpr std::size_t kTasks = 64;
+    const std::vector<AabbTree::Task> tasks = tree.own_pair_tasks(kTasks);
+    // With a limit the tasks run in groups, so that the search can end early; each group is larger than the one before,
+    // as each starts threads. The first pairs do not depend on the groups.
+    std::size_t turn = limit == kAllPairs ? tasks.size() : 8;
+    std::vector<ContactPair> all;
+    for (std::size_t first = 0; first < tasks.size() && all.size() < limit;) {
+        std::vector<std::vector<ContactPair>> found(std::min(turn, tasks.size() - first));
+        std::vector<CoplanarPairs> near(found.size());
+        parallel_for(static_cast<int>(found.size()), [&](int k) {
+            Collector collector(vertices, triangles, patch, embedded, limit, progress, flush);
+            tree.for_each_own_pair(tasks[first + static_cast<std::size_t>(k)], collector);
+            found[static_cast<std::size_t>(k)] = collector.take();
+            near[static_cast<std::size_t>(k)] = collector.flush_pairs();
+        });
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            all.insert(all.end(), found[k].begin(), found[k].end());
+            if (flush != nullptr) {
+                flush->over.insert(flush->over.end(), near[k].over.begin(), near[k].over.end());
+                flush->beside.insert(flush->beside.end(), near[k].beside.begin(), near[k].beside.end());
+            }
+        }
+        first += found.size();
+        turn *= flush == nullptr ? 2 : 1;
+    }
+    all.resize(std::min(all.size(), limit));
+    return sorted(std::move(all));
+}
+
+std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertices,
+                                                 const std::vector<Triangle>& triangles,
+                                                 const std::vector<std::int32_t>& subset, std::size_t limit,
+                                                 const Progress* progress) {
+    // The star of the vertex was not tested yet.
+    constexpr char kUnasked = 2;
+    const NeedleFrame frame(vertices, triangles);
+    const AabbTree part(frame.vertices(), triangles, subset, frame.slack());
+    const OccupiedCells cells(vertices, triangles, subset);
+    std::vector<char> in_subset(triangles.size(), 0);
+    for (const std::int32_t t : subset) {
+        in_subset[t] = 1;
+    }
+    std::vector<std::int32_t> near;
+    std::vector<Triangle> near_triangles;
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        if (cells.may_meet(triangles[k])) {
+            near.push_back(static_cast<std::int32_t>(k));
+            near_triangles.push_back(triangles[k]);
+        }
+    }
+    // A vertex that two triangles of a pair share belongs to the subset or its neighbours, whose stars are complete.
+    std::vector<char> embedded(vertices.size(), kUnasked);
+    {
+        const VertexStars stars(near_triangles, vertices.size());
+        for (const std::int32_t t : subset) {
+            for (const std::int32_t v : triangles[t]) {
+                if (embedded[v] == kUnasked) {
+                    embedded[v] = static_cast<char>(embedded_star(vertices, near_triangles, stars[v]));
+                }
+            }
+        }
+    }
+    const AabbTree whole(frame.vertices(), triangles, near, frame.slack());
+    const std::vector<std::int32_t> no_patches;
+    Collector collector(vertices, triangles, no_patches, embedded, limit, progress);
+    part.for_each_pair(whole, [&](std::int32_t i, std::int32_t j) {
+        if (i != j && !(in_subset[j] != 0 && j < i)) {
+            collector(i, j);
+        }
+    });
+    return sorted(collector.take());
+}
+
+}  // namespace mq::mesh

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "mesh/quality/mesh_report.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/disjoint_sets.h"
+#include "base/predicates.h"
+#include "mesh/edge_table.h"
+#include "mesh/quality/exemptions.h"
+#include "mesh/quality/triangle_quality.h"
+
+namespace mq::mesh {
+
+namespace {
+
+using Sets = DisjointSets<std::uint32_t>;
+
+void measure_shapes(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
+    CancelPace pace(progress);
+    report.min_angle = mesh.triangles.empty() ? 0.0 : 180.0;
+    double sum = 0.0;
+    double area = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        pace.step();
+        const TriangleShape shape = shape_of({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+        report.degenerate_triangles += shape.degenerate;
+        report.min_angle = std::min(report.min_angle, shape.min_angle);
+        report.max_angle = std::max(report.max_angle, shape.max_angle);
+        report.max_aspect = std::max(report.max_aspect, shape.aspect);
+        const std::size_t bin = std::min(static_cast<std::size_t>(shape.min_angle), report.angle_histogram.size() - 1);
+        ++report.angle_histogram[bin];
+        sum += shape.min_angle;
+        area += shape.area;
+    }
+    report.mean_min_angle = mesh.triangles.empty() ? 0.0 : sum / static_cast<double>(mesh.triangles.size());
+    report.area = area;
+    report.min_angle_unexempted = report.min_angle;
+}
+
+/// Triangles of one edge that also share their third vertex. Counted at the edge of their two lowest vertices only,
+/// so that each pair is met once.
+std::size_t duplicates_at(const TriangleMesh& mesh, std::int32_t high, const std::uint32_t* first,
+                          const std::uint32_t* last, std::vector<std::int32_t>& opposite) {
+    opposite.clear();
+    for (const std::uint32_t* corner = first; corner != last; ++corner) {
+        const std::int32_t v = mesh.triangles[*corner / 3][(*corner % 3 + 2) % 3];
+        if (v > high) {
+            opposite.push_back(v);
+        }
+    }
+    std::sort(opposite.begin(), opposite.end());
+    const auto end = std::unique(opposite.begin(), opposite.end());
+    return static_cast<std::size_t>(opposite.end() - end);
+}
+
+/// Unites the corners of one vertex that belong to triangles joined across an edge: they form one fan.
+void unite_fans(const TriangleMesh& mesh, std::int32_t low, const std::uint32_t* first, const std::uint32_t* last,
+                Sets& fans) {
+    const auto at = [&](std::uint32_t corner, bool at_low) {
+        const bool starts_low = mesh.triangles[corner / 3][corner % 3] == low;
+        return starts_low == at_low ? corner : corner / 3 * 3 + (corner % 3 + 1) % 3;
+    };
+    for (const std::uint32_t* corner = first + 1; corner < last; ++corner) {
+        fans.unite(at(*first, true), at(*corner, true));
+        fans.unite(at(*first, false), at(*corner, false));
+    }
+}
+
+void measure_fans(const TriangleMesh& mesh, std::size_t edges, Sets& fans, Sets& bodies, MeshReport& report) {
+    std::vector<std::uint8_t> fans_at(mesh.vertices.size(), 0);
+    long faces = 0;
+    for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+        if (EdgeTable::collapsed(mesh.triangles[k])) {
+            continue;
+        }
+        ++faces;
+        report.components += bodies.find(static_cast<std::uint32_t>(k)) == k;
+        for (std::size_t corner = 3 * k; corner < 3 * k + 3; ++corner) {
+            if (fans.find(static_cast<std::uint32_t>(corner)) == corner) {
+                std::uint8_t& n = fans_at[mesh.triangles[k][corner - 3 * k]];
+                n = static_cast<std::uint8_t>(std::min(n + 1, 2));
+            }
+        }
+    }
+    report.pinched_vertices = static_cast<std::size_t>(std::count(fans_at.begin(), fans_at.end(), 2));
+    const long used = static_cast<long>(fans_at.size()) - std::count(fans_at.begin(), fans_at.end(), 0);
+    report.euler = used - static_cast<long>(edges) + faces;
+}
+
+void measure_topology(const TriangleMesh& mesh, MeshReport& report, const Progress* progress) {
+    CancelPace pace(progress);
+    const EdgeTable table(mesh.triangles, mesh.vertices.size());
+    check_cancelled(progress);
+    Sets fans(3 * mesh.triangles.size());
+    Sets bodies(mesh.triangles.size());
+    std::vector<std::int32_t> opposite;
+    std::size_t edges = 0;
+    table.for_each([&](std::int32_t low, std::int32_t high, const std::uint32_t* first, const std::uint32_t* last) {
+        ++edges;
+        pace.step();
+        const auto count = last - first;
+        if (count == 1) {
+            ++report.border_edges;
+            return;
+        }
+        const auto forward =
+            std::count_if(first, last, [&](std::uint32_t c) { return mesh.triangles[c / 3][c % 3] == low; });
+        report.nonmanifold_edges += count > 2;
+        report.misoriented_edges += count != 2 || forward != 1;
+        report.duplicate_triangles += duplicates_at(mesh, high, first, last, opposite);
+        for (const std::uint32_t* corner = first + 1; corner < last; ++corner) {
+            bodies.unite(*first / 3, *corner / 3);
+        }
+        unite_fans(mesh, low, first, last, fans);
+    });
+    check_cancelled(progress);
+    measure_fans(mesh, edges, fans, bodies, report);
+}
+
+/// The volume by the divergence theorem, about a corner of the box to keep the terms small.
+double signed_volume(const TriangleMesh& mesh, const Vec3& reference) {
+    double six = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3 a = mesh.vertices[t[0]] - reference;
+        const Vec3 b = mesh.vertices[t[1]] - reference;
+        const Vec3 c = mesh.vertices[t[2]] - reference;
+        six += a.dot(b.cross(c));
+    }
+    return six / 6.0;
+}
+
+template <typename... Values>
+std::string line(const char* format, Values... values) {
+    std::array<char, 512> buffer;
+    const int length = std::snprintf(buffer.data(), buffer.size(), format, values...);
+    return std::string(buffer.data(), std::min<std::size_t>(length, buffer.size() - 1)) + "\n";
+}
+
+std::string faults_text(const MeshReport& r) {
+    std::string text;
+    const auto fault = [&](std::size_t count, const char* what) {
+        if (count > 0) {
+            text += (text.empty() ? "" : ", ") + counted(count, what);
+        }
+    };
+    fault(r.border_edges, "open edge");
+    fault(r.nonmanifold_edges, "non-manifold edge");
+    fault(r.misoriented_edges, "inconsistently oriented edge");
+    if (r.pinched_vertices > 0) {
+        const char* what = r.pinched_vertices == 1 ? " pinched vertex" : " pinched vertices";
+        text += (text.empty() ? "" : ", ") + std::to_string(r.pinched_vertices) + what;
+    }
+    fault(r.degenerate_triangles, "degenerate triangle");
+    fault(r.duplicate_triangles, "duplicate triangle");
+    fault(r.self_intersections > 0 ? static_cast<std::size_t>(r.self_intersections) : 0, "self-intersection");
+    return text.empty() ? "none" : text;
+}
+
+/// Names which distance it is: a triangle may lie near another face than its own.
+std::string distance_text(const MeshReport& r) {
+    std::string text =
+        line(r.to_nearest_face ? "deviation    %.6g mm: largest distance from the nearest CAD face"
+                               : "deviation    %.6g mm: largest deviation of a triangle from its own CAD face",
+             r.max_chord_height);
+    text.pop_back();
+    if (r.chord_height_asked > 0.0) {
+        return text + line("; requested at most %.6g mm", r.chord_height_asked);
+    }
+    return text + (r.to_nearest_face ? "\n" : "; no bound was requested\n");
+}
+
+std::string work_text(const MeshReport& r) {
+    std::string text;
+    double total = 0.0;
+    for (const auto& [stage, seconds] : r.seconds) {
+        total += seconds;
+        text += line("  %s %.3f s", stage.c_str(), seconds);
+    }
+    if (total > 0.0 || r.queries > 0) {
+        text = line("time         %.3f s (%.3f s of processor), %llu geometry queries", total, r.cpu_seconds,
+                    static_cast<unsigned long long>(r.queries)) +
+               text;
+    }
+    return text;
+}
+
+}  // namespace
+
+MeshReport measure(const TriangleMesh& mesh, const Progress* progress) {
+    require_valid(mesh);
+    MeshReport report;
+    report.triangles = mesh.triangles.size();
+    report.vertices = mesh.vertices.size();
+    Box local;
+    for (const Vec3& p : mesh.vertices) {
+        local.add(p);
+    }
+    if (!local.empty()) {
+        report.box.low = local.low + mesh.origin;
+        report.box.high = local.high + mesh.origin;
+    }
+    measure_shapes(mesh, report, progress);
+    measure_topology(mesh, report, progress);
+    report.closed = !mesh.triangles.empty() && report.border_edges == 0;
+    report.oriented = report.misoriented_edges == 0;
+    report.manifold = report.nonmanifold_edges == 0 && report.pinched_vertices == 0 && report.degenerate_triangles == 0;
+    report.volume = report.closed ? signed_volume(mesh, local.center()) : 0.0;
+    return report;
+}
+
+std::string to_text(const MeshReport& r) {
+    const auto yes = [](bool value) { return value ? "yes" : "no"; };
+    std::string text = line("triangles    %zu, vertices %zu, components %zu, Euler number %ld", r.triangles, r.vertices,
+                            r.components, r.euler);
+    text += line("closed       %s, oriented %s, manifold %s", yes(r.closed), yes(r.oriented), yes(r.manifold));
+    text += "faults       " + faults_text(r) + "\n";
+    text += line("angles       %.3f° to %.3f°, mean of the smallest %.3f°", r.min_angle, r.max_angle, r.mean_min_angle);
+    if (r.min_angle_asked > 0.0) {
+        text += line("             requested %.3f°; %s below the limit, %.3f° without them", r.min_angle_asked,
+                     counted(r.exempt.size(), "triangle").c_str(), r.min_angle_unexempted);
+    }
+    text += exemptions_text(r);
+    text += line("aspect       at most %.3f (longest to shortest edge)", r.max_aspect);
+    if (r.max_chord_height >= 0.0) {
+        text += distance_text(r);
+        if (r.max_chord_triangle >= 0) {
+            text += line("             largest at (%.6g, %.6g, %.6g), triangle %d", r.max_chord_point.x(),
+                         r.max_chord_point.y(), r.max_chord_point.z(), r.max_chord_triangle);
+        }
+    }
+    text += line("area         %.8g mm^2", r.area);
+    if (r.closed) {
+        text += line("volume       %.8g mm^3", r.volume);
+    }
+    if (!r.box.empty()) {
+        const Vec3 size = r.box.high - r.box.low;
+        text += line("size         %.6g x %.6g x %.6g mm", size.x(), size.y(), size.z());
+    }
+    text += work_text(r);
+    if (!r.complete) {
+        text += "incomplete   a limit ended the work early\n";
+    }
+    for (const auto& [face, why] : r.fallback) {
+        text += line("fallback     Face%d: %s", face + 1, why.c_str());
+    }
+    for (const std::string& note : r.notes) {
+        text += "note         " + note + "\n";
+    }
+    return text;
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+    std::string digits = std::to_string(count);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3) {
+        digits.insert(static_cast<std::size_t>(at), ",");
+    }
+    return digits + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string in_three_digits(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", value);
+    return text.data();
+}
+
+std::string in_short(const MeshReport& r) {
+    if (r.triangles == 0) {
+        return "no triangles";
+    }
+    std::string text = counted(r.triangles, "triangle") + (r.closed ? ", closed" : ", open");
+    text += line(", smallest angle %.3g°", r.min_angle);
+    text.pop_back();
+    return text;
+}
+
+bool has_faults(const MeshReport& r) {
+    return !r.oriented || !r.manifold || r.self_intersections > 0 || !r.missing.empty() || !r.complete ||
+           r.min_angle < r.min_angle_asked || (r.chord_height_asked > 0.0 && r.max_chord_height > r.chord_height_asked);
+}
+
+}  // namespace mq::mesh

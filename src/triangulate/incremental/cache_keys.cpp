@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/incremental/cache_keys.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::add_to;
+using geometry::Fingerprint;
+using geometry::Topology;
+
+void add_sizes(const TriangulateOptions& options, int dimension, int index, Fingerprint& key) {
+    for (const LocalSize& size : options.local_sizes) {
+        if (size.dimension == dimension && size.index == index) {
+            add_to(key, dimension);
+            add_to(key, size.max_edge);
+        }
+    }
+}
+
+void add_sizes_around(const TriangulateOptions& options, const Topology& topology, int f, Fingerprint& key) {
+    add_sizes(options, 2, f, key);
+    for (const int u : uses_in_order(topology.faces[f])) {
+        add_to(key, 1);  // a separator, so that local sizes are assigned to their edge use
+        add_sizes(options, 1, topology.uses[u].edge, key);
+        for (const int n : topology.edges[topology.uses[u].edge].nodes) {
+            add_sizes(options, 0, n, key);
+        }
+    }
+}
+
+void add_options(const TriangulateOptions& o, Fingerprint& key) {
+    for (const double number : {o.min_angle, o.chord_height, o.chord_height_relative, o.max_edge, o.min_edge,
+                                o.edges_per_circle, o.growth, o.feature_angle}) {
+        add_to(key, number);
+    }
+    for (const int choice :
+         {static_cast<int>(o.insertion), static_cast<int>(o.keep_edges), static_cast<int>(o.allow_missing_faces),
+          static_cast<int>(o.method), static_cast<int>(o.connectivity), static_cast<int>(o.polish)}) {
+        add_to(key, choice);
+    }
+    add_to(key, static_cast<std::uint64_t>(o.budget()));
+    add_to(key, o.seed);
+    for (const LocalSize& size : o.local_sizes) {
+        add_to(key, size.dimension);
+        add_to(key, size.index);
+        add_to(key, size.max_edge);
+    }
+}
+
+}  // namespace
+
+CacheKeys keys_of(geometry::Session& session, const TriangulateOptions& options) {
+    CacheKeys keys;
+    keys.faces = face_fingerprints(session);
+    add_options(options, keys.input);
+    add_structure(session, keys.input);
+    for (int f = 0; f < static_cast<int>(keys.faces.size()); ++f) {
+        add_to(keys.input, keys.faces[f]);
+        add_sizes_around(options, session.topology(), f, keys.faces[f]);
+    }
+    return keys;
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/initial/degenerate_triangles.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using Link = FaceMesh::Link;
+using Site = FaceMesh::Site;
+
+void join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b) {
+    if (a.half_edge >= 0) {
+        links[a.half_edge / 3][a.half_edge % 3] = b;
+    }
+    if (b.half_edge >= 0) {
+        links[b.half_edge / 3][b.half_edge % 3] = a;
+    }
+}
+
+// Returns the last side of the triangle that is one vertex in space; -1: none.
+int collapsed_side(const std::array<int, 3>& triangle, const std::vector<Site>& sites) {
+    int side = -1;
+    for (int i = 0; i < 3; ++i) {
+        if (same_vertex(sites[triangle[i]], sites[triangle[(i + 1) % 3]])) {
+            side = i;
+        }
+    }
+    return side;
+}
+
+}  // namespace
+
+std::optional<std::array<int, 2>> add_nondegenerate(const std::vector<std::array<int, 3>>& triangles,
+                                                    std::vector<std::array<Link, 3>> links, FaceMesh& result) {
+    std::vector<char> dropped(triangles.size(), 0);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const int side = collapsed_side(triangles[t], result.sites);
+        if (side < 0) {
+            continue;
+        }
+        const Link a = links[t][(side + 1) % 3];
+        const Link b = links[t][(side + 2) % 3];
+        dropped[t] = 1;
+        if (a.half_edge < 0 && b.half_edge < 0) {
+            return std::array<int, 2>{a.border, b.border};
+        }
+        join(links, a, b);
+    }
+    std::vector<int> number(triangles.size(), -1);
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (!dropped[t]) {
+            number[t] = static_cast<int>(result.triangles.size());
+            result.triangles.push_back(triangles[t]);
+            result.links.push_back(links[t]);
+        }
+    }
+    for (auto& sides : result.links) {
+        for (Link& link : sides) {
+            if (link.half_edge >= 0) {
+                link.half_edge = 3 * number[link.half_edge / 3] + link.half_edge % 3;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/initial/edge_discretisation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "base/angle.h"
+#include "base/disjoint_sets.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+constexpr double kMaxTurn = 0.5236;  // Radians: largest angle between the tangents along one piece (30 degrees).
+// Bounds the halvings of one interval, since at a kink the tangent turns equally however short the interval is.
+constexpr int kMaxDepth = 14;
+// Largest fraction of an edge's length that the tolerance ball of a node may cover, however large its tolerance is.
+constexpr double kMostOfEdge = 0.1;
+// Faces with a border shorter than this number of shortest sides count as a point: if one of their edges collapsed,
+// the others would coincide.
+constexpr double kShortBorder = 8.0;
+
+struct Interval {
+    int edge;
+    double from;
+    double to;
+    int depth;
+};
+
+// Whether the tangent turns by more than kMaxTurn between the five equidistant samples of an interval.
+bool turns_too_much(const geometry::Answer* samples) {
+    double worst = 0.0;
+    for (int i = 0; i < 5; ++i) {
+        for (int j = i + 1; j < 5; ++j) {
+            if (samples[i].normal.squaredNorm() > 0.0 && samples[j].normal.squaredNorm() > 0.0) {
+                worst = std::max(worst, angle_between(samples[i].normal, samples[j].normal));
+            }
+        }
+    }
+    return worst > kMaxTurn;
+}
+
+double length_of(const std::vector<Vec3>& points) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        length += (points[i] - points[i - 1]).norm();
+    }
+    return length;
+}
+
+}  // namespace
+
+EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SinglePrecisionGrid& grid) : grid_(grid) {
+    const geometry::Topology& topology = session.topology();
+    chains_.resize(topology.edges.size());
+    points_.resize(topology.edges.size());
+    sample(session);
+    collapse_short_edges(topology);
+    collapse_small_faces(session);
+    balls_.resize(chains_.size());
+    for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
+        suppress_near_nodes(topology, e, 1.0, points_[e]);
+    }
+    place_nodes(topology);
+    points_.clear();
+}
+
+void EdgeDiscretisation::sample(geometry::Session& session) {
+    const geometry::Topology& topology = session.topology();
+    std::vector<Interval> open;
+    std::vector<std::map<double, Vec3>> found(topology.edges.size());
+    for (int e = 0; e < static_cast<int>(topology.edges.size()); ++e) {
+        const geometry::Edge& edge = topology.edges[e];
+        if (edge.degenerate) {
+            continue;
+        }
+        const int pieces = edge.nodes[0] == edge.nodes[1] ? 4 : 1;
+        for (int i = 0; i < pieces; ++i) {
+            const double step = (edge.t1 - edge.t0) / pieces;
+            open.push_back({e, edge.t0 + i * step, i + 1 == pieces ? edge.t1 : edge.t0 + (i + 1) * step, 0});
+        }
+    }
+    while (!open.empty()) {
+        geometry::Engine::Batch batch;
+        for (const Interval& piece : open) {
+            for (int i = 0; i < 5; ++i) {
+                const double t = i == 4 ? piece.to : piece.from + 0.25 * i * (piece.to - piece.from);
+                batch.push_back(geometry::Query::edge_point(piece.edge, t));
+            }
+        }
+        const geometry::Engine::Answers answers = session.ask(std::move(batch));
+        std::vector<Interval> next;
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            const Interval& piece = open[i];
+            const geometry::Answer* samples = &answers[5 * i];
+            const double chord =
+                (samples[4].point - samples[0].point).norm() + (samples[2].point - samples[0].point).norm();
+            found[piece.edge][piece.from] = samples[0].point;
+            found[piece.edge][piece.to] = samples[4].point;
+            if (piece.depth < kMaxDepth && chord > grid_.shortest_side() && turns_too_much(samples)) {
+                const double middle = 0.5 * (piece.from + piece.to);
+                next.push_back({piece.edge, piece.from, middle, piece.depth + 1});
+                next.push_back({piece.edge, middle, piece.to, piece.depth + 1});
+            }
+        }
+        open = std::move(next);
+    }
+    for (std::size_t e = 0; e < found.size(); ++e) {
+        for (const auto& [t, point] : found[e]) {
+            chains_[e].t.push_back(t);
+            points_[e].push_back(point);
+        }
+    }
+}
+
+void EdgeDiscretisation::collapse_short_edges(const geometry::Topology& topology) {
+    for (std::size_t e = 0; e < chains_.size(); ++e) {
+        const geometry::Edge& edge = topology.edges[e];
+        const double length = length_of(points_[e]);
+        double limit = grid_.shortest_side();
+        if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1]) {
+            // To the modeller, nodes whose tolerance balls contain each other are one point.
+            limit = std::max(
+                limit, std::min(topology.nodes[edge.nodes[0]].tolerance, topology.nodes[edge.nodes[1]].tolerance));
+        }
+        if (edge.degenerate || length < limit) {
+            collapse(static_cast<int>(e), edge);
+        }
+    }
+}
+
+void EdgeDiscretisation::collapse_small_faces(geometry::Session& session) {
+    const geometry::Topology& topology = session.topology();
+    for (int f = 0; f < static_cast<int>(topology.faces.size()); ++f) {
+        const geometry::Face& face = topology.faces[f];
+        if (face.no_area) {
+            continue;
+        }
+        const std::set<int> edges = topology.edges_of(f);
+        const double border = std::accumulate(edges.begin(), edges.end(), 0.0,
+                                              [&](double sum, int e) { return sum + length_of(points_[e]); });
+        const auto sampled = std::find_if(edges.begin(), edges.end(), [&](int e) { return !points_[e].empty(); });
+        if (sampled == edges.end() || border >= kShortBorder * grid_.shortest_side()) {
+            continue;
+        }
+        // A short border alone is not enough: it may be the hole of a sphere.
+        const geometry::Answer middle = session.ask(
+            geometry::Query::face_point(f, 0.5 * (face.low[0] + face.high[0]), 0.5 * (face.low[1] + face.high[1])));
+        if (middle.found() && (middle.point - points_[*sampled].front()).norm() <= border) {
+            std::for_each(edges.begin(), edges.end(), [&](int e) { collapse(e, topology.edges[e]); });
+            small_faces_.insert(f);
+        }
+    }
+}
+
+void EdgeDiscretisation::collapse(int edge, const geometry::Edge& data) {
+    chains_[edge].collapsed = true;
+    chains_[edge].t = {data.t0, data.t1};
+}
+
+bool EdgeDiscretisation::at_node(int edge, int end, const Vec3& point) const {
+    const Ball& ball = balls_[edge][end];
+    return (point - ball.centre).norm() < ball.radius;
+}
+
+// @param points  the points of the chain, in the shape's frame; those of suppressed vertices are erased
+bool EdgeDiscretisation::suppress_near_nodes(const geometry::Topology& topology, int edge, double tolerances,
+                                             std::vector<Vec3>& points) {
+    EdgePolyline& chain = chains_[edge];
+    const double most = kMostOfEdge * length_of(points);
+    bool changed = false;
+    for (int end = 0; end < 2 && !chain.collapsed; ++end) {
+        if (const int n = topology.edges[edge].nodes[end]; n >= 0) {
+            Ball& ball = balls_[edge][end];
+            const double radius = std::max(tolerances * topology.nodes[n].tolerance, grid_.shortest_side());
+            ball = {topology.nodes[n].point, std::max(ball.radius, std::min(radius, most))};
+        }
+        while (points.size() > 2 && at_node(edge, end, end == 0 ? points[1] : points[points.size() - 2])) {
+            const auto beside = end == 0 ? 1 : static_cast<std::ptrdiff_t>(points.size()) - 2;
+            points.erase(points.begin() + beside);
+            chain.t.erase(chain.t.begin() + beside);
+            if (!chain.vertices.empty()) {
+                chain.vertices.erase(chain.vertices.begin() + beside);
+            }
+            changed = true;
+        }
+    }
+    return changed;
+}
+
+std::set<int> EdgeDiscretisation::suppress_near_nodes(const geometry::Topology& topology, const std::set<int>& edges,
+                                                      double tolerances) {
+    std::set<int> changed;
+    for (const int e : edges) {
+        std::vector<Vec3> points;
+        for (const int v : chains_[e].vertices) {
+            points.push_back(grid_.to_part(vertices_[v].point));
+        }
+        if (suppress_near_nodes(topology, e, tolerances, points)) {
+            changed.insert(e);
+        }
+    }
+    return changed;
+}
+
+void EdgeDiscretisation::place_nodes(const geometry::Topology& topology) {
+    DisjointSets<int> places(topology.nodes.size());
+    for (std::size_t e = 0; e < chains_.size(); ++e) {
+        const auto& nodes = topology.edges[e].nodes;
+        if (chains_[e].collapsed && nodes[0] >= 0 && nodes[1] >= 0) {
+            places.unite(nodes[0], nodes[1]);
+        }
+    }
+    node_vertex_.assign(topology.nodes.size(), -1);
+    for (int n = 0; n < static_cast<int>(topology.nodes.size()); ++n) {
+        const int root = places.find(n);
+        if (root == n) {
+            node_vertex_[n] = static_cast<int>(vertices_.size());
+            vertices_.push_back({grid_.snap(topology.nodes[n].point), {0, n}});
+        } else {
+            node_vertex_[n] = node_vertex_[root];
+        }
+    }
+    for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
+        EdgePolyline& chain = chains_[e];
+        const auto& nodes = topology.edges[e].nodes;
+        for (std::size_t i = 0; i < chain.t.size(); ++i) {
+            const int end = i == 0 ? nodes[0] : i + 1 == chain.t.size() ? nodes[1] : -1;
+            if (end >= 0) {
+                chain.vertices.push_back(node_vertex_[end]);
+            } else {
+                chain.vertices.push_back(static_cast<int>(vertices_.size()));
+                vertices_.push_back({grid_.snap(points_[e][i]), {1, e}});
+            }
+        }
+    }
+}
+
+std::set<int> EdgeDiscretisation::halve(geometry::Session& session, const std::set<Mark>& marks) {
+    const std::vector<Mark> order(marks.rbegin(), marks.rend());  // from the back, so that earlier indices remain valid
+    geometry::Engine::Batch batch;
+    for (const auto& [e, i] : order) {
+        batch.push_back(geometry::Query::edge_middle(e, chains_[e].t[i], chains_[e].t[i + 1]));
+    }
+    const geometry::Engine::Answers answers = session.ask(std::move(batch));
+    std::set<int> changed;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const auto [e, i] = order[k];
+        EdgePolyline& chain = chains_[e];
+        const Vec3 point = grid_.snap(answers[k].point);
+        const double reach = grid_.shortest_side();
+        const bool first = i == 0;
+        const bool last = i + 2 == static_cast<int>(chain.t.size());
+        if ((first && at_node(e, 0, answers[k].point)) || (last && at_node(e, 1, answers[k].point))) {
+            continue;
+        }
+        if (!answers[k].found() || chain.collapsed || answers[k].t <= chain.t[i] || answers[k].t >= chain.t[i + 1] ||
+            (point - vertices_[chain.vertices[i]].point).norm() < reach ||
+            (point - vertices_[chain.vertices[i + 1]].point).norm() < reach) {
+            continue;
+        }
+        chain.t.insert(chain.t.begin() + i + 1, answers[k].t);
+        chain.vertices.insert(chain.vertices.begin() + i + 1, static_cast<int>(vertices_.size()));
+        vertices_.push_back({point, {1, e}});
+        changed.insert(e);
+    }
+    return changed;
+}
+
+void EdgeDiscretisation::resample(geometry::Session& session, int edge, const std::vector<double>& inner) {
+    EdgePolyline& chain = chains_[edge];
+    if (chain.collapsed) {
+        return;
+    }
+    geometry::Engine::Batch batch;
+    for (const double t : inner) {
+        batch.push_back(geometry::Query::edge_point(edge, t));
+    }
+    const geometry::Engine::Answers answers = session.ask(std::move(batch));
+    const double reach = grid_.shortest_side();
+    EdgePolyline fresh;
+    fresh.t.push_back(chain.t.front());
+    fresh.vertices.push_back(chain.vertices.front());
+    const Vec3 end = vertices_[chain.vertices.back()].point;
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+        const Vec3 point = grid_.snap(answers[i].point);
+        if (answers[i].found() && inner[i] > fresh.t.back() && inner[i] < chain.t.back() &&
+            (point - vertices_[fresh.vertices.back()].point).norm() > reach && (point - end).norm() > reach) {
+            fresh.t.push_back(inner[i]);
+            fresh.vertices.push_back(static_cast<int>(vertices_.size()));
+            vertices_.push_back({point, {1, edge}});
+        }
+    }
+    fresh.t.push_back(chain.t.back());
+    fresh.vertices.push_back(chain.vertices.back());
+    chain = std::move(fresh);
+}
+
+}  // namespace mq::triangulate

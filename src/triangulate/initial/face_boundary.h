@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "triangulate/initial/face_triangulator.h"
+
+namespace mq::triangulate {
+
+/// The border of a face as line segments between sites in (u, v), before triangulation.
+struct FaceBoundary {
+    struct Piece {
+        int from = -1;  ///< sites; from the first to the second, the face lies on the left
+        int to = -1;
+        int use = -1;    ///< -1: a gap between the (u, v) images of one vertex
+        int index = -1;  ///< piece of the chain; -1 on a collapsed edge or a gap
+        bool internal = false;
+        int loop = -1;  ///< index of the face's loop
+
+        bool collapsed() const { return index < 0; }
+    };
+    std::vector<FaceMesh::Site> sites;
+    std::vector<Piece> pieces;
+    Vec2 scale = Vec2::Ones();  ///< mm per unit of u and of v, on average
+    bool plane = false;
+    double deviation = 0.0;  ///< largest distance between an edge's own curve and its curve on the face, mm
+
+    Vec2 scaled(const Vec2& uv) const { return uv.cwiseProduct(scale); }
+    Vec2 unscaled(const Vec2& xy) const { return xy.cwiseQuotient(scale); }
+};
+
+/// Collects the loops of a face over the chains. Pieces share a site where they meet in one vertex at one (u, v). On
+/// failure, `failure` gives the reason.
+FaceBoundary face_boundary(geometry::Session& session, const EdgeDiscretisation& chains,
+                           const SinglePrecisionGrid& grid, int face, std::string& failure);
+
+/// Returns sites for the nodes inside the face, through which it shares vertices with entities that touch it. Nodes on
+/// the border have sites already.
+std::vector<FaceMesh::Site> sites_of_points(geometry::Session& session, const EdgeDiscretisation& chains,
+                                            const SinglePrecisionGrid& grid, int face, const FaceBoundary& border);
+
+}  // namespace mq::triangulate

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/session.h"
+#include "triangulate/initial/edge_discretisation.h"
+#include "triangulate/initial/face_boundary.h"
+
+namespace mq::triangulate {
+
+/// Returns pieces of the border that are too coarse: in every loop whose chords have another orientation in (u, v)
+/// than its curves, the pieces that deviate most. Where both curves of a narrow loop bulge to the same side, and the
+/// inner one has the finer chords, these lie beyond the chord of the outer one: nothing crosses, but each chord has
+/// the face on its wrong side.
+std::vector<int> coarse_pieces_of_inverted_loops(geometry::Session& session, const EdgeDiscretisation& chains,
+                                                 const FaceBoundary& border);
+
+}  // namespace mq::triangulate

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "triangulate/work_mesh/workspace.h"
+
+namespace mq::triangulate {
+
+/// Finds triangles that meet elsewhere than in their common vertices and edges. Triangles of one volume, or of one
+/// face, must not. Entities that nothing joins, such as different solids or loose faces, may touch, and their chords
+/// may cross.
+class SelfIntersections {
+  public:
+    using Faces = std::pair<int, int>;  ///< in ascending order; equal if a face meets itself
+
+    explicit SelfIntersections(Workspace& work);
+
+    /// Returns the pairs within one volume. Exact (see mesh::self_intersections); searched once as long as the mesh
+    /// does not change.
+    /// @throws Cancelled
+    const std::vector<std::array<int, 2>>& pairs();
+    /// Returns the pairs of triangles on faces that nothing joins, where these cross deeper than triangles that
+    /// deviate from their faces by at most `deviation` (mm) can. @throws Cancelled
+    std::vector<std::array<int, 2>> deep_pairs(double deviation);
+    /// Counts the pairs by the faces they lie on.
+    std::map<Faces, std::size_t> by_faces(const std::vector<std::array<int, 2>>& pairs) const;
+    Faces faces_of(const std::array<int, 2>& pair) const;
+    /// Whether neither face belongs to a volume.
+    bool loose(const Faces& faces) const;
+    /// Returns the smaller of the depths by which each triangle penetrates the plane of the other, mm.
+    double depth(const std::array<int, 2>& pair) const;
+
+  private:
+    bool one_volume(const Faces& faces) const;
+    double reach(int a, int b) const;
+    void find_where_changed();
+    void find();
+
+    Workspace& work_;
+    std::vector<std::vector<int>> volumes_of_face_;
+    std::vector<std::array<int, 2>> pairs_;   // pairs within one volume
+    std::vector<std::array<int, 2>> others_;  // crossing pairs of entities that nothing joins
+    std::array<int, 2> state_{-1, -1};        // numbers of edges and triangles of the mesh at the last search
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,551 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/optimise/cavity_optimiser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "base/angle.h"
+#include "triangulate/measure/backward_distance.h"
+#include "triangulate/measure/distance_probes.h"
+#include "triangulate/operators/cavity_replacement.h"
+#include "triangulate/operators/fan_feasibility.h"
+#include "triangulate/work_mesh/corner_classification.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Query;
+
+// Least gain of a change: a fraction of the angle deficit, so that sequences of ever smaller changes end, and an angle
+// in radians. Tuned on the corpus.
+constexpr double kGainOfMissing = 0.05;
+constexpr double kGain = 1e-6;  // Radians; see above.
+// Radians: the target lies above the bound by this margin, since the fraction of the deficit would approach the bound
+// itself without reaching it.
+constexpr double kMargin = 0.002 * kDegree;
+constexpr std::size_t kMaxTried = 6;  // Fans tried for one cavity size. Tuned on the corpus.
+// Attempts for each triangle that is bad at first. Their total is limited by kAttempts plus one attempt for every
+// kTrianglesPerAttempt triangles, so that shapes full of needles end in reasonable time. Tuned on the corpus.
+constexpr std::size_t kAttemptsEach = 40;
+constexpr std::size_t kAttempts = 2000;          // Attempts for the whole mesh. Tuned on the corpus.
+constexpr std::size_t kTrianglesPerAttempt = 4;  // Divisor of the number of triangles. Tuned on the corpus.
+// Attempts of all steps together, perturbations included: kLeastOfAll, and kOfAllEach for each triangle of the mesh.
+constexpr std::size_t kLeastOfAll = 20'000;
+constexpr std::size_t kOfAllEach = 50;  // Attempts for each triangle. A crank arm at 30 degrees needs 27.
+// Triangles that may be added to a cavity, each across its worst side. Tuned on the corpus.
+constexpr int kMaxGrowth = 3;
+// Radians: triangles beside bad ones are improved by this angle beyond the bound, in at most kMaxRounds rounds. Tuned
+// on the corpus.
+constexpr double kRoom = 3.0 * kDegree;
+constexpr int kMaxRounds = 6;  // Bounds the rounds. Tuned on the corpus.
+// Largest fraction of the deficit left after a round that lets another one follow. Tuned on the corpus.
+constexpr double kLeftAfterRound = 0.95;
+constexpr int kMostWorse = 2;  // successive rounds that may increase the deficit: a later one may still reduce it
+// Largest distance between an apex and its projection, as a fraction of the cavity's size, so that other sheets of the
+// surface are excluded.
+constexpr double kMaxLift = 0.5;
+constexpr std::size_t kMostFound = 200'000;  // cached cavities, which bounds memory
+// Largest cavity: a fan with more triangles has small angles in any case, and where a surface has a singular point,
+// thousands of triangles meet in a vertex.
+constexpr std::size_t kMostTriangles = 64;
+
+void add_disc(const ClassifiedMesh& mesh, std::vector<int> triangles, std::vector<Cavity>& discs) {
+    if (triangles.empty() || triangles.size() > kMostTriangles) {
+        return;
+    }
+    if (auto disc = disc_of(mesh, std::move(triangles))) {
+        discs.push_back(std::move(*disc));
+    }
+}
+
+}  // namespace
+
+CavityOptimiser::CavityOptimiser(Workspace& work, double min_angle_degrees, const Sizing& sizing, std::size_t& attempts)
+    : work_(work),
+      bound_(min_angle_degrees * kDegree),
+      sizing_(sizing),
+      slider_(work, sizing),
+      undo_(work),
+      attempts_of_all_(attempts) {
+    want(bound_ + kMargin);
+}
+
+// Whether the shape itself has the angle, or an earlier run could not improve the triangle.
+bool CavityOptimiser::hopeless(int triangle) const {
+    const Exemption* exemption = work_.exemption_of(triangle);
+    return exemption != nullptr && (exemption->cause == Cause::NarrowCorner || exemption->cause == Cause::Apex ||
+                                    work_.settled.marked(work_.mesh, triangle));
+}
+
+double CavityOptimiser::enough_after(double before) const {
+    return before + kGain + kGainOfMissing * std::max(0.0, wanted_ - before);
+}
+
+// Whether the triangle lies at a tip as small as the resolution, which is tried only once.
+bool CavityOptimiser::at_resolution(int triangle) const {
+    const Exemption* exemption = work_.exemption_of(triangle);
+    return exemption != nullptr &&
+           (exemption->cause == Cause::Resolution || exemption->cause == Cause::FaceFloorRaised);
+}
+
+void CavityOptimiser::want(double angle) {
+    found_.clear();
+    wanted_ = angle;
+    surely_enough_ = sine_squared_above(angle);
+}
+
+void CavityOptimiser::push_if_bad(int triangle) {
+    if (squared_sine_of_smallest(work_.mesh, triangle) > surely_enough_) {
+        return;
+    }
+    const double angle = smallest_angle(work_.mesh, triangle).angle;
+    if (angle < wanted_ && !hopeless(triangle) && (angle < bound_ || near(triangle))) {
+        queue_.push({angle, triangle, work_.mesh.stamp(triangle)});
+    }
+}
+
+bool CavityOptimiser::near(int triangle) const {
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        if (std::binary_search(near_.begin(), near_.end(), work_.mesh.vertex_of(h))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void CavityOptimiser::push_all() {
+    queue_ = {};
+    failed_.clear();
+    exhausted_.clear();
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        if (!work_.mesh.gone(t)) {
+            push_if_bad(t);
+        }
+    }
+}
+
+bool CavityOptimiser::improve_once() {
+    push_all();
+    return process_queue();
+}
+
+bool CavityOptimiser::over_improve_neighbours_and_retry() {
+    over_improve_neighbours();
+    return improve_once();
+}
+
+bool CavityOptimiser::run(const std::vector<SearchNeighbourhood>& escapes, double missing_before) {
+    bool changed = false;
+    int worse = 0;
+    double left = missing_before;
+    for (int round = 0; round < kMaxRounds && left > 0.0; ++round) {
+        changed = (round > 0 && over_improve_neighbours_and_retry()) || changed;
+        for (const SearchNeighbourhood kinds : escapes) {
+            changed = perturb_all(kinds) || changed;
+        }
+        const double now = missing();
+        worse = now > left ? worse + 1 : 0;
+        if (worse == kMostWorse || (worse == 0 && now > kLeftAfterRound * left)) {
+            break;
+        }
+        left = std::min(left, now);
+    }
+    return changed;
+}
+
+double CavityOptimiser::missing() const {
+    const std::vector<int> bad = bad_triangles();
+    return std::accumulate(bad.begin(), bad.end(), 0.0,
+                           [&](double sum, int t) { return sum + bound_ - smallest_angle(work_.mesh, t).angle; });
+}
+
+// Processes the queue, including triangles that are added meanwhile.
+bool CavityOptimiser::process_queue() {
+    bool changed = false;
+    const std::size_t most =
+        std::min(kAttemptsEach * queue_.size(),
+                 kAttempts + static_cast<std::size_t>(work_.mesh.triangle_count()) / kTrianglesPerAttempt);
+    for (std::size_t attempts = 0;
+         !queue_.empty() && attempts < most && attempts_of_all_ > 0 && !work_.over_budget();) {
+        work_.progress.check();
+        const Bad bad = queue_.top();
+        queue_.pop();
+        if (work_.mesh.stamp(bad.triangle) != bad.stamp || failed_.marked(work_.mesh, bad.triangle)) {
+            continue;
+        }
+        ++attempts;
+        --attempts_of_all_;
+        if (mend(bad.triangle)) {
+            changed = true;
+        } else {
+            failed_.mark(work_.mesh, bad.triangle);
+        }
+    }
+    return changed;
+}
+
+std::vector<int> CavityOptimiser::bad_triangles() const {
+    std::vector<int> bad;
+    for (const auto& [triangle, exemption] : work_.exempt) {
+        if (work_.exemption_of(triangle) != nullptr && !hopeless(triangle) && !at_resolution(triangle) &&
+            smallest_angle(work_.mesh, triangle).angle < bound_) {
+            bad.push_back(triangle);
+        }
+    }
+    return bad;
+}
+
+// Good triangles beside bad ones prevent changes if their angles are just above the bound; this improves them further.
+void CavityOptimiser::over_improve_neighbours() {
+    std::set<int> vertices;
+    std::set<int> visited;  // sites: each bad triangle of a fan would visit the whole fan around its apex
+    for (const int t : bad_triangles()) {
+        work_.progress.check();
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (!visited.insert(work_.mesh.site_of(h)).second) {
+                continue;
+            }
+            for (const int other : triangles_around(work_.mesh, h)) {
+                for (int k = 3 * other; k < 3 * other + 3; ++k) {
+                    vertices.insert(work_.mesh.vertex_of(k));
+                }
+            }
+        }
+    }
+    near_.assign(vertices.begin(), vertices.end());
+    want(bound_ + kRoom);
+    push_all();
+    process_queue();
+    want(bound_ + kMargin);
+    near_.clear();
+}
+
+std::vector<Cavity> CavityOptimiser::discs_around(int triangle) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    std::vector<Cavity> discs;
+    std::vector<int> with_neighbours{triangle};
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        add_disc(mesh, triangles_around(mesh, h, kMostTriangles), discs);
+        const int g = mesh.twin(h);
+        if (g < 0) {
+            continue;
+        }
+        with_neighbours.push_back(ClassifiedMesh::triangle_of(g));
+        add_disc(mesh, {triangle, ClassifiedMesh::triangle_of(g)}, discs);
+        std::vector<int> both = triangles_around(mesh, h, kMostTriangles);
+        const std::vector<int> other = triangles_around(mesh, ClassifiedMesh::next(h), kMostTriangles);
+        if (!both.empty() && !other.empty()) {
+            both.insert(both.end(), other.begin(), other.end());
+            add_disc(mesh, std::move(both), discs);
+        }
+    }
+    add_disc(mesh, std::move(with_neighbours), discs);
+    return discs;
+}
+
+// Most cavities occur again, beside another bad triangle or in another trial.
+const CavityOptimiser::CavityCandidates& CavityOptimiser::fans_of(const Cavity& disc) {
+    if (found_.size() > kMostFound) {
+        found_.clear();
+    }
+    const auto [place, fresh] = found_.try_emplace(state_key(work_.mesh, disc.triangles));
+    if (fresh) {
+        place.value() = search_fans(disc);
+    }
+    return place->second;
+}
+
+CavityOptimiser::CavityCandidates CavityOptimiser::search_fans(const Cavity& disc) const {
+    CavityCandidates found;
+    found.before = smallest_angle(work_.mesh, disc);
+    const double enough = enough_after(found.before);
+    const auto keep = [&](int apex_site, const Vec3& apex, double angle) {
+        if (angle >= enough) {
+            found.fans.push_back({apex_site, apex, angle});
+        }
+    };
+    const FanFeasibility corners(work_.mesh, disc, enough);
+    for (std::size_t k = 0; k < disc.rim.size(); ++k) {
+        if (corners.allow_apex(k)) {
+            const int site = work_.mesh.site_of(disc.rim[k]);
+            const Vec3& apex = work_.mesh.point_of(disc.rim[k]);
+            keep(site, apex, fan_angle(work_.mesh, disc, apex, site));
+        }
+    }
+    const Vec3 apex = corners.allow_inner_apex() ? best_apex(work_.mesh, disc, enough) : rough_apex(work_.mesh, disc);
+    const double angle = fan_angle(work_.mesh, disc, apex);
+    keep(-1, apex, angle);
+    found.over = angle >= wanted_ ? -1 : worst_side(work_.mesh, disc, apex);
+    return found;
+}
+
+// @return the worst side, beyond which a larger cavity may give larger angles; -1: none is needed, or there is none.
+int CavityOptimiser::propose(const Cavity& disc, std::vector<Retriangulation>& proposals) {
+    const CavityCandidates& found = fans_of(disc);
+    for (const Fan& fan : found.fans) {
+        if (!reopens_ear(disc, fan.apex_site)) {
+            proposals.push_back({disc, fan.apex_site, fan.apex, fan.angle, found.before});
+        }
+    }
+    return found.over;
+}
+
+// Extends each disc by the neighbour across the side with the same index; -1: drops the disc.
+std::vector<Cavity> CavityOptimiser::grown(const std::vector<Cavity>& discs, const std::vector<int>& over) const {
+    std::vector<Cavity> result;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        const int g = over[i] < 0 ? -1 : work_.mesh.twin(over[i]);
+        if (g >= 0) {
+            std::vector<int> triangles = discs[i].triangles;
+            triangles.push_back(ClassifiedMesh::triangle_of(g));
+            add_disc(work_.mesh, std::move(triangles), result);
+        }
+    }
+    return result;
+}
+
+// Tries small cavities first, and stops at the first size whose best fan reaches the target.
+bool CavityOptimiser::mend(int triangle) {
+    std::vector<Retriangulation> proposals;
+    std::vector<Cavity> discs = discs_around(triangle);
+    std::vector<std::uint64_t> keys;
+    const auto smaller = [](const Cavity& a, const Cavity& b) { return a.triangles.size() < b.triangles.size(); };
+    const auto known = [&](const Cavity& disc) {
+        keys.push_back(state_key(work_.mesh, disc.triangles));
+        return exhausted_.count(keys.back()) > 0;
+    };
+    discs.erase(std::remove_if(discs.begin(), discs.end(), known), discs.end());
+    for (int growth = 0; growth <= kMaxGrowth; ++growth) {
+        std::stable_sort(discs.begin(), discs.end(), smaller);
+        std::vector<int> worst_sides;
+        for (auto disc = discs.begin(); disc != discs.end(); ++disc) {
+            worst_sides.push_back(propose(*disc, proposals));
+            const bool last_of_size = disc + 1 == discs.end() || smaller(*disc, *(disc + 1));
+            if (last_of_size && try_best(proposals, wanted_)) {
+                return true;
+            }
+        }
+        if (growth < kMaxGrowth) {
+            discs = grown(discs, worst_sides);
+        }
+    }
+    if (((undo_.empty() || kinds_ != SearchNeighbourhood::Fans) && slide(triangle)) || try_best(proposals, 0.0)) {
+        return true;
+    }
+    if (undo_.empty()) {
+        exhausted_.insert(keys.begin(), keys.end());
+    }
+    return false;
+}
+
+// Tries the best proposals, and removes those it tried.
+bool CavityOptimiser::try_best(std::vector<Retriangulation>& proposals, double at_least) {
+    std::stable_sort(proposals.begin(), proposals.end(), [&](const Retriangulation& a, const Retriangulation& b) {
+        const double first = std::min(a.angle, wanted_);
+        const double second = std::min(b.angle, wanted_);
+        return first != second ? first > second : a.disc.triangles.size() < b.disc.triangles.size();
+    });
+    std::size_t tried = 0;
+    while (tried < proposals.size() && tried < kMaxTried && proposals[tried].angle >= at_least) {
+        if (apply(proposals[tried])) {
+            return true;
+        }
+        ++tried;
+    }
+    proposals.erase(proposals.begin(), proposals.begin() + static_cast<std::ptrdiff_t>(tried));
+    return false;
+}
+
+bool CavityOptimiser::good_enough(const Cavity& disc, const Corner& apex, int apex_site, double before) const {
+    const double least = std::min(least_aligned_, disc_alignment(work_.mesh, disc));
+    return fan_angle(work_.mesh, disc, apex.point, apex_site) >= enough_after(before) &&
+           fan_alignment(work_.mesh, disc, apex, apex_site) >= least &&
+           within_bounds(work_, sizing_, disc, apex, apex_site);
+}
+
+// Returns the largest distance of a fan from the surface, at the middles of the spokes and where spokes and triangles
+// are expected to be farthest, and the backward distance, mm.
+double CavityOptimiser::distance_of_fan(const Cavity& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const ClassifiedMesh::Site top{-1, uv, apex.normal, apex.point};
+    geometry::Engine::Batch batch;
+    double back = 0.0;
+    const int face = mesh.face_of(disc.triangles.front());
+    for (const int side : disc.rim) {
+        const ClassifiedMesh::Site& a = mesh.site(mesh.site_of(side));
+        const ClassifiedMesh::Site& b = mesh.site(mesh.site_of(ClassifiedMesh::next(side)));
+        add_edge_probes(work_, face, a, top, batch);
+        if (mesh.site_of(side) != apex_site && mesh.site_of(ClassifiedMesh::next(side)) != apex_site) {
+            add_triangle_probe(work_, face, a, b, top, batch);
+            back = std::max(back, backward_distance(work_, face, a, b, top));
+        }
+    }
+    return std::max(back, largest_distance(work_.session.ask(std::move(batch)), 0.0));
+}
+
+// Returns the largest distance of the present triangles, at the middles of the inner edges, and the backward distance,
+// mm.
+double CavityOptimiser::distance_of_disc(const Cavity& disc) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    geometry::Engine::Batch batch;
+    const auto add = [&](const Candidate& c) {
+        batch.push_back(Query::face_nearest(mesh.face_of(c.triangle), work_.grid.to_part(c.point), c.uv.x(), c.uv.y()));
+    };
+    double back = 0.0;
+    for (const int t : disc.triangles) {
+        const auto site = [&](int k) { return mesh.site(mesh.site_of(3 * t + k)); };
+        back = std::max(back, backward_distance(work_, mesh.face_of(t), site(0), site(1), site(2)));
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (std::find(disc.rim.begin(), disc.rim.end(), h) == disc.rim.end()) {
+                add(edge_middle_site(mesh, h));
+            }
+        }
+    }
+    return std::max(back, largest_distance(work_.session.ask(std::move(batch)), 0.0));
+}
+
+// CAD edges can deviate from their faces by more than the tolerance; there the distance must not increase.
+bool CavityOptimiser::near_surface(const Cavity& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
+    if (!(sizing_.tolerance > 0.0)) {
+        return true;
+    }
+    const double distance = distance_of_fan(disc, apex, uv, apex_site);
+    return distance <= kNear * sizing_.tolerance || distance <= distance_of_disc(disc);
+}
+
+std::optional<SurfacePoint> CavityOptimiser::apex_near(const Cavity& disc, const Vec3& p) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    Candidate candidate = edge_middle_site(mesh, disc.rim.front());
+    candidate.point = p;
+    candidate.uv_is_near = false;
+    candidate.uv = Vec2::Zero();
+    candidate.reach = 0.0;
+    for (const int side : disc.rim) {
+        candidate.uv += mesh.site(mesh.site_of(side)).uv / static_cast<double>(disc.rim.size());
+        candidate.reach = std::max(candidate.reach, kMaxLift * (mesh.point_of(side) - p).norm());
+    }
+    return surface_points(work_, {candidate}).front();
+}
+
+// Whether the budget has room for the fan.
+bool CavityOptimiser::has_room(const Retriangulation& proposal) {
+    const std::size_t now = proposal.disc.triangles.size();
+    const std::size_t then = proposal.disc.rim.size() - (proposal.apex_site >= 0 ? 2 : 0);
+    return then <= now || work_.has_room(then - now);
+}
+
+bool CavityOptimiser::apply(const Retriangulation& proposal) {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const Cavity& disc = proposal.disc;
+    int site = proposal.apex_site;
+    if (!has_room(proposal)) {
+        return false;
+    }
+    if (site >= 0) {
+        const Vec2 uv = mesh.site(site).uv;
+        const Corner apex = corner_of(mesh, site);
+        if (!rim_apex_legal(mesh, work_.maxmin, disc, site) || !good_enough(disc, apex, site, proposal.before) ||
+            !near_surface(disc, apex, uv, site)) {
+            return false;
+        }
+    } else {
+        const auto found = apex_near(disc, proposal.apex);
+        if (!found || !good_enough(disc, {found->point, found->normal}, -1, proposal.before) ||
+            !near_surface(disc, {found->point, found->normal}, found->uv, -1)) {
+            return false;
+        }
+        const int face = mesh.face_of(disc.triangles.front());
+        site = work_.mesh.add_site({work_.mesh.add_vertex(found->point, {2, face}), found->uv, found->normal});
+    }
+    const std::vector<int> fan = replace(disc, site);
+    return proposal.ear_site < 0 || cut_ear(fan, proposal.ear_site, site);
+}
+
+std::vector<int> CavityOptimiser::replace(const Cavity& disc, int apex_site) {
+    undo_.about_to_remove(disc.triangles);
+    const std::vector<int> added = replace_by_fan(work_, disc, apex_site, bound_);
+    undo_.added(added);
+    look_again_around(added);
+    return added;
+}
+
+bool CavityOptimiser::slide(int triangle) {
+    const auto changed = slider_.improve(
+        triangle, bound_, [&](double before) { return enough_after(before); }, undo_);
+    undo_.added(changed);
+    look_again_around(changed);
+    return !changed.empty();
+}
+
+// Triangles beside the change that failed before are tried again.
+void CavityOptimiser::look_again_around(const std::vector<int>& changed) {
+    for (const int t : changed) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            for (const int other : triangles_around(work_.mesh, h)) {
+                if (!at_resolution(other)) {
+                    failed_.unmark(other);
+                }
+                push_if_bad(other);
+            }
+        }
+    }
+}
+
+namespace {
+
+/// The data that local improvement changes.
+struct State {
+    ClassifiedMesh mesh;
+    std::map<int, Exemption> exempt;
+
+    explicit State(const Workspace& work) : mesh(work.mesh), exempt(work.exempt) {}
+    void put_back(Workspace& work) const {
+        work.mesh.become(mesh);
+        work.maxmin.rebuild();
+        work.exempt = exempt;
+    }
+};
+
+// Runs the perturbation search with simple fans; if a deficit is left, starts again from the same mesh with all
+// perturbations, and keeps the better result. Either search can end in a local optimum that the other avoids.
+bool mend_by_escapes(Workspace& work, double min_angle_degrees, const Sizing& sizing, double missing,
+                     std::size_t& attempts) {
+    using SearchNeighbourhood = CavityOptimiser::SearchNeighbourhood;
+    const State before(work);
+    CavityOptimiser simple(work, min_angle_degrees, sizing, attempts);
+    const bool changed = simple.run({SearchNeighbourhood::Fans}, missing);
+    const double left = simple.missing();
+    if (!(left > 0.0)) {
+        return changed;
+    }
+    const State after(work);
+    before.put_back(work);
+    CavityOptimiser thorough(work, min_angle_degrees, sizing, attempts);
+    if (thorough.run({SearchNeighbourhood::All, SearchNeighbourhood::TwoInARow}, missing) &&
+        thorough.missing() < left) {
+        return true;
+    }
+    after.put_back(work);
+    return changed;
+}
+
+}  // namespace
+
+bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing) {
+    std::size_t attempts = kLeastOfAll + kOfAllEach * work.triangles();
+    CavityOptimiser mender(work, min_angle_degrees, sizing, attempts);
+    bool changed = mender.improve_once();
+    const double missing = mender.missing();
+    if (missing > 0.0) {
+        changed = mender.over_improve_neighbours_and_retry() || changed;
+        changed = mend_by_escapes(work, min_angle_degrees, sizing, missing, attempts) || changed;
+    }
+    work.left_by_mending = attempts == 0 ? mender.bad_triangles().size() : 0;
+    close_gaps(work);
+    return changed;
+}
+
+}  // namespace mq::triangulate

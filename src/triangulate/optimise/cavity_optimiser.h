@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "base/key_set.h"
+#include "triangulate/operators/cavity.h"
+#include "triangulate/operators/edit_transaction.h"
+#include "triangulate/operators/vertex_insertion.h"
+#include "triangulate/optimise/edge_vertex_relocation.h"
+#include "triangulate/work_mesh/element_marks.h"
+#include "triangulate/work_mesh/size_bounds.h"
+
+namespace mq::triangulate {
+
+/// Improves triangles below the bound that refinement has given up, by local changes: the triangles of a disc around
+/// one of them (the stars of its corners and edges, itself with its neighbours) are replaced by a fan from a new
+/// vertex, or from one on the boundary, if the smallest angle among them becomes larger. This moves vertices,
+/// collapses edges or inserts vertices, whichever improves most; where no fan suffices, vertices on CAD edges are
+/// moved along these (EdgeVertexRelocation).
+///
+/// Refinement fails where a long edge at a small input angle of the shape has short ones beside it: encroachment
+/// forbids the vertices that a graded fan needs. Here only angles count, besides the bounds on lengths and chord
+/// errors. Every change increases the smallest angle of its disc by a least amount, and the number of attempts is
+/// limited.
+///
+/// Where no single change improves a triangle, the mesh is perturbed: a disc gets a vertex more or less (a fan around
+/// a vertex of a CAD edge gets another spoke, a corner loses one), a segment is split, or a vertex moves along its CAD
+/// edge; then the neighbourhood is repaired, and everything is undone unless the result is better. If that fails too,
+/// a second perturbation follows the first.
+class CavityOptimiser {
+  public:
+    /// Perturbations to be tried: simple fans; ears, splits and moves in addition; two of any kind in succession.
+    enum class SearchNeighbourhood { Fans, All, TwoInARow };
+
+    /// @param attempts  may be made yet, by all optimisers that share it: attempts to improve one triangle.
+    CavityOptimiser(Workspace& work, double min_angle_degrees, const Sizing& sizing, std::size_t& attempts);
+
+    /// Applies single changes as long as one improves the mesh. @return whether anything was changed, as for all
+    /// functions below.
+    bool improve_once();
+    /// First improves triangles around bad ones beyond the bound where they prevent changes, then applies single
+    /// changes.
+    bool over_improve_neighbours_and_retry();
+    /// Rounds of perturbations, with single changes between them, as long as the deficit decreases sufficiently.
+    /// @param missing_before  deficit before the first round, radians
+    bool run(const std::vector<SearchNeighbourhood>& escapes, double missing_before);
+    /// Returns the total angle deficit, radians: the sum of what triangles that could reach the bound lack.
+    double missing() const;
+    /// Returns the triangles below the bound that may be improvable.
+    std::vector<int> bad_triangles() const;
+
+  private:
+    struct Bad {
+        double angle;
+        int triangle;
+        std::uint32_t stamp;
+        bool operator<(const Bad& other) const {  // for a max-heap: the smallest angle on top, ties by index
+            return angle != other.angle ? angle > other.angle : triangle > other.triangle;
+        }
+    };
+    struct Retriangulation {
+        Cavity disc;
+        int apex_site = -1;  ///< site on the boundary; -1: a new vertex at `apex`
+        Vec3 apex = Vec3::Zero();
+        double angle = 0.0;  ///< smallest angle of the fan, radians
+        double before = 0.0;
+        int ear_site = -1;  ///< site on the boundary whose corner is cut off; -1: none
+    };
+
+    /// The fans for a disc that improve it sufficiently, and the side beyond which a larger disc may be better, or -1.
+    struct Fan {
+        int apex_site = -1;
+        Vec3 apex = Vec3::Zero();
+        double angle = 0.0;
+    };
+    struct CavityCandidates {
+        std::vector<Fan> fans;
+        double before = 0.0;  ///< smallest angle of the disc, radians
+        int over = -1;
+    };
+
+    void want(double angle);
+    void push_if_bad(int triangle);
+    bool near(int triangle) const;
+    void push_all();
+    bool process_queue();
+    void over_improve_neighbours();
+    bool hopeless(int triangle) const;
+    bool at_resolution(int triangle) const;
+    bool mend(int triangle);
+    std::vector<Cavity> discs_around(int triangle) const;
+    const CavityCandidates& fans_of(const Cavity& disc);
+    CavityCandidates search_fans(const Cavity& disc) const;
+    int propose(const Cavity& disc, std::vector<Retriangulation>& proposals);
+    std::vector<Cavity> grown(const std::vector<Cavity>& discs, const std::vector<int>& over) const;
+    bool try_best(std::vector<Retriangulation>& proposals, double at_least);
+    std::optional<SurfacePoint> apex_near(const Cavity& disc, const Vec3& p) const;
+    bool has_room(const Retriangulation& proposal);
+    bool apply(const Retriangulation& proposal);
+    std::vector<int> replace(const Cavity& disc, int apex_site);
+    bool slide(int triangle);
+
+    /// Fraction of the bound that angles must keep during a perturbation of a disc, a segment, or a vertex's position.
+    /// Tuned on the corpus.
+    static constexpr double kLeastOfKick = 0.2;
+    struct Perturbation {
+        Retriangulation fan;
+        int segment = -1;
+        double fraction = 0.0;  ///< fraction of its parameter range at which the segment is split
+        int vertex = -1;        ///< vertex on a CAD edge
+        double step = 0.0;      ///< step of the vertex, see EdgeVertexRelocation::angle_after
+    };
+
+    // Implemented in perturbation_search.cpp.
+    bool perturb_all(SearchNeighbourhood kinds);
+    bool budget_spent() const;
+    bool mark_tried(int triangle);
+    bool escape(int triangle, std::size_t depth);
+    bool try_perturbation(const Perturbation& kick);
+    bool better() const;
+    bool worth_another_step() const;
+    int worst_now() const;
+    void keep(const Exemption& reason);
+    bool move_corner(int triangle);
+    bool cut_ear(const std::vector<int>& fan, int ear_site, int apex_site);
+    bool reopens_ear(const Cavity& disc, int apex_site) const;
+    bool reopens_ear(const Cavity& disc, int apex_site, int ear) const;
+    void follow(const std::function<bool(int)>& change);
+    std::vector<Perturbation> kicks(int triangle) const;
+    void add_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const;
+    void add_eared_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const;
+
+    // Implemented in mender_kicks.cpp.
+    void add_moves(int triangle, std::vector<Perturbation>& kicks) const;
+    bool move(int vertex, double step);
+    void add_splits(int triangle, std::vector<Perturbation>& kicks) const;
+    double angle_of_halves(int segment, double fraction) const;
+    std::vector<int> segments_around(int triangle) const;
+    bool can_be_split(int segment) const;
+    bool split(int segment, double fraction);
+
+    void look_again_around(const std::vector<int>& changed);
+    double enough_after(double before) const;
+    bool good_enough(const Cavity& disc, const Corner& apex, int apex_site, double before) const;
+    bool near_surface(const Cavity& disc, const Corner& apex, const Vec2& uv, int apex_site) const;
+    double distance_of_fan(const Cavity& disc, const Corner& apex, const Vec2& uv, int apex_site) const;
+    double distance_of_disc(const Cavity& disc) const;
+
+    Workspace& work_;
+    double bound_;                // radians
+    double wanted_ = 0.0;         // target angle, radians: slightly above the bound or, near some vertices, larger
+    double surely_enough_ = 0.0;  // squared sine that surely exceeds the target angle
+    std::vector<int> near_;       // the vertices with the larger target, ascending
+    const Sizing& sizing_;
+    std::priority_queue<Bad> queue_;
+    EdgeVertexRelocation slider_;
+    TransactionStack undo_;                   // open while changes may still be undone
+    std::vector<int> ears_;                   // by trial: the site whose corner was cut off, or -1
+    std::vector<std::array<int, 2>> splits_;  // segments split in these trials: near and far one
+    TriangleMarks failed_;                    // until a triangle beside them changes
+    KeySet tried_to_escape_;
+    SearchNeighbourhood kinds_ = SearchNeighbourhood::Fans;
+    std::size_t attempts_left_ = 0;  // at one kind of perturbations
+    std::size_t& attempts_of_all_;
+    double least_aligned_ = kAlignedSwap;
+    KeyMap<CavityCandidates> found_;  // by disc, for the present target angle
+    KeySet exhausted_;                // keys of discs for which no improvement was found
+};
+
+/// Improves the mesh by single changes, and by perturbations where these leave a deficit.
+/// @return whether anything was changed. Leaves no unused triangle indices.
+bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing);
+
+}  // namespace mq::triangulate

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "base/angle.h"
+#include "triangulate/operators/cavity_replacement.h"
+#include "triangulate/optimise/cavity_optimiser.h"
+#include "triangulate/work_mesh/corner_classification.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+// Limits of the perturbation search. `kMaxKicks`: perturbations tried for a triangle; `kMaxKicksInside`: as second
+// ones. `kAttemptsAfterKick`: local repairs of each kind after a perturbation. A perturbation is kept only if the
+// total angle deficit falls to `kLeftAfterKick` of its former value. Tuned on the corpus.
+constexpr std::size_t kMaxKicks = 60;
+constexpr std::size_t kMaxKicksInside = 12;  // Perturbations tried as second ones. Tuned on the corpus.
+constexpr int kAttemptsAfterKick = 150;      // Local repairs after a perturbation. Tuned on the corpus.
+constexpr double kLeftAfterKick = 0.95;      // Fraction of the former angle deficit. Tuned on the corpus.
+// Alignment (a cosine) that is allowed until the repair: at the apex of a slender cone a triangle that replaces two
+// spans half of it until its corners have moved.
+constexpr double kAlignedForNow = -0.1;
+// Number of successive perturbations, local repairs in a round, and triangles below the bound above which the round is
+// skipped, since the shape causes that many.
+struct Limits {
+    std::size_t changes;
+    std::size_t attempts;
+    std::size_t most_left;
+};
+constexpr Limits kOne{1, 20000, 200};       // Limits for single perturbations. Tuned on the corpus.
+constexpr Limits kTwoInARow{2, 40000, 60};  // Limits for two successive perturbations. Tuned on the corpus.
+// A second perturbation is tried if the deficit after the first is at most this multiple of the former one plus
+// kPromisingMore. Tuned on the corpus.
+constexpr double kPromising = 3.0;
+constexpr double kPromisingMore = 10.0 * kDegree;  // Radians. Tuned on the corpus.
+
+void rename(Cavity& disc, const std::map<int, int>& moved) {
+    const auto now = [&](int t) {
+        const auto found = moved.find(t);
+        return found != moved.end() ? found->second : t;
+    };
+    for (int& t : disc.triangles) {
+        t = now(t);
+    }
+    for (int& h : disc.rim) {
+        h = 3 * now(ClassifiedMesh::triangle_of(h)) + h % 3;
+    }
+}
+
+double missing_of(const std::vector<double>& angles, double bound) {
+    return std::accumulate(angles.begin(), angles.end(), 0.0,
+                           [&](double sum, double angle) { return sum + std::max(0.0, bound - angle); });
+}
+
+std::vector<double> angles_now(const ClassifiedMesh& mesh, const EditTransaction& trial) {
+    std::vector<double> angles;
+    for (const int t : trial.now()) {
+        angles.push_back(smallest_angle(mesh, t).angle);
+    }
+    return angles;
+}
+
+}  // namespace
+
+// Perturbs at all remaining triangles, the smallest deficit first, since it is the easiest to remove.
+bool CavityOptimiser::perturb_all(SearchNeighbourhood kinds) {
+    const Limits limits = kinds == SearchNeighbourhood::TwoInARow ? kTwoInARow : kOne;
+    kinds_ = kinds;
+    bool changed = false;
+    tried_to_escape_.clear();
+    attempts_left_ = limits.attempts;
+    for (bool again = true; again;) {  // undoing changes the indices of triangles
+        again = false;
+        std::vector<std::pair<double, int>> bad;
+        for (const int t : bad_triangles()) {
+            bad.emplace_back(-smallest_angle(work_.mesh, t).angle, t);
+        }
+        if (bad.size() > limits.most_left) {
+            return changed;
+        }
+        std::sort(bad.begin(), bad.end());
+        for (const auto& [angle, t] : bad) {
+            if (work_.exemption_of(t) != nullptr && mark_tried(t)) {
+                again = true;
+                const Exemption reason = *work_.exemption_of(t);
+                if (escape(t, limits.changes)) {
+                    keep(reason);
+                    changed = true;
+                }
+            }
+        }
+    }
+    return changed;
+}
+
+// Whether the triangle has not been tried, identified by the sites around it: undoing gives a triangle another index.
+bool CavityOptimiser::mark_tried(int triangle) {
+    std::uint64_t key = 0;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        for (const int spoke : work_.mesh.star(h)) {
+            key += KeyHash()(static_cast<std::uint64_t>(work_.mesh.site_of(ClassifiedMesh::next(spoke))));
+        }
+    }
+    return tried_to_escape_.insert(key).second;
+}
+
+bool CavityOptimiser::budget_spent() const {
+    return attempts_left_ == 0 || attempts_of_all_ == 0 || work_.over_budget();
+}
+
+// Tries up to `depth` successive perturbations. On success the transactions remain open.
+bool CavityOptimiser::escape(int triangle, std::size_t depth) {
+    std::vector<Perturbation> tries = kicks(triangle);
+    tries.resize(std::min(tries.size(), undo_.empty() ? kMaxKicks : kMaxKicksInside));
+    for (auto kick = tries.begin(); kick != tries.end() && !budget_spent(); ++kick) {
+        work_.progress.check();
+        undo_.begin();
+        ears_.push_back(kick->fan.ear_site);
+        const std::size_t splits = splits_.size();
+        if (try_perturbation(*kick) &&
+            (better() || (depth > 1 && worth_another_step() && escape(worst_now(), depth - 1)))) {
+            return true;
+        }
+        ears_.pop_back();
+        splits_.resize(splits);
+        const std::map<int, int> moved = undo_.undo_last();
+        std::for_each(kick, tries.end(), [&](Perturbation& later) { rename(later.fan.disc, moved); });
+    }
+    return false;
+}
+
+// Applies a perturbation and repairs the triangles that it made worse.
+bool CavityOptimiser::try_perturbation(const Perturbation& kick) {
+    queue_ = {};
+    least_aligned_ = kAlignedForNow;
+    const bool done = kick.vertex >= 0    ? move(kick.vertex, kick.step)
+                      : kick.segment >= 0 ? split(kick.segment, kick.fraction)
+                                          : apply(kick.fan);
+    least_aligned_ = kAlignedSwap;
+    if (done) {
+        follow([&](int t) { return move_corner(t); });
+        for (const int t : undo_.last().now()) {
+            push_if_bad(t);
+        }
+        follow([&](int t) { return mend(t); });
+    }
+    queue_ = {};
+    return done;
+}
+
+// Whether the total deficit has decreased sufficiently, and no triangle is worse than the worst one before.
+bool CavityOptimiser::better() const {
+    const std::vector<double> before = undo_.first().angles_before();
+    const std::vector<double> after = angles_now(work_.mesh, undo_.first());
+    const std::set<int>& now = undo_.first().now();
+    const double least = std::min(kAlignedSwap, undo_.first().alignment_before());
+    return *std::min_element(after.begin(), after.end()) >= *std::min_element(before.begin(), before.end()) &&
+           missing_of(after, bound_) < kLeftAfterKick * missing_of(before, bound_) &&
+           std::all_of(now.begin(), now.end(), [&](int t) { return alignment(work_.mesh, t) >= least; });
+}
+
+bool CavityOptimiser::worth_another_step() const {
+    return missing_of(angles_now(work_.mesh, undo_.first()), bound_) <
+           kPromising * missing_of(undo_.first().angles_before(), bound_) + kPromisingMore;
+}
+
+int CavityOptimiser::worst_now() const {
+    const std::set<int>& now = undo_.first().now();
+    return *std::min_element(now.begin(), now.end(), [&](int a, int b) {
+        return smallest_angle(work_.mesh, a).angle < smallest_angle(work_.mesh, b).angle;
+    });
+}
+
+// A triangle below the bound after the search need not replace one that was below it before.
+void CavityOptimiser::keep(const Exemption& reason) {
+    const std::set<int>& now = undo_.first().now();
+    std::vector<int> left;
+    std::copy_if(now.begin(), now.end(), std::back_inserter(left),
+                 [&](int t) { return work_.exemption_of(t) == nullptr; });
+    restore_exemptions(work_, left, bound_, reason);
+    for (const auto& [near, far] : splits_) {
+        slider_.was_split(near, far);
+    }
+    splits_.clear();
+    ears_.clear();
+    undo_.keep_all();
+}
+
+// Relocates one vertex of the triangle, and changes nothing else.
+bool CavityOptimiser::move_corner(int triangle) {
+    std::vector<Retriangulation> proposals;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const auto disc = disc_of(work_.mesh, triangles_around(work_.mesh, h));
+        if (disc && disc->triangles.size() == disc->rim.size()) {
+            const double before = smallest_angle(work_.mesh, *disc);
+            const Vec3 apex = best_apex(work_.mesh, *disc, enough_after(before));
+            const double angle = fan_angle(work_.mesh, *disc, apex);
+            if (angle >= enough_after(before)) {
+                proposals.push_back({*disc, -1, apex, angle, before});
+            }
+        }
+    }
+    return try_best(proposals, 0.0);
+}
+
+// Returns changes that result in another number of vertices, or of triangles at one vertex, the best first.
+std::vector<CavityOptimiser::Perturbation> CavityOptimiser::kicks(int triangle) const {
+    std::vector<Perturbation> result;
+    for (const Cavity& disc : discs_around(triangle)) {
+        add_fans(disc, result);
+        if (kinds_ != SearchNeighbourhood::Fans) {
+            add_eared_fans(disc, result);
+        }
+    }
+    if (kinds_ != SearchNeighbourhood::Fans) {
+        add_splits(triangle, result);
+        add_moves(triangle, result);
+    }
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Perturbation& a, const Perturbation& b) { return a.fan.angle > b.fan.angle; });
+    return result;
+}
+
+void CavityOptimiser::add_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const double least = kLeastOfKick * bound_;
+    const auto keep = [&](int apex_site, const Vec3& apex) {
+        const double angle = fan_angle(mesh, disc, apex, apex_site);
+        if (angle > least) {
+            kicks.push_back({{disc, apex_site, apex, angle, -M_PI}});
+        }
+    };
+    const std::size_t inside = (disc.triangles.size() + 2 - disc.rim.size()) / 2;
+    for (const int side : inside > 0 ? disc.rim : std::vector<int>()) {
+        keep(mesh.site_of(side), mesh.point_of(side));
+    }
+    if (inside != 1) {
+        keep(-1, best_apex(mesh, disc, least));
+    }
+}
+
+void CavityOptimiser::add_eared_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const {
+    const double least = kLeastOfKick * bound_;
+    for (const EaredFan& fan : eared_fans(work_.mesh, disc, least)) {
+        if (fan.angle > least) {
+            kicks.push_back({{disc, -1, fan.apex, fan.angle, -M_PI, fan.ear_site}});
+        }
+    }
+}
+
+// The two triangles of the fan at that corner swap their common side.
+bool CavityOptimiser::cut_ear(const std::vector<int>& fan, int ear_site, int apex_site) {
+    const ClassifiedMesh& mesh = work_.mesh;
+    std::vector<int> at_ear;
+    int beside = -1;
+    for (const int t : fan) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (mesh.site_of(h) == ear_site) {
+                at_ear.push_back(t);
+                const int other = mesh.site_of(ClassifiedMesh::next(h));
+                beside = other != apex_site ? other : beside;
+            }
+        }
+    }
+    const auto disc = disc_of(mesh, std::move(at_ear));
+    if (!disc || beside < 0) {
+        return false;
+    }
+    Retriangulation swap{*disc, beside, mesh.vertex(mesh.site(beside).vertex).point, 0.0, 0.0};
+    return apply(swap);
+}
+
+// Whether a corner that lost a triangle by an ear would get another one, which would revert the perturbation.
+bool CavityOptimiser::reopens_ear(const Cavity& disc, int apex_site) const {
+    return std::any_of(ears_.begin(), ears_.end(),
+                       [&](int ear) { return ear >= 0 && reopens_ear(disc, apex_site, ear); });
+}
+
+bool CavityOptimiser::reopens_ear(const Cavity& disc, int apex_site, int ear) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const auto at_ear = [&](int h) { return mesh.site_of(h) == ear; };
+    const auto side = std::find_if(disc.rim.begin(), disc.rim.end(), at_ear);
+    if (side == disc.rim.end()) {
+        return false;
+    }
+    const std::vector<int> around = triangles_around(mesh, *side);
+    const auto before = std::count_if(around.begin(), around.end(), [&](int t) {
+        return std::find(disc.triangles.begin(), disc.triangles.end(), t) != disc.triangles.end();
+    });
+    const std::ptrdiff_t sides = static_cast<std::ptrdiff_t>(disc.rim.size());
+    const bool beside = std::any_of(disc.rim.begin(), disc.rim.end(), [&](int h) {
+        const int next = ClassifiedMesh::next(h);
+        return (at_ear(h) && mesh.site_of(next) == apex_site) || (at_ear(next) && mesh.site_of(h) == apex_site);
+    });
+    const std::ptrdiff_t after = apex_site == ear ? sides - 2 : beside ? 1 : 2;
+    return after > before;
+}
+
+// Repairs what a perturbation has made worse, by one kind of change.
+void CavityOptimiser::follow(const std::function<bool(int)>& change) {
+    TriangleMarks tried;
+    for (int n = 0; n < kAttemptsAfterKick && !queue_.empty() && !budget_spent(); ++n) {
+        const Bad bad = queue_.top();
+        queue_.pop();
+        --attempts_left_;
+        --attempts_of_all_;
+        if (work_.mesh.stamp(bad.triangle) == bad.stamp && !tried.marked(work_.mesh, bad.triangle) &&
+            !change(bad.triangle)) {
+            tried.mark(work_.mesh, bad.triangle);
+        }
+    }
+}
+
+}  // namespace mq::triangulate

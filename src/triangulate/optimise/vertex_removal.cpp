@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/optimise/vertex_removal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/angle.h"
+#include "triangulate/measure/backward_distance.h"
+#include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/measure/distance_probes.h"
+#include "triangulate/operators/cavity_replacement.h"
+#include "triangulate/work_mesh/corner_classification.h"
+#include "triangulate/work_mesh/incident_segments.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+// Factor by which new angles exceed the bound, as a margin for later changes. Tuned on the corpus.
+constexpr double kMargin = 1.04;
+// Fraction of the tolerance. A vertex is kept if the chord error of an edge at it exceeds this: without the vertex
+// edges become about twice as long, and their chord errors four times as large. Tuned on the corpus.
+constexpr double kFlat = 0.6;
+constexpr double kExact = 2.0;     // resolutions of the grid: rounding of vertices on plane faces
+constexpr int kMaxRounds = 12;     // Rounds of removal, each of vertices that do not touch. Tuned on the corpus.
+constexpr double kGain = 1.1;      // least factor by which angles below the bound must grow. Tuned on the corpus.
+constexpr double kNoNeedle = 0.1;  // smallest angle that may replace a smaller one, as a fraction of the bound
+
+}  // namespace
+
+VertexRemoval::VertexRemoval(Workspace& work, const ChordErrorCache& measure, double min_angle_degrees,
+                             const Sizing& sizing, int first_vertex)
+    : work_(work),
+      measure_(measure),
+      bound_(min_angle_degrees * kDegree),
+      least_angle_(kMargin * bound_),
+      sizing_(sizing),
+      first_vertex_(first_vertex),
+      most_spokes_(static_cast<int>(M_PI / least_angle_)) {}
+
+void VertexRemoval::find_places() {
+    const ClassifiedMesh& mesh = work_.mesh;
+    half_edge_of_.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
+    segments_at_ = segments_at_vertices(mesh);
+    for (int h = mesh.half_edge_count() - 1; h >= 0; --h) {
+        half_edge_of_[static_cast<std::size_t>(mesh.vertex_of(h))] = h;
+    }
+}
+
+// Decides by the cached chord errors of its edges, without queries.
+bool VertexRemoval::is_candidate(int vertex) const {
+    const int h = half_edge_of_[static_cast<std::size_t>(vertex)];
+    if (h < 0 || vertex < first_vertex_) {
+        return false;
+    }
+    const auto flat = [&](int spoke) {
+        return !(sizing_.tolerance > 0.0) || measure_.distance_known(spoke) <= kFlat * sizing_.tolerance;
+    };
+    if (on_edge(vertex)) {
+        const std::vector<int> star = work_.mesh.star(h);
+        return std::all_of(star.begin(), star.end(), flat);
+    }
+    int spokes = 0;
+    for (int g = h; flat(g);) {
+        g = work_.mesh.twin(ClassifiedMesh::prev(g));
+        if (++spokes > most_spokes_ || g == h) {
+            return g == h && spokes <= most_spokes_;
+        }
+    }
+    return false;
+}
+
+bool VertexRemoval::can_be_joined(int near, int far) const {
+    const int a = work_.mesh.segment(near).vertices[0];
+    const int b = work_.mesh.segment(far).vertices[1];
+    return a != b && !work_.maxmin.joined(a, b);
+}
+
+std::optional<VertexRemoval::RemovalPlan> VertexRemoval::plan_for(int vertex) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    if (!is_candidate(vertex)) {
+        return std::nullopt;
+    }
+    RemovalPlan plan;
+    plan.vertex = vertex;
+    if (!on_edge(vertex)) {
+        return add_fan(half_edge_of_[static_cast<std::size_t>(vertex)], plan) ? std::optional(std::move(plan))
+                                                                              : std::nullopt;
+    }
+    const auto& [near, far] = segments_at_[static_cast<std::size_t>(vertex)];
+    if (near < 0 || far < 0 || sizing_.turn > 0.0 || mesh.segment(near).uses.size() != mesh.segment(far).uses.size()) {
+        return std::nullopt;
+    }
+    plan.near = near;
+    plan.far = far;
+    if (!can_be_joined(near, far)) {
+        return std::nullopt;
+    }
+    for (const ClassifiedMesh::SegmentUse& use : mesh.segment(near).uses) {
+        if (!add_fan(mesh.leaving(use, vertex), plan)) {
+            return std::nullopt;
+        }
+    }
+    return plan;
+}
+
+// Where the present angles are below the bound, new ones need only be larger, but must not be needles. Input angles of
+// the shape do not count: a triangle that fills such a corner evenly would be replaced by one that does not.
+double VertexRemoval::least_angle(const StarPolygon& polygon) const {
+    double least = least_angle_;
+    for (const int t : polygon.triangles) {
+        const Exemption* exemption = work_.exemption_of(t);
+        if (exemption != nullptr && exemption->cause != Cause::NarrowCorner) {
+            least = std::min(least, std::max(kGain * smallest_angle(work_.mesh, t).angle, kNoNeedle * bound_));
+        }
+    }
+    return least;
+}
+
+bool VertexRemoval::add_fan(int half_edge, RemovalPlan& plan) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    auto polygon = star_polygon(mesh, half_edge);
+    if (!polygon || polygon->sides.size() < 4) {
+        return false;
+    }
+    std::vector<PolygonFan> fans = fans_of(mesh, *polygon, least_angle(*polygon));
+    const auto good = std::find_if(fans.begin(), fans.end(), [&](const PolygonFan& fan) {
+        return heights_expected(*polygon, fan) && lengths_allowed(half_edge, *polygon, fan) &&
+               fan_aligned(mesh, *polygon, fan, kWellAligned) && fan_legal(mesh, work_.maxmin, *polygon, fan.apex_site);
+    });
+    if (good == fans.end()) {
+        return false;
+    }
+    for (const int t : polygon->triangles) {
+        plan.stamps.push_back(mesh.stamp(t));
+    }
+    plan.polygons.push_back(std::move(*polygon));
+    plan.fans.push_back(std::move(*good));
+    return true;
+}
+
+bool VertexRemoval::lengths_allowed(int half_edge, const StarPolygon& polygon, const PolygonFan& fan) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    double longest = 1e300;
+    for (const int spoke : mesh.star(half_edge)) {
+        longest =
+            std::min({longest, sizing_.bounds.of(mesh, spoke), sizing_.bounds.of(mesh, ClassifiedMesh::next(spoke))});
+    }
+    const auto fits = [&](int from, int to) {
+        const ClassifiedMesh::Site& a = mesh.site(from);
+        const ClassifiedMesh::Site& b = mesh.site(to);
+        return (a.point - b.point).norm() <= longest &&
+               (!(sizing_.turn > 0.0) || angle_between(a.normal, b.normal) <= sizing_.turn);
+    };
+    const std::vector<int> ends = spokes_of(polygon, fan.apex_site);
+    return (polygon.base[0] < 0 || fits(polygon.base[0], polygon.base[1])) &&
+           std::all_of(ends.begin(), ends.end(), [&](int end) { return fits(fan.apex_site, end); });
+}
+
+bool VertexRemoval::heights_expected(const StarPolygon& polygon, const PolygonFan& fan) const {
+    if (!(sizing_.tolerance > 0.0)) {
+        return true;
+    }
+    const std::vector<int> ends = spokes_of(polygon, fan.apex_site);
+    return std::all_of(ends.begin(), ends.end(), [&](int end) {
+        return edge_peak(work_.mesh.site(fan.apex_site), work_.mesh.site(end)).height <= sizing_.tolerance;
+    });
+}
+
+// Returns plans that share no triangles; the remaining candidates are left for later rounds.
+std::vector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& candidates) {
+    std::vector<char> taken(static_cast<std::size_t>(work_.mesh.triangle_count()), 0);
+    std::vector<RemovalPlan> result;
+    std::vector<int> later;
+    CancelPace pace(work_.progress);
+    for (const int v : candidates) {
+        pace.step();
+        auto plan = plan_for(v);
+        if (!plan) {
+            continue;
+        }
+        std::vector<int> triangles;
+        for (const StarPolygon& polygon : plan->polygons) {
+            triangles.insert(triangles.end(), polygon.triangles.begin(), polygon.triangles.end());
+        }
+        std::vector<int> sorted = triangles;
+        std::sort(sorted.begin(), sorted.end());
+        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+            continue;  // both sides of a seam use the same triangle
+        }
+        if (std::any_of(triangles.begin(), triangles.end(),
+                        [&](int t) { return taken[static_cast<std::size_t>(t)]; })) {
+            later.push_back(v);
+            continue;
+        }
+        for (const int t : triangles) {
+            taken[static_cast<std::size_t>(t)] = 1;
+        }
+        result.push_back(std::move(*plan));
+    }
+    candidates = std::move(later);
+    return result;
+}
+
+// Adds queries for the joined segment, and for inner edges and triangles of the fans.
+void VertexRemoval::add_new(const RemovalPlan& plan, geometry::Engine::Batch& batch) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
+        const int face = mesh.face_of(plan.polygons[k].triangles.front());
+        const int apex = plan.fans[k].apex_site;
+        for (const int end : spokes_of(plan.polygons[k], apex)) {
+            add_edge_probes(work_, face, mesh.site(apex), mesh.site(end), batch);
+        }
+        for (const auto& t : plan.fans[k].triangles) {
+            add_triangle_probe(work_, face, mesh.site(t[0]), mesh.site(t[1]), mesh.site(t[2]), batch);
+        }
+    }
+    if (plan.near >= 0) {
+        const ClassifiedMesh::Segment& near = mesh.segment(plan.near);
+        const ClassifiedMesh::Segment& far = mesh.segment(plan.far);
+        add_segment_probes(work_, near.edge, {mesh.vertex(near.vertices[0]).point, near.t[0]},
+                           {mesh.vertex(far.vertices[1]).point, far.t[1]}, batch);
+    }
+}
+
+// Adds queries for the present edges at the vertex, if there is no tolerance.
+void VertexRemoval::add_old(const RemovalPlan& plan, geometry::Engine::Batch& batch) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    for (const StarPolygon& polygon : plan.polygons) {
+        for (const int t : sizing_.tolerance > 0.0 ? std::vector<int>() : polygon.triangles) {
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (mesh.vertex_of(h) == plan.vertex) {
+                    add_edge_probe(work_, mesh.face_of(t), mesh.site(mesh.site_of(h)),
+                                   mesh.site(mesh.site_of(ClassifiedMesh::next(h))), 0.5, batch);
+                }
+            }
+        }
+    }
+}
+
+// Returns the backward distance to the joined segment and to the triangles of the fans, mm.
+double VertexRemoval::way_back_to_new(const RemovalPlan& plan) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    double farthest = 0.0;
+    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
+        const int face = mesh.face_of(plan.polygons[k].triangles.front());
+        for (const auto& t : plan.fans[k].triangles) {
+            farthest =
+                std::max(farthest, backward_distance(work_, face, mesh.site(t[0]), mesh.site(t[1]), mesh.site(t[2])));
+        }
+    }
+    if (plan.near >= 0) {
+        const ClassifiedMesh::Segment& near = mesh.segment(plan.near);
+        const ClassifiedMesh::Segment& far = mesh.segment(plan.far);
+        const BackwardDistance back =
+            backward_distance(work_, near.edge, {mesh.vertex(near.vertices[0]).point, near.t[0]},
+                              {mesh.vertex(far.vertices[1]).point, far.t[1]});
+        farthest = std::max(farthest, back.distance);
+    }
+    return farthest;
+}
+
+// By plan: whether everything new in it keeps the tolerance.
+std::vector<char> VertexRemoval::within_tolerance(const std::vector<RemovalPlan>& plans) {
+    geometry::Engine::Batch batch;
+    // By plan: where queries for present pieces begin in the batch, where those for new ones begin, and their end.
+    std::vector<std::array<std::size_t, 3>> parts;
+    for (const RemovalPlan& plan : plans) {
+        const std::size_t old_from = batch.size();
+        add_old(plan, batch);
+        const std::size_t new_from = batch.size();
+        add_new(plan, batch);
+        parts.push_back({old_from, new_from, batch.size()});
+    }
+    const geometry::Engine::Answers answers = work_.session.ask(std::move(batch));
+    std::vector<char> good(plans.size(), 1);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        double allowed = std::max(kNear * sizing_.tolerance, kExact * work_.grid.resolution());
+        for (std::size_t k = parts[i][0]; k < parts[i][1]; ++k) {
+            allowed = answers[k].found() ? std::max(allowed, answers[k].distance) : allowed;
+        }
+        for (std::size_t k = parts[i][1]; k < parts[i][2]; ++k) {
+            good[i] = good[i] != 0 && answers[k].found() && answers[k].distance <= allowed ? 1 : 0;
+        }
+        if (sizing_.tolerance > 0.0 && good[i] != 0 && way_back_to_new(plans[i]) > allowed) {
+            good[i] = 0;
+        }
+    }
+    return good;
+}
+
+// A neighbouring removal may have created one of its edges.
+bool VertexRemoval::is_valid(const RemovalPlan& plan) const {
+    if (plan.near >= 0 && !can_be_joined(plan.near, plan.far)) {
+        return false;
+    }
+    std::size_t i = 0;
+    for (const StarPolygon& polygon : plan.polygons) {
+        for (const int t : polygon.triangles) {
+            if (work_.mesh.gone(t) || work_.mesh.stamp(t) != plan.stamps[i++]) {
+                return false;
+            }
+        }
+    }
+    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
+        if (!fan_legal(work_.mesh, work_.maxmin, plan.polygons[k], plan.fans[k].apex_site)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// @param around  receives the vertices of the changed triangles.
+void VertexRemoval::apply(const RemovalPlan& plan, std::vector<int>& around) {
+    std::vector<ClassifiedMesh::CavityFill> refills;
+    std::vector<int> removed;
+    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
+        const std::vector<int>& triangles = plan.polygons[k].triangles;
+        refills.push_back({triangles, plan.fans[k].triangles, plan.polygons[k].base});
+        removed.insert(removed.end(), triangles.begin(), triangles.end());
+    }
+    const std::optional<Exemption> reason = withdraw_exemptions(work_, removed);
+    half_edge_of_[static_cast<std::size_t>(plan.vertex)] = -1;
+    std::vector<int> added;
+    if (plan.near < 0) {
+        added = work_.maxmin.replace(refills[0].removed, refills[0].added);
+    } else {
+        added = work_.maxmin.join_segments(plan.near, plan.far, refills);
+        segments_at_[static_cast<std::size_t>(work_.mesh.segment(plan.near).vertices[1])][0] = plan.near;
+    }
+    restore_exemptions(work_, added, bound_, reason);
+    for (const int t : added) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            half_edge_of_[static_cast<std::size_t>(work_.mesh.vertex_of(h))] = h;
+            around.push_back(work_.mesh.vertex_of(h));
+        }
+    }
+}
+
+bool VertexRemoval::run() {
+    if (sizing_.growth > 0.0) {
+        return false;  // longer edges would have to satisfy the growth bounds of all neighbours
+    }
+    find_places();
+    std::vector<int> candidates;
+    for (int v = work_.mesh.vertex_count() - 1; v >= first_vertex_; --v) {
+        candidates.push_back(v);
+    }
+    bool changed = false;
+    for (int round = 0; round < kMaxRounds && !candidates.empty(); ++round) {
+        work_.progress.check();
+        const std::vector<RemovalPlan> found = plans(candidates);
+        const std::vector<char> good = within_tolerance(found);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            if (good[i] && is_valid(found[i])) {
+                apply(found[i], candidates);
+                changed = true;
+            }
+        }
+        std::sort(candidates.begin(), candidates.end(), std::greater<>());
+        candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+    }
+    close_gaps(work_);
+    return changed;
+}
+
+}  // namespace mq::triangulate

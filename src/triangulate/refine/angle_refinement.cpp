@@ -1,0 +1,443 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/refine/angle_refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.h"
+#include "triangulate/work_mesh/corner_classification.h"
+#include "triangulate/work_mesh/edges_angle.h"
+#include "triangulate/work_mesh/surface_alignment.h"
+#include "triangulate/work_mesh/triangle_measures.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+// Sites projected in one round: between kMinRound and kMaxRound, a fraction of the queue, so that the worst triangles
+// still come first. Tuned on the corpus.
+constexpr std::size_t kMaxRound = 512;
+constexpr std::size_t kMinRound = 32;    // Least number of sites in a round. Tuned on the corpus.
+constexpr std::size_t kPartOfQueue = 8;  // Divisor of the queue's length. Tuned on the corpus.
+constexpr int kMaxRetries = 6;           // Times that exempt triangles are tried again. Tuned on the corpus.
+// Insertions closer than the triangle's shortest edge in the ancestry of a vertex; see crowded(). Tuned on the corpus.
+constexpr int kMaxShrinks = 24;
+// Least distance of such an insertion as a fraction of the shortest edge. Tuned on the corpus.
+constexpr double kMaxShrink = 0.5;
+// Number of times the edges at one vertex are halved because the angle between their chords is smaller than theirs.
+// Tuned on the corpus.
+constexpr int kMaxSharpened = 16;
+// Fraction of the shape's size: at the tip of a wing the normal turns within the resolution, and triangles below this
+// size are not refined only because their normal deviates.
+constexpr double kMinTurned = 1e-3;
+
+}  // namespace
+
+AngleRefinement::AngleRefinement(Workspace& work, SegmentSplitter& segments, double min_angle_degrees,
+                                 Insertion insertion, double chord_height)
+    : work_(work),
+      segments_(segments),
+      bound_(min_angle_degrees * kDegree),
+      surely_enough_(sine_squared_above(bound_)),
+      insertion_(insertion),
+      apex_rings_(work, segments, bound_, chord_height),
+      turned_(work.settled),
+      looked_at_(work.settled) {}
+
+void AngleRefinement::push_if_bad(int triangle) {
+    const double aligned = alignment(work_.mesh, triangle);
+    if (aligned < kWellAligned && !turned_.marked(work_.mesh, triangle)) {
+        queue_.push({aligned - 2.0, triangle, work_.mesh.stamp(triangle)});
+        return;
+    }
+    if (squared_sine_of_smallest(work_.mesh, triangle) > surely_enough_) {
+        return;
+    }
+    const double angle = smallest_angle(work_.mesh, triangle).angle;
+    if (angle < bound_) {
+        queue_.push({angle, triangle, work_.mesh.stamp(triangle)});
+    }
+}
+
+void AngleRefinement::push_touched() {
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    for (const int t : touched_) {
+        looked_at_.mark(work_.mesh, t);
+        push_if_bad(t);
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const int s = work_.mesh.segment_of(h);
+            if (s >= 0 && segments_.encroached(s)) {
+                segments_.request(s);
+            }
+        }
+    }
+    touched_.clear();
+}
+
+// Triangles that have not changed since the last run are good, or known to be infeasible.
+void AngleRefinement::run() {
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        if (!looked_at_.marked(work_.mesh, t)) {
+            touched_.push_back(t);
+        }
+    }
+    int retries = 0;
+    std::optional<State> before;  // the last retry
+    for (;;) {
+        push_touched();
+        if (work_.over_budget()) {
+            break;
+        }
+        if (!segments_.idle()) {
+            segments_.run(touched_);
+        } else if (!refine_round()) {
+            if (++retries > kMaxRetries || before == state()) {
+                break;
+            }
+            before = state();
+            if (!retry_exempted()) {
+                break;
+            }
+        }
+    }
+    queue_ = {};
+    again_.clear();
+    if (work_.over_budget()) {
+        exempt_the_rest();
+    }
+}
+
+// Exempts the triangles that the budget left below the bound.
+void AngleRefinement::exempt_the_rest() {
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        work_.progress.check();
+        const Bad bad{smallest_angle(work_.mesh, t).angle, t, work_.mesh.stamp(t)};
+        if (bad.angle < bound_ && work_.exemption_of(t) == nullptr && !exempt_narrow_corner(bad)) {
+            exempt(bad, Cause::Budget);
+        }
+    }
+}
+
+// Edges that change get new numbers.
+AngleRefinement::State AngleRefinement::state() const {
+    return {static_cast<std::size_t>(work_.mesh.number_count()), segments_.tried(), segments_.floors().raises(),
+            apex_rings_.tried()};
+}
+
+// An exempt triangle may have a better neighbourhood by now, and swaps that align badly deviating triangles take
+// precedence over a small angle. The neighbourhood of triangles that an earlier run exempted is unchanged.
+bool AngleRefinement::retry_exempted() {
+    std::vector<int> stack;
+    for (auto it = work_.exempt.begin(); it != work_.exempt.end();) {
+        const bool final = it->second.cause == Cause::NarrowCorner || work_.settled.marked(work_.mesh, it->first);
+        if (final && it->second.stamp == work_.mesh.stamp(it->first)) {
+            ++it;
+            continue;
+        }
+        const int t = it->first;
+        touched_.push_back(t);
+        stack.insert(stack.end(), {3 * t, 3 * t + 1, 3 * t + 2});
+        it = work_.exempt.erase(it);
+    }
+    const bool any = !stack.empty();
+    work_.maxmin.restore(stack, touched_, kAlignedAtLast);
+    return any;
+}
+
+bool AngleRefinement::refine_round() {
+    work_.progress.check();
+    const std::vector<Job> jobs = take_jobs();
+    if (jobs.empty()) {
+        return !segments_.idle() || !queue_.empty() || !again_.empty() || !touched_.empty();
+    }
+    std::vector<Candidate> candidates;
+    for (const Job& job : jobs) {
+        candidates.push_back(job.candidate);
+    }
+    const auto points = surface_points(work_, candidates);
+    for (std::size_t i = 0; i < jobs.size() && !work_.over_budget(); ++i) {
+        if (work_.mesh.stamp(jobs[i].bad.triangle) == jobs[i].bad.stamp) {
+            work_on(jobs[i], points[i]);
+        }
+    }
+    segments_.floors().look(jobs.size());
+    return true;
+}
+
+std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
+    std::vector<Job> jobs;
+    jobs.swap(again_);
+    const std::size_t most = std::clamp<std::size_t>(queue_.size() / kPartOfQueue, kMinRound, kMaxRound);
+    while (!queue_.empty() && jobs.size() < most) {
+        const Bad bad = queue_.top();
+        queue_.pop();
+        if (work_.mesh.stamp(bad.triangle) != bad.stamp) {
+            continue;
+        }
+        if (bad.turned()) {
+            take_turned(bad, jobs);
+            continue;
+        }
+        if (exempt_narrow_corner(bad) || insert_apex_ring(bad)) {
+            continue;
+        }
+        int segment = -1;
+        if (const auto site = site_by_rule(bad.triangle, 0, segment)) {
+            jobs.push_back({bad, *site, 0});
+        } else {
+            handle_blocked(bad, segment);
+        }
+    }
+    return jobs;
+}
+
+std::optional<Candidate> AngleRefinement::site_by_rule(int triangle, int attempt, int& blocking_segment) const {
+    if ((attempt == 0) == (insertion_ == Insertion::Paper)) {
+        return paper_site(work_.mesh, triangle, blocking_segment);
+    }
+    return off_centre_site(work_.mesh, triangle, bound_);
+}
+
+// Each triangle is taken once: where splitting is refused it stays.
+void AngleRefinement::take_turned(const Bad& bad, std::vector<Job>& jobs) {
+    turned_.mark(work_.mesh, bad.triangle);
+    touched_.push_back(bad.triangle);
+    const int h = most_turned_side(work_.mesh, bad.triangle);
+    if (side_length(work_.mesh, h) < kMinTurned * work_.session.topology().box.largest_side()) {
+        return;
+    }
+    const int segment = work_.mesh.segment_of(h);
+    if (segment < 0) {
+        jobs.push_back({bad, edge_middle_site(work_.mesh, h), kLastAttempt});
+    } else if (narrowest_corner(work_.mesh, segment, 0).angle > kNarrowCorner &&
+               narrowest_corner(work_.mesh, segment, 1).angle > kNarrowCorner) {
+        segments_.request(segment);
+    }
+}
+
+// If the smallest angle lies between two segments that meet in its corner, it is an input angle of the shape: exempts
+// the triangle, or has the segments halved where only their chords are at fault. Returns whether it was one of both, or
+// the apex of a slender cone.
+bool AngleRefinement::exempt_narrow_corner(const Bad& bad) {
+    const int h = smallest_angle(work_.mesh, bad.triangle).half_edge;
+    if (slender_apex(h)) {
+        exempt(bad, Cause::Apex, work_.mesh.vertex_of(h));
+        return true;
+    }
+    const int segment = work_.mesh.segment_of(h);
+    if (segment < 0 || work_.mesh.segment_of(ClassifiedMesh::prev(h)) < 0) {
+        return false;
+    }
+    const int other = work_.mesh.segment_of(ClassifiedMesh::prev(h));
+    if (request_finer_chords(segment, other, work_.mesh.vertex_of(h))) {
+        segments_.request(segment, true);
+        segments_.request(other, true);
+        touched_.push_back(bad.triangle);
+    } else {
+        exempt(bad, Cause::NarrowCorner, work_.mesh.vertex_of(h), segment);
+    }
+    return true;
+}
+
+// The angle between chords of curved edges can be smaller than that between the edges, until the chords are short
+// enough: returns whether they are to be halved, and counts that.
+bool AngleRefinement::request_finer_chords(int a, int b, int vertex) {
+    if (segments_.refused(a) || segments_.refused(b) || sharpened_[vertex] >= kMaxSharpened) {
+        return false;
+    }
+    const auto angle = angle_between_edges(work_, a, b, vertex);
+    if (!angle) {
+        return false;
+    }
+    const auto chord = [&](int segment) {
+        const auto& ends = work_.mesh.segment(segment).vertices;
+        const int far = ends[0] == vertex ? ends[1] : ends[0];
+        return Vec3(work_.mesh.vertex(far).point - work_.mesh.vertex(vertex).point);
+    };
+    const double enclosed = angle_between(chord(a), chord(b));
+    if (*angle < kNarrowed * enclosed && (*angle < bound_ || enclosed >= bound_)) {
+        return false;
+    }
+    ++sharpened_[vertex];
+    return true;
+}
+
+// At the apex of a slender cone at least three triangles are needed, whose angles sum up to less than three times the
+// bound.
+bool AngleRefinement::slender_apex(int h) const {
+    constexpr std::size_t kLeast = 3;  // triangles; fewer do not surround a point
+    const auto fan = apex_fan(work_.mesh, h, kLeast);
+    return fan && fan->sum < static_cast<double>(kLeast) * bound_;
+}
+
+bool AngleRefinement::insert_apex_ring(const Bad& bad) {
+    if (insertion_ == Insertion::Paper ||
+        !apex_rings_.insert_ring(smallest_angle(work_.mesh, bad.triangle).half_edge, touched_)) {
+        return false;
+    }
+    touched_.push_back(bad.triangle);
+    return true;
+}
+
+// A vertex in such a triangle would become the end of a spoke between angles below the bound.
+bool AngleRefinement::divides_guarded_fan(const std::vector<int>& triangles) const {
+    return std::any_of(triangles.begin(), triangles.end(), [&](int t) {
+        const auto narrow = [&](int h) {
+            return segments_.is_apex_protected(h) && angle_at(work_.mesh, h) < 2.0 * bound_;
+        };
+        return narrow(3 * t) || narrow(3 * t + 1) || narrow(3 * t + 2);
+    });
+}
+
+// The obtuse angle faces a segment, so that its corner encroaches upon it. The triangle changes when the segment is
+// split.
+void AngleRefinement::handle_blocked(const Bad& bad, int segment) {
+    if (!split_instead(bad, {segment})) {
+        give_up({bad, {}, kLastAttempt}, Cause::Crowded, {segment});
+    }
+}
+
+bool AngleRefinement::split_instead(const Bad& bad, const std::vector<int>& segments) {
+    bool any = false;
+    for (const int s : segments) {
+        if (segments_.may_split(s)) {
+            segments_.request(s);
+            any = true;
+        }
+    }
+    if (any) {  // the triangle may still exist afterwards
+        touched_.push_back(bad.triangle);
+    }
+    return any;
+}
+
+// A site that encroaches only upon segments that cannot be split may still be inserted, unless it would form a
+// triangle with too large an angle over one of them.
+bool AngleRefinement::flattens_segment(const std::vector<int>& segments, const Vec3& p) const {
+    return std::any_of(segments.begin(), segments.end(), [&](int s) { return segments_.in_diametral_lens(s, p); });
+}
+
+void AngleRefinement::work_on(const Job& job, const std::optional<SurfacePoint>& p) {
+    if (!p) {
+        give_up(job, Cause::NoSurfacePoint);
+        return;
+    }
+    const Location place = locate(work_.mesh, job.candidate.triangle, *p);
+    if (place.segment >= 0) {
+        if (!split_instead(job.bad, {place.segment})) {
+            give_up(job, Cause::Crowded, {place.segment});
+        }
+        return;
+    }
+    if (place.triangle < 0) {
+        give_up(job, Cause::Fold);
+        return;
+    }
+    if (const int corner = narrow_corner_of(work_.mesh, place.triangle); corner >= 0) {
+        give_up(job, Cause::NarrowCluster, {work_.mesh.segment_of(corner)});
+        return;
+    }
+    const Surroundings around = look_around(work_.mesh, place.triangle, p->point);
+    if (divides_guarded_fan(around.triangles)) {
+        give_up(job, Cause::Crowded);
+        return;
+    }
+    if (split_instead(job.bad, around.encroached)) {
+        return;
+    }
+    if (flattens_segment(around.encroached, p->point)) {
+        give_up(job, Cause::Crowded, around.encroached);
+        return;
+    }
+    if (around.nearest < segments_.floors().of(work_.mesh.face_of(place.triangle))) {
+        give_up(job, around.nearest < work_.shortest_allowed() ? work_.too_short() : Cause::FaceFloorRaised);
+        return;
+    }
+    int shrinks = 0;
+    if (crowded(job.bad.triangle, around.nearest, shrinks)) {
+        give_up(job, Cause::Crowded);
+        return;
+    }
+    const int vertices = work_.mesh.vertex_count();
+    if (const auto refused = insert_vertex(work_, place.triangle, *p, touched_)) {
+        if (*refused != Cause::Budget) {
+            give_up(job, *refused);
+        }
+        return;
+    }
+    remember_shrinks(vertices, shrinks);
+    // The site was inserted elsewhere; the triangle is tried again.
+    if (work_.mesh.stamp(job.bad.triangle) == job.bad.stamp) {
+        touched_.push_back(job.bad.triangle);
+    }
+}
+
+// In a Delaunay triangulation a circumcentre is at least 1 / (2 sin 25) = 1.18 shortest edges away from every vertex.
+// Here that can fail, by the paper's rule for obtuse triangles and by the surface's curvature, and edges would shrink
+// from one insertion to the next. For termination, the number of such steps in the ancestry of a vertex is limited.
+bool AngleRefinement::crowded(int triangle, double nearest, int& shrinks) const {
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const std::size_t v = work_.mesh.vertex_of(h);
+        shrinks = std::max<int>(shrinks, v < work_.shrinks.size() ? work_.shrinks[v] : 0);
+    }
+    const double shortest = side_length(work_.mesh, shortest_side(work_.mesh, triangle));
+    if (nearest >= shortest) {
+        return false;
+    }
+    ++shrinks;
+    return shrinks > kMaxShrinks || nearest < kMaxShrink * shortest;
+}
+
+void AngleRefinement::remember_shrinks(int first_vertex, int shrinks) {
+    work_.shrinks.resize(work_.mesh.vertex_count(), 0);
+    std::fill(work_.shrinks.begin() + first_vertex, work_.shrinks.end(), static_cast<std::uint8_t>(shrinks));
+}
+
+void AngleRefinement::give_up(const Job& job, Cause cause, const std::vector<int>& segments) {
+    if (job.bad.turned()) {
+        return;
+    }
+    const int h = longest_side(work_.mesh, job.bad.triangle);
+    const int segment = work_.mesh.segment_of(h);
+    int blocking = -1;
+    const auto other = job.attempt == 0 ? site_by_rule(job.bad.triangle, 1, blocking) : std::nullopt;
+    if (other) {
+        again_.push_back({job.bad, *other, 1});
+    } else if (job.attempt < kLastAttempt && segment < 0) {
+        again_.push_back({job.bad, edge_middle_site(work_.mesh, h), kLastAttempt});
+    } else if (job.attempt == kLastAttempt || !split_instead(job.bad, {segment})) {
+        exempt_for(job.bad, cause, segments.empty() && segment >= 0 ? std::vector<int>{segment} : segments);
+    }
+}
+
+// Names the blocking segments, and the small input angle if one of them must not be split because of it.
+void AngleRefinement::exempt_for(const Bad& bad, Cause cause, const std::vector<int>& segments) {
+    for (const int s : segments) {
+        int corner = -1;
+        if (segments_.is_terminal(s, &corner)) {
+            exempt(bad, Cause::NarrowCluster, corner, s);
+            return;
+        }
+        if (const auto obstacle = segments_.obstacle(s)) {
+            exempt(bad, *obstacle, -1, s);
+            return;
+        }
+    }
+    const int corner = segments_.narrow_corner_near(work_.mesh.point_of(3 * bad.triangle));
+    if (corner >= 0 && cause != work_.too_short() && cause != Cause::FaceFloorRaised) {
+        exempt(bad, Cause::NarrowCluster, corner, segments.empty() ? -1 : segments.front());
+        return;
+    }
+    if (cause == Cause::NarrowCluster) {  // blocked by a corner that may still be split
+        cause = Cause::Crowded;
+    }
+    exempt(bad, cause, -1, segments.empty() ? -1 : segments.front());
+}
+
+void AngleRefinement::exempt(const Bad& bad, Cause cause, int vertex, int segment) {
+    const int edge = segment >= 0 ? work_.mesh.segment(segment).edge : -1;
+    work_.exempt[bad.triangle] = {cause, vertex, edge, bad.stamp};
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/refine/chord_refinement.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/angle.h"
+#include "triangulate/work_mesh/gradation.h"
+#include "triangulate/work_mesh/triangle_measures.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+constexpr int kMaxRounds = 60;  // Bounds the rounds of splitting. Tuned on the corpus.
+// Edges around one vertex differ: the longest edge of triangles with good angles, in local sizes. Tuned on the corpus.
+constexpr double kLongestOfItsSize = 1.6;
+
+// Returns the angle between the surface normals at the ends, radians; 0 where there is no normal.
+double turn_along(const ClassifiedMesh& mesh, int h) {
+    return angle_between(mesh.site(mesh.site_of(h)).normal, mesh.site(mesh.site_of(ClassifiedMesh::next(h))).normal);
+}
+
+// Returns the versions of the two triangles beside an edge, independent of the half-edge's side.
+std::array<std::uint32_t, 2> stamps_beside(const ClassifiedMesh& mesh, int h) {
+    const int first = std::min(h, mesh.twin(h));
+    return {mesh.stamp(first / 3), mesh.stamp(mesh.twin(first) / 3)};
+}
+
+// Sorts indices instead of sites, which are several times as large.
+template <typename Site>
+std::vector<Site> worst_first(const std::vector<Site>& sites) {
+    std::vector<std::pair<double, std::size_t>> order;
+    order.reserve(sites.size());
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        order.emplace_back(-sites[i].excess, i);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<Site> sorted;
+    sorted.reserve(sites.size());
+    for (const auto& [excess, i] : order) {
+        sorted.push_back(sites[i]);
+    }
+    return sorted;
+}
+
+}  // namespace
+
+double ChordRefinement::excess_of_edge(double chord, int half_edge) const {
+    double worst = excess(chord);
+    if (sizing_.bounds.any()) {
+        worst = std::max(worst, side_length(work_.mesh, half_edge) / sizing_.bounds.of(work_.mesh, half_edge));
+    }
+    return sizing_.turn > 0.0 ? std::max(worst, turn_along(work_.mesh, half_edge) / sizing_.turn) : worst;
+}
+
+// Returns the angles by which the curve, and the surfaces beside it, turn along segments, radians.
+std::vector<double> ChordRefinement::turns_of(const std::vector<int>& segments) {
+    std::vector<double> turns(segments.size(), 0.0);
+    if (!(sizing_.turn > 0.0)) {
+        return turns;
+    }
+    geometry::Engine::Batch batch;
+    for (const int s : segments) {
+        for (const double t : work_.mesh.segment(s).t) {
+            batch.push_back(geometry::Query::edge_point(work_.mesh.segment(s).edge, t));
+        }
+    }
+    const geometry::Engine::Answers ends = work_.session.ask(std::move(batch));
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        turns[i] = angle_between(ends[2 * i].normal, ends[2 * i + 1].normal);
+        for (const ClassifiedMesh::SegmentUse& use : work_.mesh.segment(segments[i]).uses) {
+            turns[i] = std::max(turns[i], turn_along(work_.mesh, use.half_edge));
+        }
+    }
+    return turns;
+}
+
+void ChordRefinement::measure_segments(std::vector<Site>& found) {
+    std::vector<int> segments;
+    std::vector<int> sides;
+    for (int s = 0; s < work_.mesh.segment_count(); ++s) {
+        const auto& uses = work_.mesh.segment(s).uses;
+        if (!uses.empty() && !segments_.refused(s) && !passed_.marked(work_.mesh, uses[0].half_edge)) {
+            segments.push_back(s);
+            sides.push_back(uses[0].half_edge);
+        }
+    }
+    const std::vector<Distance> distances = sizing_.tolerance > 0.0 ? measure_.of_segments(segments, sizing_.tolerance)
+                                                                    : std::vector<Distance>(segments.size());
+    const std::vector<double> turns = turns_of(segments);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        double e = excess_of_edge(distances[i].avoidable, sides[i]);
+        e = sizing_.turn > 0.0 ? std::max(e, turns[i] / sizing_.turn) : e;
+        if (e > 1.0) {
+            found.push_back({sides[i], 0, e, {}});
+        } else {
+            passed_.mark(work_.mesh, sides[i]);
+        }
+    }
+}
+
+void ChordRefinement::measure_edges(std::vector<Site>& found) {
+    std::vector<int> edges;
+    CancelPace pace(work_.progress);
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        pace.step();
+        if (edges_passed_.marked(work_.mesh, t)) {
+            continue;
+        }
+        bool all_passed = true;
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            if (work_.mesh.twin(h) < 0 || passed_.marked(work_.mesh, h)) {
+                continue;
+            }
+            all_passed = false;
+            if (work_.mesh.twin(h) > h && !refused(h)) {
+                edges.push_back(h);
+            }
+        }
+        if (all_passed) {
+            edges_passed_.mark(work_.mesh, t);
+        }
+    }
+    const std::vector<Distance> distances =
+        sizing_.tolerance > 0.0 ? measure_.of_edges(edges, sizing_.tolerance) : std::vector<Distance>(edges.size());
+    const auto last_foot = measure_.projections_of_far_midpoints().end();
+    auto foot = sizing_.tolerance > 0.0 ? measure_.projections_of_far_midpoints().begin() : last_foot;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        pace.step();
+        const int h = edges[i];
+        const double e = excess_of_edge(distances[i].avoidable, h);
+        if (!(e > 1.0)) {
+            passed_.mark(work_.mesh, h);
+            continue;
+        }
+        found.push_back({h, work_.mesh.stamp(h / 3), e, edge_middle_site(work_.mesh, h)});
+        foot = std::find_if(foot, last_foot, [&](const ChordErrorCache::SurfaceProjection& f) { return f.index >= i; });
+        if (foot != last_foot && foot->index == i) {
+            found.back().surface_point = surface_point(work_, found.back().candidate, foot->nearest);
+        }
+    }
+}
+
+void ChordRefinement::measure_triangles(std::vector<Site>& found) {
+    std::vector<int> triangles;
+    CancelPace pace(work_.progress);
+    for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
+        pace.step();
+        if (!measured_.marked(work_.mesh, t)) {
+            triangles.push_back(t);
+        }
+    }
+    const std::vector<Distance> distances = measure_.of_triangles(triangles, sizing_.tolerance);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const int t = triangles[i];
+        const double e = excess(distances[i].avoidable);
+        const std::optional<int> h = e > 1.0 ? side_to_split(t) : std::nullopt;
+        if (h) {
+            found.push_back({*h, work_.mesh.stamp(t), e, edge_middle_site(work_.mesh, *h)});
+        } else {
+            measured_.mark(work_.mesh, t);
+        }
+    }
+}
+
+// Returns the longest side that can be split.
+std::optional<int> ChordRefinement::side_to_split(int triangle) const {
+    std::optional<int> best;
+    for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
+        const int s = work_.mesh.segment_of(h);
+        const bool possible = s >= 0 ? !segments_.refused(s) : !refused(h);
+        if (possible && (!best || side_length(work_.mesh, h) > side_length(work_.mesh, *best))) {
+            best = h;
+        }
+    }
+    return best;
+}
+
+// Whether the edge could not be split, as long as the triangles beside it do not change.
+bool ChordRefinement::refused(int half_edge) const {
+    const auto found = refused_.find(work_.mesh.number_of(half_edge));
+    return found != refused_.end() && found->second == stamps_beside(work_.mesh, half_edge);
+}
+
+void ChordRefinement::refuse(int half_edge) {
+    refused_[work_.mesh.number_of(half_edge)] = stamps_beside(work_.mesh, half_edge);
+}
+
+void ChordRefinement::measure_growth(std::vector<Site>& found) {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const std::vector<double> sizes = graded_sizes(mesh, sizing_.growth);
+    const auto check = [&](int h) {
+        const double size = std::max(sizes[mesh.vertex_of(h)], sizes[mesh.vertex_of(ClassifiedMesh::next(h))]);
+        const double e = side_length(mesh, h) / (kLongestOfItsSize * size);
+        if (e > 1.0) {
+            found.push_back({h, mesh.stamp(h / 3), e, edge_middle_site(mesh, h)});
+        }
+    };
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        if (!mesh.segment(s).uses.empty() && !segments_.refused(s)) {
+            check(mesh.segment(s).uses.front().half_edge);
+        }
+    }
+    for (int h = 0; h < mesh.half_edge_count(); ++h) {
+        if (mesh.twin(h) > h && !refused(h)) {
+            check(h);
+        }
+    }
+}
+
+std::vector<ChordRefinement::Site> ChordRefinement::violations() {
+    std::vector<Site> found;
+    measure_segments(found);
+    if (found.empty()) {
+        measure_edges(found);
+    }
+    if (found.empty() && sizing_.tolerance > 0.0) {
+        measure_triangles(found);
+    }
+    if (found.empty() && sizing_.growth > 0.0) {
+        measure_growth(found);
+    }
+    return worst_first(found);
+}
+
+bool ChordRefinement::run() {
+    changed_ = false;
+    for (int round = 0; round < kMaxRounds && !work_.over_budget(); ++round) {
+        work_.progress.check();
+        const int before = work_.mesh.triangle_count();
+        const std::vector<Site> sites = violations();
+        work_.progress.check();
+        if (sites.empty()) {
+            break;
+        }
+        split(sites);
+        if (work_.mesh.triangle_count() == before) {
+            break;
+        }
+        changed_ = true;
+    }
+    return changed_;
+}
+
+void ChordRefinement::split(const std::vector<Site>& sites) {
+    std::vector<const Site*> inner;
+    for (const Site& site : sites) {
+        const int s = work_.mesh.segment_of(site.half_edge);
+        if (s >= 0) {
+            segments_.request(s, true);
+        } else {
+            inner.push_back(&site);
+        }
+    }
+    const auto points = surface_points_of(inner);
+    CancelPace pace(work_.progress);
+    for (std::size_t i = 0; i < inner.size() && !work_.over_budget(); ++i) {
+        pace.step();
+        split_one(*inner[i], points[i]);
+    }
+    segments_.run(touched_);
+    touched_.clear();
+}
+
+// Projects the candidates whose surface points are not known.
+std::vector<std::optional<SurfacePoint>> ChordRefinement::surface_points_of(const std::vector<const Site*>& sites) {
+    std::vector<Candidate> unknown;
+    for (const Site* site : sites) {
+        if (!site->surface_point) {
+            unknown.push_back(site->candidate);
+        }
+    }
+    const auto asked = surface_points(work_, unknown);
+    auto next = asked.begin();
+    std::vector<std::optional<SurfacePoint>> result;
+    result.reserve(sites.size());
+    for (const Site* site : sites) {
+        result.push_back(site->surface_point ? site->surface_point : *next++);
+    }
+    return result;
+}
+
+void ChordRefinement::split_one(const Site& site, const std::optional<SurfacePoint>& p) {
+    const int h = site.half_edge;
+    if (work_.mesh.stamp(h / 3) != site.stamp || work_.mesh.twin(h) < 0) {
+        return;
+    }
+    if (!p) {
+        refuse(h);
+        return;
+    }
+    bool split_segment = false;
+    for (const int s : look_around(work_.mesh, h / 3, p->point).encroached) {
+        if (segments_.may_split(s)) {
+            segments_.request(s);
+            split_segment = true;
+        }
+    }
+    if (!split_segment && insert_vertex(work_, h / 3, *p, touched_, kAlignedAtLast)) {
+        refuse(h);
+    }
+}
+
+}  // namespace mq::triangulate

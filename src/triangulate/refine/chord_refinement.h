@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "triangulate/measure/chord_error.h"
+#include "triangulate/operators/vertex_insertion.h"
+#include "triangulate/refine/segment_splitter.h"
+#include "triangulate/work_mesh/element_marks.h"
+#include "triangulate/work_mesh/size_bounds.h"
+
+namespace mq::triangulate {
+
+/// Algorithm E (Aftosmis 1999, section 3.5): splits edges until none deviates from the CAD model by more than the
+/// chord tolerance, or is longer than the other bounds allow. See ChordErrorCache for where distances are measured.
+class ChordRefinement {
+  public:
+    ChordRefinement(Workspace& work, SegmentSplitter& segments, ChordErrorCache& measure, const Sizing& sizing)
+        : work_(work), segments_(segments), measure_(measure), sizing_(sizing) {}
+
+    /// @return whether anything was split.
+    bool run();
+
+  private:
+    struct Site {
+        int half_edge;
+        std::uint32_t stamp;
+        double excess;  // ratio of the measured value to its bound
+        Candidate candidate;
+        std::optional<SurfacePoint> surface_point{};  // surface point of the candidate, if known already
+    };
+    std::vector<Site> violations();
+    void measure_segments(std::vector<Site>& found);
+    void measure_edges(std::vector<Site>& found);
+    void measure_triangles(std::vector<Site>& found);
+    std::optional<int> side_to_split(int triangle) const;
+    bool refused(int half_edge) const;
+    void refuse(int half_edge);
+    void measure_growth(std::vector<Site>& found);
+    double excess(double chord) const { return sizing_.tolerance > 0.0 ? chord / sizing_.tolerance : 0.0; }
+    double excess_of_edge(double chord, int half_edge) const;
+    std::vector<double> turns_of(const std::vector<int>& segments);
+    void split(const std::vector<Site>& sites);
+    std::vector<std::optional<SurfacePoint>> surface_points_of(const std::vector<const Site*>& sites);
+    void split_one(const Site& site, const std::optional<SurfacePoint>& p);
+
+    Workspace& work_;
+    SegmentSplitter& segments_;
+    ChordErrorCache& measure_;
+    const Sizing& sizing_;
+    EdgeMarks passed_;            // within all bounds
+    TriangleMarks edges_passed_;  // triangles whose edges are all within their bounds
+    TriangleMarks measured_;      // triangles within the tolerance, or that cannot be split
+    using Stamps = std::array<std::uint32_t, 2>;
+    // Edges that could not be split, by number, and the versions of the triangles beside them.
+    std::map<int, Stamps> refused_;
+    std::vector<int> touched_;
+    bool changed_ = false;
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "triangulate/work_mesh/workspace.h"
+
+namespace mq::triangulate {
+
+/// The least distance between vertices that refinement for angles inserts, by face.
+///
+/// Where a surface has a singular point inside a face, or a face is narrower than the resolution of single precision,
+/// no triangulation has good angles: triangles become exempt at the resolution, and their neighbourhood is refined to
+/// their size, which takes millions of triangles. So the more triangles of a face are exempt for lack of room, the
+/// larger is the least distance on it.
+class FaceSizeFloors {
+  public:
+    explicit FaceSizeFloors(const Workspace& work);
+
+    /// Returns the least distance on a face, mm; `Workspace::shortest_allowed` unless it was raised.
+    double of(int face) const;
+    /// Whether halves of a segment of this length (mm) would be shorter than a raised floor of the faces beside it.
+    bool too_short_to_split(int segment, double length) const;
+    /// Counts `added` further insertions; checks the exempt triangles if enough were made, and raises floors.
+    void look(std::size_t added);
+    /// Returns how often any floor was raised.
+    std::size_t raises() const { return raises_; }
+
+  private:
+    struct Raised {
+        double factor = 1.0;
+        std::size_t most = 0;  // exempt triangles before it is raised again
+    };
+
+    const Workspace& work_;
+    std::map<int, Raised> raised_;  // by face
+    std::size_t added_ = 0;         // insertions since the last check
+    std::size_t raises_ = 0;
+};
+
+}  // namespace mq::triangulate

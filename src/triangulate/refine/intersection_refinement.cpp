@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/refine/intersection_refinement.h"
+
+#include <algorithm>
+
+#include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/work_mesh/corner_classification.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Query;
+
+// Depth of a crossing in heights of both triangles over their surfaces: deeper crossings are not caused by chords.
+constexpr double kDeeper = 2.0;
+// The triangle whose side is higher over its surface is split, and the other one if its height is at least this
+// fraction. Tuned on the corpus.
+constexpr double kAsHigh = 0.5;
+// Sides with a smaller height over the surface, in resolutions of single precision, count as exact.
+constexpr double kExact = 4.0;
+
+}  // namespace
+
+// Overlapping triangles of one face with the same orientation are a fold, which chords do not cause. (The same holds
+// for coarse layers of a face that is rolled up: these are kept, and reported.)
+bool IntersectionRefinement::folded(const std::array<int, 2>& pair) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    return mesh.face_of(pair[0]) == mesh.face_of(pair[1]) &&
+           doubled_area(mesh, pair[0]).dot(doubled_area(mesh, pair[1])) > 0.0;
+}
+
+std::vector<IntersectionRefinement::Crossing> IntersectionRefinement::crossings() {
+    const Pairs& pairs = finder_.pairs();
+    const std::map<int, Side> highest = highest_sides(pairs);
+    std::vector<Crossing> result;
+    for (const auto& pair : pairs) {
+        const std::array<Side, 2> sides{highest.at(pair[0]), highest.at(pair[1])};
+        const bool by_chords = !folded(pair) && finder_.depth(pair) <= kDeeper * (sides[0].height + sides[1].height) +
+                                                                           work_.grid.resolution();
+        result.push_back({pair, sides, by_chords});
+    }
+    return result;
+}
+
+// Marks pairs of faces of which most crossings are deeper than chords explain: there the shape's own faces cross.
+void IntersectionRefinement::judge(const std::vector<Crossing>& crossings) {
+    std::map<SelfIntersections::Faces, int> balance;
+    for (const Crossing& crossing : crossings) {
+        balance[finder_.faces_of(crossing.pair)] += crossing.by_chords ? 1 : -1;
+    }
+    for (const auto& [faces, more] : balance) {
+        if (more < 0) {
+            of_the_part_.insert(faces);
+        }
+    }
+}
+
+// Returns the heights over their curves, mm, of segments of crossing triangles, except those that cannot be split.
+std::map<int, double> IntersectionRefinement::heights_of_segments(const Pairs& pairs) {
+    const ClassifiedMesh& mesh = work_.mesh;
+    std::map<int, double> heights;
+    for (const auto& pair : pairs) {
+        for (const int t : pair) {
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (const int s = mesh.segment_of(h); s >= 0 && !segments_.refused(s)) {
+                    heights[s] = 0.0;
+                }
+            }
+        }
+    }
+    geometry::Engine::Batch batch;
+    for (const auto& entry : heights) {
+        const ClassifiedMesh::Segment& piece = mesh.segment(entry.first);
+        const Vec3 middle = 0.5 * (mesh.vertex(piece.vertices[0]).point + mesh.vertex(piece.vertices[1]).point);
+        batch.push_back(Query::edge_nearest(piece.edge, work_.grid.to_part(middle), 0.5 * (piece.t[0] + piece.t[1]),
+                                            piece.t[0], piece.t[1]));
+    }
+    const geometry::Engine::Answers feet = work_.session.ask(std::move(batch));
+    auto foot = feet.begin();
+    for (auto& entry : heights) {
+        entry.second = foot->found() ? foot->distance : 0.0;
+        ++foot;
+    }
+    return heights;
+}
+
+// Returns the highest side of each crossing triangle.
+std::map<int, IntersectionRefinement::Side> IntersectionRefinement::highest_sides(const Pairs& pairs) {
+    const std::map<int, double> heights = heights_of_segments(pairs);
+    std::map<int, Side> result;
+    for (const auto& pair : pairs) {
+        for (const int t : pair) {
+            const auto [found, fresh] = result.try_emplace(t, Side{3 * t, -1.0});
+            for (int h = 3 * t; fresh && h < 3 * t + 3; ++h) {
+                const int s = work_.mesh.segment_of(h);
+                const auto known = heights.find(s);
+                const double height = s < 0                    ? edge_peak(work_.mesh, h).height
+                                      : known != heights.end() ? known->second
+                                                               : 0.0;
+                if (height > found->second.height) {
+                    found->second = {h, height};
+                }
+            }
+        }
+    }
+    return result;
+}
+
+void IntersectionRefinement::request(const Crossing& crossing, std::vector<Site>& sites) const {
+    const double higher = std::max(crossing.sides[0].height, crossing.sides[1].height);
+    for (int i = 0; i < 2; ++i) {
+        const Side& side = crossing.sides[i];
+        if (side.height >= kAsHigh * higher && side.height > kExact * work_.grid.resolution()) {
+            sites.push_back({side.half_edge, work_.mesh.stamp(crossing.pair[i])});
+        }
+    }
+}
+
+bool IntersectionRefinement::split(const std::vector<Site>& sites) {
+    std::vector<int> touched;
+    const int before = work_.mesh.triangle_count();
+    std::vector<Candidate> candidates;
+    for (const Site& site : sites) {
+        candidates.push_back(edge_middle_site(work_.mesh, site.half_edge));
+    }
+    const auto points = surface_points(work_, candidates);
+    for (std::size_t i = 0; i < sites.size() && !work_.over_budget(); ++i) {
+        const int h = sites[i].half_edge;
+        if (work_.mesh.stamp(h / 3) != sites[i].stamp) {
+            continue;
+        }
+        if (const int s = work_.mesh.segment_of(h); s >= 0) {
+            segments_.request(s, true);
+        } else if (points[i]) {
+            insert_vertex(work_, h / 3, *points[i], touched, kAlignedAtLast);
+        }
+    }
+    segments_.run(touched);
+    return work_.mesh.triangle_count() > before;
+}
+
+bool IntersectionRefinement::run() {
+    if (work_.over_budget()) {
+        return false;
+    }
+    const std::vector<Crossing> found = crossings();
+    judge(found);
+    std::vector<Site> sites;
+    for (const Crossing& crossing : found) {
+        if (crossing.by_chords && of_the_part_.count(finder_.faces_of(crossing.pair)) == 0) {
+            request(crossing, sites);
+        }
+    }
+    std::sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return a.half_edge < b.half_edge; });
+    sites.erase(std::unique(sites.begin(), sites.end(),
+                            [](const Site& a, const Site& b) { return a.half_edge == b.half_edge; }),
+                sites.end());
+    return !sites.empty() && split(sites);
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/refine/segment_splitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/predicates.h"
+#include "triangulate/operators/border_normals.h"
+#include "triangulate/operators/vertex_insertion.h"
+#include "triangulate/work_mesh/corner_classification.h"
+#include "triangulate/work_mesh/surface_alignment.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+using geometry::Answer;
+using geometry::Query;
+
+// Distance from a node, in radii of its innermost shell, within which vertices count as obstructed by its small angle.
+// Tuned on the corpus.
+constexpr double kBesideShell = 1.5;
+// Ratio of lengths up to which two pieces count as on one shell. Tuned on the corpus.
+constexpr double kSameShell = 1.1;
+// Least radius of the innermost shell in shortest lengths: any longer piece can be cut on a shell such that both parts
+// are long enough, so that all edges of a corner can follow.
+constexpr double kAboveFloor = 2.6;
+constexpr double kOnShell = 1.01;  // tolerance of the intersection of a curve with a shell
+// Least alignment (a cosine) of the new triangles: below it they count as folded. Tuned on the corpus.
+constexpr double kNotFolded = 0.1;
+constexpr int kMaxPostponed = 12;  // Times a segment is postponed for the sake of another one. Tuned on the corpus.
+
+}  // namespace
+
+SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes)
+    : work_(work), floors_(work), guard_apexes_(guard_apexes), room_(measure_room(work.mesh)) {
+    for (double& radius : room_.innermost) {
+        radius = std::max(radius, kAboveFloor * work.shortest_allowed());
+    }
+}
+
+double SegmentSplitter::chord(int segment) const {
+    const auto& v = work_.mesh.segment(segment).vertices;
+    return (work_.mesh.vertex(v[1]).point - work_.mesh.vertex(v[0]).point).norm();
+}
+
+bool SegmentSplitter::encroached(int segment) const {
+    for (const ClassifiedMesh::SegmentUse& use : work_.mesh.segment(segment).uses) {
+        const int h = use.half_edge;
+        if (mq::encroached(work_.mesh.point_of(h), work_.mesh.point_of(ClassifiedMesh::next(h)),
+                           work_.mesh.point_of(ClassifiedMesh::prev(h)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
+    const NarrowCorner corners[2] = {narrowest_corner(work_.mesh, segment, 0),
+                                     narrowest_corner(work_.mesh, segment, 1)};
+    const int end = corners[1].angle < corners[0].angle ? 1 : 0;
+    if (corners[end].angle >= kAcuteCorner) {
+        return {};
+    }
+    const double innermost = room_.innermost[work_.mesh.segment(segment).vertices[end]];
+    const double shell = innermost * std::exp2(std::round(std::log2(0.5 * chord(segment) / innermost)));
+    // If the other edge at a small input angle is split more finely already, its innermost vertex determines the
+    // shell: a chord that ends farther out could cross that edge.
+    const double other = chord(corners[end].segment);
+    return {end, corners[end].angle < kNarrowCorner && other < 0.7 * chord(segment) ? std::min(shell, other) : shell};
+}
+
+bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
+    for (int end = 0; end < 2; ++end) {
+        const int v = work_.mesh.segment(segment).vertices[end];
+        if (v < static_cast<int>(room_.innermost.size()) && chord(segment) <= kOnShell * room_.innermost[v] &&
+            narrowest_corner(work_.mesh, segment, end).angle < kNarrowCorner) {
+            if (corner_vertex != nullptr) {
+                *corner_vertex = v;
+            }
+            return true;
+        }
+    }
+    return false;
+}
+
+int SegmentSplitter::narrow_corner_near(const Vec3& p) const {
+    for (const int v : room_.narrow_nodes) {
+        if ((work_.mesh.vertex(v).point - p).norm() <= kBesideShell * room_.innermost[v]) {
+            return v;
+        }
+    }
+    return -1;
+}
+
+bool SegmentSplitter::in_diametral_lens(int segment, const Vec3& p) const {
+    const auto& v = work_.mesh.segment(segment).vertices;
+    const Vec3 a = work_.mesh.vertex(v[0]).point - p;
+    const Vec3 b = work_.mesh.vertex(v[1]).point - p;
+    return a.dot(b) < -0.5 * a.norm() * b.norm();
+}
+
+bool SegmentSplitter::may_split(int segment) const {
+    return !obstacle(segment);
+}
+
+std::optional<Cause> SegmentSplitter::obstacle(int segment) const {
+    if (const auto found = refusals_.find(segment); found != refusals_.end()) {
+        return found->second;
+    }
+    if (is_terminal(segment)) {
+        return Cause::NarrowCluster;
+    }
+    for (const ClassifiedMesh::SegmentUse& use : work_.mesh.segment(segment).uses) {
+        if (is_apex_protected(use.half_edge) || is_apex_protected(ClassifiedMesh::next(use.half_edge))) {
+            return Cause::Crowded;
+        }
+    }
+    return floors_.too_short_to_split(segment, chord(segment)) ? std::optional(Cause::FaceFloorRaised) : std::nullopt;
+}
+
+bool SegmentSplitter::is_apex_protected(int h) const {
+    return guard_apexes_ && ringed_apex(work_.mesh, h) && !is_free(work_.mesh.vertex_of(h));
+}
+
+void SegmentSplitter::request_at(int segment, int end, double distance) {
+    asked_[segment] = {end, distance};
+    request(segment, true);
+}
+
+void SegmentSplitter::request(int segment, bool force) {
+    waiting_.resize(std::max<std::size_t>(waiting_.size(), work_.mesh.segment_count()), 0);
+    if (!waiting_[segment] && (force ? !refused(segment) : may_split(segment))) {
+        waiting_[segment] = 1;
+        pending_.push_back(segment);
+    }
+}
+
+bool SegmentSplitter::refused(int segment) const {
+    const auto found = refusals_.find(segment);
+    return found != refusals_.end() && (found->second != Cause::MinEdge || work_.too_short() == Cause::MinEdge);
+}
+
+void SegmentSplitter::run(std::vector<int>& touched) {
+    while (!pending_.empty() && !work_.over_budget()) {
+        work_.progress.check();
+        std::vector<int> now;
+        now.swap(pending_);
+        for (const int s : now) {
+            waiting_[s] = 0;
+        }
+        const std::size_t before = touched.size();
+        split_batch(now, touched);
+        request_encroached_around(std::vector<int>(touched.begin() + before, touched.end()));
+    }
+}
+
+void SegmentSplitter::request_encroached_around(const std::vector<int>& triangles) {
+    for (const int t : triangles) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const int s = work_.mesh.segment_of(h);
+            if (s >= 0 && encroached(s)) {
+                request(s);
+            }
+        }
+    }
+}
+
+Query SegmentSplitter::place_query(int segment) const {
+    const ClassifiedMesh::Segment& s = work_.mesh.segment(segment);
+    const auto asked = asked_.find(segment);
+    const Shell shell = asked != asked_.end() ? asked->second : shell_of(segment);
+    if (shell.end < 0) {
+        return Query::edge_middle(s.edge, s.t[0], s.t[1]);
+    }
+    return Query::edge_at_distance(s.edge, s.t[shell.end], s.t[1 - shell.end], shell.radius);
+}
+
+void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<int>& touched) {
+    tried_ += segments.size();
+    geometry::Engine::Batch batch;
+    for (const int s : segments) {
+        batch.push_back(place_query(s));
+    }
+    geometry::Engine::Answers places = work_.session.ask(std::move(batch));
+    geometry::Engine::Batch on_faces;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const ClassifiedMesh::Segment& s = work_.mesh.segment(segments[i]);
+        if (!places[i].found()) {  // a curve that leaves the shell and returns: it is split at its middle
+            places[i] = work_.session.ask(Query::edge_middle(s.edge, s.t[0], s.t[1]));
+        }
+        for (const ClassifiedMesh::SegmentUse& use : s.uses) {
+            on_faces.push_back(Query::use_on_face(use.use, places[i].t));
+        }
+    }
+    geometry::Engine::Answers answers = work_.session.ask(std::move(on_faces));
+    Answer* next = answers.data();
+    std::vector<int> halves;
+    for (std::size_t i = 0; i < segments.size() && !work_.over_budget(); ++i) {
+        const std::size_t uses = work_.mesh.segment(segments[i]).uses.size();
+        const Outcome outcome = split(segments[i], places[i], next, touched);
+        if (outcome == Outcome::Split) {
+            halves.insert(halves.end(), {segments[i], work_.mesh.segment_count() - 1});
+        } else if (outcome != Outcome::Later && asked_.count(segments[i]) == 0) {
+            refusals_[segments[i]] = outcome == Outcome::TooShort  ? work_.too_short()
+                                     : outcome == Outcome::NoPoint ? Cause::NoSurfacePoint
+                                                                   : Cause::Fold;
+        }
+        if (outcome != Outcome::Later) {
+            asked_.erase(segments[i]);
+        }
+        next += uses;
+    }
+    for (const int s : halves) {  // only after the loop, since their mates may have been among these segments
+        enforce_equal_shells(s);
+    }
+}
+
+void SegmentSplitter::enforce_equal_shells(int segment) {
+    if (!is_terminal(segment)) {
+        return;
+    }
+    for (int end = 0; end < 2; ++end) {
+        for (const NarrowCorner& corner : corners_at(work_.mesh, segment, end)) {
+            // Not if this piece would become the shorter one: the two would be split in turn without terminating.
+            if (corner.angle < kNarrowCorner && chord(corner.segment) > kSameShell * chord(segment) &&
+                kSameShell * shell_of(corner.segment).radius >= chord(segment)) {
+                request(corner.segment, true);
+            }
+        }
+    }
+}
+
+bool SegmentSplitter::on_curve(int segment, const Answer& place) const {
+    const ClassifiedMesh::Segment& s = work_.mesh.segment(segment);
+    return place.found() && place.t > std::min(s.t[0], s.t[1]) && place.t < std::max(s.t[0], s.t[1]);
+}
+
+bool SegmentSplitter::far_enough(int segment, const Vec3& point) const {
+    const ClassifiedMesh::Segment& s = work_.mesh.segment(segment);
+    const double least = work_.shortest_allowed();
+    return (point - work_.mesh.vertex(s.vertices[0]).point).norm() >= least &&
+           (point - work_.mesh.vertex(s.vertices[1]).point).norm() >= least;
+}
+
+// The new vertex lies beyond another segment: between two arcs whose chord errors are large against their distance,
+// one has to be split before the other.
+SegmentSplitter::Outcome SegmentSplitter::wait_for(int segment, int other) {
+    if (other < 0 || other == segment || refused(other) || ++postponed_[segment] > kMaxPostponed) {
+        return Outcome::Folds;
+    }
+    request(other, is_terminal(segment));
+    request(segment, is_terminal(segment));
+    return waiting_[other] != 0 ? Outcome::Later : Outcome::Folds;
+}
+
+// Returns the cavity of the new vertex on the face of one use. Where the normal reverses beside the border there is
+// none, until the vertex gets the normal slightly inside.
+InsertionCavity SegmentSplitter::cavity_for(int half_edge, const Vec3& point, Answer& on_face) const {
+    const ClassifiedMesh& mesh = work_.mesh;
+    const int triangle = ClassifiedMesh::triangle_of(half_edge);
+    const double least = std::min(kNotFolded, alignment(mesh, triangle));
+    InsertionCavity cavity = grow_cavity(mesh, half_edge, true, {point, on_face.normal}, least);
+    if (cavity.complete || !on_face.found()) {
+        return cavity;
+    }
+    const ClassifiedMesh::Site site{-1, Vec2(on_face.u, on_face.v), on_face.normal, point};
+    const auto inner = interior_normal(work_, mesh.face_of(triangle), site, inward_step(mesh, half_edge));
+    if (!inner) {
+        return cavity;
+    }
+    on_face.normal = *inner;
+    return grow_cavity(mesh, half_edge, true, {point, *inner}, least);
+}
+
+SegmentSplitter::Outcome SegmentSplitter::split(int segment, const Answer& place, Answer* on_faces,
+                                                std::vector<int>& touched) {
+    const Vec3 point = work_.grid.snap(place.point);
+    if (!far_enough(segment, point)) {
+        return Outcome::TooShort;
+    }
+    if (!on_curve(segment, place)) {
+        return Outcome::NoPoint;
+    }
+    std::vector<InsertionCavity> cavities;
+    std::set<int> taken;
+    for (std::size_t k = 0; k < work_.mesh.segment(segment).uses.size(); ++k) {
+        cavities.push_back(cavity_for(work_.mesh.segment(segment).uses[k].half_edge, point, on_faces[k]));
+        if (!on_faces[k].found() || !cavities.back().complete) {
+            return on_faces[k].found() ? wait_for(segment, cavities.back().segment) : Outcome::NoPoint;
+        }
+        for (const int t : cavities.back().triangles) {
+            if (!taken.insert(t).second) {
+                return Outcome::Folds;  // both sides of a seam need the same triangle
+            }
+        }
+    }
+    if (!work_.has_room(work_.mesh.segment(segment).uses.size())) {
+        return Outcome::Later;
+    }
+    insert(segment, place.t, point, on_faces, cavities, touched);
+    return Outcome::Split;
+}
+
+void SegmentSplitter::insert(int segment, double t, const Vec3& point, const Answer* on_faces,
+                             const std::vector<InsertionCavity>& cavities, std::vector<int>& touched) {
+    const std::size_t before = touched.size();
+    const std::vector<int> halves = split_at(work_, segment, t, point, on_faces);
+    touched.insert(touched.end(), halves.begin(), halves.end());
+    for (const InsertionCavity& cavity : cavities) {
+        for (const int g : cavity.outside) {
+            work_.maxmin.swap(g, touched);
+        }
+    }
+    work_.maxmin.restore_around(before, touched);
+}
+
+}  // namespace mq::triangulate

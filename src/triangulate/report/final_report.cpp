@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/report/final_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angle.h"
+#include "triangulate/measure/max_chord_error.h"
+#include "triangulate/measure/self_intersections.h"
+#include "triangulate/report/exemption_text.h"
+#include "triangulate/work_mesh/corner_classification.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+void report_exemptions(const Workspace& work, const Output& out, double bound, mesh::MeshReport& report) {
+    report.min_angle_unexempted = 180.0;
+    double beyond = 2.0;  // squared sine: larger angles are neither below the bound nor the smallest found
+    InfeasibleCorner forces(work, bound * kDegree);
+    CancelPace pace(work.progress);
+    for (std::size_t i = 0; i < out.source.size(); ++i) {
+        pace.step();
+        const int t = out.source[i];
+        if (squared_sine_of_smallest(work.mesh, t) > beyond) {
+            continue;
+        }
+        const double angle = smallest_angle(work.mesh, t).angle / kDegree;
+        static const Exemption kUnfinished{Cause::Budget, -1, -1, 0};
+        const Exemption* exemption = work.exemption_of(t);
+        if (exemption == nullptr && work.over_budget()) {
+            exemption = &kUnfinished;
+        }
+        if (angle < bound && exemption != nullptr) {
+            report.exempt.emplace_back(static_cast<std::int32_t>(i),
+                                       explain(work, forces, t, *exemption, bound * kDegree));
+        } else {
+            report.min_angle_unexempted = std::min(report.min_angle_unexempted, angle);
+            beyond = sine_squared_above(std::max(report.min_angle_unexempted, bound) * kDegree);
+        }
+    }
+}
+
+void report_spanning(const Workspace& work, const Output& out, mesh::MeshReport& report) {
+    for (std::size_t i = 0; i < out.source.size(); ++i) {
+        const auto found = work.spanning.find(out.source[i]);
+        if (found == work.spanning.end() || found->second.faces.size() < 2) {
+            continue;
+        }
+        std::vector<std::string> names;
+        for (const int face : found->second.faces) {
+            const std::string name = work.session.topology().name_of({2, face});
+            if (std::find(names.begin(), names.end(), name) == names.end()) {
+                names.push_back(name);
+            }
+        }
+        if (names.size() < 2) {
+            continue;  // pieces of one face
+        }
+        std::string text = "spans ";
+        for (std::size_t k = 0; k < names.size(); ++k) {
+            text += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+        }
+        report.spanning.emplace_back(static_cast<std::int32_t>(i), std::move(text));
+    }
+}
+
+void report_chord_height(Workspace& work, ChordErrorCache& measure, const Output& out, bool keeps_bounds,
+                         mesh::MeshReport& report) {
+    const double asked = report.chord_height_asked;
+    const MaxChordError worst = measure_chord_height(work, measure, asked);
+    report.max_chord_height = worst.distance;
+    const auto found = std::find(out.source.begin(), out.source.end(), worst.triangle);
+    if (found == out.source.end()) {
+        return;
+    }
+    report.max_chord_triangle = static_cast<std::int32_t>(found - out.source.begin());
+    report.max_chord_point = worst.point;
+    if (asked > 0.0 && worst.distance > asked) {
+        const std::string face = work.session.topology().name_of({2, work.mesh.face_of(worst.triangle)});
+        report.notes.push_back("max. deviation " + mesh::in_three_digits(worst.distance) +
+                               " mm instead of the requested " + mesh::in_three_digits(asked) + " mm: " +
+                               (!keeps_bounds ? "refine_samples is off, so that the samples alone decide"
+                                : worst.of_the_part
+                                    ? "edges of " + face + " deviate from it by more than that"
+                                    : "some edges cannot be split without folding or crowding the mesh"));
+    }
+}
+
+// Solids of an assembly may overlap: this is reported, but no fault of the mesh. Faces that belong to no solid or
+// shell are meant to form one surface.
+void report_crossings(SelfIntersections& finder, const geometry::Topology& topology, mesh::MeshReport& report) {
+    std::vector<std::array<int, 2>> faults = finder.pairs();
+    std::vector<std::array<int, 2>> overlaps;
+    for (const auto& pair : finder.deep_pairs(report.max_chord_height)) {
+        (finder.loose(finder.faces_of(pair)) ? faults : overlaps).push_back(pair);
+    }
+    report.overlaps = static_cast<std::int64_t>(overlaps.size());
+    if (!overlaps.empty()) {
+        report.notes.push_back("bodies overlap: " + mesh::counted(overlaps.size(), "pair") +
+                               " of triangles of different solids or shells cross");
+    }
+    report.self_intersections = 0;
+    for (const auto& [faces, count] : finder.by_faces(faults)) {
+        report.self_intersections += static_cast<std::int64_t>(count);
+        report.crossings.push_back(
+            {{topology.of_shape({2, faces.first}).index, topology.of_shape({2, faces.second}).index}, count});
+        const std::string first = topology.name_of({2, faces.first});
+        const bool same = topology.of_shape({2, faces.first}) == topology.of_shape({2, faces.second});
+        const std::string what =
+            same ? first + " crosses itself" : first + " and " + topology.name_of({2, faces.second}) + " cross";
+        report.notes.push_back(what + " in " + mesh::counted(count, "pair") + " of triangles");
+    }
+}
+
+}  // namespace
+
+mesh::MeshReport final_report(Workspace& work, MeasurementCache& findings, const Output& out,
+                              const TriangulateOptions& options, double chord) {
+    mesh::MeshReport report = mesh::measure(out.mesh, &work.progress);
+    report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
+    report.chord_height_asked = chord;
+    report_exemptions(work, out, report.min_angle_asked, report);
+    report_spanning(work, out, report);
+    report.notes = work.session.topology().faults;
+    report_chord_height(work, findings.chords, out, options.keeps_bounds(), report);
+    if (!work.over_budget()) {
+        report_crossings(findings.crossings, work.session.topology(), report);
+    }
+    report.complete = !work.over_budget();
+    if (work.left_by_mending > 0) {
+        report.notes.push_back(
+            "mending of angles ended at its limit of attempts: " + mesh::counted(work.left_by_mending, "triangle") +
+            " below the smallest angle asked for might be improvable");
+    }
+    if (work.over_budget()) {
+        const std::string limit = "max_triangles = " + std::to_string(work.budget);
+        report.notes.push_back((work.triangles() > work.budget
+                                    ? "the coarsest mesh of this shape takes more than " + limit
+                                    : "stopped at " + limit) +
+                               ": the mesh is consistent, but not all limits are met, and it was not searched for "
+                               "triangles that cross; raise max_triangles");
+    }
+    return report;
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/report/stage_meshes.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/progress.h"
+#include "mesh/io/io.h"
+#include "triangulate/report/manifold_output.h"
+
+namespace mq::triangulate {
+
+StageMeshes::StageMeshes(const ClassifiedMesh& mesh, const geometry::Topology& topology, const Vec3& origin,
+                         StageClock& clock)
+    : mesh_(mesh), topology_(topology), origin_(origin), clock_(clock) {
+    const char* folder = std::getenv("MESHQUALITY_STAGES");
+    folder_ = folder != nullptr ? folder : "";
+    write("initial triangulation");
+}
+
+void StageMeshes::end(const char* stage) {
+    clock_.end(stage);
+    write(stage);
+}
+
+void StageMeshes::write(const std::string& stage) {
+    if (folder_.empty()) {
+        return;
+    }
+    const int number = ++written_;
+    std::string name = (number < 10 ? "0" : "") + std::to_string(number) + "-" + stage + ".ply";
+    std::replace(name.begin(), name.end(), ' ', '-');
+    mesh::write(write_out(mesh_, topology_, origin_, Progress()).mesh, folder_ + "/" + name);
+}
+
+}  // namespace mq::triangulate

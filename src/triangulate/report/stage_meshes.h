@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+
+#include "base/stage_clock.h"
+#include "base/vec.h"
+#include "geometry/topology.h"
+#include "triangulate/work_mesh/classified_mesh.h"
+
+namespace mq::triangulate {
+
+/// Ends the stages of a clock and, for debugging, writes the mesh under construction after each: NUMBER-STAGE.ply in
+/// the folder that the environment variable MESHQUALITY_STAGES names. Without the variable nothing is written.
+class StageMeshes {
+  public:
+    /// Writes the initial triangulation.
+    /// @throws IoError naming the file that cannot be written, as does `end`
+    StageMeshes(const ClassifiedMesh& mesh, const geometry::Topology& topology, const Vec3& origin, StageClock& clock);
+
+    /// Ends the running stage and names it. The time for writing counts for the next one.
+    void end(const char* stage);
+
+  private:
+    void write(const std::string& stage);
+
+    const ClassifiedMesh& mesh_;
+    const geometry::Topology& topology_;
+    Vec3 origin_;
+    StageClock& clock_;
+    std::string folder_;
+    int written_ = 0;
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "base/vec.h"
+
+namespace mq::triangulate {
+
+/// The bounds of the spacing of samples, mm.
+struct SpacingBounds {
+    double chord = 0.0;  ///< largest distance between the surface and a chord as long as the spacing; 0: no bound
+    double least = 0.0;
+    double most = 0.0;
+};
+
+/// Returns r(K) of Ruiz et al., section 2.3, as a formula: the chord of a circle with the given curvature (1/mm) that
+/// is `bounds.chord` away from it, 2 sqrt(2 e / k - e^2), limited such that the circle turns by at most 40 degrees
+/// over it. For a surface, k is the larger principal curvature: by the Gaussian curvature a cylinder would be flat.
+double spacing_for(double curvature, const SpacingBounds& bounds);
+
+/// The largest spacing that grows by at most kGrowth per mm of distance from given points, so that neighbouring
+/// triangles differ in size by a bounded factor, on one face and across edges.
+class SpacingField {
+  public:
+    static constexpr double kGrowth = 0.3;  // Growth of the spacing in mm per mm of distance. Tuned on the corpus.
+
+    /// Adds a point in the shape's coordinates and its spacing, mm.
+    void add(const Vec3& point, double spacing) { sources_.push_back({point, spacing}); }
+    /// To be called after the last `add` and before the first `at`; again after further ones. O(n log n).
+    void build();
+    /// Returns the least of `most` and, over all given points, their spacing plus kGrowth times the distance to them,
+    /// mm.
+    double at(const Vec3& point, double most) const;
+
+  private:
+    struct Source {
+        Vec3 point;
+        double spacing;
+    };
+    // A node of a tree over sources_, halved at the median; children 2 i + 1 and 2 i + 2.
+    struct Node {
+        Box box;
+        double least = 1e300;
+        int begin = 0;
+        int end = 0;
+    };
+    void build_node(std::size_t node, int begin, int end);
+    static double bound(const Node& node, const Vec3& point);
+
+    std::vector<Source> sources_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/work_mesh/classified_mesh.h"
+
+#include <algorithm>
+#include <map>
+
+namespace mq::triangulate {
+
+namespace {
+
+// Marks a half-edge that is neither linked nor bound yet. Never a valid half-edge or ~segment.
+constexpr int kLoose = -0x7fffffff;
+
+}  // namespace
+
+int ClassifiedMesh::add_vertex(const Vec3& point, mesh::VertexEntity entity) {
+    vertices_.push_back({point, entity});
+    return vertex_count() - 1;
+}
+
+int ClassifiedMesh::add_site(const Site& site) {
+    sites_.push_back(site);
+    sites_.back().point = vertices_[site.vertex].point;
+    return site_count() - 1;
+}
+
+int ClassifiedMesh::add_triangle(const std::array<int, 3>& sites, int face) {
+    for (const int s : sites) {
+        corner_.push_back(s);
+        twin_.push_back(kLoose);
+        number_.push_back(-1);
+    }
+    face_.push_back(face);
+    if (stamp_.size() < face_.size()) {
+        stamp_.push_back(0);
+    } else {  // the index was used before, and marks of that triangle must not hold for this one
+        ++stamp_[face_.size() - 1];
+    }
+    return triangle_count() - 1;
+}
+
+int ClassifiedMesh::add_segment(int edge, const std::array<int, 2>& vertices, const std::array<double, 2>& t) {
+    segments_.push_back({edge, vertices, t, {}});
+    return segment_count() - 1;
+}
+
+void ClassifiedMesh::link(int half_edge, int twin) {
+    twin_[half_edge] = twin;
+    twin_[twin] = half_edge;
+    number_[half_edge] = numbers_;
+    number_[twin] = numbers_++;
+}
+
+void ClassifiedMesh::bind(int half_edge, int segment, int use) {
+    twin_[half_edge] = ~segment;
+    number_[half_edge] = numbers_++;
+    segments_[segment].uses.push_back({half_edge, use});
+}
+
+ClassifiedMesh::Link ClassifiedMesh::take(int h) const {
+    Link link{twin_[h], -1, number_[h]};
+    if (link.twin < 0 && link.twin != kLoose) {
+        const auto& uses = segments_[~link.twin].uses;
+        for (int k = 0; k < static_cast<int>(uses.size()); ++k) {
+            if (uses[k].half_edge == h) {
+                link.slot = k;
+            }
+        }
+    }
+    return link;
+}
+
+void ClassifiedMesh::put(int h, const Link& link) {
+    twin_[h] = link.twin;
+    number_[h] = link.number;
+    if (link.twin >= 0) {
+        twin_[link.twin] = h;
+    } else if (link.twin != kLoose) {
+        segments_[~link.twin].uses[link.slot].half_edge = h;
+    }
+}
+
+void ClassifiedMesh::set_corners(int triangle, int a, int b, int c) {
+    corner_[3 * triangle] = a;
+    corner_[3 * triangle + 1] = b;
+    corner_[3 * triangle + 2] = c;
+    ++stamp_[triangle];
+}
+
+std::array<int, 3> ClassifiedMesh::split_triangle(int triangle, int site) {
+    const int h = 3 * triangle;
+    const int a = corner_[h];
+    const int b = corner_[h + 1];
+    const int c = corner_[h + 2];
+    const Link bc = take(h + 1);
+    const Link ca = take(h + 2);
+    const int t1 = add_triangle({b, c, site}, face_[triangle]);
+    const int t2 = add_triangle({c, a, site}, face_[triangle]);
+    set_corners(triangle, a, b, site);
+    put(3 * t1, bc);
+    put(3 * t2, ca);
+    link(h + 1, 3 * t1 + 2);
+    link(3 * t1 + 1, 3 * t2 + 2);
+    link(3 * t2 + 1, h + 2);
+    return {triangle, t1, t2};
+}
+
+std::array<int, 4> ClassifiedMesh::split_edge(int h, int site) {
+    const int g = twin_[h];
+    const int t = triangle_of(h);
+    const int o = triangle_of(g);
+    const int a = corner_[h];
+    const int b = corner_[next(h)];
+    const int c = corner_[prev(h)];
+    const int b_other = corner_[g];
+    const int a_other = corner_[next(g)];
+    const int d = corner_[prev(g)];
+    const Link bc = take(next(h));
+    const Link ca = take(prev(h));
+    const Link ad = take(next(g));
+    const Link db = take(prev(g));
+    const int t1 = add_triangle({site, b, c}, face_[t]);
+    const int o1 = add_triangle({site, a_other, d}, face_[o]);
+    set_corners(t, a, site, c);
+    set_corners(o, b_other, site, d);
+    put(3 * t + 2, ca);
+    put(3 * t1 + 1, bc);
+    put(3 * o + 2, db);
+    put(3 * o1 + 1, ad);
+    link(3 * t + 1, 3 * t1 + 2);
+    link(3 * o + 1, 3 * o1 + 2);
+    link(3 * t, 3 * o1);
+    link(3 * t1, 3 * o);
+    return {t, t1, o, o1};
+}
+
+int ClassifiedMesh::split_segment(int segment, int vertex, double t, const std::vector<int>& sites) {
+    const int far =
+        add_segment(segments_[segment].edge, {vertex, segments_[segment].vertices[1]}, {t, segments_[segment].t[1]});
+    const int start = segments_[segment].vertices[0];
+    segments_[segment].vertices[1] = vertex;
+    segments_[segment].t[1] = t;
+    for (std::size_t k = 0; k < segments_[segment].uses.size(); ++k) {
+        const int h = segments_[segment].uses[k].half_edge;
+        const int tri = triangle_of(h);
+        const int a = corner_[h];
+        const int b = corner_[next(h)];
+        const int c = corner_[prev(h)];
+        const bool along = sites_[a].vertex == start;
+        const Link bc = take(next(h));
+        const Link ca = take(prev(h));
+        const int added = add_triangle({sites[k], b, c}, face_[tri]);
+        set_corners(tri, a, sites[k], c);
+        put(3 * tri + 2, ca);
+        put(3 * added + 1, bc);
+        link(3 * tri + 1, 3 * added + 2);
+        const int near_half = along ? 3 * tri : 3 * added;
+        const int far_half = along ? 3 * added : 3 * tri;
+        twin_[near_half] = ~segment;
+        number_[near_half] = numbers_++;
+        segments_[segment].uses[k].half_edge = near_half;
+        twin_[far_half] = ~far;
+        number_[far_half] = numbers_++;
+        segments_[far].uses.push_back({far_half, segments_[segment].uses[k].use});
+    }
+    return far;
+}
+
+void ClassifiedMesh::swap(int h) {
+    const int g = twin_[h];
+    const int t = triangle_of(h);
+    const int o = triangle_of(g);
+    const int a = corner_[h];
+    const int b = corner_[next(h)];
+    const int c = corner_[prev(h)];
+    const int d = corner_[prev(g)];
+    const Link bc = take(next(h));
+    const Link ca = take(prev(h));
+    const Link ad = take(next(g));
+    const Link db = take(prev(g));
+    set_corners(t, a, d, c);
+    set_corners(o, d, b, c);
+    put(3 * t, ad);
+    put(3 * t + 2, ca);
+    put(3 * o, db);
+    put(3 * o + 1, bc);
+    link(3 * t + 1, 3 * o + 2);
+}
+
+void ClassifiedMesh::dissolve(int segment) {
+    std::vector<SegmentUse>& uses = segments_[segment].uses;
+    link(uses[0].half_edge, uses[1].half_edge);
+    uses.clear();
+}
+
+std::vector<int> ClassifiedMesh::replace(const std::vector<int>& removed,
+                                         const std::vector<std::array<int, 3>>& added) {
+    using Side = std::pair<int, int>;
+    std::map<Side, Link> rim;
+    for (const int t : removed) {
+        for (int h = 3 * t; h < 3 * t + 3; ++h) {
+            const int g = twin(h);
+            if (g < 0 || std::find(removed.begin(), removed.end(), triangle_of(g)) == removed.end()) {
+                rim.emplace(Side(corner_[h], corner_[next(h)]), take(h));
+            }
+        }
+    }
+    const int face = face_[removed.front()];
+    std::vector<int> indices;
+    std::map<Side, int> open;
+    for (std::size_t i = 0; i < added.size(); ++i) {
+        const auto& c = added[i];
+        indices.push_back(i < removed.size() ? removed[i] : add_triangle(c, face));
+        set_corners(indices.back(), c[0], c[1], c[2]);
+        for (int k = 0; k < 3; ++k) {
+            const int h = 3 * indices.back() + k;
+            const Side side(c[k], c[(k + 1) % 3]);
+            if (const auto found = rim.find(side); found != rim.end()) {
+                put(h, found->second);
+            } else if (const auto other = open.find({side.second, side.first}); other != open.end()) {
+                link(h, other->second);
+                open.erase(other);
+            } else {
+                open.emplace(side, h);
+            }
+        }
+    }
+    link_by_vertices(open);
+    for (std::size_t i = added.size(); i < removed.size(); ++i) {
+        face_[removed[i]] = -1;
+        ++stamp_[removed[i]];
+        ++gone_;
+    }
+    return indices;
+}
+
+void ClassifiedMesh::become(const ClassifiedMesh& other) {
+    const int numbers = std::max(numbers_, other.numbers_);
+    *this = other;
+    numbers_ = numbers;
+}
+
+// Links half-edges by the vertices that they join. Where a side of the parameter domain is a point in space, the two
+// sides of an edge there end at different sites of one vertex.
+void ClassifiedMesh::link_by_vertices(const std::map<std::pair<int, int>, int>& open) {
+    std::map<std::pair<int, int>, int> others;
+    for (const auto& [side, h] : open) {
+        const auto other = others.find({vertex_of(next(h)), vertex_of(h)});
+        if (other != others.end()) {
+            link(h, other->second);
+        } else {
+            others.emplace(std::pair(vertex_of(h), vertex_of(next(h))), h);
+        }
+    }
+}
+
+std::vector<int> ClassifiedMesh::join_segments(int near, int far, const std::vector<CavityFill>& refills) {
+    segments_[near].vertices[1] = segments_[far].vertices[1];
+    segments_[near].t[1] = segments_[far].t[1];
+    std::vector<int> all;
+    for (std::size_t k = 0; k < refills.size(); ++k) {
+        const std::vector<int> added = replace(refills[k].removed, refills[k].added);
+        all.insert(all.end(), added.begin(), added.end());
+        for (const int t : added) {
+            for (int h = 3 * t; h < 3 * t + 3; ++h) {
+                if (corner_[h] == refills[k].base[0] && corner_[next(h)] == refills[k].base[1]) {
+                    twin_[h] = ~near;
+                    number_[h] = numbers_++;
+                    segments_[near].uses[k].half_edge = h;
+                }
+            }
+        }
+    }
+    segments_[far].uses.clear();
+    return all;
+}
+
+void ClassifiedMesh::replace_between(int near, int far, int vertex, double t,
+                                     const std::vector<std::vector<int>>& spokes, const std::vector<int>& sites) {
+    segments_[near].vertices[1] = vertex;
+    segments_[near].t[1] = t;
+    segments_[far].vertices[0] = vertex;
+    segments_[far].t[0] = t;
+    for (std::size_t k = 0; k < spokes.size(); ++k) {
+        for (const int h : spokes[k]) {
+            corner_[h] = sites[k];
+            ++stamp_[triangle_of(h)];
+            number_[h] = numbers_++;
+            if (twin(h) >= 0) {
+                number_[twin_[h]] = number_[h];
+            }
+        }
+        number_[prev(spokes[k].back())] = numbers_++;
+    }
+}
+
+std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
+    std::vector<std::pair<int, int>> moved;
+    for (int hole = 0; hole < triangle_count(); ++hole) {
+        while (triangle_count() > hole && gone(triangle_count() - 1)) {
+            drop_last_triangle();
+        }
+        if (hole >= triangle_count() || !gone(hole)) {
+            continue;
+        }
+        const int last = triangle_count() - 1;
+        face_[hole] = face_[last];
+        stamp_[hole] = std::max(stamp_[hole], stamp_[last]) + 1;
+        for (int k = 0; k < 3; ++k) {
+            corner_[3 * hole + k] = corner_[3 * last + k];
+            put(3 * hole + k, take(3 * last + k));
+        }
+        moved.emplace_back(last, hole);
+        drop_last_triangle();
+    }
+    gone_ = 0;
+    return moved;
+}
+
+void ClassifiedMesh::drop_last_triangle() {
+    corner_.resize(corner_.size() - 3);
+    twin_.resize(twin_.size() - 3);
+    number_.resize(number_.size() - 3);
+    face_.pop_back();
+}
+
+bool ClassifiedMesh::leads_to(int h, int vertex) const {
+    int g = h;
+    do {
+        if (vertex_of(next(g)) == vertex) {
+            return true;
+        }
+        g = twin(prev(g));
+    } while (g != h);
+    return false;
+}
+
+std::vector<int> ClassifiedMesh::star(int h, std::size_t most) const {
+    int first = h;
+    std::size_t steps = 0;
+    for (int g = twin(h); g >= 0; g = twin(first)) {  // clockwise, to the cut or once around
+        first = next(g);
+        if (first == h) {
+            break;
+        }
+        if (++steps >= most) {
+            return {};
+        }
+    }
+    constexpr std::size_t kUsual = 12;  // Typical number of triangles around a vertex, for which memory is reserved.
+    std::vector<int> result;
+    result.reserve(kUsual);
+    result.push_back(first);
+    for (int g = twin(prev(first)); g >= 0 && g != first; g = twin(prev(g))) {
+        if (result.size() >= most) {
+            return {};
+        }
+        result.push_back(g);
+    }
+    return result;
+}
+
+std::vector<std::vector<int>> ClassifiedMesh::triangles_by_face(std::size_t faces) const {
+    std::vector<std::vector<int>> result(faces);
+    for (int t = 0; t < triangle_count(); ++t) {
+        result[face_of(t)].push_back(t);
+    }
+    return result;
+}
+
+std::string ClassifiedMesh::inconsistency() const {
+    for (int h = 0; h < half_edge_count(); ++h) {
+        if (gone(triangle_of(h))) {
+            continue;
+        }
+        const std::string name = "half-edge " + std::to_string(h);
+        if (twin_[h] == kLoose) {
+            return name + " is neither linked nor on a segment";
+        }
+        const int from = vertex_of(h);
+        const int to = vertex_of(next(h));
+        if (from == to) {
+            return name + " runs from a vertex to itself";
+        }
+        if (twin_[h] >= 0) {
+            const int g = twin_[h];
+            if (twin_[g] != h || vertex_of(g) != to || vertex_of(next(g)) != from || number_[g] != number_[h]) {
+                return name + " and its twin do not match";
+            }
+            continue;
+        }
+        const Segment& s = segments_[~twin_[h]];
+        const bool same =
+            (s.vertices[0] == from && s.vertices[1] == to) || (s.vertices[0] == to && s.vertices[1] == from);
+        if (!same || take(h).slot < 0) {
+            return name + " does not match its segment";
+        }
+    }
+    return {};
+}
+
+}  // namespace mq::triangulate

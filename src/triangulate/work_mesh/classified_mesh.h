@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/vec.h"
+#include "mesh/corner_table.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::triangulate {
+
+/// A triangle mesh under construction, classified on CAD entities.
+///
+/// Each CAD face has a mesh of its own (half-edges with twins); the faces meet in *segments*, pieces of CAD edges that
+/// constrain the triangulation. A segment knows the half-edges of all faces that use it: two on a closed solid, one at
+/// a border, both on one face at a seam, more on a non-manifold edge. Splitting a segment splits it for all of them.
+///
+/// A *vertex* is a point; a *site* is the use of a vertex on one face, with that face's (u, v) and normal. A vertex on
+/// a seam has two sites on one face, so that (u, v) never jumps within a face.
+///
+/// Half-edge 3 t + i runs from corner i to corner i + 1 of triangle t, its triangle on the left. Triangles and
+/// vertices are added or rewritten, so that indices stay valid; indices that `replace` leaves unused are gone until
+/// `compact`.
+class ClassifiedMesh {
+  public:
+    struct Vertex {
+        Vec3 point;
+        mesh::VertexEntity entity{-1, -1};
+    };
+    struct Site {
+        int vertex = -1;
+        Vec2 uv = Vec2::Zero();
+        Vec3 normal = Vec3::Zero();  ///< outward unit normal of the CAD face; zero where it has none
+        /// Point of the vertex, which `add_site` copies: this saves a look-up in inner loops.
+        Vec3 point = Vec3::Zero();
+    };
+    struct SegmentUse {
+        int half_edge = -1;
+        int use = -1;  ///< use of the CAD edge on the face (index into the CAD topology's uses)
+    };
+    struct Segment {
+        int edge = -1;                  ///< CAD edge
+        std::array<int, 2> vertices{};  ///< at t[0] and t[1]
+        std::array<double, 2> t{};
+        std::vector<SegmentUse> uses;
+    };
+
+    int add_vertex(const Vec3& point, mesh::VertexEntity entity);
+    int add_site(const Site& site);
+    int add_triangle(const std::array<int, 3>& sites, int face);
+    int add_segment(int edge, const std::array<int, 2>& vertices, const std::array<double, 2>& t);
+    /// Makes two half-edges of one face twins.
+    void link(int half_edge, int twin);
+    /// Puts a half-edge on a segment.
+    void bind(int half_edge, int segment, int use);
+
+    int triangle_count() const { return static_cast<int>(face_.size()); }
+    /// Without the indices that `replace` left unused.
+    int used_triangle_count() const { return triangle_count() - gone_; }
+    int half_edge_count() const { return static_cast<int>(corner_.size()); }
+    int vertex_count() const { return static_cast<int>(vertices_.size()); }
+    int segment_count() const { return static_cast<int>(segments_.size()); }
+    int site_count() const { return static_cast<int>(sites_.size()); }
+
+    static int next(int h) { return mesh::next_corner(h); }
+    static int prev(int h) { return mesh::previous_corner(h); }
+    static int triangle_of(int h) { return h / 3; }
+
+    int site_of(int h) const { return corner_[h]; }
+    int vertex_of(int h) const { return sites_[corner_[h]].vertex; }
+    const Vec3& point_of(int h) const { return sites_[corner_[h]].point; }
+    /// Returns the other half-edge, or -1 if `h` lies on a segment.
+    int twin(int h) const { return twin_[h] < 0 ? -1 : twin_[h]; }
+    /// Returns the segment under `h`, or -1 if `h` has a twin.
+    int segment_of(int h) const { return twin_[h] < 0 ? ~twin_[h] : -1; }
+    int face_of(int triangle) const { return face_[triangle]; }
+    /// Returns the number of the edge under `h`, on this face if it lies on a segment; the same for both half-edges.
+    /// An edge keeps it as long as it joins the same vertices, and no other edge ever gets it, so that data on an edge
+    /// can be stored by it.
+    int number_of(int h) const { return number_[h]; }
+    /// Returns one more than the largest number given to an edge.
+    int number_count() const { return numbers_; }
+    /// Returns the version of the triangle, which changes whenever its corners change.
+    std::uint32_t stamp(int triangle) const { return stamp_[triangle]; }
+
+    const Vertex& vertex(int v) const { return vertices_[v]; }
+    const Site& site(int s) const { return sites_[s]; }
+    void set_normal(int s, const Vec3& normal) { sites_[s].normal = normal; }
+    const Segment& segment(int s) const { return segments_[s]; }
+
+    /// Triangle (a, b, c) becomes (a, b, p), (b, c, p), (c, a, p); the first keeps its index.
+    /// @return the indices of the three.
+    std::array<int, 3> split_triangle(int triangle, int site);
+    /// Replaces the two triangles beside the edge of `h` by four around `site`. Needs a twin.
+    std::array<int, 4> split_edge(int h, int site);
+    /// Splits a segment at `vertex`, parameter `t`; `sites[k]` is the vertex's site for use k.
+    /// @return the new segment from `vertex` to the old far end. The segment itself keeps the near half.
+    int split_segment(int segment, int vertex, double t, const std::vector<int>& sites);
+    /// Replaces the edge a-b of `h` by the one between the opposite corners. Needs a twin; `h` then is one of the
+    /// half-edges of the same two triangles. No checks are made.
+    void swap(int h);
+
+    /// The replacement of the triangles around a vertex on a segment, on one of its faces.
+    struct CavityFill {
+        std::vector<int> removed;
+        std::vector<std::array<int, 3>> added;  ///< sites
+        std::array<int, 2> base;                ///< sites at the ends of the side that lies on the joined segment
+    };
+    /// The inverse of `split_segment`: `far` starts where `near` ends, and `near` becomes the union of both.
+    /// `refills[k]` is for use k of `near`. Nothing uses `far` afterwards.
+    /// @return the new triangles. Indices may be unused until `compact`.
+    std::vector<int> join_segments(int near, int far, const std::vector<CavityFill>& refills);
+    /// Replaces the vertex where `near` ends and `far` starts by another one, at parameter `t`. `spokes[k]` are the
+    /// half-edges that leave it on the face of use k of `near`, and `sites[k]` is the new vertex's site for that use.
+    void replace_between(int near, int far, int vertex, double t, const std::vector<std::vector<int>>& spokes,
+                         const std::vector<int>& sites);
+    /// Joins the two sides of a segment as twins, across faces: it no longer constrains, and has no uses. Needs
+    /// exactly two uses in opposite directions. Sites stay: the same vertex has one on either side.
+    void dissolve(int segment);
+    /// Replaces the site at the origin of `h` by another site of the same vertex.
+    void put_site(int h, int site) { corner_[h] = site; }
+    /// Assigns a triangle to a face.
+    void put_face(int triangle, int face) { face_[triangle] = face; }
+
+    /// Replaces triangles of one face by others with the same boundary, given by sites as corners.
+    /// @return the indices of `added`; those of `removed` are used first, and the remaining ones are gone.
+    std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);
+    /// Whether the triangle's index is unused, between `replace` and `compact`. No other function may be called for
+    /// it.
+    bool gone(int triangle) const { return face_[triangle] < 0; }
+    /// Moves the last triangles to the unused indices.
+    /// @return the pairs old index, new index of the triangles that moved.
+    std::vector<std::pair<int, int>> compact();
+
+    /// Restores a copy of this mesh, or takes over another result derived from the same mesh. Numbers of edges
+    /// continue from the higher of the two.
+    void become(const ClassifiedMesh& other);
+
+    /// Returns the half-edge that leaves the end `vertex` of a segment on the face of one of its uses: along the
+    /// segment, or the next one of the triangle.
+    int leaving(const SegmentUse& use, int vertex) const {
+        return vertex_of(use.half_edge) == vertex ? use.half_edge : next(use.half_edge);
+    }
+    /// Returns the half-edges that leave the site of `h`, around it within the face, counter-clockwise from `h` or,
+    /// where a segment interrupts the turn, from the first one after it. None where there are more than `most`: where
+    /// a question about a large fan has no use, asking it for each triangle of the fan must not cost the square of
+    /// their number.
+    std::vector<int> star(int h, std::size_t most = SIZE_MAX) const;
+    /// Returns the triangles of each of `faces` CAD faces, ascending. No index may be unused.
+    std::vector<std::vector<int>> triangles_by_face(std::size_t faces) const;
+    /// Whether an edge leads from the site of `h` to the vertex; `h` must leave a site that no segment touches.
+    bool leads_to(int h, int vertex) const;
+
+    /// Returns the first inconsistency of links, segments and corners, or an empty string. For tests; O(n).
+    std::string inconsistency() const;
+
+  private:
+    struct Link {
+        int twin;
+        int slot;  // index of the segment's use, if twin names a segment
+        int number;
+    };
+    Link take(int h) const;
+    void put(int h, const Link& link);
+    void set_corners(int triangle, int a, int b, int c);
+    void drop_last_triangle();
+    void link_by_vertices(const std::map<std::pair<int, int>, int>& open);
+
+    std::vector<Vertex> vertices_;
+    std::vector<Site> sites_;
+    std::vector<Segment> segments_;
+    std::vector<int> corner_;  // site at the origin of each half-edge
+    std::vector<int> twin_;    // half-edge, or ~segment
+    std::vector<int> number_;  // number of the edge
+    std::vector<int> face_;
+    std::vector<std::uint32_t> stamp_;  // also for indices that were dropped from the end
+    int numbers_ = 0;
+    int gone_ = 0;  // number of unused indices
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <optional>
+
+#include "triangulate/work_mesh/workspace.h"
+
+namespace mq::triangulate {
+
+/// Largest ratio of the angle between two CAD edges to that between their chords for which both count as equal. Tuned
+/// on the corpus.
+constexpr double kNarrowed = 1.08;
+
+/// Returns the angle, radians, between the CAD edges of two segments at a vertex where both end; no value if one has
+/// no direction there.
+std::optional<double> angle_between_edges(const Workspace& work, int a, int b, int vertex);
+
+}  // namespace mq::triangulate

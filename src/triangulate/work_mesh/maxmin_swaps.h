@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/key_set.h"
+#include "triangulate/work_mesh/classified_mesh.h"
+#include "triangulate/work_mesh/element_marks.h"
+#include "triangulate/work_mesh/surface_alignment.h"
+
+namespace mq::triangulate {
+
+/// Keeps a mesh constrained locally maxmin (Aftosmis 1999, sections 3.3 and 3.4): no legal swap of an edge enlarges
+/// the smallest angle beside it.
+///
+/// A swap is legal if the edge is no segment, the two new triangles do not fold over the surface, and no two edges of
+/// the mesh join the same vertices afterwards.
+class MaxMinSwaps {
+  public:
+    explicit MaxMinSwaps(ClassifiedMesh& mesh);
+    /// Rebuilds the table of joined pairs after the mesh was changed without this class.
+    void rebuild();
+
+    /// Swaps until no edge of the whole mesh violates the predicate, except those beside the `settled` triangles.
+    void sweep(std::vector<int>& touched, const TriangleMarks& settled = {});
+    /// Swaps until no edge reachable from `stack` violates the predicate, with backtracking: every swap puts the four
+    /// edges around it on the stack again. Changed triangles are appended to `touched`. New triangles less aligned
+    /// with their surface than `least` make a swap illegal, unless the old ones were worse.
+    void restore(std::vector<int>& stack, std::vector<int>& touched, double least = kAlignedSwap);
+
+    /// The same for the edges of the triangles that `touched` contains from index `first` on.
+    void restore_around(std::size_t first, std::vector<int>& touched);
+
+    /// Swaps the edge of `h` regardless of the predicate, and updates the table of joined pairs.
+    void swap(int h, std::vector<int>& touched);
+
+    /// Replaces triangles by others (see ClassifiedMesh::replace), and updates the table of joined pairs.
+    std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);
+    /// Splits a segment (see ClassifiedMesh::split_segment), and updates the table of joined pairs.
+    int split_segment(int segment, int vertex, double t, const std::vector<int>& sites);
+    /// Joins two segments (see ClassifiedMesh::join_segments), and updates the table of joined pairs.
+    std::vector<int> join_segments(int near, int far, const std::vector<ClassifiedMesh::CavityFill>& refills);
+    /// Replaces the vertex between two segments (see ClassifiedMesh::replace_between), and updates the table of joined
+    /// pairs.
+    void replace_between(int near, int far, int vertex, double t, const std::vector<std::vector<int>>& spokes,
+                         const std::vector<int>& sites);
+    /// Whether the vertex lies on a CAD edge or at a node.
+    bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
+    /// Whether both vertices lie on CAD edges, and an edge or a segment joins them already.
+    bool joined(int a, int b) const { return on_border(a) && on_border(b) && pairs_.count(pair_key(a, b)) > 0; }
+
+    /// Returns half-edges without a segment that join two vertices which another edge joins already.
+    std::vector<int> doubled_edges() const;
+    /// To be called before and after a vertex is inserted on an edge or a segment between two border vertices.
+    void forget(int a, int b);
+    void remember(int a, int b);
+
+  private:
+    bool legal(int h, double least) const;
+    void book_inner_edges(const std::vector<int>& triangles, void (MaxMinSwaps::*book)(int, int));
+
+    ClassifiedMesh& mesh_;
+    std::vector<int> around_;  // buffer of restore_around, kept to reuse its memory
+    // Numbers of edges that join two vertices on CAD edges: only these can join the same pair on another face.
+    KeyMap<int> pairs_;
+    int doubled_ = 0;  // pairs that more than one edge joins
+};
+
+}  // namespace mq::triangulate

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "triangulate/work_mesh/size_bounds.h"
+
+namespace mq::triangulate {
+
+/// Rules for the new vertex of a triangle whose angle is below the bound.
+enum class Insertion {
+    OffCentre,  ///< at the off-centre: fewer triangles, and no cascades along finely split edges
+    Paper,  ///< as Aftosmis 1999, section 3.3: circumcentre, or the centroid of the triangle across the longest edge
+};
+
+/// Sources of the vertices.
+enum class Method {
+    Refine,    ///< Algorithms M and E (Aftosmis 1999)
+    Star,      ///< hexagons in the tangent planes, sized by the curvature (Ruiz et al., section 2.4)
+    Sprinkle,  ///< random points with balls sized by the curvature (Ruiz et al., section 2.3)
+};
+
+/// Rules for joining samples to triangles.
+enum class Connectivity {
+    PseudoDelaunay,  ///< in space, by empty balls (Ruiz et al., section 2.5)
+    Parametric,      ///< constrained Delaunay in (u, v), scaled
+};
+
+/// The CAD edges that constrain the mesh.
+enum class KeepEdges {
+    All,      ///< every one (Aftosmis 1999)
+    Feature,  ///< all except those that the surface crosses smoothly: triangles may span them
+};
+
+struct TriangulateOptions {
+    double min_angle = 25.0;             ///< degrees, 0 < a <= 34
+    double chord_height = 0.0;           ///< mm; 0: no bound
+    double chord_height_relative = 0.0;  ///< fraction of the shape's largest dimension; 0: no bound
+    double max_edge = 0.0;               ///< mm; 0: no bound
+    /// mm; no edge is split into shorter ones, except to separate crossing triangles; 0: no bound.
+    double min_edge = 0.0;
+    std::vector<LocalSize> local_sizes;  ///< shorter edges on single entities
+    double edges_per_circle = 0.0;  ///< edges in a turn of 360 degrees of any curve or surface; at least 3; 0: no bound
+    double growth = 0.0;            ///< largest ratio of lengths of neighbouring edges, more than 1; 0: no bound
+    Insertion insertion = Insertion::OffCentre;
+    KeepEdges keep_edges = KeepEdges::All;
+    double feature_angle = 10.0;       ///< degrees, 0 < a <= 40; an edge is smooth if the faces' normals differ by less
+    std::size_t max_triangles = 0;     ///< 0: 5 million
+    bool allow_missing_faces = false;  ///< mesh the other faces of a shape if some fail, and name those in the report
+    Method method = Method::Refine;
+
+    // For the sampling methods only:
+    Connectivity connectivity = Connectivity::PseudoDelaunay;
+    bool polish = true;      ///< swaps and rounds of Algorithms M and E follow, so that the bounds hold
+    std::uint64_t seed = 0;  ///< start of the random numbers of the Sprinkle method
+
+    /// Whether the bounds hold for the result, not only for the samples.
+    bool keeps_bounds() const { return method == Method::Refine || polish; }
+    std::size_t budget() const { return max_triangles > 0 ? max_triangles : 5'000'000; }
+    /// Checks all options. @throws InvalidInput naming the option, its value and its range.
+    void validate() const;
+};
+
+}  // namespace mq::triangulate

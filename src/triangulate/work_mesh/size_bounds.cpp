@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/work_mesh/size_bounds.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "base/error.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::infinity();  // Length in mm of an entity without a bound.
+
+}  // namespace
+
+std::vector<LocalSize> sizes_of_pieces(const std::vector<LocalSize>& local, const geometry::Topology& topology) {
+    const char* const kinds[2][3] = {{"vertices", "edges", "faces"}, {"vertex", "edge", "face"}};
+    std::vector<LocalSize> all;
+    for (const LocalSize& size : local) {
+        const std::size_t count = topology.own_count(size.dimension);
+        const std::string name = geometry::name_of({size.dimension, size.index});
+        if (size.index < 0 || static_cast<std::size_t>(size.index) >= count) {
+            throw InvalidInput("a local size is given for " + name + ", but the shape has " + std::to_string(count) +
+                               " " + kinds[count == 1 ? 1 : 0][size.dimension]);
+        }
+        if (!(size.max_edge > 0.0)) {
+            throw InvalidInput("the local size of " + name + " must be greater than 0 mm");
+        }
+        for (const int index : topology.pieces_of({size.dimension, size.index})) {
+            all.push_back(size);
+            all.back().index = index;
+        }
+    }
+    return all;
+}
+
+EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, const std::vector<LocalSize>& local)
+    : everywhere_(max_edge > 0.0 ? max_edge : kNone), any_(max_edge > 0.0 || !local.empty()) {
+    const std::size_t counts[3] = {topology.nodes.size(), topology.edges.size(), topology.faces.size()};
+    for (const LocalSize& size : local) {
+        std::vector<double>& bounds = of_entity_[size.dimension];
+        bounds.resize(counts[size.dimension], kNone);
+        bounds[static_cast<std::size_t>(size.index)] = size.max_edge;
+    }
+}
+
+double EdgeBounds::of(const ClassifiedMesh& mesh, int half_edge) const {
+    double least = everywhere_;
+    const auto take = [&](int dimension, int index) {
+        if (!of_entity_[dimension].empty() && index >= 0) {
+            least = std::min(least, of_entity_[dimension][static_cast<std::size_t>(index)]);
+        }
+    };
+    take(2, mesh.face_of(half_edge / 3));
+    const int s = mesh.segment_of(half_edge);
+    if (s >= 0) {
+        take(1, mesh.segment(s).edge);
+        for (const auto& use : mesh.segment(s).uses) {
+            take(2, mesh.face_of(use.half_edge / 3));
+        }
+    }
+    for (const int h : {half_edge, ClassifiedMesh::next(half_edge)}) {
+        const mesh::VertexEntity& entity = mesh.vertex(mesh.vertex_of(h)).entity;
+        if (entity[0] == 0) {
+            take(0, entity[1]);
+        }
+    }
+    return least;
+}
+
+}  // namespace mq::triangulate

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "workflows/boolean_of_operands.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <utility>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "boolean/layered_depth/layered_depth_boolean.h"
+#include "boolean/project_to_cad.h"
+#include "geometry/occt/shape_model.h"
+#include "mesh/quality/surface_verification.h"
+#include "workflows/operand_frame.h"
+
+namespace mq::workflows {
+
+namespace {
+
+using boolean::BooleanOptions;
+using boolean::BooleanResult;
+using boolean::Expression;
+using boolean::Operation;
+using boolean::UniformResult;
+
+void take(BooleanSurface& surface, BooleanResult&& result) {
+    BooleanReport& figures = surface.figures;
+    figures.error_bound = result.error_bound;
+    figures.retained = result.retained;
+    figures.reconstructed = result.reconstructed;
+    figures.faults_left = result.faults_left;
+    figures.crossing_pairs = result.crossing_pairs;
+    figures.curve_edges = result.curve_edges;
+    figures.separated_contacts = result.separated_contacts;
+    figures.separated_vertices = result.separated_vertices;
+    std::copy_if(result.repaired.begin(), result.repaired.end(), std::back_inserter(figures.repaired),
+                 [](const std::string& sentence) { return !sentence.empty(); });
+    figures.notes = std::move(result.notes);
+    figures.seconds = std::move(result.seconds);
+    surface.mesh = std::move(result.mesh);
+    surface.triangle_source = std::move(result.triangle_source);
+}
+
+void take(BooleanSurface& surface, UniformResult&& result) {
+    BooleanReport& figures = surface.figures;
+    figures.error_bound = result.error_bound;
+    figures.retained = result.retained;
+    figures.reconstructed = result.changed + result.reconstructed + result.hole_triangles;
+    if (result.unsampled_triangles > 0) {
+        figures.notes.push_back("lost, as no ray met the components that they belong to: " +
+                                mesh::counted(result.unsampled_triangles, "triangle") + "; take a higher resolution");
+    }
+    if (result.holes_filled > 0) {
+        figures.notes.push_back("filled in the reconstruction: " + mesh::counted(result.holes_filled, "hole"));
+    }
+    figures.seconds = std::move(result.seconds);
+    surface.mesh = std::move(result.mesh);
+    surface.triangle_source = std::move(result.triangle_source);
+}
+
+/// The paper's scheme promises no freedom from self-intersection, so its result is checked here.
+void check_uniform(BooleanSurface& surface, Progress& progress) {
+    constexpr std::size_t kMostContacts = 1000;  // contacts that are counted; a fault is a fault after the first
+    const mesh::Verification check =
+        mesh::verify(surface.mesh.vertices, surface.mesh.triangles, nullptr, kMostContacts, &progress);
+    for (const std::size_t count : check.count) {
+        surface.figures.faults_left += count;
+    }
+    surface.figures.self_intersections =
+        static_cast<std::int64_t>(check.count[static_cast<std::size_t>(mesh::FaultKind::Crossing)]);
+    if (!check.passed()) {
+        surface.figures.notes.push_back("the uniform scheme left faults: " + check.summary(surface.mesh.origin));
+    }
+}
+
+void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const Expression& expression,
+                 const BooleanOptions& options, Progress& progress) {
+    if (frame.meshes().size() != 2 || !expression.chained().has_value()) {
+        throw InvalidInput("method 'uniform' takes two operands, not " + std::to_string(frame.meshes().size()) +
+                           ": use method 'default', or apply it to two at a time");
+    }
+    boolean::UniformOptions uniform;
+    uniform.resolution = options.resolution;
+    double tolerance = options.tolerance;
+    if (tolerance > 0.0) {
+        uniform.resolution = boolean::uniform_resolution(frame.size(), tolerance);
+    } else {
+        tolerance = boolean::uniform_bound(frame.size(), uniform.resolution);
+    }
+    take(surface, boolean::layered_depth_boolean(*frame.meshes()[0], *frame.meshes()[1], *expression.chained(), uniform,
+                                                 &progress));
+    surface.figures.tolerance_asked = tolerance;
+    check_uniform(surface, progress);
+}
+
+/// Edges, vertices and triangles at which a surface is not a closed oriented manifold.
+std::size_t surface_faults(const mesh::MeshReport& report) {
+    return report.border_edges + report.nonmanifold_edges + report.misoriented_edges + report.pinched_vertices +
+           report.degenerate_triangles + report.duplicate_triangles;
+}
+
+std::string empty_difference(double tolerance) {
+    std::array<char, 160> text;
+    std::snprintf(text.data(), text.size(),
+                  "the result is empty: the operands are the same within the tolerance of %.4g mm; a smaller "
+                  "tolerance shows smaller differences",
+                  tolerance);
+    return text.data();
+}
+
+/// Fills the fields of every report, and adds the notes and times of the work before.
+void measure(BooleanSurface& surface, const OperandFrame& frame, const Expression& expression, const WorkBefore& before,
+             Progress& progress) {
+    BooleanReport& figures = surface.figures;
+    const Stopwatch measuring;
+    auto notes = std::move(figures.notes);
+    auto seconds = std::move(figures.seconds);
+    const std::int64_t crossings = figures.self_intersections;
+    static_cast<mesh::MeshReport&>(figures) = mesh::measure(surface.mesh, &progress);
+    figures.self_intersections = crossings;
+    if (surface.mesh.triangles.empty() && expression.chained() == Operation::SymmetricDifference) {
+        notes.push_back(empty_difference(figures.tolerance_asked));
+    } else if (surface.mesh.triangles.empty()) {
+        notes.emplace_back("the result is empty: no volume is left");
+    } else if (!figures.closed || !figures.oriented || !figures.manifold) {
+        notes.emplace_back("the result is not a closed manifold surface: see its faults");
+        figures.faults_left = std::max(figures.faults_left, surface_faults(figures));
+    }
+    if (!frame.single()) {
+        notes.emplace_back(
+            "an operand has more digits than single precision holds: to_mesh and most files round the result");
+    }
+    notes.insert(notes.begin(), before.notes.begin(), before.notes.end());
+    seconds.insert(seconds.begin(), before.seconds.begin(), before.seconds.end());
+    seconds.emplace_back("measuring", measuring.wall());
+    figures.notes = std::move(notes);
+    figures.seconds = std::move(seconds);
+}
+
+/// Projects vertices made on faces of shapes onto their surfaces. No vertex moves farther than `limit`, mm.
+void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
+                   geometry::Engine& engine, double limit, Progress& progress) {
+    constexpr double kRounding = 5e-7;  // fraction of the size: a few steps of single precision
+    if (std::none_of(operands.begin(), operands.end(), [](const BooleanOperand& o) { return o.shape != nullptr; })) {
+        return;
+    }
+    const Stopwatch fitting;
+    progress.stage("fitting to the shapes", 1.0, 1.0);
+    std::vector<boolean::CadOperand> native(operands.size());
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+        native[i].mesh = frame.meshes()[i];
+        native[i].faces = &operands[i].surface->mesh.triangle_face;
+        if (operands[i].shape != nullptr) {
+            engine.run([&] { native[i].model = geometry::make_shape_model(*operands[i].shape, &progress); }, &progress);
+        }
+    }
+    BooleanReport& figures = surface.figures;
+    const double near = figures.error_bound + kRounding * frame.size();
+    const boolean::CadProjection fit =
+        boolean::fit_to_native_surfaces(surface.mesh, surface.triangle_source, native, engine, near, limit, progress);
+    figures.fitted_vertices = fit.moved;
+    figures.unfitted_vertices = fit.reverted + fit.left;
+    figures.error_bound += fit.largest_move;
+    figures.seconds.emplace_back("fitting to the shapes", fitting.wall());
+}
+
+}  // namespace
+
+BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
+                                   const Expression& expression, const BooleanOptions& options, BooleanMethod method,
+                                   const WorkBefore& before, Progress& progress) {
+    options.validate();
+    const Stopwatch watch_all;
+    std::vector<FramedOperand> framed;
+    for (const BooleanOperand& operand : operands) {
+        framed.push_back({&operand.surface->mesh, operand.round});
+    }
+    const OperandFrame frame(framed);
+    BooleanSurface result;
+    if (method == BooleanMethod::Uniform) {
+        run_uniform(result, frame, expression, options, progress);
+    } else {
+        const double limit = options.tolerance_for(frame.size());
+        take(result, boolean::boolean(frame.meshes(), expression, options, &progress));
+        result.figures.tolerance_asked = limit;
+        fit_to_shapes(result, frame, operands, engine, limit, progress);
+    }
+    measure(result, frame, expression, before, progress);
+    result.figures.cpu_seconds = before.cpu_seconds + watch_all.cpu();
+    result.report = result.figures;
+    return result;
+}
+
+}  // namespace mq::workflows

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/stage_clock.h"
+#include "boolean/boolean.h"
+#include "boolean/input/operation.h"
+#include "geometry/engine.h"
+#include "triangulate/work_mesh/result.h"
+#include "workflows/boolean_report.h"
+
+class TopoDS_Shape;
+
+namespace mq::workflows {
+
+enum class BooleanMethod {
+    Exact,    ///< exact arrangements (boolean/boolean.h)
+    Uniform,  ///< layered depth images, for two operands (boolean/layered_depth)
+};
+
+/// An operand: its mesh, and the shape from which it was meshed.
+struct BooleanOperand {
+    const triangulate::Result* surface = nullptr;
+    bool round = false;                   ///< true: its coordinates may be rounded to single precision
+    const TopoDS_Shape* shape = nullptr;  ///< null: the operand is nothing but a mesh
+};
+
+/// What was done before: stages, notes and processor time of reading and meshing the operands.
+struct WorkBefore {
+    StageTimes seconds;
+    std::vector<std::string> notes;
+    double cpu_seconds = 0.0;
+};
+
+/// `report` of the base class holds the measured fields of `figures`.
+struct BooleanSurface : triangulate::Result {
+    BooleanReport figures;
+    /// See boolean::BooleanResult::triangle_source.
+    std::vector<std::array<std::int32_t, 2>> triangle_source;
+};
+
+/// A Boolean of operands in any frames: they are brought into one, the result is put onto the surfaces of the shapes,
+/// as far as the tolerance allows, and measured.
+/// @param engine  answers for the shapes; not used by the method Uniform, whose results stay on the meshes
+/// @throws as boolean::boolean and boolean::layered_depth_boolean; InvalidInput for an option out of range, and for
+///     other than two operands of the method Uniform.
+BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
+                                   const boolean::Expression& expression, const boolean::BooleanOptions& options,
+                                   BooleanMethod method, const WorkBefore& before, Progress& progress);
+
+}  // namespace mq::workflows

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "mesh/quality/mesh_report.h"
+
+namespace mq::workflows {
+
+/// The contents of a MeshReport, the error bound of a Boolean's result, and the repairs of its operands.
+struct BooleanReport : mesh::MeshReport {
+    double error_bound = 0.0;            ///< no point of the result is farther from the exact one, mm
+    double tolerance_asked = 0.0;        ///< the tolerance that was requested, or that of the resolution, mm
+    std::size_t retained = 0;            ///< triangles that are an operand's own
+    std::size_t reconstructed = 0;       ///< all others
+    std::size_t faults_left = 0;         ///< faults of the result that no repair removed; notes name them
+    std::size_t crossing_pairs = 0;      ///< pairs of triangles of the operands that cross
+    std::size_t curve_edges = 0;         ///< edges on the intersection curves
+    std::size_t separated_contacts = 0;  ///< points in which regions of the result touched
+    std::size_t separated_vertices = 0;  ///< vertices of surfaces that nearly coincided
+    std::size_t fitted_vertices = 0;     ///< vertices put onto the surfaces of the shapes that were operands
+    std::size_t unfitted_vertices = 0;   ///< vertices left on the meshes of these shapes
+    std::vector<std::string> repaired;   ///< a sentence for each operand that was repaired
+};
+
+/// A text of a dozen lines for people.
+std::string to_text(const BooleanReport& report);
+
+/// A summary in one line: "1,234 triangles, closed, smallest angle 25.1°, error bound 0.01 mm of 0.05 mm".
+std::string in_short(const BooleanReport& report);
+
+/// Whether the result has no fault and its error bound is within the tolerance.
+bool met(const BooleanReport& report);
+
+}  // namespace mq::workflows

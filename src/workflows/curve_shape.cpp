@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "workflows/curve_shape.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "geometry/occt/shape_model.h"
+#include "geometry/occt/solid_volume.h"
+#include "triangulate/triangulate.h"
+
+namespace mq::workflows {
+
+namespace {
+
+using curve::CurvedMesh;
+
+/// Attempts with a finer straight mesh where the first cannot be filled or stays invalid. Each can take as long as all
+/// before it.
+constexpr int kFiner = 3;
+
+/// Growth rate of sizes from edges to their neighbours: invalid elements mostly lie where long edges meet short ones.
+constexpr double kGrowth = 1.5;
+
+void halve(triangulate::TriangulateOptions& options) {
+    options.chord_height *= 0.5;
+    options.chord_height_relative *= 0.5;
+}
+
+/// Smaller growth of sizes is tried first: it needs fewer elements than a finer mesh of the whole model.
+void refine_for_validity(triangulate::TriangulateOptions& options) {
+    if (options.growth == 0.0) {
+        options.growth = kGrowth;
+    } else {
+        halve(options);
+    }
+}
+
+/// @param asked the deviation that was requested of the first straight mesh, mm; taken from the first one
+CurvedMesh attempt(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
+                   const triangulate::TriangulateOptions& straight, const curve::CurveOptions& options,
+                   std::optional<double>& asked, Progress& progress) {
+    triangulate::Result mesh = triangulate::triangulate(engine, model, straight, &progress);
+    asked = asked.value_or(mesh.report.chord_height_asked);
+    CurvedMesh result = curve::curve(engine, model, mesh.mesh, options, &progress);
+    result.straight = std::move(mesh.mesh);
+    result.report.straight = std::move(mesh.report);
+    result.report.chord_height_asked = *asked;
+    return result;
+}
+
+CurvedMesh best_of_attempts(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
+                            triangulate::TriangulateOptions straight, const curve::CurveOptions& options,
+                            Progress& progress) {
+    std::optional<CurvedMesh> best;
+    std::optional<double> asked;
+    for (int times = 0;; ++times) {
+        try {
+            CurvedMesh mesh = attempt(engine, model, straight, options, asked, progress);
+            if (times > 0) {
+                mesh.report.notes.push_back("the straight mesh was made finer " + std::to_string(times) + " times");
+            }
+            if (!best || mesh.report.invalid < best->report.invalid) {
+                best = std::move(mesh);
+            }
+            refine_for_validity(straight);
+        } catch (const curve::MeshingFailed&) {
+            if (times == kFiner && !best) {
+                throw;
+            }
+            halve(straight);
+        }
+        if (times == kFiner || (best && (best->report.invalid == 0 || !options.repair))) {
+            return std::move(*best);
+        }
+    }
+}
+
+std::shared_ptr<geometry::Model> model_of(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                          geometry::Creases creases, Progress& progress) {
+    std::shared_ptr<geometry::Model> model;
+    engine.run([&] { model = geometry::make_shape_model(shape, &progress, creases); }, &progress);
+    return model;
+}
+
+void measure_volume(CurvedMesh& mesh, geometry::Engine& engine, const TopoDS_Shape& shape, Progress& progress) {
+    engine.run([&] { mesh.report.cad_volume = geometry::solid_content(shape, &progress); }, &progress);
+}
+
+}  // namespace
+
+CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::CurveOptions& options,
+                       const triangulate::TriangulateOptions& straight, Progress& progress) {
+    options.validate();
+    straight.validate();
+    const Stopwatch watch_all;
+    progress.stage("reading the shape", 0.0, 0.0);
+    const auto model = model_of(engine, shape, geometry::Creases::Cut, progress);
+    CurvedMesh mesh = best_of_attempts(engine, model, straight, options, progress);
+    measure_volume(mesh, engine, shape, progress);
+    mesh.report.cpu_seconds = watch_all.cpu();
+    return mesh;
+}
+
+CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::Result& surface,
+                         const curve::CurveOptions& options, Progress& progress) {
+    options.validate();
+    const bool pieces = !surface.mesh.triangle_piece.empty();
+    const auto model = model_of(engine, shape, pieces ? geometry::Creases::Cut : geometry::Creases::Keep, progress);
+    CurvedMesh mesh = curve::curve(engine, model, surface.mesh, options, &progress);
+    mesh.straight = surface.mesh;
+    mesh.report.straight = surface.report;
+    mesh.report.chord_height_asked = surface.report.chord_height_asked;
+    measure_volume(mesh, engine, shape, progress);
+    return mesh;
+}
+
+}  // namespace mq::workflows

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/progress.h"
+#include "curve/curve.h"
+#include "geometry/engine.h"
+#include "triangulate/work_mesh/options.h"
+#include "triangulate/work_mesh/result.h"
+
+class TopoDS_Shape;
+
+namespace mq::workflows {
+
+/// Meshes a shape and curves the mesh. Where it cannot be filled, or elements stay invalid, a finer straight mesh is
+/// curved instead, three times at most; the result is the first one with the fewest invalid elements.
+/// @throws InvalidInput, TopologyError, GeometryError naming the entity; curve::MeshingFailed where no attempt could be
+///     filled; Cancelled.
+curve::CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::CurveOptions& options,
+                              const triangulate::TriangulateOptions& straight, Progress& progress);
+
+/// Curves a mesh that triangulate_shape() made of the shape, once.
+/// @throws as curve::curve.
+curve::CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::Result& surface,
+                                const curve::CurveOptions& options, Progress& progress);
+
+}  // namespace mq::workflows

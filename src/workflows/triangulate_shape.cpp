@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "workflows/triangulate_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "base/single_precision_grid.h"
+#include "base/stopwatch.h"
+#include "geometry/occt/shape_distance.h"
+#include "geometry/occt/shape_model.h"
+#include "geometry/occt/solid_volume.h"
+#include "mesh/quality/deviation_samples.h"
+#include "triangulate/triangulate.h"
+
+namespace mq::workflows {
+
+namespace {
+
+using triangulate::Result;
+
+/// Adds a note for thin models, which lose volume to the single-precision numbers of a mesh in FreeCAD, whatever the
+/// options are.
+void note_lost_volume(Result& result, const TopoDS_Shape& shape, geometry::Engine& engine, const Progress& progress) {
+    constexpr double kThin = 2e-3;  // fraction of the volume by which the rounding of all vertices can change it
+    constexpr double kLost = 1e-2;  // fraction of the volume
+    const mesh::MeshReport& report = result.report;
+    if (!report.closed || report.box.empty()) {
+        return;
+    }
+    const double resolution = SinglePrecisionGrid(report.box).resolution();
+    if (report.area * resolution < kThin * std::abs(report.volume)) {
+        return;
+    }
+    double content = 0.0;
+    engine.run([&] { content = geometry::solid_content(shape, &progress); }, &progress);
+    const double lost = content - report.volume;
+    if (content > 0.0 && std::abs(lost) > kLost * content) {
+        std::array<char, 200> text;
+        std::snprintf(text.data(), text.size(),
+                      "the part is so thin that single precision changes its volume from %.4g to %.4g mm^3: it holds "
+                      "coordinates of this part to %.2g mm",
+                      content, report.volume, resolution);
+        result.report.notes.emplace_back(text.data());
+    }
+}
+
+}  // namespace
+
+Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
+                         const triangulate::TriangulateOptions& options, Progress& progress,
+                         triangulate::MeshCache* cache) {
+    options.validate();
+    const Stopwatch watch_all;
+    std::shared_ptr<geometry::Model> model;
+    progress.stage("reading the shape", 0.0, 0.0);
+    engine.run([&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut); }, &progress);
+    const double reading = watch_all.wall();
+    Result result = triangulate::triangulate(engine, model, options, &progress, cache);
+    result.report.seconds.insert(result.report.seconds.begin(), {"read the shape", reading});
+    note_lost_volume(result, shape, engine, progress);
+    result.report.cpu_seconds = watch_all.cpu();
+    return result;
+}
+
+mesh::MeshReport measure_against_shape(const Result& surface, const TopoDS_Shape& shape, Progress& progress) {
+    mesh::MeshReport report = surface.report;
+    progress.stage("measuring the distance", 0.0, 1.0);
+    const mesh::DeviationSamples samples = mesh::deviation_samples(surface.mesh);
+    const std::vector<double> distances = geometry::distances_to_faces(shape, samples.points, &progress);
+    if (!distances.empty()) {
+        const std::vector<double> of_triangles = samples.largest(distances);
+        const auto worst = std::max_element(distances.begin(), distances.end());
+        const auto triangle = std::max_element(of_triangles.begin(), of_triangles.end());
+        report.max_chord_height = *worst;
+        report.to_nearest_face = true;
+        report.max_chord_point = samples.points[static_cast<std::size_t>(worst - distances.begin())];
+        report.max_chord_triangle = static_cast<std::int32_t>(triangle - of_triangles.begin());
+    }
+    return report;
+}
+
+std::vector<double> triangle_deviations(const mesh::TriangleMesh& mesh, const TopoDS_Shape& shape, Progress& progress) {
+    progress.stage("measuring the distance", 0.0, 1.0);
+    const mesh::DeviationSamples samples = mesh::deviation_samples(mesh);
+    return samples.largest(geometry::distances_to_faces(shape, samples.points, &progress));
+}
+
+}  // namespace mq::workflows

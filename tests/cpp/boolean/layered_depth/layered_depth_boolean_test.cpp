@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/layered_depth/layered_depth_boolean.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/error.h"
+#include "boolean/closed_solids.h"
+#include "mesh/quality/mesh_report.h"
+
+namespace mq::boolean {
+namespace {
+
+const Operation kOperations[] = {Operation::Union, Operation::Intersection, Operation::Difference,
+                                 Operation::SymmetricDifference};
+
+UniformOptions at_resolution(int resolution) {
+    UniformOptions options;
+    options.resolution = resolution;
+    return options;
+}
+
+double volume(const mesh::TriangleMesh& mesh) {
+    return mesh::measure(mesh).volume;
+}
+
+/// Checks what the method promises of every result.
+void expect_sound(const UniformResult& r, const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
+    const mesh::MeshReport report = mesh::measure(r.mesh);
+    EXPECT_EQ(report.border_edges, 0U);
+    EXPECT_EQ(report.nonmanifold_edges, 0U);
+    EXPECT_EQ(report.misoriented_edges, 0U);
+    EXPECT_EQ(report.pinched_vertices, 0U);
+    ASSERT_EQ(r.triangle_source.size(), r.mesh.triangles.size());
+    const std::array<const mesh::TriangleMesh*, 2> operands{&a, &b};
+    std::size_t retained = 0;
+    for (std::size_t k = 0; k < r.triangle_source.size(); ++k) {
+        const auto [operand, index] = r.triangle_source[k];
+        if (operand < 0) {
+            continue;
+        }
+        ++retained;
+        const mesh::TriangleMesh& from = *operands[operand];
+        std::array<Vec3, 3> now, then;
+        for (int i = 0; i < 3; ++i) {
+            now[i] = r.mesh.vertices[r.mesh.triangles[k][i]];
+            then[i] = from.vertices[from.triangles[index][i]];
+        }
+        const bool same = now == then;
+        const bool reversed = now[0] == then[0] && now[1] == then[2] && now[2] == then[1];
+        EXPECT_TRUE(same || reversed) << "triangle " << k;
+    }
+    EXPECT_EQ(retained, r.retained);
+    EXPECT_EQ(r.retained + r.changed + r.reconstructed + r.hole_triangles, r.mesh.triangles.size());
+    for (const Vec3& p : r.mesh.vertices) {
+        EXPECT_EQ(p, to_single(p));
+    }
+}
+
+double lens(double radius, double distance) {
+    const double h = radius - 0.5 * distance;  // two caps
+    return 2.0 * M_PI * h * h * (radius - h / 3.0);
+}
+
+TEST(Uniform, SpheresInAllOperations) {
+    const mesh::TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 64);
+    const mesh::TriangleMesh b = solids::sphere(Vec3(0.7, 0.4, 0.2), 1.0, 64);
+    const double ball = volume(a), common = lens(1.0, Vec3(0.7, 0.4, 0.2).norm());
+    const double expected[] = {2 * ball - common, common, ball - common, 2 * (ball - common)};
+    for (const Operation operation : kOperations) {
+        SCOPED_TRACE(name(operation));
+        const UniformResult r = layered_depth_boolean(a, b, operation, at_resolution(129), nullptr);
+        expect_sound(r, a, b);
+        EXPECT_NEAR(volume(r.mesh), expected[static_cast<int>(operation)], 0.01);
+        EXPECT_GT(r.retained, r.mesh.triangles.size() / 3);
+        EXPECT_GT(r.error_bound, 0.0);
+        EXPECT_EQ(r.seconds.size(), 9U);
+    }
+}
+
+TEST(Uniform, ApartAndWithin) {
+    const mesh::TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 24);
+    const mesh::TriangleMesh inner = solids::sphere(Vec3(0.1, 0, 0), 0.5, 16);
+    const mesh::TriangleMesh apart = solids::sphere(Vec3(3, 0, 0), 1.0, 24);
+    const auto run = [&](const mesh::TriangleMesh& b, Operation operation) {
+        const UniformResult r = layered_depth_boolean(a, b, operation, at_resolution(129), nullptr);
+        expect_sound(r, a, b);
+        EXPECT_EQ(r.retained, r.mesh.triangles.size());
+        EXPECT_EQ(r.error_bound, 0.0);
+        return volume(r.mesh);
+    };
+    EXPECT_NEAR(run(apart, Operation::Union), volume(a) + volume(apart), 1e-9);
+    EXPECT_EQ(run(apart, Operation::Intersection), 0.0);
+    EXPECT_NEAR(run(apart, Operation::Difference), volume(a), 1e-9);
+    EXPECT_NEAR(run(inner, Operation::Difference), volume(a) - volume(inner), 1e-9);
+    EXPECT_NEAR(run(inner, Operation::Intersection), volume(inner), 1e-9);
+    EXPECT_NEAR(run(inner, Operation::SymmetricDifference), volume(a) - volume(inner), 1e-9);
+}
+
+/// The bound counts the free cells around the operands, which take some of the rays.
+TEST(Uniform, TheBoundIsWithinTheToleranceThatTheResolutionIsFor) {
+    const mesh::TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 24);
+    const mesh::TriangleMesh b = solids::sphere(Vec3(0.7, 0.4, 0.2), 1.0, 24);
+    const double size = 2.7;  // along x
+    const double exact = std::sqrt(3.0) * size / 64;
+    for (const double tolerance : {0.5, exact, 1.001 * exact, 0.999 * exact, 0.05}) {
+        SCOPED_TRACE(tolerance);
+        const int resolution = uniform_resolution(size, tolerance);
+        EXPECT_LE(uniform_bound(size, resolution), tolerance);
+        const UniformResult r = layered_depth_boolean(a, b, Operation::Union, at_resolution(resolution), nullptr);
+        EXPECT_GT(r.error_bound, 0.0);
+        EXPECT_LE(r.error_bound, tolerance * (1.0 + 1e-12));
+    }
+    const double least = uniform_bound(size, 4097);
+    EXPECT_LE(uniform_bound(size, uniform_resolution(size, least)), least);
+    EXPECT_THROW(uniform_resolution(size, 0.99 * least), InvalidInput);
+}
+
+/// The rays lie where the result can be, however far the other operand reaches.
+TEST(Uniform, ToolsFarLargerThanThePart) {
+    const mesh::TriangleMesh ball = solids::sphere(Vec3(0.1, 0.2, 0.3), 1.0, 40);
+    for (const double size : {10.0, 1e3, 1e6}) {
+        SCOPED_TRACE(size);
+        const mesh::TriangleMesh tool = solids::box(Vec3(-0.4 * size, -0.7 * size, 0.3), Vec3(size, size, size));
+        const UniformResult cut = layered_depth_boolean(ball, tool, Operation::Difference, at_resolution(65), nullptr);
+        expect_sound(cut, ball, tool);
+        EXPECT_NEAR(volume(cut.mesh), 0.5 * volume(ball), 0.02);
+        EXPECT_NEAR(cut.spacing, 2.0 / 61.0, 1e-3);
+        const UniformResult common =
+            layered_depth_boolean(tool, ball, Operation::Intersection, at_resolution(65), nullptr);
+        expect_sound(common, tool, ball);
+        EXPECT_NEAR(volume(common.mesh), 0.5 * volume(ball), 0.02);
+        EXPECT_EQ(common.spacing, cut.spacing);
+    }
+}
+
+/// Remark 3: a solid and itself leave that solid's own triangles.
+TEST(Uniform, ASolidWithItself) {
+    const mesh::TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 24, 0.1);
+    for (const Operation operation : {Operation::Union, Operation::Intersection}) {
+        const UniformResult r = layered_depth_boolean(a, a, operation, at_resolution(129), nullptr);
+        expect_sound(r, a, a);
+        EXPECT_EQ(r.mesh.triangles, a.triangles);
+    }
+    const UniformResult none = layered_depth_boolean(a, a, Operation::Difference, at_resolution(129), nullptr);
+    EXPECT_TRUE(none.mesh.triangles.empty());
+}
+
+/// Faces, edges and corners that touch; every position of the grid's rays is a tie for axis-parallel faces.
+TEST(Uniform, BoxesInContact) {
+    const mesh::TriangleMesh a = solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    const struct {
+        mesh::TriangleMesh b;
+        Operation operation;
+        double volume;
+    } cases[] = {
+        {solids::box(Vec3(1, 0, 0), Vec3(2, 1, 1)), Operation::Union, 2.0},
+        {solids::box(Vec3(0.5, 0, 0), Vec3(1.5, 1, 1)), Operation::Union, 1.5},
+        {solids::box(Vec3(0.25, 0.25, 1), Vec3(0.75, 0.75, 2)), Operation::Union, 1.25},
+        {solids::box(Vec3(0.25, 0.25, 0), Vec3(0.75, 0.75, 1)), Operation::Difference, 0.75},
+        {solids::box(Vec3(0.5, 0.25, 0.25), Vec3(1, 0.75, 0.75)), Operation::Difference, 0.875},
+        {solids::box(Vec3(0.5, 0.5, 0.5), Vec3(2, 2, 2)), Operation::Intersection, 0.125},
+        {solids::box(Vec3(1, 1, 0), Vec3(2, 2, 1)), Operation::Union, 2.0},
+        {solids::box(Vec3(1, 1, 1), Vec3(2, 2, 2)), Operation::Union, 2.0},
+    };
+    for (const auto& c : cases) {
+        SCOPED_TRACE(&c - cases);
+        const UniformResult r = layered_depth_boolean(a, c.b, c.operation, at_resolution(65), nullptr);
+        expect_sound(r, a, c.b);
+        EXPECT_NEAR(volume(r.mesh), c.volume, 0.02);
+    }
+}
+
+TEST(Uniform, OperandThatIntersectsItself) {
+    const mesh::TriangleMesh left = solids::sphere(Vec3(0, 0, 0), 1.0, 32);
+    const mesh::TriangleMesh right = solids::sphere(Vec3(0.8, 0, 0), 1.0, 32);
+    const mesh::TriangleMesh both = solids::together(left, right);
+    const UniformResult r =
+        layered_depth_boolean(both, mesh::TriangleMesh(), Operation::Union, at_resolution(129), nullptr);
+    expect_sound(r, both, mesh::TriangleMesh());
+    EXPECT_NEAR(volume(r.mesh), volume(left) + volume(right) - lens(1.0, 0.8), 0.03);
+    UniformOptions parity = at_resolution(129);
+    parity.normal_index = false;
+    const UniformResult odd = layered_depth_boolean(both, mesh::TriangleMesh(), Operation::Union, parity, nullptr);
+    EXPECT_NEAR(volume(odd.mesh), volume(left) + volume(right) - 2.0 * lens(1.0, 0.8), 0.06);
+}
+
+/// Triangles far smaller than the distance between rays, rough surfaces, any operation: always 2-manifold.
+TEST(Uniform, RoughSolidsStayTwoManifold) {
+    std::mt19937 random(11);
+    for (unsigned round = 0; round < 24; ++round) {
+        const double wobble = 0.3 * (round % 4) / 3.0;
+        const auto coordinate = [&] { return random() / 4294967295.0 - 0.5; };
+        const mesh::TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 8 + round % 5 * 20, wobble, round);
+        const Vec3 center(coordinate(), coordinate(), coordinate());
+        const mesh::TriangleMesh b = solids::sphere(center, 0.9, 6 + round % 7 * 12, wobble, round + 100);
+        SCOPED_TRACE(round);
+        const UniformResult r =
+            layered_depth_boolean(a, b, kOperations[round % 4], at_resolution(round % 3 == 0 ? 33 : 65), nullptr);
+        expect_sound(r, a, b);
+    }
+}
+
+TEST(Uniform, TheSameEveryTime) {
+    const mesh::TriangleMesh a = solids::sphere(Vec3(0, 0, 0), 1.0, 40, 0.1);
+    const mesh::TriangleMesh b = solids::sphere(Vec3(0.5, 0.3, 0.1), 0.9, 30, 0.1);
+    const UniformResult first = layered_depth_boolean(a, b, Operation::Union, at_resolution(65), nullptr);
+    for (int round = 0; round < 3; ++round) {
+        const UniformResult again = layered_depth_boolean(a, b, Operation::Union, at_resolution(65), nullptr);
+        EXPECT_EQ(again.mesh.triangles, first.mesh.triangles);
+        EXPECT_EQ(again.mesh.vertices, first.mesh.vertices);
+    }
+}
+
+TEST(Uniform, RefusesWhatItCannotDo) {
+    const mesh::TriangleMesh good = solids::sphere(Vec3(0, 0, 0), 1.0, 10);
+    mesh::TriangleMesh open = good;
+    open.triangles.pop_back();
+    const auto message = [&](const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, const UniformOptions& options) {
+        try {
+            layered_depth_boolean(a, b, Operation::Union, options, nullptr);
+        } catch (const InvalidInput& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_NE(message(open, good, at_resolution(65)).find("operand A is not closed"), std::string::npos);
+    EXPECT_NE(message(good, open, at_resolution(65)).find("operand B is not closed"), std::string::npos);
+    mesh::TriangleMesh inward = good;
+    for (mesh::Triangle& t : inward.triangles) {
+        std::swap(t[1], t[2]);
+    }
+    EXPECT_NE(message(good, inward, at_resolution(65)).find("operand B is inside out"), std::string::npos);
+    mesh::TriangleMesh endless = good;
+    endless.vertices[0].x() = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(message(endless, good, at_resolution(65)).find("operand A: vertex 0 "), 0U);
+    EXPECT_EQ(message(good, endless, at_resolution(65)).find("operand B: vertex 0 "), 0U);
+    EXPECT_NE(message(good, good, at_resolution(5)).find("resolution is 5"), std::string::npos);
+    mesh::TriangleMesh moved = good;
+    moved.origin = Vec3(1, 0, 0);
+    EXPECT_NE(message(good, moved, at_resolution(65)).find("origins"), std::string::npos);
+    UniformOptions thick;
+    thick.thinnest = 0.5;
+    EXPECT_NE(message(good, good, thick).find("thinnest"), std::string::npos);
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(layered_depth_boolean(good, good, Operation::Union, at_resolution(65), &progress), Cancelled);
+}
+
+TEST(Uniform, EmptyOperands) {
+    const mesh::TriangleMesh none, ball = solids::sphere(Vec3(0, 0, 0), 1.0, 10);
+    EXPECT_TRUE(layered_depth_boolean(none, none, Operation::Union, at_resolution(33), nullptr).mesh.triangles.empty());
+    EXPECT_EQ(layered_depth_boolean(none, ball, Operation::Union, at_resolution(33), nullptr).mesh.triangles,
+              ball.triangles);
+    EXPECT_TRUE(
+        layered_depth_boolean(ball, none, Operation::Intersection, at_resolution(33), nullptr).mesh.triangles.empty());
+}
+
+}  // namespace
+}  // namespace mq::boolean

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/bezier/jacobian.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "curve/bezier/jacobian_of_nodes.h"
+#include "curve/bezier/validity.h"
+#include "curve/elements.h"
+
+namespace mq::curve {
+namespace {
+
+TEST(Jacobian, OfAnAffineMapIsItsDeterminant) {
+    Eigen::Matrix3d matrix;
+    matrix << 2.0, 0.3, 0.1, -0.4, 1.5, 0.2, 0.7, 0.1, 3.0;
+    for (int order = 1; order <= 4; ++order) {
+        const Lattice& lattice = Lattice::of(3, order);
+        const JacobianForm form = form_of(lattice, nodes_of(lattice, [&](const Vec3& x) { return Vec3(matrix * x); }));
+        for (const double c : form.coefficients) {
+            EXPECT_NEAR(c, matrix.determinant(), 1e-12);
+        }
+        const Quality quality = quality_of(form, matrix.determinant());
+        EXPECT_NEAR(quality.distortion, 1.0, kQualityAccuracy);
+        EXPECT_NEAR(quality.scaled_jacobian, 1.0, kQualityAccuracy);
+    }
+}
+
+TEST(Jacobian, PolynomialIsTheDeterminantEverywhere) {
+    std::mt19937 random(5);
+    for (int order = 2; order <= 4; ++order) {
+        const Lattice& lattice = Lattice::of(3, order);
+        const std::vector<Vec3> control =
+            nodes_to_bezier(lattice, perturbed(nodes_of(lattice, identity), 0.2 / order, random));
+        const JacobianForm form = jacobian_of(lattice, control);
+        for (int i = 0; i < 50; ++i) {
+            const Barycentric at = random_point(3, random);
+            EXPECT_NEAR(value(*form.lattice, form.coefficients, at), jacobian_at(lattice, control, at), 1e-12);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace mq::curve

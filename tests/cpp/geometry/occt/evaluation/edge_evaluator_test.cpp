@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/evaluation/edge_evaluator.h"
+
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS_Compound.hxx>
+#include <cmath>
+
+#include "geometry/shapes.h"
+
+namespace mq::geometry {
+namespace {
+
+/// A spline over [0, 1] without inner knots: a Bezier curve.
+TopoDS_Edge clamped_edge(const std::vector<gp_Pnt>& points) {
+    const int degree = static_cast<int>(points.size()) - 1;
+    TColgp_Array1OfPnt poles(1, degree + 1);
+    for (int i = 0; i <= degree; ++i) {
+        poles(i + 1) = points[static_cast<std::size_t>(i)];
+    }
+    TColStd_Array1OfReal knots(1, 2);
+    knots(1) = 0.0;
+    knots(2) = 1.0;
+    TColStd_Array1OfInteger multiplicities(1, 2);
+    multiplicities.Init(degree + 1);
+    return BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, multiplicities, degree)).Edge();
+}
+
+/// A spline that runs back on itself: the guess decides which branch is found.
+TEST(EdgeNearest, FollowsTheGuess) {
+    BRep_Builder builder;
+    TopoDS_Compound both;
+    builder.MakeCompound(both);
+    builder.Add(both, BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape());
+    builder.Add(both, clamped_edge({{0.0, 0.0, 0.0}, {4.0, 0.0, 0.0}, {4.0, 1.0, 0.0}, {0.0, 1.0, 0.0}}));
+    const auto model = make_shape_model(both);
+    // Index of the spline's edge in the model.
+    constexpr int kEdge = 12;
+    ASSERT_EQ(model->topology().edges.size(), 13u);
+    EXPECT_EQ(model->topology().faults.front(), "Edge13: belongs to no face");
+    const Vec3 p(1.5, 0.5, 0.0);
+    const Answer low = model->answer(Query::edge_nearest(kEdge, p, 0.1, 0.0, 1.0));
+    const Answer high = model->answer(Query::edge_nearest(kEdge, p, 0.9, 0.0, 1.0));
+    EXPECT_LT(low.t, 0.4);
+    EXPECT_GT(high.t, 0.6);
+    EXPECT_NEAR(low.distance, high.distance, 1e-9);
+    // The range is binding.
+    EXPECT_EQ(model->answer(Query::edge_nearest(kEdge, Vec3(1.5, 0.49, 0.0), 0.5, 0.45, 0.55)).t, 0.45);
+    EXPECT_EQ(model->answer(Query::edge_nearest(kEdge, Vec3(1.5, 0.51, 0.0), 0.5, 0.45, 0.55)).t, 0.55);
+    // The first crossing, though the curve comes back.
+    const Answer first = model->answer(Query::edge_at_distance(kEdge, 0.0, 1.0, 2.0));
+    ASSERT_TRUE(first.found());
+    EXPECT_NEAR(first.point.norm(), 2.0, 1e-12);
+    EXPECT_LT(first.t, 0.5);
+    EXPECT_EQ(model->answer(Query::edge_at_distance(kEdge, 0.0, 1.0, 9.0)).status, Status::NotFound);
+    // Middle by arc length.
+    const Answer middle = model->answer(Query::edge_middle(kEdge, 0.0, 0.6));
+    EXPECT_NEAR(model->answer(Query::edge_length(kEdge, 0.0, middle.t)).distance,
+                model->answer(Query::edge_length(kEdge, 0.6, middle.t)).distance, 1e-8);
+    EXPECT_NEAR(model->answer(Query::edge_middle(kEdge, 0.6, 0.0)).t, middle.t, 1e-8);
+}
+
+/// A curve whose speed is 0 at its end but for rounding: x = t * t.
+TEST(EdgeNearest, FindsAnEndWhereTheCurveStandsStill) {
+    for (const double rounding : {0.0, 1e-14, -1e-14, 1e-12}) {
+        const TopoDS_Edge edge = clamped_edge({{0.0, 0.0, 0.0}, {rounding, 0.0, 0.0}, {1.0, 0.0, 0.0}});
+        const auto model = make_shape_model(BRepPrimAPI_MakePrism(edge, gp_Vec(0.0, 1.0, 0.0)).Shape());
+        int found = -1;
+        for (int e = 0; e < 4; ++e) {
+            const Answer middle = model->answer(Query::edge_point(e, 0.5));
+            found = middle.found() && std::abs(middle.point.x() - 0.25) < 1e-9 ? e : found;
+        }
+        ASSERT_GE(found, 0);
+        const double y = model->answer(Query::edge_point(found, 0.5)).point.y();
+        for (const double off : {0.0, 1e-13, -1e-13, 1e-6, -1e-6}) {
+            for (const double guess : {0.0, 1e-9, 0.1, 0.5, 1.0}) {
+                const Answer end = model->answer(Query::edge_nearest(found, Vec3(off, y, 0.0), guess, 0.0, 1.0));
+                EXPECT_LT(end.distance, 1.001e-6) << off << " from " << guess << " with " << rounding;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace mq::geometry

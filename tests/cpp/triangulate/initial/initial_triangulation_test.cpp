@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/initial/initial_triangulation.h"
+
+#include <BRepBuilderAPI_GTransform.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <Geom_SphericalSurface.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopoDS_Compound.hxx>
+#include <cmath>
+#include <gp_GTrsf.hxx>
+#include <map>
+
+#include "base/error.h"
+#include "geometry/parts.h"
+
+namespace mq::triangulate {
+namespace {
+
+using namespace geometry;  // the shapes of its tests
+
+constexpr double kTolerance = 1e-6;  // mm: deviation of the shapes' own edges from their surfaces
+
+/// A shape with its structure S_C.
+struct Case {
+    explicit Case(const Part& part)
+        : model(*part.model),
+          session(engine, part.model),
+          grid(part.model->topology().box),
+          initial(triangulate_initially(session, grid, progress)) {}
+
+    const geometry::Topology& topology() const { return model.topology(); }
+    /// Returns the point of a site in the shape's coordinates.
+    Vec3 point_of(const FaceMesh::Site& site) const {
+        return grid.to_part(site.vertex >= 0 ? initial.chains.vertices()[site.vertex].point : site.point);
+    }
+
+    geometry::Model& model;
+    geometry::Engine engine{geometry::Engine::Mode::Direct};
+    geometry::Session session;
+    SinglePrecisionGrid grid;
+    Progress progress;
+    InitialTriangulation initial;
+};
+
+void expect_chains_follow_curves(const Case& c) {
+    const double slack = c.grid.resolution() + kTolerance;
+    for (int e = 0; e < static_cast<int>(c.topology().edges.size()); ++e) {
+        const EdgePolyline& chain = c.initial.chains.chain(e);
+        const geometry::Edge& edge = c.topology().edges[e];
+        ASSERT_EQ(chain.t.size(), chain.vertices.size());
+        ASSERT_GE(chain.t.size(), 2u);
+        EXPECT_EQ(chain.t.front(), edge.t0);
+        EXPECT_EQ(chain.t.back(), edge.t1);
+        EXPECT_EQ(chain.collapsed, edge.degenerate);
+        EXPECT_EQ(chain.vertices.front(), c.initial.chains.vertex_of_node(edge.nodes[0]));
+        EXPECT_EQ(chain.vertices.back(), c.initial.chains.vertex_of_node(edge.nodes[1]));
+        for (std::size_t i = 0; !chain.collapsed && i < chain.t.size(); ++i) {
+            const geometry::Answer here = c.model.answer(geometry::Query::edge_point(e, chain.t[i]));
+            const Vec3 vertex = c.grid.to_part(c.initial.chains.vertices()[chain.vertices[i]].point);
+            EXPECT_LE((vertex - here.point).norm(), slack) << "edge " << e;
+            if (i > 0) {
+                EXPECT_LT(chain.t[i - 1], chain.t[i]);
+                const geometry::Answer before = c.model.answer(geometry::Query::edge_point(e, chain.t[i - 1]));
+                EXPECT_GE(before.normal.normalized().dot(here.normal.normalized()), std::cos(M_PI / 4.0) - 1e-9)
+                    << "edge " << e << " turns by more than 45 degrees";
+            }
+        }
+    }
+}
+
+/// Checks that every link is mutual, with opposite directions (by other sites of the same vertex where the face has a
+/// pole), and that every piece of the border is used once, with the face on its left.
+void expect_links(const Case& c, int f) {
+    const FaceMesh& face = c.initial.faces[f];
+    std::map<std::pair<int, int>, int> met;
+    const auto same = [&](int a, int b) {
+        return a == b || (face.sites[a].vertex >= 0 && face.sites[a].vertex == face.sites[b].vertex);
+    };
+    for (int h = 0; h < 3 * static_cast<int>(face.triangles.size()); ++h) {
+        const auto site = [&](int k, int step) { return face.triangles[k / 3][(k % 3 + step) % 3]; };
+        const FaceMesh::Link& link = face.links[h / 3][h % 3];
+        ASSERT_NE(link.half_edge >= 0, link.border >= 0);
+        if (link.half_edge >= 0) {
+            const int g = link.half_edge;
+            ASSERT_EQ(face.links[g / 3][g % 3].half_edge, h);
+            ASSERT_TRUE(same(site(h, 0), site(g, 1)));
+            ASSERT_TRUE(same(site(h, 1), site(g, 0)));
+            continue;
+        }
+        const FaceMesh::Border& border = face.borders[link.border];
+        const geometry::EdgeUse& use = c.topology().uses[border.use];
+        const EdgePolyline& chain = c.initial.chains.chain(use.edge);
+        ASSERT_EQ(use.face, f);
+        ++met[{border.use, border.index}];
+        const bool along = use.forward != c.topology().faces[f].reversed;
+        const std::pair<int, int> side{face.sites[site(h, 0)].vertex, face.sites[site(h, 1)].vertex};
+        EXPECT_EQ(side.first, chain.vertices[border.index + (along ? 0 : 1)]);
+        EXPECT_EQ(side.second, chain.vertices[border.index + (along ? 1 : 0)]);
+    }
+    for (int u = 0; u < static_cast<int>(c.topology().uses.size()); ++u) {
+        const EdgePolyline& chain = c.initial.chains.chain(c.topology().uses[u].edge);
+        for (int i = 0; c.topology().uses[u].face == f && !chain.collapsed && i + 1 < int(chain.t.size()); ++i) {
+            EXPECT_EQ((met[{u, i}]), 1) << "piece " << i << " of use " << u;
+        }
+    }
+}
+
+void expect_sites_on_surface(const Case& c, int f) {
+    for (const FaceMesh::Site& site : c.initial.faces[f].sites) {
+        const geometry::Answer there = c.model.answer(geometry::Query::face_point(f, site.uv.x(), site.uv.y()));
+        ASSERT_TRUE(there.found());
+        EXPECT_LE((there.point - c.point_of(site)).norm(), c.grid.resolution() + kTolerance);
+        if (there.status == geometry::Status::Ok && site.normal.squaredNorm() > 0.0) {
+            EXPECT_LT((there.normal - site.normal).norm(), 1e-6);
+        }
+    }
+}
+
+void expect_normals(const Case& c, int f) {
+    const FaceMesh& face = c.initial.faces[f];
+    for (const auto& t : face.triangles) {
+        const Vec3 a = c.point_of(face.sites[t[0]]);
+        const Vec3 normal = (c.point_of(face.sites[t[1]]) - a).cross(c.point_of(face.sites[t[2]]) - a);
+        ASSERT_GT(normal.norm(), 0.0);
+        bool at_apex = false;
+        double least = 1.0;
+        for (const int s : t) {
+            const geometry::Answer there =
+                c.model.answer(geometry::Query::face_point(f, face.sites[s].uv.x(), face.sites[s].uv.y()));
+            at_apex = at_apex || there.status != geometry::Status::Ok;
+            least =
+                there.status == geometry::Status::Ok ? std::min(least, normal.normalized().dot(there.normal)) : least;
+        }
+        // The normals of four triangles around the apex of a slender cone deviate more; none of the triangles faces
+        // inwards.
+        EXPECT_GT(least, at_apex ? 0.0 : 0.5);
+    }
+}
+
+TEST(InitialTriangulation, CoversEveryFaceOfEveryPart) {
+    for (const Part& part : all_parts()) {
+        SCOPED_TRACE(part.name);
+        const Case c(part);
+        for (const auto& [face, why] : c.initial.failures) {
+            ADD_FAILURE() << geometry::name_of({2, face}) << ": " << why;
+        }
+        ASSERT_EQ(c.initial.faces.size(), c.topology().faces.size());
+        expect_chains_follow_curves(c);
+        for (int f = 0; f < static_cast<int>(c.initial.faces.size()); ++f) {
+            SCOPED_TRACE(geometry::name_of({2, f}));
+            const FaceMesh& face = c.initial.faces[f];
+            ASSERT_FALSE(face.triangles.empty());
+            EXPECT_TRUE(face.failure.empty());
+            EXPECT_TRUE(face.marks.empty());
+            ASSERT_NO_FATAL_FAILURE(expect_links(c, f));
+            ASSERT_NO_FATAL_FAILURE(expect_sites_on_surface(c, f));
+            ASSERT_NO_FATAL_FAILURE(expect_normals(c, f));
+        }
+    }
+}
+
+/// A disc with both edges rounded off, stretched: the strips of spline surfaces are hundreds of times as long as wide,
+/// and turn by a right angle across.
+TopoDS_Shape stretched_disc(double fillet) {
+    const TopoDS_Shape disc = BRepPrimAPI_MakeCylinder(6.5, 0.9).Shape();
+    BRepFilletAPI_MakeFillet rounded(disc);
+    for (TopExp_Explorer it(disc, TopAbs_EDGE); it.More(); it.Next()) {
+        const TopoDS_Edge edge = TopoDS::Edge(it.Current());
+        if (!BRep_Tool::Degenerated(edge) && BRep_Tool::IsClosed(edge)) {
+            rounded.Add(fillet, edge);
+        }
+    }
+    gp_GTrsf stretch;
+    stretch.SetValue(1, 1, 1.65);
+    return BRepBuilderAPI_GTransform(rounded.Shape(), stretch).Shape();
+}
+
+TEST(InitialTriangulation, FollowsNarrowStripsThatTurnAcross) {
+    for (const double fillet : {0.003, 0.01, 0.03}) {
+        SCOPED_TRACE(fillet);
+        const Case c(solid("stretched disc", stretched_disc(fillet)));
+        ASSERT_TRUE(c.initial.failures.empty());
+        ASSERT_GE(c.initial.faces.size(), 5u);
+        for (const FaceMesh& face : c.initial.faces) {
+            EXPECT_EQ(face.unresolved, 0) << face.triangles.size() << " triangles";
+        }
+    }
+}
+
+/// One arc is sampled in longer pieces than the other, and its chord cuts off the other's. If both were halved in
+/// turn, that would continue to where the arcs are so close that no good triangles fit beside them.
+TEST(InitialTriangulation, HalvesTheLongerOfTwoPiecesThatCross) {
+    for (const double outer_turn : {27.0, 29.0, 40.0, 44.0}) {
+        for (const double ratio : {1.05, 1.1, 1.2}) {
+            SCOPED_TRACE(testing::Message() << outer_turn << " degrees, radii " << ratio);
+            const double inner_turn = ratio * outer_turn;
+            const Case c(solid("crescent", extruded(crescent(10.0, 10.0 * ratio, inner_turn, outer_turn), 5.0)));
+            ASSERT_TRUE(c.initial.failures.empty());
+            for (int e = 0; e < static_cast<int>(c.topology().edges.size()); ++e) {
+                const EdgePolyline& chain = c.initial.chains.chain(e);
+                EXPECT_LE(chain.t.size(), 5u) << "edge " << e;
+            }
+        }
+    }
+}
+
+TEST(InitialTriangulation, IsTheSameEveryTime) {
+    for (const Part& part : shape_parts()) {
+        const Case a(part);
+        const Case b(part);
+        ASSERT_EQ(a.initial.faces.size(), b.initial.faces.size());
+        for (std::size_t f = 0; f < a.initial.faces.size(); ++f) {
+            EXPECT_EQ(a.initial.faces[f].triangles, b.initial.faces[f].triangles) << part.name;
+        }
+    }
+}
+
+TEST(InitialTriangulation, StopsWhenCancelled) {
+    const auto model = geometry::make_torus(5.0, 1.5);
+    geometry::Engine engine;
+    geometry::Session session(engine, model);
+    const SinglePrecisionGrid grid(model->topology().box);
+    Progress progress;
+    progress.cancel();
+    EXPECT_THROW(triangulate_initially(session, grid, progress), Cancelled);
+}
+
+TEST(EdgeDiscretisation, HalvesMarkedPiecesOnTheirCurve) {
+    const auto model = make_shape_model(BRepPrimAPI_MakeCylinder(2.0, 5.0).Shape());
+    geometry::Engine engine(geometry::Engine::Mode::Direct);
+    geometry::Session session(engine, model);
+    const SinglePrecisionGrid grid(model->topology().box);
+    EdgeDiscretisation chains(session, grid);
+    for (int e = 0; e < static_cast<int>(model->topology().edges.size()); ++e) {
+        const EdgePolyline before = chains.chain(e);
+        EXPECT_EQ(chains.halve(session, {{e, 0}}), std::set<int>{e});
+        const EdgePolyline& after = chains.chain(e);
+        ASSERT_EQ(after.t.size(), before.t.size() + 1);
+        EXPECT_NEAR(after.t[1], 0.5 * (before.t[0] + before.t[1]), 1e-9);  // holds for a line and for circles
+        const Vec3 added = grid.to_part(chains.vertices()[after.vertices[1]].point);
+        EXPECT_LE((added - model->answer(geometry::Query::edge_point(e, after.t[1])).point).norm(), grid.resolution());
+        EXPECT_EQ(after.vertices.front(), before.vertices.front());
+        EXPECT_EQ(after.vertices.back(), before.vertices.back());
+    }
+}
+
+/// Halves a piece until the grid prevents it, which shows by no further change.
+TEST(EdgeDiscretisation, StopsWhereTheGridCannotHalve) {
+    const auto model = geometry::make_box(1.0, 2.0, 3.0);
+    geometry::Engine engine(geometry::Engine::Mode::Direct);
+    geometry::Session session(engine, model);
+    const SinglePrecisionGrid grid(model->topology().box);
+    EdgeDiscretisation chains(session, grid);
+    int rounds = 0;
+    while (rounds < 200 && !chains.halve(session, {{0, 0}}).empty()) {
+        ++rounds;
+    }
+    EXPECT_GT(rounds, 10);
+    EXPECT_LT(rounds, 100);
+    const EdgePolyline& chain = chains.chain(0);
+    for (std::size_t i = 1; i < chain.vertices.size(); ++i) {
+        EXPECT_NE(chains.vertices()[chain.vertices[i - 1]].point, chains.vertices()[chain.vertices[i]].point);
+    }
+}
+
+/// Faces as modellers leave them if they lost the border of an offset surface.
+TEST(InitialTriangulation, FacesWithoutEdgesAreNamed) {
+    BRep_Builder builder;
+    TopoDS_Face bare;
+    builder.MakeFace(bare, new Geom_SphericalSurface(gp_Ax3(), 1.0), 1e-7);
+    TopoDS_Compound both;
+    builder.MakeCompound(both);
+    builder.Add(both, TopExp_Explorer(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape(), TopAbs_FACE).Current());
+    builder.Add(both, bare);
+    const Case c({"bare", make_shape_model(both), 0, false});
+    ASSERT_EQ(c.initial.failures.size(), 1u);
+    EXPECT_EQ(c.initial.failures[0], std::make_pair(1, std::string("it has no edges")));
+}
+
+/// A square whose lower side begins with an end artefact that extends beyond the left side, farther than the
+/// tolerance of their vertex.
+TopoDS_Face hooked(double reach) {
+    TColgp_Array1OfPnt poles(1, 6);
+    const std::array<gp_Pnt, 6> at{gp_Pnt(0.0, 0.0, 0.0),      gp_Pnt(-2.0 * reach, 0.0, 0.0),
+                                   gp_Pnt(-reach, reach, 0.0), gp_Pnt(3.0 * reach, reach, 0.0),
+                                   gp_Pnt(0.5, 0.02, 0.0),     gp_Pnt(1.0, 0.0, 0.0)};
+    for (int i = 0; i < 6; ++i) {
+        poles.SetValue(i + 1, at[static_cast<std::size_t>(i)]);
+    }
+    const TopoDS_Edge lower = BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles)).Edge();
+    return planar_face({lower, line(1.0, 0.0, 1.0, 1.0), line(1.0, 1.0, 0.0, 1.0), line(0.0, 1.0, 0.0, 0.0)});
+}
+
+TEST(InitialTriangulation, HooksBeyondTheToleranceOfTheirNodeAreLeftOut) {
+    const TopoDS_Face face = hooked(1e-3);
+    for (TopExp_Explorer it(face, TopAbs_VERTEX); it.More(); it.Next()) {
+        BRep_Builder().UpdateVertex(TopoDS::Vertex(it.Current()), 1e-4);
+    }
+    const Case c({"hooked", make_shape_model(face), 0, false});
+    EXPECT_TRUE(c.initial.failures.empty());
+    ASSERT_EQ(c.initial.faces.size(), 1u);
+    EXPECT_FALSE(c.initial.faces[0].triangles.empty());
+    expect_links(c, 0);
+}
+
+}  // namespace
+}  // namespace mq::triangulate

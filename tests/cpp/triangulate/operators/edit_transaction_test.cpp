@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/operators/edit_transaction.h"
+
+#include <random>
+#include <set>
+
+#include "triangulate/checks.h"
+#include "triangulate/operators/cavity_replacement.h"
+#include "triangulate/optimise/edge_vertex_relocation.h"
+
+/// Changes that are undone.
+namespace mq::triangulate {
+namespace {
+
+std::set<std::array<int, 3>> sites_of(const ClassifiedMesh& mesh) {
+    std::set<std::array<int, 3>> all;
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        if (!mesh.gone(t)) {
+            std::array<int, 3> sites{mesh.site_of(3 * t), mesh.site_of(3 * t + 1), mesh.site_of(3 * t + 2)};
+            std::rotate(sites.begin(), std::min_element(sites.begin(), sites.end()), sites.end());
+            all.insert(sites);
+        }
+    }
+    return all;
+}
+
+/// Replaces all triangles around the origin of `h` by a fan from a new vertex, if these are a disc. @return its
+/// triangles
+template <typename Undo>
+std::vector<int> put_new_fan(Pipeline& pipeline, int h, Undo& undo) {
+    ClassifiedMesh& mesh = pipeline.surface;
+    const auto disc = disc_of(mesh, triangles_around(mesh, h));
+    if (!disc) {
+        return {};
+    }
+    const ClassifiedMesh::Site site = mesh.site(mesh.site_of(disc->rim.front()));
+    const int vertex = mesh.add_vertex(site.point, {2, mesh.face_of(h / 3)});
+    undo.about_to_remove(disc->triangles);
+    std::vector<int> added = replace_by_fan(pipeline.work, *disc, mesh.add_site({vertex, site.uv, site.normal}), 0.4);
+    undo.added(added);
+    return added;
+}
+
+/// After any number of fans, overlapping or not, undoing restores the same triangles, under the returned indices, with
+/// their exemptions.
+TEST(EditTransaction, BringsBackWhatWasThere) {
+    std::mt19937 random(7);
+    for (const geometry::Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        pipeline.refine(25.0);
+        ClassifiedMesh& mesh = pipeline.surface;
+        for (int round = 0; round < 10; ++round) {
+            const auto before = sites_of(mesh);
+            const int middle = static_cast<int>(random() % static_cast<unsigned>(mesh.triangle_count()));
+            if (mesh.gone(middle)) {
+                continue;
+            }
+            const int first_site = mesh.site_of(3 * middle);
+            pipeline.work.exempt[middle] = {Cause::NoImprovingChange, -1, -1, mesh.stamp(middle)};
+            EditTransaction undo(pipeline.work);
+            int next = middle;
+            for (int change = 0; change < 6; ++change) {
+                const std::vector<int> added = put_new_fan(pipeline, 3 * next + static_cast<int>(random() % 3), undo);
+                next = added.empty() ? next : added[random() % added.size()];
+            }
+            const std::map<int, int> moved = undo.undo();
+            EXPECT_EQ(sites_of(mesh), before);
+            const int again = moved.count(middle) > 0 ? moved.at(middle) : middle;
+            EXPECT_EQ(mesh.site_of(3 * again), first_site);
+            ASSERT_NE(pipeline.work.exemption_of(again), nullptr);
+            EXPECT_EQ(pipeline.work.exemption_of(again)->cause, Cause::NoImprovingChange);
+            EXPECT_EQ(mesh.inconsistency(), "");
+            EXPECT_TRUE(pipeline.maxmin.doubled_edges().empty());
+        }
+    }
+}
+
+using Ends = std::array<double, 5>;
+
+std::set<Ends> segments_of(const ClassifiedMesh& mesh) {
+    std::set<Ends> all;
+    for (int s = 0; s < mesh.segment_count(); ++s) {
+        const ClassifiedMesh::Segment& segment = mesh.segment(s);
+        if (!segment.uses.empty()) {
+            all.insert({static_cast<double>(segment.edge), static_cast<double>(segment.vertices[0]),
+                        static_cast<double>(segment.vertices[1]), segment.t[0], segment.t[1]});
+        }
+    }
+    return all;
+}
+
+void random_fan(Pipeline& pipeline, std::mt19937& random, TransactionStack& undo) {
+    ClassifiedMesh& mesh = pipeline.surface;
+    const int t = static_cast<int>(random() % static_cast<unsigned>(mesh.triangle_count()));
+    if (mesh.gone(t)) {
+        return;
+    }
+    put_new_fan(pipeline, 3 * t + static_cast<int>(random() % 3), undo);
+}
+
+// Splits a random segment on two faces, in the middle of its parameters.
+void random_split(Pipeline& pipeline, std::mt19937& random, TransactionStack& undo) {
+    ClassifiedMesh& mesh = pipeline.surface;
+    const int s = static_cast<int>(random() % static_cast<unsigned>(mesh.segment_count()));
+    const ClassifiedMesh::Segment segment = mesh.segment(s);
+    std::set<int> faces;
+    for (const auto& use : segment.uses) {
+        faces.insert(mesh.face_of(use.half_edge / 3));
+    }
+    if (faces.empty() || faces.size() < segment.uses.size()) {
+        return;
+    }
+    undo.about_to_split(s);
+    const double t = 0.5 * (segment.t[0] + segment.t[1]);
+    const Vec3 point = 0.5 * (mesh.vertex(segment.vertices[0]).point + mesh.vertex(segment.vertices[1]).point);
+    const int vertex = mesh.add_vertex(point, {1, segment.edge});
+    std::vector<int> sites;
+    for (const auto& use : segment.uses) {
+        sites.push_back(mesh.add_site({vertex, Vec2::Zero(), mesh.site(mesh.site_of(use.half_edge)).normal}));
+    }
+    const int far = pipeline.maxmin.split_segment(s, vertex, t, sites);
+    for (const int half : {s, far}) {
+        for (const auto& use : mesh.segment(half).uses) {
+            undo.added({use.half_edge / 3});
+        }
+    }
+}
+
+// Moves a random vertex along its CAD edge, if it is on one. @return whether it has moved
+bool random_move(Pipeline& pipeline, std::mt19937& random, const Sizing& sizing, TransactionStack& undo) {
+    const int vertex = static_cast<int>(random() % static_cast<unsigned>(pipeline.surface.vertex_count()));
+    const double step = random() % 2 == 0 ? 0.3 : -0.3;
+    const std::vector<int> changed = EdgeVertexRelocation(pipeline.work, sizing).move(vertex, step, 0.4, undo);
+    undo.added(changed);
+    return !changed.empty();
+}
+
+/// Fans, splits of segments and moves in nested transactions: undoing each restores its initial state on all faces.
+TEST(TransactionStack, BringsBackWhatWasThereTrialByTrial) {
+    std::mt19937 random(11);
+    int moves = 0;
+    for (const geometry::Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        pipeline.refine(25.0);
+        ClassifiedMesh& mesh = pipeline.surface;
+        const Sizing sizing{0.0, EdgeBounds(pipeline.session.topology(), 0.0, {}), 0.0, 0.0};
+        for (int round = 0; round < 10; ++round) {
+            TransactionStack undo(pipeline.work);
+            std::vector<std::pair<std::set<std::array<int, 3>>, std::set<Ends>>> before;
+            for (int depth = 0; depth < 3; ++depth) {
+                before.emplace_back(sites_of(mesh), segments_of(mesh));
+                undo.begin();
+                random_fan(pipeline, random, undo);
+                random_split(pipeline, random, undo);
+                for (int k = 0; k < 5; ++k) {
+                    moves += random_move(pipeline, random, sizing, undo) ? 1 : 0;
+                }
+                random_fan(pipeline, random, undo);
+                EXPECT_EQ(mesh.inconsistency(), "");
+            }
+            while (!undo.empty()) {
+                undo.undo_last();
+                EXPECT_EQ(sites_of(mesh), before.back().first);
+                EXPECT_EQ(segments_of(mesh), before.back().second);
+                EXPECT_EQ(mesh.inconsistency(), "");
+                before.pop_back();
+            }
+            mesh.compact();
+            EXPECT_TRUE(pipeline.maxmin.doubled_edges().empty());
+        }
+    }
+    EXPECT_GT(moves, 100);
+}
+
+}  // namespace
+}  // namespace mq::triangulate

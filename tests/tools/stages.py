@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The folders of src/ are stages: which there are, which way includes may go between them, how many files each
+holds, and that tests/cpp mirrors them. Each check returns a list of sentences, one a fault.
+"""
+
+import re
+from collections import Counter
+from pathlib import Path
+
+# By module the folders below it in rows, low to high: a folder may include those of lower rows, and itself.
+STAGES = {
+    "base": [["base"]],
+    "geometry": [
+        ["geometry"],
+        ["geometry/elementary"],
+        ["geometry/analytic", "geometry/occt/evaluation"],
+        ["geometry/occt/topology"],
+        ["geometry/occt/checks"],
+        ["geometry/occt"],
+    ],
+    "mesh": [["mesh"], ["mesh/io", "mesh/intersection"], ["mesh/quality"]],
+    "triangulate": [
+        ["triangulate/initial", "triangulate/work_mesh"],
+        ["triangulate/measure", "triangulate/operators", "triangulate/spacing"],
+        ["triangulate/front"],
+        ["triangulate/sampling"],
+        ["triangulate/refine", "triangulate/optimise", "triangulate/virtual_topology", "triangulate/incremental",
+         "triangulate/report"],
+        ["triangulate"],
+    ],
+    "boolean": [
+        ["boolean/input", "boolean/exact"],
+        ["boolean/arrangement"],
+        ["boolean/perturbation"],
+        ["boolean/extraction"],
+        ["boolean/rounding"],
+        ["boolean/layered_depth/samples"],
+        ["boolean/layered_depth/reconstruction"],
+        ["boolean/layered_depth"],
+        ["boolean"],
+    ],
+    "curve": [["curve/bezier"], ["curve/surface"], ["curve/volume/netgen", "curve/volume/mesher"], ["curve/volume"], ["curve/output"],
+              ["curve"]],
+    "improve": [["improve"]],
+    "workflows": [["workflows"]],
+    "view": [["view"]],
+    "python": [["python/freecad"], ["python"]],
+}
+MAX_FILES = 24  # of C++ in a folder of src: about ten rooms
+FILES = {".h", ".cpp", ".i"}
+# Rooms with an algorithm: a pair of header and source. This share of them has a test of its own, tests/cpp/ROOM_test.cpp.
+LEAST_TESTED = 0.6
+
+
+def _rank():
+    return {folder: row for rows in STAGES.values() for row, folders in enumerate(rows) for folder in folders}
+
+
+def _cpp_files(root):
+    return sorted(path.relative_to(root / "src") for path in (root / "src").rglob("*") if path.suffix in FILES)
+
+
+def check_folders(root):
+    """Every folder is a stage that is declared, and holds no more files than a reader can survey."""
+    faults, rank = [], _rank()
+    for folder, count in sorted(Counter(path.parent.as_posix() for path in _cpp_files(root)).items()):
+        if folder not in rank:
+            faults.append(f"src/{folder} is no stage of tests/tools/stages.py")
+        if count > MAX_FILES:
+            faults.append(f"src/{folder} has {count} files, more than {MAX_FILES}")
+    return faults
+
+
+def check_stage_includes(root):
+    """Includes within a module go to lower rows of its stages."""
+    faults, rank = [], _rank()
+    for path in _cpp_files(root):
+        folder = path.parent.as_posix()
+        for number, line in enumerate((root / "src" / path).read_text(encoding="utf-8").splitlines(), 1):
+            found = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
+            other = Path(found[1]).parent.as_posix() if found else folder
+            if other == folder or other.split("/")[0] != folder.split("/")[0]:
+                continue
+            if rank.get(other, 99) >= rank.get(folder, -1):
+                faults.append(f"src/{path}:{number}: {folder} may not include {found[1]}")
+    return faults
+
+
+def check_tests_mirror(root):
+    """A test named after a room of src lies in the folder of that room."""
+    rooms = {}
+    for path in _cpp_files(root):
+        rooms.setdefault((path.parts[0], path.stem), set()).add(path.parent.as_posix())
+    faults = []
+    for path in sorted((root / "tests" / "cpp").rglob("*_test.cpp")):
+        relative = path.relative_to(root / "tests" / "cpp")
+        homes = rooms.get((relative.parts[0], path.name.removesuffix("_test.cpp")), set())
+        if homes and relative.parent.as_posix() not in homes:
+            faults.append(f"tests/cpp/{relative} belongs to tests/cpp/{min(homes)}")
+    return faults
+
+
+def check_tested(root):
+    """Enough rooms with an algorithm have a test of their name."""
+    rooms = {path.with_suffix("").as_posix() for path in _cpp_files(root) if path.suffix == ".cpp"}
+    rooms = {room for room in rooms if (root / "src" / f"{room}.h").exists() and not room.startswith("python")}
+    tested = [room for room in rooms if (root / "tests" / "cpp" / f"{room}_test.cpp").exists()]
+    share = len(tested) / max(len(rooms), 1)
+    return [] if share >= LEAST_TESTED else [
+        f"{len(tested)} of {len(rooms)} rooms have a test of their name, less than {LEAST_TESTED:.0%}"]
+
+
+CHECKS = [check_folders, check_stage_includes, check_tests_mirror, check_tested]
