@@ -338,6 +338,9 @@ CURVED_DISPLAY = (
 )
 
 
+# Changes no result, and so is no property of objects.
+THREADS = Option("threads", int, 0, low=0, high=1024, above=False, title="Threads",
+                 help="Threads that work at a time; 0: one for each core")
 BOOLEAN = (
     Option("operation", str, "union", choices=OPERATIONS, group="Boolean", title="Operation",
            choice_titles=("Union", "Intersection", "Difference", "Symmetric difference"),

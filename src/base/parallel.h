@@ -11,9 +11,31 @@
 
 namespace mq {
 
-/// The number of threads that work at a time: as many as there are cores, or the value of the environment variable
-/// MESHQUALITY_THREADS at the first call, where it is a number greater than 0.
+/// Lets parallel_for use at most this number of threads when it is called by this thread, while the object lives.
+class ThreadLimit {
+  public:
+    /// @param most  0: as many as there are otherwise
+    explicit ThreadLimit(int most) : before_(present()) { present() = most; }
+    ~ThreadLimit() { present() = before_; }
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+    /// The limit of this thread; 0: there is none.
+    static int& present() {
+        thread_local int most = 0;
+        return most;
+    }
+
+  private:
+    int before_;
+};
+
+/// The number of threads that work at a time: the present ThreadLimit, or as many as there are cores, or the value of
+/// the environment variable MESHQUALITY_THREADS at the first call, where it is a number greater than 0.
 inline int thread_count() {
+    if (ThreadLimit::present() > 0) {
+        return ThreadLimit::present();
+    }
     static const int count = [] {
         const char* said = std::getenv("MESHQUALITY_THREADS");
         const int asked = said == nullptr ? 0 : std::atoi(said);

@@ -419,6 +419,9 @@ void BooleanOptions::validate() const {
     if (resolution < 8 || resolution > 65536) {
         throw InvalidInput("resolution is " + std::to_string(resolution) + ": it must be from 8 to 65536");
     }
+    if (threads < 0) {
+        throw InvalidInput("threads is " + std::to_string(threads) + ": it must be at least 0");
+    }
 }
 
 BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Operation operation,
@@ -429,6 +432,7 @@ BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, Op
 BooleanResult boolean(const std::vector<const mesh::TriangleMesh*>& operands, const Expression& expression,
                       const BooleanOptions& options, Progress* progress) {
     options.validate();
+    const ThreadLimit threads(options.threads);
     if (operands.empty()) {
         throw InvalidInput("a Boolean without operands: give at least one mesh");
     }

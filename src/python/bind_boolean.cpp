@@ -143,6 +143,7 @@ void bind_boolean(py::module_& m) {
         .def(py::init<>())
         .def_readwrite("tolerance", &BooleanOptions::tolerance)
         .def_readwrite("resolution", &BooleanOptions::resolution)
+        .def_readwrite("threads", &BooleanOptions::threads)
         .def("tolerance_for", &BooleanOptions::tolerance_for, py::arg("size"),
              "The tolerance in mm for operands whose box has this longest side: that which was requested, else that of "
              "the resolution.");

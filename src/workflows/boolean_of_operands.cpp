@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "boolean/layered_depth/layered_depth_boolean.h"
 #include "boolean/project_to_cad.h"
@@ -171,6 +172,7 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
                                    const Expression& expression, const BooleanOptions& options, BooleanMethod method,
                                    const WorkBefore& before, Progress& progress) {
     options.validate();
+    const ThreadLimit threads(options.threads);
     const Stopwatch watch_all;
     std::vector<FramedOperand> framed;
     for (const BooleanOperand& operand : operands) {

@@ -40,6 +40,47 @@ def without(mesh, facets):
     return mesh
 
 
+class Threads(unittest.TestCase):
+    """The option `threads`."""
+
+    def test_the_result_is_the_same_for_any_number(self):
+        first = Mesh.createSphere(1.0, 60)
+        second = placed(first, (0.4, 0.3, 0.2), Vector(1, 1, 0), 30)
+        results = [mq.boolean(first, second, "difference", threads=threads) for threads in (0, 1, 2, 5)]
+        for result in results[1:]:
+            self.assertEqual(result.vertices.tobytes(), results[0].vertices.tobytes())
+            self.assertEqual(result.triangles.tobytes(), results[0].triangles.tobytes())
+
+    def test_numbers_that_are_none_are_refused(self):
+        for threads in (-1, 1025, 1.5, True, "all"):
+            with self.assertRaisesRegex(mq.InvalidInput, "threads"):
+                mq.boolean(box(0, 0, 0), box(0.5, 0.5, 0.5), "union", threads=threads)
+
+
+class ManyBoxes(unittest.TestCase):
+    """Boxes along the axes, whose faces lie in common planes: what there is most of in designs."""
+
+    def test_a_row_of_boxes_that_overlap(self):
+        count, step = 300, 0.5
+        start = time.process_time()
+        result = mq.boolean([box(step * k, 0, 0) for k in range(count)], operation="union")
+        self.assertLess(time.process_time() - start, 20)  # it took the cube of their number: minutes
+        self.assertAlmostEqual(result.report.volume, step * (count - 1) + 1.0, places=9)
+        self.assertEqual(result.report.components, 1)
+
+    def test_a_stack_of_turned_boxes(self):
+        # Their tops and bottoms are in common planes, all edges of which cross.
+        boxes = [placed(box(-0.5, -0.5, 0), (0.03 * k, 0, 0), angle=21.0 * k) for k in range(30)]
+        joined = mq.boolean(boxes, operation="union").report
+        common = mq.boolean(boxes, operation="intersection").report
+        for report in (joined, common):
+            self.assertTrue(report.closed and report.manifold)
+            self.assertEqual(report.faults_left, 0)
+        inner, outer = 0.25 * math.pi, 0.5 * math.pi
+        self.assertLess(common.volume, inner)
+        self.assertGreater(joined.volume, outer - 0.2)
+
+
 class BooleanTest(unittest.TestCase):
     def solid(self, result, volume=None, relative=1e-6):
         """Checks the guarantees, and the volume.

@@ -29,7 +29,7 @@ class BooleanMesh(SurfaceMesh):
 
 
 def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=None,
-            method="default"):
+            method="default", threads=0):
     """Joins, intersects or subtracts closed meshes and shapes.
 
     a, b        operands: Mesh.Mesh, SurfaceMesh, arrays (V, F), Part.Shape, or document objects
@@ -41,6 +41,7 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
     tolerance   mm; largest distance of the result from the exact one
     progress    callable(fraction 0..1, stage); returning False cancels
     method      "default", or "uniform": the scheme of Wang 2010, for two operands
+    threads     that work at a time; 0: one for each core. The result is the same for any number
 
     Shapes are meshed within half the tolerance first. Operands with small faults (holes,
     duplicate, flipped or degenerate triangles, self-intersections) are repaired, which the report
@@ -55,6 +56,7 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
         "operation": operation, "resolution": resolution, "tolerance": tolerance,
         "method": method,
     })
+    values["threads"] = options.THREADS.checked(threads)
     options.require_callable(progress)
     sources = list(a) if b is None else [a, b]
     if not sources:
@@ -68,6 +70,7 @@ def run(operands, values, progress=None):
     core_options, before = module.BooleanOptions(), module.WorkBefore()
     core_options.resolution = values["resolution"]
     core_options.tolerance = values["tolerance"] or 0.0
+    core_options.threads = values.get("threads", 0)
     meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING))
     before.seconds, before.notes = operands.seconds, operands.notes
     before.cpu_seconds = operands.cpu_seconds
