@@ -23,6 +23,23 @@ std::string position(const Vec3& p) {
     return "(" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")";
 }
 
+/// Adds to the windings of an operand.
+void add(Windings& windings, std::int32_t operand, std::int32_t times) {
+    const auto place = std::lower_bound(windings.begin(), windings.end(), operand,
+                                        [](const Winding& w, std::int32_t o) { return w.operand < o; });
+    if (place == windings.end() || place->operand != operand) {
+        windings.insert(place, {operand, times});
+    } else if ((place->times += times) == 0) {
+        windings.erase(place);
+    }
+}
+
+/// The first operand of which the windings differ.
+std::int32_t first_difference(const Windings& a, const Windings& b) {
+    const auto [x, y] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    return x == a.end() ? y->operand : (y == b.end() ? x->operand : std::min(x->operand, y->operand));
+}
+
 /// An edge where patches meet: its faces are found at [first, last) of a list.
 struct CurveEdge {
     std::int32_t low;
@@ -112,8 +129,7 @@ class CellFinder {
         }
         std::int32_t cells = 0;
         side_cell_ = sides.number(cells);
-        cells_.operands = soup_.operands;
-        cells_.winding.assign(static_cast<std::size_t>(cells) * static_cast<std::size_t>(soup_.operands), 0);
+        cells_.windings.resize(static_cast<std::size_t>(cells));
         body_ = bodies.number(components_);
         cells_.front.resize(patch_.size());
         cells_.back.resize(patch_.size());
@@ -123,24 +139,19 @@ class CellFinder {
         }
     }
 
-    std::int32_t* windings(std::int32_t cell) {
-        return cells_.winding.data() + static_cast<std::size_t>(cell) * static_cast<std::size_t>(soup_.operands);
-    }
+    Windings& windings(std::int32_t cell) { return cells_.windings[static_cast<std::size_t>(cell)]; }
 
-    /// The change of each operand's winding number on passing a face from its front to its back.
-    std::vector<std::int32_t> jump(const Face& face) const {
-        std::vector<std::int32_t> result(static_cast<std::size_t>(soup_.operands), 0);
-        const auto add = [&](const CoplanarCover& cover) {
-            const Source& source = soup_.source[static_cast<std::size_t>(cover.triangle)];
-            result[static_cast<std::size_t>(source.operand)] += cover.turn;
+    /// Adds the change of each operand's winding number on passing a face from its front to its back, times `sign`.
+    void add_jump(const Face& face, int sign, Windings& windings) const {
+        const auto pass = [&](const CoplanarCover& cover) {
+            add(windings, soup_.source[static_cast<std::size_t>(cover.triangle)].operand, sign * cover.turn);
         };
         if (face.stack < 0) {
-            add({face.source, 1});
+            pass({face.source, 1});
         } else {
             const std::vector<CoplanarCover>& stack = arrangement_.stacks[static_cast<std::size_t>(face.stack)];
-            std::for_each(stack.begin(), stack.end(), add);
+            std::for_each(stack.begin(), stack.end(), pass);
         }
-        return result;
     }
 
     /// Computes the windings of all cells relative to one cell of each component.
@@ -149,7 +160,7 @@ class CellFinder {
         for (std::size_t f = 0; f < patch_.size(); ++f) {
             face_of[static_cast<std::size_t>(patch_[f])] = static_cast<std::int32_t>(f);
         }
-        const std::size_t cells = cells_.winding.size() / static_cast<std::size_t>(soup_.operands);
+        const std::size_t cells = cells_.windings.size();
         std::vector<std::vector<std::pair<std::int32_t, std::int32_t>>> beside(cells);  // (patch, cell beyond)
         for (std::size_t p = 0; p < cells_.patches; ++p) {
             const std::int32_t front = side_cell_[2 * p];
@@ -180,25 +191,21 @@ class CellFinder {
 
     void pass(std::int32_t cell, std::int32_t patch, std::int32_t beyond, std::int32_t face, std::vector<char>& known,
               std::queue<std::int32_t>& todo) {
-        const std::vector<std::int32_t> step = jump(arrangement_.faces[static_cast<std::size_t>(face)]);
-        const int sign = side_cell_[static_cast<std::size_t>(2 * patch)] == cell ? 1 : -1;
-        const bool first = known[static_cast<std::size_t>(beyond)] == 0;
-        for (int k = 0; k < soup_.operands; ++k) {
-            const std::int32_t value = windings(cell)[k] + sign * step[static_cast<std::size_t>(k)];
-            if (first) {
-                windings(beyond)[k] = value;
-            } else if (windings(beyond)[k] != value) {
-                const Vec3 at =
-                    arrangement_.points.approx(arrangement_.faces[static_cast<std::size_t>(face)].points[0]);
-                throw TopologyError(
-                    "the surface of " +
-                    operand_name(static_cast<std::size_t>(k), static_cast<std::size_t>(soup_.operands)) +
-                    " bounds no volume near " + position(at));
-            }
-        }
-        if (first) {
+        const Face& passed = arrangement_.faces[static_cast<std::size_t>(face)];
+        Windings behind = windings(cell);
+        add_jump(passed, side_cell_[static_cast<std::size_t>(2 * patch)] == cell ? 1 : -1, behind);
+        if (known[static_cast<std::size_t>(beyond)] == 0) {
+            windings(beyond) = std::move(behind);
             known[static_cast<std::size_t>(beyond)] = 1;
             todo.push(beyond);
+            return;
+        }
+        if (!(behind == windings(beyond))) {
+            const std::int32_t wrong = first_difference(behind, windings(beyond));
+            throw TopologyError(
+                "the surface of " +
+                operand_name(static_cast<std::size_t>(wrong), static_cast<std::size_t>(soup_.operands)) +
+                " bounds no volume near " + position(arrangement_.points.approx(passed.points[0])));
         }
     }
 
@@ -209,18 +216,22 @@ class CellFinder {
         const std::optional<RayWinding> found = winding_in_front(soup_, arrangement_, faces);
         if (!found.has_value()) {
             for (const std::int32_t c : cells) {
-                std::fill(windings(c), windings(c) + soup_.operands, 0);
+                windings(c).clear();
             }
             return;
         }
-        const std::int32_t cell = cells_.front[static_cast<std::size_t>(found->face)];
-        std::vector<std::int32_t> offset(static_cast<std::size_t>(soup_.operands));
-        for (int k = 0; k < soup_.operands; ++k) {
-            offset[static_cast<std::size_t>(k)] = found->winding[static_cast<std::size_t>(k)] - windings(cell)[k];
+        Windings offset;
+        for (std::int32_t k = 0; k < soup_.operands; ++k) {
+            if (found->winding[static_cast<std::size_t>(k)] != 0) {
+                offset.push_back({k, found->winding[static_cast<std::size_t>(k)]});
+            }
+        }
+        for (const Winding& relative : windings(cells_.front[static_cast<std::size_t>(found->face)])) {
+            add(offset, relative.operand, -relative.times);
         }
         for (const std::int32_t c : cells) {
-            for (int k = 0; k < soup_.operands; ++k) {
-                windings(c)[k] += offset[static_cast<std::size_t>(k)];
+            for (const Winding& more : offset) {
+                add(windings(c), more.operand, more.times);
             }
         }
     }

@@ -270,9 +270,16 @@ Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells
                    const Progress& progress) {
     Extraction result;
     std::vector<std::int32_t> kept;
-    std::vector<char> in_cell(cells.winding.size() / static_cast<std::size_t>(cells.operands));
+    std::vector<char> in_cell(cells.windings.size());
+    std::vector<std::int32_t> winding(expression.operands(), 0);
     for (std::size_t c = 0; c < in_cell.size(); ++c) {
-        in_cell[c] = expression.contains(cells.windings(static_cast<std::int32_t>(c))) ? 1 : 0;
+        for (const Winding& w : cells.windings[c]) {
+            winding[static_cast<std::size_t>(w.operand)] = w.times;
+        }
+        in_cell[c] = expression.contains(winding.data()) ? 1 : 0;
+        for (const Winding& w : cells.windings[c]) {
+            winding[static_cast<std::size_t>(w.operand)] = 0;
+        }
     }
     for (std::size_t f = 0; f < arrangement.faces.size(); ++f) {
         const bool front = in_cell[static_cast<std::size_t>(cells.front[f])] != 0;

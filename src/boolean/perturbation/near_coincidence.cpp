@@ -44,25 +44,31 @@ bool parallel_operands(const Soup& soup, const mesh::ContactPair& pair) {
     return std::abs(m.dot(n)) > kParallel * m.norm() * n.norm();
 }
 
+/// By operand, the vertices of later ones where these nearly coincide with it: those of triangles that are nearly
+/// parallel to one that they cross.
+std::vector<std::vector<std::int32_t>> vertices_of_parallel_pairs(const Soup& soup,
+                                                                  const std::vector<mesh::ContactPair>& crossing) {
+    std::vector<std::vector<std::int32_t>> result(static_cast<std::size_t>(soup.operands));
+    for (const mesh::ContactPair& pair : crossing) {
+        if (parallel_operands(soup, pair)) {
+            const bool in_order = operand_of(soup, pair.a) < operand_of(soup, pair.b);
+            const Triangle& c = soup.triangles[static_cast<std::size_t>(in_order ? pair.b : pair.a)];
+            std::vector<std::int32_t>& list =
+                result[static_cast<std::size_t>(operand_of(soup, in_order ? pair.a : pair.b))];
+            list.insert(list.end(), c.begin(), c.end());
+        }
+    }
+    return result;
+}
+
 /// The distance from the earlier operand below which most vertices of later ones stay where they nearly coincide; 0
 /// when they do not within `farthest`.
-double usual_distance(const Soup& soup, const mesh::AabbTree& tree, const VertexOffsets& offsets, std::int32_t earlier,
-                      const std::vector<mesh::ContactPair>& crossing, double farthest) {
+double usual_distance(const Soup& soup, const mesh::AabbTree& tree, std::vector<std::int32_t> vertices,
+                      double farthest) {
     // Vertices sampled to estimate the distance.
     constexpr std::size_t kSamples = 2000;
     // The quantile of the sampled distances; leaves out rare outliers.
     constexpr double kMost = 0.98;
-    std::vector<std::int32_t> vertices;
-    for (const mesh::ContactPair& pair : crossing) {
-        if (parallel_operands(soup, pair)) {
-            for (const std::int32_t t : {pair.a, pair.b}) {
-                const Triangle& c = soup.triangles[static_cast<std::size_t>(t)];
-                if (offsets.operand(static_cast<std::size_t>(c[0])) > earlier) {
-                    vertices.insert(vertices.end(), c.begin(), c.end());
-                }
-            }
-        }
-    }
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const std::size_t stride = std::max<std::size_t>(1, vertices.size() / kSamples);
@@ -164,12 +170,14 @@ bool nearly_coincident(const Soup& soup, const std::vector<mesh::ContactPair>& c
 }
 
 bool separable(const Soup& soup, double tolerance, const std::vector<mesh::ContactPair>& crossing) {
-    const VertexOffsets offsets(soup);
     const auto triangles = triangles_by_operand(soup);
-    for (std::int32_t earlier = 0; earlier + 1 < soup.operands; ++earlier) {
-        const mesh::AabbTree tree(soup.vertices, soup.triangles, triangles[static_cast<std::size_t>(earlier)]);
-        if (usual_distance(soup, tree, offsets, earlier, crossing, tolerance / (2.0 * kStep)) > 0.0) {
-            return true;
+    const auto vertices = vertices_of_parallel_pairs(soup, crossing);
+    for (std::size_t earlier = 0; earlier < vertices.size(); ++earlier) {
+        if (!vertices[earlier].empty()) {
+            const mesh::AabbTree tree(soup.vertices, soup.triangles, triangles[earlier]);
+            if (usual_distance(soup, tree, vertices[earlier], tolerance / (2.0 * kStep)) > 0.0) {
+                return true;
+            }
         }
     }
     return false;
@@ -180,11 +188,16 @@ NearCoincidence separate(Soup& soup, const Expression& expression, double tolera
     NearCoincidence result;
     const VertexOffsets offsets(soup);
     const auto triangles = triangles_by_operand(soup);
+    const auto near_pairs = vertices_of_parallel_pairs(soup, crossing);
     soup.moved.assign(soup.vertices.size(), 0);
     CancelPace pace(progress);
     for (std::int32_t earlier = 0; earlier + 1 < soup.operands; ++earlier) {
+        const std::vector<std::int32_t>& near_vertices = near_pairs[static_cast<std::size_t>(earlier)];
+        if (near_vertices.empty()) {
+            continue;
+        }
         const mesh::AabbTree tree(soup.vertices, soup.triangles, triangles[static_cast<std::size_t>(earlier)]);
-        const double step = kStep * usual_distance(soup, tree, offsets, earlier, crossing, tolerance / (2.0 * kStep));
+        const double step = kStep * usual_distance(soup, tree, near_vertices, tolerance / (2.0 * kStep));
         if (step == 0.0) {
             continue;
         }

@@ -14,24 +14,33 @@ namespace {
 
 using soups::Arranged;
 
-std::set<std::vector<std::int32_t>> windings_of(const Cells& cells) {
-    std::set<std::vector<std::int32_t>> found;
-    for (std::size_t cell = 0; cell * static_cast<std::size_t>(cells.operands) < cells.winding.size(); ++cell) {
-        const std::int32_t* at = cells.windings(static_cast<std::int32_t>(cell));
-        found.insert(std::vector<std::int32_t>(at, at + cells.operands));
-    }
-    return found;
-}
-
 Cells cells_of(const Arranged& c) {
     return find_cells(c.soup, *c.arrangement, c.progress);
+}
+
+/// The windings of all operands, by cell.
+std::vector<std::vector<std::int32_t>> all_windings(const Arranged& c, const Cells& cells) {
+    std::vector<std::vector<std::int32_t>> result;
+    for (const Windings& windings : cells.windings) {
+        result.emplace_back(static_cast<std::size_t>(c.soup.operands), 0);
+        for (const Winding& winding : windings) {
+            EXPECT_NE(winding.times, 0);
+            result.back()[static_cast<std::size_t>(winding.operand)] = winding.times;
+        }
+    }
+    return result;
+}
+
+std::set<std::vector<std::int32_t>> windings_of(const Arranged& c) {
+    const auto all = all_windings(c, cells_of(c));
+    return {all.begin(), all.end()};
 }
 
 /// By component: space around a solid is a cell of each component.
 TEST(Cells, OfTwoOverlappingCubesAreFour) {
     const Arranged c(soups::overlapping_cubes());
     const Cells cells = cells_of(c);
-    EXPECT_EQ(windings_of(cells), (std::set<std::vector<std::int32_t>>{{0, 0}, {1, 0}, {0, 1}, {1, 1}}));
+    EXPECT_EQ(windings_of(c), (std::set<std::vector<std::int32_t>>{{0, 0}, {1, 0}, {0, 1}, {1, 1}}));
     EXPECT_EQ(cells.patches, 4u);
     EXPECT_GE(cells.curve_edges, 6u);
 }
@@ -40,19 +49,22 @@ TEST(Cells, WindingsDifferByTheOperandOfTheFaceBetween) {
     const Arranged c(
         {solids::sphere(Vec3(0, 0, 0), 1.0, 6, 0.1, 3), solids::sphere(Vec3(0.5, 0.3, 0.2), 1.0, 7, 0.1, 4)});
     const Cells cells = cells_of(c);
+    const auto windings = all_windings(c, cells);
     ASSERT_EQ(cells.front.size(), c.arrangement->faces.size());
     for (std::size_t f = 0; f < cells.front.size(); ++f) {
         const std::int32_t own = c.soup.source[static_cast<std::size_t>(c.arrangement->faces[f].source)].operand;
         for (std::int32_t operand = 0; operand < 2; ++operand) {
-            EXPECT_EQ(cells.windings(cells.back[f])[operand] - cells.windings(cells.front[f])[operand],
-                      operand == own ? 1 : 0);
+            const auto at = [&](std::int32_t cell) {
+                return windings[static_cast<std::size_t>(cell)][static_cast<std::size_t>(operand)];
+            };
+            EXPECT_EQ(at(cells.back[f]) - at(cells.front[f]), operand == own ? 1 : 0);
         }
     }
 }
 
 TEST(Cells, NestedSolidsAreWoundTwice) {
     const Arranged c({solids::box(Vec3(0, 0, 0), Vec3(4, 4, 4)), solids::box(Vec3(1, 1, 1), Vec3(2, 2, 2))});
-    EXPECT_EQ(windings_of(cells_of(c)), (std::set<std::vector<std::int32_t>>{{0, 0}, {1, 0}, {1, 1}}));
+    EXPECT_EQ(windings_of(c), (std::set<std::vector<std::int32_t>>{{0, 0}, {1, 0}, {1, 1}}));
 }
 
 TEST(Cells, ASolidInsideOutIsWoundBackwards) {
@@ -61,7 +73,7 @@ TEST(Cells, ASolidInsideOutIsWoundBackwards) {
         std::swap(t[1], t[2]);
     }
     const Arranged c({inward});
-    EXPECT_EQ(windings_of(cells_of(c)), (std::set<std::vector<std::int32_t>>{{0}, {-1}}));
+    EXPECT_EQ(windings_of(c), (std::set<std::vector<std::int32_t>>{{0}, {-1}}));
 }
 
 TEST(Cells, ASurfaceWithABorderBoundsNone) {
