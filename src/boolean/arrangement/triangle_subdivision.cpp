@@ -25,12 +25,17 @@ class Division {
         const int b = local(c[1]);
         const int d = local(c[2]);
         plane_.start(a, b, d);
-        for (std::size_t k = 0; k < 3; ++k) {
-            int from = local(c[k]);
-            const int to = local(c[(k + 1) % 3]);
-            for (const std::int32_t p : points_on(c[k], c[(k + 1) % 3])) {
+        for (std::int32_t k = 0; k < 3; ++k) {
+            const std::int32_t first = c[static_cast<std::size_t>(k)];
+            const std::int32_t last = c[static_cast<std::size_t>((k + 1) % 3)];
+            int from = local(first);
+            const int to = local(last);
+            put_on_edge(first, k);
+            put_on_edge(last, k);
+            for (const std::int32_t p : points_on(first, last)) {
                 const int added = local(p);
                 plane_.split_edge(from, to, added);
+                put_on_edge(p, k);
                 from = added;
             }
         }
@@ -53,11 +58,11 @@ class Division {
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto edge = static_cast<std::int32_t>(3 * i + k);
                 insert(c[k]);
-                edges_at_[c[k]].push_back(edge);
-                edges_at_[c[(k + 1) % 3]].push_back(edge);
+                put_on_edge(c[k], edge);
+                put_on_edge(c[(k + 1) % 3], edge);
                 for (const std::int32_t p : points_on(c[k], c[(k + 1) % 3])) {
                     insert(p);
-                    edges_at_[p].push_back(edge);
+                    put_on_edge(p, edge);
                 }
             }
             insert_inner(t);
@@ -147,8 +152,10 @@ class Division {
         }
     }
 
-    /// Whether an edge of the cluster, which is a constraint already, holds both points: where a triangle that stands
-    /// on the plane meets it along its own edge.
+    void put_on_edge(std::int32_t point, std::int32_t edge) { edges_at_[point].push_back(edge); }
+
+    /// Whether an edge that is there already, of the triangle or of the cluster, holds both points: where a triangle
+    /// that stands on the plane meets it along its own edge.
     bool on_common_edge(std::int32_t a, std::int32_t b) const {
         const auto at_a = edges_at_.find(a);
         const auto at_b = edges_at_.find(b);
@@ -268,7 +275,7 @@ class Division {
     ExactConstrainedTriangulation plane_;
     std::unordered_map<std::int32_t, int> local_;
     std::vector<std::int32_t> global_;
-    /// The cluster's edges, 3 * triangle + k, on which a point of the table is known to lie.
+    /// The edges, 3 * triangle + k, on which a point of the table is known to lie.
     std::unordered_map<std::int32_t, std::vector<std::int32_t>> edges_at_;
 };
 
