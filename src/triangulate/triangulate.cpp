@@ -377,8 +377,12 @@ Result reuse_result(Result result, Costs& costs) {
     return result;
 }
 
-Workspace workspace_of(const Task& task, ClassifiedMesh& surface, MaxMinSwaps& maxmin) {
+Workspace workspace_of(const Task& task, const EdgeDiscretisation& chains, ClassifiedMesh& surface,
+                       MaxMinSwaps& maxmin) {
     Workspace work{task.session, task.grid, surface, maxmin, task.progress};
+    for (int e = 0; e < static_cast<int>(task.session.topology().edges.size()); ++e) {
+        work.unresolved.push_back({chains.unresolved(e, 0), chains.unresolved(e, 1)});
+    }
     work.floor = task.grid.shortest_side();
     work.min_edge = task.options.min_edge;
     work.unseen = kUnseen * task.session.topology().box.largest_side();
@@ -401,7 +405,7 @@ Result mesh_part(const Task& task, const std::vector<geometry::Fingerprint>& key
     ClassifiedMesh surface = assemble(first.faces, topology);
     StageMeshes stages(surface, topology, task.grid.origin(), clock);
     MaxMinSwaps maxmin(surface);
-    Workspace work = workspace_of(task, surface, maxmin);
+    Workspace work = workspace_of(task, first.faces.chains, surface, maxmin);
     MeasurementCache findings(work);
     std::vector<int> touched;
     std::string released;

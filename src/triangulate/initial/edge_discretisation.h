@@ -47,6 +47,11 @@ class EdgeDiscretisation {
     /// later ones there. @return the edges that changed.
     std::set<int> suppress_near_nodes(const geometry::Topology& topology, const std::set<int>& edges,
                                       double tolerances);
+    /// Radius around an end of the edge, mm, within which it has no vertices, since it is not told apart there from the
+    /// next edge of a face; 0: there is no such stretch.
+    double unresolved(int edge, int end) const {
+        return unresolved_[static_cast<std::size_t>(edge)][static_cast<std::size_t>(end)];
+    }
     /// Replaces the inner vertices of an edge, with the ascending parameters `inner`. A collapsed edge does not
     /// change; points that single precision cannot separate from the one before are omitted.
     void resample(geometry::Session& session, int edge, const std::vector<double>& inner);
@@ -60,6 +65,7 @@ class EdgeDiscretisation {
     bool suppress_near_nodes(const geometry::Topology& topology, int edge, double tolerances,
                              std::vector<Vec3>& points);
     bool at_node(int edge, int end, const Vec3& point) const;
+    void find_unresolved_ends(geometry::Session& session);
 
     const SinglePrecisionGrid& grid_;
     std::vector<ChainVertex> vertices_;
@@ -72,7 +78,8 @@ class EdgeDiscretisation {
         Vec3 centre = Vec3::Zero();  // in the shape's frame
         double radius = 0.0;
     };
-    std::vector<std::array<Ball, 2>> balls_;  // by edge
+    std::vector<std::array<Ball, 2>> balls_;         // by edge
+    std::vector<std::array<double, 2>> unresolved_;  // by edge and end: see unresolved()
 };
 
 }  // namespace mq::triangulate

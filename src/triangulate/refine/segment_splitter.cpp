@@ -38,6 +38,12 @@ SegmentSplitter::SegmentSplitter(Workspace& work, bool guard_apexes)
     for (double& radius : room_.innermost) {
         radius = std::max(radius, kAboveFloor * work.shortest_allowed());
     }
+    for (int s = 0; s < work.mesh.segment_count(); ++s) {
+        for (int end = 0; end < 2; ++end) {
+            double& radius = room_.innermost[work.mesh.segment(s).vertices[end]];
+            radius = std::max(radius, kOnShell * unresolved(s, end));
+        }
+    }
 }
 
 double SegmentSplitter::chord(int segment) const {
@@ -74,8 +80,10 @@ SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {
 bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
     for (int end = 0; end < 2; ++end) {
         const int v = work_.mesh.segment(segment).vertices[end];
-        if (v < static_cast<int>(room_.innermost.size()) && chord(segment) <= kOnShell * room_.innermost[v] &&
-            narrowest_corner(work_.mesh, segment, end).angle < kNarrowCorner) {
+        const bool innermost = v < static_cast<int>(room_.innermost.size()) &&
+                               chord(segment) <= kOnShell * room_.innermost[v] &&
+                               narrowest_corner(work_.mesh, segment, end).angle < kNarrowCorner;
+        if (innermost || chord(segment) <= kOnShell * kOnShell * unresolved(segment, end)) {
             if (corner_vertex != nullptr) {
                 *corner_vertex = v;
             }
@@ -169,8 +177,7 @@ void SegmentSplitter::request_encroached_around(const std::vector<int>& triangle
 
 Query SegmentSplitter::place_query(int segment) const {
     const ClassifiedMesh::Segment& s = work_.mesh.segment(segment);
-    const auto asked = asked_.find(segment);
-    const Shell shell = asked != asked_.end() ? asked->second : shell_of(segment);
+    const Shell shell = place_of(segment);
     if (shell.end < 0) {
         return Query::edge_middle(s.edge, s.t[0], s.t[1]);
     }
@@ -240,8 +247,32 @@ bool SegmentSplitter::on_curve(int segment, const Answer& place) const {
 bool SegmentSplitter::far_enough(int segment, const Vec3& point) const {
     const ClassifiedMesh::Segment& s = work_.mesh.segment(segment);
     const double least = work_.shortest_allowed();
-    return (point - work_.mesh.vertex(s.vertices[0]).point).norm() >= least &&
-           (point - work_.mesh.vertex(s.vertices[1]).point).norm() >= least;
+    return (point - work_.mesh.vertex(s.vertices[0]).point).norm() >= std::max(least, unresolved(segment, 0)) &&
+           (point - work_.mesh.vertex(s.vertices[1]).point).norm() >= std::max(least, unresolved(segment, 1));
+}
+
+// Returns the radius around that end within which the segment's edge has no vertices; 0 unless it is an end of the
+// edge.
+double SegmentSplitter::unresolved(int segment, int end) const {
+    const ClassifiedMesh::Segment& s = work_.mesh.segment(segment);
+    const geometry::Edge& edge = work_.session.topology().edges[s.edge];
+    return s.t[end] == edge.t0 ? work_.unresolved[s.edge][0] : s.t[end] == edge.t1 ? work_.unresolved[s.edge][1] : 0.0;
+}
+
+// Returns the shell on which the segment is to be split; none: in its middle. Where that would be too near to a node it
+// is split as near as edges are told apart there.
+SegmentSplitter::Shell SegmentSplitter::place_of(int segment) const {
+    const auto asked = asked_.find(segment);
+    Shell shell = asked != asked_.end() ? asked->second : shell_of(segment);
+    for (int end = 0; end < 2; ++end) {
+        const double least = kOnShell * unresolved(segment, end);
+        if (shell.end < 0 && 0.5 * chord(segment) < least) {
+            shell = {end, least};
+        } else if (shell.end == end) {
+            shell.radius = std::max(shell.radius, least);
+        }
+    }
+    return shell;
 }
 
 // The new vertex lies beyond another segment: between two arcs whose chord errors are large against their distance,

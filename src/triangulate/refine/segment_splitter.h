@@ -68,6 +68,8 @@ class SegmentSplitter {
         double radius = 0.0;
     };
     Shell shell_of(int segment) const;
+    double unresolved(int segment, int end) const;
+    Shell place_of(int segment) const;
     double chord(int segment) const;
     geometry::Query place_query(int segment) const;
     void split_batch(const std::vector<int>& segments, std::vector<int>& touched);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -68,6 +69,9 @@ struct Workspace {
     std::map<int, MultiFaceClassification> spanning{};  ///< by triangle; only after smooth edges were removed
     TriangleMarks settled{};  ///< triangles from an earlier run, with good angles or exempt in that run
     geometry::CadSamples span_points{session, grid};
+    /// By CAD edge: radius around each of its ends, mm, within which no vertices are placed on it (see
+    /// EdgeDiscretisation::unresolved).
+    std::vector<std::array<double, 2>> unresolved{};
     double unseen = 0.0;              ///< mm: normals that turn within a smaller length need not be resolved
     std::size_t left_by_mending = 0;  ///< triangles below the bound when the attempts of mending were used up
     bool refused = false;             ///< whether the budget has refused triangles
