@@ -97,7 +97,8 @@ class CellFinder {
             for (std::size_t i = edge.first; i < edge.last; ++i) {
                 const std::uint32_t c = corners_[i];
                 const std::int32_t apex = arrangement_.faces[c / 3].points[(c % 3 + 2) % 3];
-                around.push_back({static_cast<std::int32_t>(c / 3), apex, runs_up(c, edge.low)});
+                around.push_back(
+                    {static_cast<std::int32_t>(c / 3), apex, runs_up(c, edge.low), arrangement_.faces[c / 3].source});
             }
             sort_radially(arrangement_.points, edge.low, edge.high, around);
             for (std::size_t i = 0; i < around.size(); ++i) {

@@ -47,12 +47,17 @@ class Division {
 
     FaceDivision cluster(const std::vector<std::int32_t>& triangles) {
         start_around(triangles);
-        for (const std::int32_t t : triangles) {
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const std::int32_t t = triangles[i];
             const Triangle& c = corners(t);
             for (std::size_t k = 0; k < 3; ++k) {
+                const auto edge = static_cast<std::int32_t>(3 * i + k);
                 insert(c[k]);
+                edges_at_[c[k]].push_back(edge);
+                edges_at_[c[(k + 1) % 3]].push_back(edge);
                 for (const std::int32_t p : points_on(c[k], c[(k + 1) % 3])) {
                     insert(p);
+                    edges_at_[p].push_back(edge);
                 }
             }
             insert_inner(t);
@@ -133,10 +138,23 @@ class Division {
             if (local_.count(s.from) == 0 || local_.count(s.to) == 0) {
                 throw TopologyError("the division of a triangle lacks the end of a segment");
             }
+            if (on_common_edge(s.from, s.to)) {
+                continue;
+            }
             Line line;
             line.plane = table_.plane(s.other);
             plane_.constrain(local(s.from), local(s.to), plane_.add_line(line));
         }
+    }
+
+    /// Whether an edge of the cluster, which is a constraint already, holds both points: where a triangle that stands
+    /// on the plane meets it along its own edge.
+    bool on_common_edge(std::int32_t a, std::int32_t b) const {
+        const auto at_a = edges_at_.find(a);
+        const auto at_b = edges_at_.find(b);
+        return at_a != edges_at_.end() && at_b != edges_at_.end() &&
+               std::find_first_of(at_a->second.begin(), at_a->second.end(), at_b->second.begin(), at_b->second.end()) !=
+                   at_a->second.end();
     }
 
     void constrain_edges(std::int32_t t) {
@@ -250,6 +268,8 @@ class Division {
     ExactConstrainedTriangulation plane_;
     std::unordered_map<std::int32_t, int> local_;
     std::vector<std::int32_t> global_;
+    /// The cluster's edges, 3 * triangle + k, on which a point of the table is known to lie.
+    std::unordered_map<std::int32_t, std::vector<std::int32_t>> edges_at_;
 };
 
 }  // namespace

@@ -15,15 +15,14 @@ namespace {
     throw TopologyError(std::string("the division of a plane is inconsistent: ") + what);
 }
 
-/// Cosine of the smallest angle, which is the largest of the three cosines.
-double largest_cosine(const Vec3& a, const Vec3& b, const Vec3& c) {
+/// Squared sine of the smallest angle, which lies between the two longest sides. Unlike the cosine it tells small
+/// angles apart.
+double squared_sine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 u = b - a;
     const Vec3 v = c - b;
     const Vec3 w = a - c;
-    const double uu = u.norm();
-    const double vv = v.norm();
-    const double ww = w.norm();
-    return std::max({-u.dot(w) / (uu * ww), -v.dot(u) / (vv * uu), -w.dot(v) / (ww * vv)});
+    const double shortest = std::min({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
+    return u.cross(v).squaredNorm() * shortest / (u.squaredNorm() * v.squaredNorm() * w.squaredNorm());
 }
 
 }  // namespace
@@ -183,6 +182,15 @@ void ExactConstrainedTriangulation::split_edge(int a, int b, int point) {
 
 int ExactConstrainedTriangulation::insert(int point) {
     check_cancelled(progress_);
+    const int placed = place(point);
+    if (placed == point) {
+        improve_around(point);
+    }
+    return placed;
+}
+
+/// Divides the triangle or the edge where the point lies; returns the point, or the one that was in its place.
+int ExactConstrainedTriangulation::place(int point) {
     const auto triangles = static_cast<int>(corner_.size() / 3);
     int t = triangles - 1;
     // A walk towards the point; it may cycle in a triangulation that is not Delaunay, hence the scan afterwards.
@@ -227,7 +235,16 @@ bool ExactConstrainedTriangulation::ahead(int a, int b, int c) const {
     return false;
 }
 
-ExactConstrainedTriangulation::Crossing ExactConstrainedTriangulation::leave(int a, int b) const {
+/// On which side of the segment's line a point lies. The points that the segment has passed need no computation: for
+/// constructed ones their zero would be the most expensive sign of all.
+int ExactConstrainedTriangulation::side(const Segment& segment, int point) const {
+    const bool passed = point == segment.from || point == segment.to || point == segment.at || point == segment.before;
+    return passed ? 0 : orient(segment.from, segment.to, point);
+}
+
+ExactConstrainedTriangulation::Crossing ExactConstrainedTriangulation::leave(const Segment& segment) const {
+    const int a = segment.at;
+    const int b = segment.to;
     if (find(a, b) >= 0 || find(b, a) >= 0) {
         return {-1, b};
     }
@@ -235,11 +252,11 @@ ExactConstrainedTriangulation::Crossing ExactConstrainedTriangulation::leave(int
     around(a, [&](int h) {
         const int x = target(h);
         const int y = apex(h);
-        const int side_x = orient(a, b, x);
-        const int side_y = orient(a, b, y);
-        if (side_x == 0 && ahead(a, b, x)) {
+        const int side_x = side(segment, x);
+        const int side_y = side(segment, y);
+        if (side_x == 0 && x != segment.before && ahead(a, b, x)) {
             found.vertex = x;
-        } else if (side_y == 0 && ahead(a, b, y)) {
+        } else if (side_y == 0 && y != segment.before && ahead(a, b, y)) {
             found.vertex = y;
         } else if (side_x < 0 && side_y > 0) {
             found.half_edge = next(h);
@@ -282,8 +299,10 @@ void ExactConstrainedTriangulation::flip(int h) {
     link(3 * t + 2, 3 * s + 2);
 }
 
-/// Makes a-b an edge: swaps away the edges that cross it (Sloan 1993), none of them a constraint.
-void ExactConstrainedTriangulation::clear_way(int a, int b, const std::vector<std::array<int, 2>>& crossed) {
+/// Makes the piece of the segment up to `end` an edge: swaps away the edges that cross it (Sloan 1993), none of them a
+/// constraint.
+void ExactConstrainedTriangulation::clear_way(const Segment& segment, int end,
+                                              const std::vector<std::array<int, 2>>& crossed) {
     std::deque<std::array<int, 2>> todo(crossed.begin(), crossed.end());
     const std::size_t most = 64 + 16 * todo.size() * todo.size();
     for (std::size_t steps = 0; !todo.empty(); ++steps) {
@@ -301,7 +320,8 @@ void ExactConstrainedTriangulation::clear_way(int a, int b, const std::vector<st
         const int p = apex(h);
         const int q = apex(twin(h));
         flip(h);
-        if (p != a && p != b && q != a && q != b && orient(a, b, p) * orient(a, b, q) < 0) {
+        const bool touches = p == segment.at || p == end || q == segment.at || q == end;
+        if (!touches && side(segment, p) * side(segment, q) < 0) {
             todo.push_back({p, q});
         }
     }
@@ -320,10 +340,10 @@ int ExactConstrainedTriangulation::split_at_crossing(int h, int at) {
     return added;
 }
 
-/// One piece of the segment from a towards b, up to the next point on it; returns that point.
-int ExactConstrainedTriangulation::step(int a, int b, int at) {
+/// One piece of the segment, up to the next point on it; returns that point.
+int ExactConstrainedTriangulation::step(const Segment& segment) {
     check_cancelled(progress_);
-    const Crossing first = leave(a, b);
+    const Crossing first = leave(segment);
     int end = first.vertex;
     std::vector<std::array<int, 2>> crossed;
     for (int h = first.half_edge; end < 0;) {
@@ -331,7 +351,7 @@ int ExactConstrainedTriangulation::step(int a, int b, int at) {
             inconsistent("a segment leaves the plane's part");
         }
         if (line(h) >= 0) {
-            end = split_at_crossing(h, at);
+            end = split_at_crossing(h, segment.line);
             break;
         }
         crossed.push_back({origin(h), target(h)});
@@ -340,29 +360,32 @@ int ExactConstrainedTriangulation::step(int a, int b, int at) {
             inconsistent("a segment leaves the plane's part");
         }
         const int v = apex(h);
-        const int side = v == b ? 0 : orient(a, b, v);
-        if (side == 0) {
+        const int beside = side(segment, v);
+        if (beside == 0) {
             end = v;
         } else {
             // The walk goes on through the edge with one end on either side; h runs from its left to its right.
-            h = side > 0 ? next(h) : prev(h);
+            h = beside > 0 ? next(h) : prev(h);
         }
     }
-    clear_way(a, end, crossed);
-    int h = find(a, end);
+    clear_way(segment, end, crossed);
+    int h = find(segment.at, end);
     if (h < 0) {
-        h = find(end, a);
+        h = find(end, segment.at);
     }
     if (h < 0) {
         inconsistent("a segment is missing");
     }
-    set_line(h, at);
+    set_line(h, segment.line);
     return end;
 }
 
 void ExactConstrainedTriangulation::constrain(int a, int b, int at) {
-    while (a != b) {
-        a = step(a, b, at);
+    Segment segment{a, b, at, -1, a};
+    while (segment.at != b) {
+        const int end = step(segment);
+        segment.before = segment.at;
+        segment.at = end;
     }
 }
 
@@ -372,10 +395,30 @@ bool ExactConstrainedTriangulation::better_flipped(int h) const {
     const Vec3& b = at(target(h));
     const Vec3& c = at(apex(h));
     const Vec3& d = at(apex(twin(h)));
-    // Least gain in the cosine of the smallest angle for a swap: above the rounding of cosines, so that swaps end.
-    constexpr double kClearly = 1e-6;
-    return std::max(largest_cosine(d, b, c), largest_cosine(c, a, d)) <
-           std::max(largest_cosine(a, b, c), largest_cosine(b, a, d)) - kClearly;
+    // Least factor by which a swap enlarges it: above the rounding, so that swaps end.
+    constexpr double kClearly = 1.0 + 1e-6;
+    return std::min(squared_sine_of_smallest_angle(d, b, c), squared_sine_of_smallest_angle(c, a, d)) >
+           kClearly * std::min(squared_sine_of_smallest_angle(a, b, c), squared_sine_of_smallest_angle(b, a, d));
+}
+
+/// Swaps the edges opposite the point, and those that come to lie there, as long as that enlarges angles (Lawson 1977).
+void ExactConstrainedTriangulation::improve_around(int point) {
+    std::vector<int> opposite;
+    around(point, [&](int h) {
+        opposite.push_back(next(h));
+        return false;
+    });
+    while (!opposite.empty()) {
+        const int h = opposite.back();
+        opposite.pop_back();
+        if (apex(h) != point || twin(h) < 0 || line(h) >= 0 || !better_flipped(h) || !flippable(h)) {
+            continue;
+        }
+        const int t = h / 3;
+        const int other = twin(h) / 3;
+        flip(h);
+        opposite.insert(opposite.end(), {3 * t, 3 * other + 1});  // see flip() for the corners' order
+    }
 }
 
 void ExactConstrainedTriangulation::improve() {

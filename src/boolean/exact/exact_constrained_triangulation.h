@@ -35,7 +35,8 @@ class ExactConstrainedTriangulation {
     void start(int a, int b, int c);
     /// Puts a point on the edge from a to b, in its inside.
     void split_edge(int a, int b, int point);
-    /// Inserts a point; returns it, or the point that was in its place.
+    /// Inserts a point, and swaps edges around it that are no constraints where that enlarges the smallest angle, so
+    /// that vertices have few edges and walks are short. Returns the point, or the one that was in its place.
     int insert(int point);
     /// Makes the segment from a to b a chain of edges; points on it divide it.
     void constrain(int a, int b, int line);
@@ -73,10 +74,21 @@ class ExactConstrainedTriangulation {
     int find(int a, int b) const;
     template <typename Visit>
     void around(int vertex, Visit&& visit) const;
-    Crossing leave(int a, int b) const;
+    /// A segment that becomes a chain of edges, and how far it has come.
+    struct Segment {
+        int from = -1;
+        int to = -1;
+        int line = -1;
+        int before = -1;  ///< the point before `at`; -1: there is none yet
+        int at = -1;
+    };
+    int side(const Segment& segment, int point) const;
+    Crossing leave(const Segment& segment) const;
     bool ahead(int a, int b, int c) const;
-    int step(int a, int b, int line);
-    void clear_way(int a, int b, const std::vector<std::array<int, 2>>& crossed);
+    int step(const Segment& segment);
+    void clear_way(const Segment& segment, int end, const std::vector<std::array<int, 2>>& crossed);
+    int place(int point);
+    void improve_around(int point);
     bool flippable(int h) const;
     void flip(int h);
     int split_at_crossing(int h, int line);

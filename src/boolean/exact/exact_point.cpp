@@ -6,7 +6,6 @@
 #include <limits>
 #include <mutex>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "base/predicates.h"
@@ -18,8 +17,6 @@ namespace {
 
 /// Relative spacing of double-precision numbers, the unit of the error bounds.
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// mq::orient3d is minus the determinant of the rows (x, y, z, 1).
-constexpr int kDeterminantSign = -1;
 
 using ExactVec = std::array<Expansion, 3>;
 
@@ -55,6 +52,22 @@ double largest(double a, double b, double c) {
     return std::max({std::abs(a), std::abs(b), std::abs(c)});
 }
 
+bool on_plane(const Vec3& point, const PlanePoints& plane) {
+    return mq::orient3d(plane[0], plane[1], plane[2], point) == 0;
+}
+
+bool on_line_through(const Vec3& point, const Vec3& p, const Vec3& q) {
+    return mq::orient2d(p, q, point, 0) == 0 && mq::orient2d(p, q, point, 1) == 0 && mq::orient2d(p, q, point, 2) == 0;
+}
+
+/// The nearest doubles of a constructed point.
+struct Approximation {
+    Vec3 place = Vec3::Zero();
+    double error = 0.0;  ///< bound for the error of each coordinate
+    /// Whether the coordinates may be doubles: what was rounded off is within the error of the arithmetic.
+    bool may_be_exact = false;
+};
+
 }  // namespace
 
 /// How a point is constructed, and its coordinates as they are needed.
@@ -69,10 +82,15 @@ class ExactPoint::Construction {
         return *exact_;
     }
 
-    /// The nearest doubles, and a bound for the error of each coordinate. Nothing when double-double arithmetic does
-    /// not give them.
-    std::optional<std::pair<Vec3, double>> approximate() const {
+    /// Nothing when double-double arithmetic does not give the nearest doubles.
+    std::optional<Approximation> approximate() const {
         return on_line_ ? approximate_on_line() : approximate_on_planes();
+    }
+
+    /// Whether the point is this one. Exact.
+    bool is(const Vec3& point) const {
+        return on_line_ ? on_line_through(point, line_[0], line_[1]) && on_plane(point, planes_[0])
+                        : on_plane(point, planes_[0]) && on_plane(point, planes_[1]) && on_plane(point, planes_[2]);
     }
 
   private:
@@ -104,7 +122,7 @@ class ExactPoint::Construction {
     }
 
     /// p + s (q - p), where s = at_p / (at_p - at_q) is found from the distances of p and q from the plane.
-    std::optional<std::pair<Vec3, double>> approximate_on_line() const {
+    std::optional<Approximation> approximate_on_line() const {
         const auto& [p, q] = line_;
         const DoubleDoubleVec u = difference(planes_[0][1], planes_[0][0]);
         const DoubleDoubleVec v = difference(planes_[0][2], planes_[0][0]);
@@ -122,15 +140,15 @@ class ExactPoint::Construction {
         const DoubleDouble s = at_p / width;
         const double error_of_s =
             2.0 * (1.0 + std::abs(s.high)) * error / std::abs(width.high) + kUnit * (1.0 + std::abs(s.high));
-        Vec3 place;
+        DoubleDoubleVec place;
         for (std::size_t k = 0; k < 3; ++k) {
-            place[static_cast<int>(k)] = (DoubleDouble(p[static_cast<int>(k)]) + s * way[k]).high;
+            place[k] = DoubleDouble(p[static_cast<int>(k)]) + s * way[k];
         }
         return within(place, error_of_s * magnitudes(way).maxCoeff() + kUnit * p.cwiseAbs().maxCoeff());
     }
 
     /// The solution of the three planes' equations by Cramer's rule, about a point of the first.
-    std::optional<std::pair<Vec3, double>> approximate_on_planes() const {
+    std::optional<Approximation> approximate_on_planes() const {
         const Vec3& origin = planes_[0][0];
         DoubleDoubleVec n[3];
         Vec3 size[3];
@@ -153,26 +171,33 @@ class ExactPoint::Construction {
         if (!(std::abs(w.high) > 2.0 * error_of_w)) {
             return std::nullopt;
         }
-        Vec3 place;
+        DoubleDoubleVec place;
         double error = kUnit * origin.cwiseAbs().maxCoeff();
         for (std::size_t k = 0; k < 3; ++k) {
             const auto i = static_cast<int>(k);
             const DoubleDouble x = (d[1] * turned[1][k] + d[2] * turned[2][k]) / w;
             const double error_of_x =
                 kUnit * (size_of_d[1] * size_of_turned[1][i] + size_of_d[2] * size_of_turned[2][i]);
-            place[i] = (DoubleDouble(origin[i]) + x).high;
+            place[k] = DoubleDouble(origin[i]) + x;
             error += 2.0 * (error_of_x + std::abs(x.high) * error_of_w) / std::abs(w.high) + kUnit * std::abs(x.high);
         }
         return within(place, error);
     }
 
-    /// A place whose coordinates, before they were rounded to doubles, have an error of at most `error`.
-    static std::optional<std::pair<Vec3, double>> within(const Vec3& place, double error) {
-        const double unit = kEpsilon * place.cwiseAbs().maxCoeff();
+    /// A place whose coordinates have an error of at most `error`.
+    static std::optional<Approximation> within(const DoubleDoubleVec& place, double error) {
+        Approximation found;
+        found.may_be_exact = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            found.place[static_cast<int>(k)] = place[k].high;
+            found.may_be_exact = found.may_be_exact && std::abs(place[k].low) <= error;
+        }
+        const double unit = kEpsilon * found.place.cwiseAbs().maxCoeff();
         if (!(error <= unit)) {
             return std::nullopt;
         }
-        return std::pair{place, 2.0 * unit};
+        found.error = 2.0 * unit;
+        return found;
     }
 
     /// Bounds the relative error of at most twelve operations in a row, with a margin for that of the magnitudes.
@@ -187,7 +212,12 @@ class ExactPoint::Construction {
 
 ExactPoint::ExactPoint(std::shared_ptr<const Construction> construction) : construction_(std::move(construction)) {
     if (const auto found = construction_->approximate()) {
-        std::tie(approx_, error_) = *found;
+        approx_ = found->place;
+        error_ = found->error;
+        if (found->may_be_exact && construction_->is(approx_)) {
+            error_ = 0.0;
+            construction_ = nullptr;
+        }
         return;
     }
     const std::array<Expansion, 4>& exact = construction_->exact();
@@ -260,30 +290,23 @@ int orient2d(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r, int 
     return det.sign() * a[3].sign() * b[3].sign() * c[3].sign();
 }
 
-int orient3d(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r, const ExactPoint& s) {
-    if (p.given() && q.given() && r.given() && s.given()) {
-        return mq::orient3d(p.approx(), q.approx(), r.approx(), s.approx());
+int side_of(const PlanePoints& plane, const ExactPoint& p) {
+    if (p.given()) {
+        return mq::orient3d(plane[0], plane[1], plane[2], p.approx());
     }
-    const Vec3 a = p.approx() - s.approx();
-    const Vec3 b = q.approx() - s.approx();
-    const Vec3 c = r.approx() - s.approx();
-    const double volume = a.dot(b.cross(c));
-    const double size = std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
-    const double error = std::max({p.error(), q.error(), r.error(), s.error()});
-    // Six products of three differences, each with an error of at most 2 errors and a rounding.
-    const double reach = size + 2.0 * error;
-    if (std::abs(volume) > 40.0 * error * reach * reach + 32.0 * kEpsilon * size * size * size) {
-        return volume > 0.0 ? kDeterminantSign : -kDeterminantSign;
+    const Vec3 u = plane[1] - plane[0];
+    const Vec3 v = plane[2] - plane[0];
+    const Vec3 w = p.approx() - plane[0];
+    const double volume = u.cross(v).dot(w);
+    const double face = u.cwiseAbs().maxCoeff() * v.cwiseAbs().maxCoeff();
+    // Six products of three differences, each with a rounding; the last one has the point's error, too.
+    if (std::abs(volume) > 8.0 * face * p.error() + 32.0 * kEpsilon * face * w.cwiseAbs().maxCoeff()) {
+        return volume > 0.0 ? 1 : -1;
     }
-    const std::array<std::array<Expansion, 4>, 4> m{p.homogeneous(), q.homogeneous(), r.homogeneous(), s.homogeneous()};
-    // Laplace's expansion by the first two and the last two rows.
-    const auto minor = [&](std::size_t row, std::size_t i, std::size_t j) {
-        return m[row][i] * m[row + 1][j] - m[row][j] * m[row + 1][i];
-    };
-    const Expansion det = minor(0, 0, 1) * minor(2, 2, 3) - minor(0, 0, 2) * minor(2, 1, 3) +
-                          minor(0, 0, 3) * minor(2, 1, 2) + minor(0, 1, 2) * minor(2, 0, 3) -
-                          minor(0, 1, 3) * minor(2, 0, 2) + minor(0, 2, 3) * minor(2, 0, 1);
-    return kDeterminantSign * det.sign() * m[0][3].sign() * m[1][3].sign() * m[2][3].sign() * m[3][3].sign();
+    const ExactVec n = normal(plane);
+    const std::array<Expansion, 4> h = p.homogeneous();
+    const Expansion det = dot(n, {h[0], h[1], h[2]}) - offset(n, plane[0]) * h[3];
+    return det.sign() * h[3].sign();
 }
 
 }  // namespace mq::boolean

@@ -19,7 +19,8 @@ PlanePoints standing_plane(const Vec3& from, const Vec3& to, int axis);
 ///
 /// Predicates first try the nearest doubles with a static filter. Those of a constructed point come from its
 /// construction in double-double arithmetic with a forward error bound; its homogeneous coordinates as exact expansions
-/// are computed when a predicate first needs them, or at once where the bound does not suffice. Threads may share
+/// are computed when a predicate first needs them, or at once where the bound does not suffice. A constructed point
+/// whose coordinates are doubles, as all of boxes along the axes are, is kept as if it were given. Threads may share
 /// points.
 class ExactPoint {
   public:
@@ -33,6 +34,7 @@ class ExactPoint {
     /// The nearest doubles; within error() of the point in each coordinate.
     const Vec3& approx() const { return approx_; }
     double error() const { return error_; }
+    /// Whether the coordinates are doubles: approx() is the point itself.
     bool given() const { return construction_ == nullptr; }
 
     /// (x, y, z, w); w is not zero.
@@ -57,7 +59,8 @@ bool coincide(const ExactPoint& p, const ExactPoint& q);
 /// Sign of the area of (p, q, r) seen against the axis, in the plane of the axes (axis + 1, axis + 2). Exact.
 int orient2d(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r, int axis);
 
-/// mq::orient3d for exact points.
-int orient3d(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r, const ExactPoint& s);
+/// mq::orient3d(plane[0], plane[1], plane[2], p): 1 where p lies on the side to which the plane's normal points, -1 on
+/// the other. Exact.
+int side_of(const PlanePoints& plane, const ExactPoint& p);
 
 }  // namespace mq::boolean

@@ -20,7 +20,9 @@ using Wedge = std::array<std::size_t, 2>;
 /// of the point.
 class FanOpener {
   public:
-    FanOpener(const PointTable& points, std::vector<Triangle>& triangles) : points_(points), triangles_(triangles) {}
+    /// @param source  the soup's triangle in whose plane each triangle lies
+    FanOpener(const PointTable& points, std::vector<Triangle>& triangles, const std::vector<std::int32_t>& source)
+        : points_(points), triangles_(triangles), source_(source) {}
 
     /// The wedges at each edge of more than two triangles.
     const std::vector<std::vector<Wedge>>& wedges() const { return wedges_; }
@@ -99,8 +101,8 @@ class FanOpener {
         std::vector<RadialFace> around;
         for (std::size_t i = first; i < last; ++i) {
             const std::size_t slot = edges[i].second;
-            around.push_back(
-                {static_cast<std::int32_t>(slot), point_[mesh::previous_corner(slot)], point_[slot] == edge[0]});
+            around.push_back({static_cast<std::int32_t>(slot), point_[mesh::previous_corner(slot)],
+                              point_[slot] == edge[0], source_[corner_[slot] / 3]});
         }
         sort_radially(points_, edge[0], edge[1], around);
         wedges_.emplace_back();
@@ -119,6 +121,7 @@ class FanOpener {
 
     const PointTable& points_;
     std::vector<Triangle>& triangles_;
+    const std::vector<std::int32_t>& source_;
     std::vector<std::size_t> corner_;  ///< corner 3 triangle + k of each slot
     std::vector<std::int32_t> point_;  ///< point of each slot
     DisjointSets<std::size_t> fans_{0};
@@ -287,7 +290,7 @@ Extraction extract(const Soup& soup, const Arrangement& arrangement, const Cells
         result.draft.source.push_back(face.whole && source.triangle >= 0 ? source : Source{});
     }
     progress.check();
-    FanOpener opener(arrangement.points, result.draft.triangles);
+    FanOpener opener(arrangement.points, result.draft.triangles, result.draft.from);
     const auto copies = opener.run(suspicious_points(soup, arrangement, kept));
     progress.check();
     take_vertices(soup, arrangement.points, copies, result);

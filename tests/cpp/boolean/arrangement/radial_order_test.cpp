@@ -21,7 +21,9 @@ TEST(RadialOrder, IsCounterClockwiseFromTheFirstFace) {
     for (int i = 0; i < kFaces; ++i) {
         const double angle = 2.0 * M_PI * (i + 0.25) / kFaces;
         soup.vertices.push_back(real(random) * Vec3(std::cos(angle), std::sin(angle), real(random)));
-        faces.push_back({i, i + 2, i % 2 == 0});
+        const bool up = i % 2 == 0;
+        soup.triangles.push_back(up ? Triangle{0, 1, i + 2} : Triangle{1, 0, i + 2});
+        faces.push_back({i, i + 2, up, i});
     }
     const PointTable points(soup);
     for (int turn = 0; turn < 20; ++turn) {
@@ -40,7 +42,8 @@ TEST(RadialOrder, TellsAHalfPlaneFromTheOppositeOne) {
     Soup soup;
     soup.vertices = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 0, 5}, {-1, std::nextafter(0.0, 1.0), 0}};
     const PointTable points(soup);
-    std::vector<RadialFace> faces{{0, 2, true}, {1, 3, true}, {2, 4, true}};
+    soup.triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}};
+    std::vector<RadialFace> faces{{0, 2, true, 0}, {1, 3, true, 1}, {2, 4, true, 2}};
     sort_radially(points, 0, 1, faces);
     EXPECT_EQ(faces[0].face, 0);
     EXPECT_EQ(faces[1].face, 2) << "less than half a turn from the first";

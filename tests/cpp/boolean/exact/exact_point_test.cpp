@@ -154,13 +154,42 @@ TEST(ExactPoint, OrientationsAreExact) {
             ASSERT_EQ(orient2d(p[0].exact, p[1].exact, p[2].exact, axis), expected) << "case " << i;
             ties += expected == 0 ? 1 : 0;
         }
-        const Rational& o = p[0].rational;
-        const Rational n = cross(minus(p[1].rational, o), minus(p[2].rational, o));
+        const PlanePoints plane = source.plane();
+        const Rational o = rational(plane[0]);
+        const Rational n = cross(minus(rational(plane[1]), o), minus(rational(plane[2]), o));
         const int expected = sgn(dot(n, minus(p[3].rational, o)));
-        ASSERT_EQ(orient3d(p[0].exact, p[1].exact, p[2].exact, p[3].exact), expected) << "case " << i;
+        ASSERT_EQ(side_of(plane, p[3].exact), expected) << "case " << i;
         ties += expected == 0 ? 1 : 0;
     }
     EXPECT_GT(ties, 20) << "too few ties to tell";
+}
+
+TEST(ExactPoint, ConstructedDoublesAreGivenPoints) {
+    Source source(4);
+    int constructed = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const Both p = source.point();
+        if (p.exact.given()) {
+            ASSERT_EQ(rational(p.exact.approx()), p.rational) << "case " << i;
+        } else {
+            ++constructed;
+            ASSERT_GT(p.exact.error(), 0.0) << "case " << i;
+        }
+    }
+    EXPECT_GT(constructed, 1000) << "too few points that are no doubles";
+}
+
+TEST(ExactPoint, CornersOfBoxesAreGivenPoints) {
+    const PlanePoints x{Vec3(0.1, 0, 0), Vec3(0.1, 1, 0.3), Vec3(0.1, 0.7, 2)};
+    const PlanePoints y{Vec3(0, 0.2, 0), Vec3(1, 0.2, 0.3), Vec3(0.7, 0.2, 2)};
+    const PlanePoints z{Vec3(0, 0, 0.7), Vec3(1, 0.3, 0.7), Vec3(0.7, 2, 0.7)};
+    const ExactPoint corner = ExactPoint::on_planes(x, y, z);
+    EXPECT_TRUE(corner.given());
+    EXPECT_EQ(corner.approx(), Vec3(0.1, 0.2, 0.7));
+    const ExactPoint on_edge = ExactPoint::on_line(Vec3(0, 0.2, 0.7), Vec3(1, 0.2, 0.7), x);
+    EXPECT_TRUE(on_edge.given());
+    EXPECT_EQ(on_edge.approx(), Vec3(0.1, 0.2, 0.7));
+    EXPECT_FALSE(ExactPoint::on_line(Vec3(0, 0, 0), Vec3(1, 3, 0.7), x).given());
 }
 
 }  // namespace
