@@ -7,7 +7,6 @@ brep (where to put the shape for a judge, or null).
 
 import json
 import os
-import re
 import sys
 import time
 from collections import Counter
@@ -20,9 +19,8 @@ from child import in_child
 
 JOB = json.loads(os.environ["MESHQUALITY_JOB"])
 BREPMESH_SECONDS = 60
-# How the report begins its reasons where the shape itself leaves no larger angle.
-FORCED = ("the shape itself has a corner", "edges of the shape that meet at",
-          "the surface comes to a point with too little angle")
+# Causes where the shape itself leaves no larger angle.
+FORCED = ("narrow_corner", "infeasible_corner", "apex")
 
 
 def read_shape(path):
@@ -76,12 +74,6 @@ def describe(shape):
     }
 
 
-def causes(exempt):
-    """Why triangles are exempted, entity numbers left out, most frequent first."""
-    kinds = Counter(re.sub(r"\d+(\.\d+)?", "#", reason) for _, reason in exempt)
-    return kinds.most_common(5)
-
-
 def summarise(mesh, seconds):
     """The report of the mesh as plain numbers."""
     report = mesh.report
@@ -95,8 +87,8 @@ def summarise(mesh, seconds):
     found["seconds"] = seconds
     found["stages"] = dict(report.seconds)
     found["exempt"] = len(report.exempt)
-    found["exempt_forced"] = sum(reason.startswith(FORCED) for _, reason in report.exempt)
-    found["causes"] = causes(report.exempt)
+    found["exempt_forced"] = sum(reason.cause in FORCED for _, reason in report.exempt_reasons)
+    found["causes"] = report.exempt_causes[:5]
     found["notes"] = list(getattr(report, "notes", []))
     return found
 

@@ -12,7 +12,6 @@ import random
 import re
 import sys
 import time
-from collections import Counter
 from pathlib import Path
 
 import brep_numbers
@@ -25,6 +24,7 @@ DISTANCE_SLACK = 1e-6
 LARGEST = 1e9  # mm; what modelling makes beyond it is not meant
 CROSSING = "self-intersections"
 RUN_AWAY = 500  # triangles given up for want of room: no part needs so many
+CROWDED = ("crowded", "fold", "face_floor_raised")  # causes of exemptions for want of room
 FINE = 1e-4  # of the size: chord height of the triangles that a volume is compared with
 MEASURED = 5.0  # seconds for measuring distances a second time, which is slow on splines
 
@@ -79,16 +79,16 @@ def topology_faults(mesh, shape):
 
 def angle_faults(mesh, asked):
     report, faults = mesh.report, []
-    exempt = dict(report.exempt)
+    exempt = dict(report.exempt_reasons)
     below = np.flatnonzero(corner_angles(mesh) < asked - 1e-9)
     if report.min_angle_unexempted < asked:
         faults.append(f"angle {report.min_angle_unexempted:.3f} not exempted")
     if [t for t in below.tolist() if t not in exempt]:
         faults.append("a triangle below the bound is not in the list")
-    crowded = sum(bool(re.search("closer|fold|no finer", why)) for why in exempt.values())
+    crowded = sum(why.cause in CROWDED for why in exempt.values())
     if crowded > RUN_AWAY:
         faults.append(f"run-away: {crowded} triangles without room")
-    if [why for why in exempt.values() if not re.search(r"(Vertex|Edge|Face|min_edge)", why)]:
+    if not all(why.entities for why in exempt.values()):
         faults.append("a reason names no entity")
     return faults
 
@@ -164,10 +164,9 @@ def check(shape, options):
         + distance_faults(mesh, shape, options) + number_faults(mesh)
     if JOB["seed"] % 4 == 0 and not same(mesh, mq.triangulate(shape, **options)):
         faults.append("not the same bytes twice")
-    causes = Counter(re.sub(r"\d+(\.\d+)?", "#", why) for _, why in mesh.report.exempt)
     return {"faults": faults, "triangles": len(mesh.triangles), "notes": list(mesh.report.notes),
             "cpu_seconds": mesh.report.cpu_seconds, "exempt": len(mesh.report.exempt),
-            "causes": causes.most_common(5)}
+            "causes": mesh.report.exempt_causes[:5]}
 
 
 def work():

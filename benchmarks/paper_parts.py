@@ -29,9 +29,8 @@ def parser():
     return result
 
 
-def explained(why):
-    """Whether the reason for an exemption is an angle of the part."""
-    return any(words in why for words in ("corner of ", "narrow corner", "comes to a point"))
+# Causes of exemptions that are angles of the part.
+EXPLAINED = ("narrow_corner", "narrow_cluster", "apex")
 
 
 def mesh(shape, angle, insertion, budget):
@@ -41,7 +40,7 @@ def mesh(shape, angle, insertion, budget):
     start = time.perf_counter()
     report = mq.triangulate(shape, min_angle=angle, chord_height="none", insertion=insertion,
                             max_triangles=budget).report
-    unexplained = [why for _, why in report.exempt if not explained(why)]
+    unexplained = [str(why) for _, why in report.exempt_reasons if why.cause not in EXPLAINED]
     return {
         "min_angle_asked": angle, "insertion": insertion, "triangles": report.triangles,
         "seconds": round(time.perf_counter() - start, 4), "complete": report.complete,

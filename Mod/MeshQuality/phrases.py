@@ -2,13 +2,16 @@
 """What the core, the certificates and errors say, in one table, so that panels can say it in the
 user's language. Imports nothing of FreeCAD.
 
-Documents, scripts and the command line keep the English text with lengths in mm. It is its own key: a
-phrase of the table has places for what differs, such as {face}, and fits every text that has something
-of that kind in them. In a place that may hold a phrase again, that is translated too. In the place
+Documents, scripts and the command line have the English text with lengths in mm. A phrase of the table
+has places for what differs, such as {face}, and is its own key. A Text is an English text that keeps its
+phrase and what stands in the places, a Text again or a value: by these it is translated. In the place
 {length} stands a number with " mm", for which the window has the user's unit. Angles are in degrees
 everywhere; of their numbers, as of all, the window changes the decimal point alone.
+
+Errors, and what documents of older versions hold, are plain text: that is taken apart by the phrases (`read`).
 """
 
+import json
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,6 +21,7 @@ from . import options
 
 # The verdict on a mesh.
 MET, NOT_MET = "met", "not met"
+NOT_MET_TEXT = f"{NOT_MET}: {{text}}"
 
 # Parts of certificates; verdict.py puts them together. Pairs are for one and for many. Whole sentences end with a
 # full stop; at the head of one the first letter is a capital.
@@ -77,28 +81,29 @@ ALL_MET = "all requested limits are met."
 LEFT_OUT = ("1 hidden object of {name} is no part of it: {list}.", "{count} hidden objects of {name} are no part of it: {list}.")
 TARGET_NOT_MET = "target not met: {text}"
 
-# Why the mesher could do no better: src/triangulate/report/exemption_text.cpp, src/improve/improver.cpp. Of the first ones the shape
-# itself is the reason.
-FORCED = (
-    "the shape itself has a corner of {number}° between {edge} and {edge2} at {vertex}",
-    "the surface comes to a point with too little angle around it at {vertex}",
-    "edges at the narrow corner of the shape would become ever shorter at {vertex}",
-    "edges of the shape that meet at {number}° leave no room for larger angles at {vertex}",
-    "its smallest angle lies between two sharp edges that must stay",
-)
+# Why a triangle keeps a smaller angle, by the causes of src/mesh/quality/exempt_reason.h in their order: the build
+# compiles these into the core (tools/core_phrases).
+EXEMPT = {
+    "narrow_corner": "the shape itself has a corner of {number}° between {edge} and {edge2} at {vertex}",
+    "apex": "the surface comes to a point with too little angle around it at {vertex}",
+    "narrow_cluster": "edges at the narrow corner of the shape would become ever shorter at {vertex}",
+    "infeasible_corner": "edges of the shape that meet at {number}° leave no room for larger angles at {vertex}",
+    "sharp_edges": "its smallest angle lies between two sharp edges that must stay",
+    "resolution": "points cannot be placed any closer in single precision",
+    "face_floor_raised":
+        "too many triangles there have no room for a further point, so the face is refined no further",
+    "min_edge": "a further point would make an edge shorter than min_edge",
+    "crowded": "a further point would lie closer to its neighbours than they do to each other",
+    "fold": "a further point would fold the mesh",
+    "no_surface_point": "no point of the surface was found there",
+    "no_improving_change": "no change of the triangles around it makes the angle larger within the limits",
+    "budget": "the triangle limit max_triangles was reached",
+    "no_change_within_tolerance": "no change within the tolerance makes it better",
+}
+FORCED = ("narrow_corner", "apex", "narrow_cluster", "infeasible_corner", "sharp_edges")  # by the shape itself
+CREASE, CREASE_END = "a crease of {name}", "the end of a crease on {name}"
 NOT_REACHABLE = "target angle not reachable: {phrase}."
-REASONS = (
-    *FORCED,
-    "points cannot be placed any closer in single precision",
-    "too many triangles there have no room for a further point, so the face is refined no further",
-    "a further point would make an edge shorter than min_edge",
-    "a further point would lie closer to its neighbours than they do to each other",
-    "a further point would fold the mesh",
-    "no point of the surface was found there",
-    "no change of the triangles around it makes the angle larger within the limits",
-    "the triangle limit max_triangles was reached",
-    "no change within the tolerance makes it better",
-)
+_EXEMPT_TRIANGLE = "triangle {count}: {phrase}"
 
 # A mesh in a container that it is made of.
 IN_ITS_SOURCE = "it is made of {name} and cannot lie in that, as each would wait for the other: put it beside that, where " \
@@ -282,7 +287,8 @@ _KINDS = {
     "name": ".+?", "phrase": ".+", "list": ".+", "range": ".+", "text": ".+", "stage": ".+",
 }
 _LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT)
-_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *REASONS, *_LINE, *ERRORS, *CORE_ERRORS, *RANGES, *ENDINGS)
+_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *CORE_ERRORS, *RANGES, *ENDINGS)
+_TABLE = frozenset(_PHRASES)
 _SENTENCES = re.compile(r"(?<=\.) (?=[A-Z0-9])")
 _LENGTHS = re.compile(rf"(?<![\w.]){_LENGTH}(?!\w)")
 
@@ -302,6 +308,81 @@ class Wording:
     lengths: Callable = list
 
 
+class Text(str):
+    """An English text that keeps what it is made of.
+
+    phrase  of the table, or one that only joins others
+    places  {name: what stands in that place of the phrase: text, a Text, or a list of those}
+    upper   whether the first letter is made a capital, as at the head of a sentence
+    """
+
+    def __new__(cls, phrase, /, **places):
+        return cls._of(phrase, places)
+
+    @classmethod
+    def _of(cls, phrase, places, upper=False):
+        text = phrase.format(**{name: value if isinstance(value, str) else ", ".join(value)
+                                for name, value in places.items()})
+        self = super().__new__(cls, text[:1].upper() + text[1:] if upper else text)
+        self.phrase, self.places, self.upper = phrase, places, upper
+        return self
+
+    def __reduce__(self):
+        return Text._of, (self.phrase, self.places, self.upper)
+
+
+def joined(*parts):
+    """The texts of sentences in one, with blanks between them."""
+    parts = [part for text in parts for part in _sentences_of(text)]
+    if len(parts) == 1:
+        return parts[0]
+    names = [f"phrase{i}" for i in range(len(parts))]
+    return Text(" ".join(f"{{{name}}}" for name in names), **dict(zip(names, parts)))
+
+
+def _sentences_of(text):
+    is_joined = isinstance(text, Text) and text.phrase.startswith("{phrase0} ")
+    return text.places.values() if is_joined else (text,)
+
+
+def to_data(text):
+    """A Text as plain values for JSON; the inverse of from_data."""
+    if isinstance(text, Text):
+        return {"phrase": text.phrase, "places": {name: to_data(value) for name, value in text.places.items()},
+                "upper": text.upper}
+    return text if isinstance(text, str) else [to_data(part) for part in text]
+
+
+def from_data(data):
+    """The Text of plain values, or of what the core gives for one."""
+    if isinstance(data, dict):
+        places = {name: from_data(value) for name, value in data["places"].items()}
+        return Text._of(data["phrase"], places, data.get("upper", False))
+    return data if isinstance(data, str) else [from_data(part) for part in data]
+
+
+def stored(text, data):
+    """A text that a document holds, as the Text that the JSON beside it describes; as it is where it was stored
+    without, or changed without that.
+    """
+    try:
+        found = from_data(json.loads(data))
+    except (ValueError, KeyError, TypeError, AttributeError, IndexError):
+        return text
+    return found if found == text else text
+
+
+def text_of(value):
+    """What is said of a text or an error: as a Text where it is one."""
+    said = value.args[0] if isinstance(value, Exception) and value.args else value
+    return said if isinstance(said, Text) else str(value)
+
+
+def exempt_triangle(triangle, reason):
+    """What documents say of an exempt triangle."""
+    return Text(_EXEMPT_TRIANGLE, count=str(triangle), phrase=reason)
+
+
 def texts():
     """All texts that are to be translated."""
     return sorted({*(_SHOWN.get(phrase, phrase) for phrase in _PHRASES), *STAGES.values(), *_WAITS,
@@ -310,27 +391,42 @@ def texts():
 
 def translated(text, wording):
     """The text in the words of a Wording; of one that no phrase fits only its lengths."""
-    found = _known(text, wording)
-    return _with_lengths(text, wording) if found is None else found
+    known = text if isinstance(text, Text) else read(text)
+    return _with_lengths(text, wording) if known is None else _said(known, wording)
 
 
-def _known(text, wording):
-    """The text by the phrase that fits it, also as the head of a sentence; None where there is none."""
-    found = _matched(text, wording)
+def _said(text, wording):
+    """A Text in the words of a Wording."""
+    places = {name: _place(name, value, wording) for name, value in text.places.items()}
+    lengths = [name for name in places if _kind(name) == "length"]
+    places.update(zip(lengths, wording.lengths([places[name] for name in lengths])))
+    shown = _SHOWN.get(text.phrase, text.phrase)
+    found = (wording.translate(shown) if text.phrase in _TABLE else shown).format(**places)
+    return found[:1].upper() + found[1:] if text.upper else found
+
+
+def read(text):
+    """The Text of a plain one that a phrase fits, also as the head of a sentence; None where none does. For errors,
+    and for what documents of older versions hold.
+    """
+    found = _matched(text)
     if found is None and text[:1].isupper():
-        found = _matched(lower_first(text), wording)
+        found = _matched(lower_first(text))
         found = None if found is None else upper_first(found)
     return found
 
 
-def _matched(text, wording):
+def read_exempt_triangle(text):
+    """(triangle, why) of what a document of an older version says of an exempt triangle; None where it does not fit."""
+    found = _pattern(_EXEMPT_TRIANGLE).fullmatch(text)
+    return found and (int(found["count"]), found["phrase"])
+
+
+def _matched(text):
     for phrase in _PHRASES:
         found = _pattern(phrase).fullmatch(text)
         if found:
-            places = {name: _place(name, value, wording) for name, value in found.groupdict().items()}
-            lengths = [name for name in places if _kind(name) == "length"]
-            places.update(zip(lengths, wording.lengths([places[name] for name in lengths])))
-            return wording.translate(_SHOWN.get(phrase, phrase)).format(**places)
+            return Text(phrase, **found.groupdict())
     return None
 
 
@@ -341,34 +437,38 @@ def _with_lengths(text, wording):
 
 def sentences(text, wording):
     """The sentences of a text, each in the words of a Wording."""
+    if isinstance(text, Text):
+        return _said(text, wording)
     return " ".join(_sentence(part, wording) for part in _SENTENCES.split(text))
 
 
 def _sentence(text, wording):
-    found = _known(text, wording)
-    if found is None and text.endswith("."):
+    if read(text) is None and text.endswith("."):
         return translated(text[:-1], wording) + "."
     return translated(text, wording)
 
 
-def sentence(reason):
-    """A reason of the mesher's, or another phrase, as a sentence."""
-    if is_forced(reason):
-        reason = NOT_REACHABLE.format(phrase=reason)[:-1]
-    return upper_first(reason) + "."
+def sentence(phrase):
+    """A Text that is a phrase of the table without a full stop, as a sentence."""
+    return upper_first(Text("{phrase}.", phrase=phrase))
 
 
-def is_forced(reason):
-    """Whether the shape itself is the reason."""
-    return any(_pattern(phrase).match(reason) for phrase in FORCED)
+def exempt_sentence(reason, forced):
+    """Likewise why a triangle is exempt; `forced`: whether the shape itself is the reason."""
+    return upper_first(Text(NOT_REACHABLE, phrase=reason)) if forced else sentence(reason)
 
 
 def upper_first(text):
-    return text[:1].upper() + text[1:]
+    """The Text with a capital at its head."""
+    return Text._of(text.phrase, text.places, True)
 
 
 def lower_first(text):
-    return text[:1].lower() + text[1:]
+    """A text, also of several sentences, to stand after a colon."""
+    if not isinstance(text, Text):
+        return text[:1].lower() + text[1:]
+    first, *others = _sentences_of(text)
+    return joined(Text._of(first.phrase, first.places), *others)
 
 
 def stage(name, wording):
@@ -399,10 +499,11 @@ def _place(name, value, wording):
     if kind == "option":
         return wording.translate(_titles().get(value, value))
     if kind == "list":
-        return ", ".join(translated(part, wording) for part in value.split(", "))
+        parts = value.split(", ") if type(value) is str else [value] if isinstance(value, Text) else value
+        return ", ".join(translated(part, wording) for part in parts)
     if kind == "text":
         return sentences(value, wording)
-    return translated(value, wording) if kind in ("phrase", "range") else value
+    return translated(value, wording) if kind in ("phrase", "range") or isinstance(value, Text) else value
 
 
 def _kind(name):

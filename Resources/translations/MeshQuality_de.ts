@@ -363,6 +363,14 @@
         <source>Longest edge on single faces, along edges or around vertices: Face3=0.5 mm, Edge7=0.2 mm; in containers and links with the path to the object: Box.Face3=0.5 mm</source>
         <translation>Längste Kante auf einzelnen Flächen, entlang von Kanten oder um Ecken: Face3=0.5 mm, Edge7=0.2 mm; in Containern und Verknüpfungen mit dem Weg zum Objekt: Box.Face3=0.5 mm</translation>
     </message>
+    <message>
+        <source>For each reason in Exempt what it is made of, and the triangles, by which the window translates it</source>
+        <translation>Zu jedem Grund in Exempt, woraus er besteht, und die Dreiecke; danach übersetzt ihn das Fenster</translation>
+    </message>
+    <message>
+        <source>What the certificate is made of, by which the window translates it</source>
+        <translation>Woraus das Zertifikat besteht; danach übersetzt es das Fenster</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1765,6 +1773,14 @@
     <message>
         <source>{count} hidden objects of {name} are no part of it: {list}.</source>
         <translation>{count} ausgeblendete Objekte von {name} gehören nicht dazu: {list}.</translation>
+    </message>
+    <message>
+        <source>a crease of {name}</source>
+        <translation>einem Knick von {name}</translation>
+    </message>
+    <message>
+        <source>the end of a crease on {name}</source>
+        <translation>dem Ende eines Knicks auf {name}</translation>
     </message>
 </context>
 <context>

@@ -5,16 +5,26 @@
 #include <tsl/robin_set.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace mq {
 
-/// Spreads keys that differ only in their low bits over all bits (Fibonacci hashing).
+/// The one hash of keys: spreads those that differ only in their low bits over all bits (Fibonacci hashing).
 struct KeyHash {
     std::size_t operator()(std::uint64_t key) const {
         key *= 0x9E3779B97F4A7C15ULL;
         return key ^ (key >> 32);
+    }
+    /// The hash of indices in this order.
+    template <std::size_t N>
+    std::size_t operator()(const std::array<std::int32_t, N>& key) const {
+        std::uint64_t hash = 0;
+        for (const std::int32_t index : key) {
+            hash = operator()(hash ^ static_cast<std::uint32_t>(index));
+        }
+        return hash;
     }
 };
 

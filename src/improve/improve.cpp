@@ -68,8 +68,8 @@ Result improve(const mesh::TriangleMesh& given, const ImproveOptions& options, P
     for (int t = 0; t < improver.mesh().triangle_count(); ++t) {
         index[static_cast<std::size_t>(t)] = improver.mesh().gone(t) ? -1 : next++;
     }
-    for (const auto& [t, why] : improver.left()) {
-        result.exempt.emplace_back(index[static_cast<std::size_t>(t)], why);
+    for (const auto& [t, cause] : improver.left()) {
+        result.exempt.emplace_back(index[static_cast<std::size_t>(t)], mesh::ExemptReason{cause});
     }
     return result;
 }

@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/stage_clock.h"
+#include "mesh/quality/exempt_reason.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::improve {
@@ -30,7 +30,7 @@ struct Result {
     std::size_t splits = 0;
     std::size_t moves = 0;
     /// Triangle, and the reason why its smallest angle is below `min_angle`.
-    std::vector<std::pair<std::int32_t, std::string>> exempt;
+    std::vector<std::pair<std::int32_t, mesh::ExemptReason>> exempt;
     StageTimes seconds;
 };
 

@@ -103,11 +103,10 @@ bool Improver::keep_if_best(std::size_t bad) {
     return true;
 }
 
-std::vector<std::pair<int, std::string>> Improver::left() const {
-    std::vector<std::pair<int, std::string>> result;
+std::vector<std::pair<int, mesh::ExemptCause>> Improver::left() const {
+    std::vector<std::pair<int, mesh::ExemptCause>> result;
     for (const int t : bad_triangles()) {
-        result.emplace_back(t, forced(t) ? "its smallest angle lies between two sharp edges that must stay"
-                                         : "no change within the tolerance makes it better");
+        result.emplace_back(t, forced(t) ? mesh::ExemptCause::SharpEdges : mesh::ExemptCause::NoChangeWithinTolerance);
     }
     std::sort(result.begin(), result.end());
     return result;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,7 +22,7 @@ class Improver {
     const EditableMesh& mesh() const { return mesh_; }
     /// The counts, and the triangles that stay bad with the reason, by their index in mesh().
     Result counts;
-    std::vector<std::pair<int, std::string>> left() const;
+    std::vector<std::pair<int, mesh::ExemptCause>> left() const;
 
   private:
     /// Conditions for a change: the worst angle becomes better; the tolerance is kept; the surface stays as it is.

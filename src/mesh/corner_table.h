@@ -21,11 +21,13 @@ constexpr std::int32_t kIrregular = -2;
 /// triangle. Every vertex index must be in range.
 std::vector<std::int32_t> edge_twins(const std::vector<Triangle>& triangles, std::size_t vertex_count);
 
-/// The next and the previous corner of the same triangle.
-inline std::int32_t next_corner(std::int32_t h) {
+/// The next and the previous corner, or half-edge, of the same triangle.
+template <typename Index>
+constexpr Index next_corner(Index h) {
     return h % 3 == 2 ? h - 2 : h + 1;
 }
-inline std::int32_t previous_corner(std::int32_t h) {
+template <typename Index>
+constexpr Index previous_corner(Index h) {
     return h % 3 == 0 ? h + 2 : h - 1;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/key_set.h"
+
 namespace mq::mesh {
 namespace {
 
@@ -13,8 +15,7 @@ std::uint64_t hash_of(const Vec3& p) {
         const double x = p[i] + 0.0;  // -0 becomes 0
         std::uint64_t bits = 0;
         std::memcpy(&bits, &x, sizeof bits);
-        hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 32;
+        hash = KeyHash()(hash ^ bits);
     }
     return hash;
 }

@@ -111,9 +111,67 @@ py::tuple clustered(const py::array_t<float, py::array::c_style | py::array::for
         py::array_t<std::int32_t>(static_cast<py::ssize_t>(found.joined.size()), found.joined.data()));
 }
 
+std::vector<std::pair<std::int32_t, std::string>> exempt_texts(const MeshReport& report) {
+    std::vector<std::pair<std::int32_t, std::string>> texts;
+    for (const auto& [triangle, reason] : report.exempt) {
+        texts.emplace_back(triangle, mesh::message_of(reason).text());
+    }
+    return texts;
+}
+
+/// What MeshQuality.phrases.from_data takes: {"phrase": text, "places": {place: the same again}}; a value is its text.
+py::object object_of(const Message& message) {
+    if (message.is_value) {
+        return py::str(message.phrase);
+    }
+    py::dict places;
+    for (const auto& [name, value] : message.places) {
+        places[name.c_str()] = object_of(value);
+    }
+    py::dict data;
+    data["phrase"] = message.phrase;
+    data["places"] = places;
+    return std::move(data);
+}
+
+std::vector<std::string> names_of(const std::vector<mesh::NamedEntity>& entities) {
+    std::vector<std::string> names;
+    for (const mesh::NamedEntity& entity : entities) {
+        if (entity.dimension >= 0) {
+            names.push_back(mesh::name_of(entity).text());
+        }
+    }
+    return names;
+}
+
+void bind_exempt_reason(py::module_& m) {
+    using mesh::ExemptReason;
+    py::class_<ExemptReason>(m, "ExemptReason",
+                             "Why a triangle keeps an angle below the requested one. str() says it in words.")
+        .def_property_readonly(
+            "cause", [](const ExemptReason& r) { return mesh::name_of(r.cause); },
+            "such as \"narrow_corner\": a name of phrases.EXEMPT")
+        .def_property_readonly(
+            "forced", [](const ExemptReason& r) { return mesh::is_forced(r.cause); },
+            "whether the shape itself is the reason")
+        .def_property_readonly(
+            "angle", [](const ExemptReason& r) { return r.angle; },
+            "degrees: the angle of the shape that causes it; -1: none")
+        .def_property_readonly(
+            "entities",
+            [](const ExemptReason& r) {
+                return names_of({r.edges[0], r.edges[1], r.vertex, r.face});
+            },
+            "the names of the edges and the vertex of the shape that cause it, and of its face")
+        .def_property_readonly(
+            "message", [](const ExemptReason& r) { return object_of(mesh::message_of(r)); },
+            "what it says, as MeshQuality.phrases.from_data takes it")
+        .def("__str__", [](const ExemptReason& r) { return mesh::message_of(r).text(); });
+}
+
 std::vector<std::pair<std::string, std::size_t>> causes_of(const MeshReport& report) {
     std::vector<std::pair<std::string, std::size_t>> causes;
-    for (const mesh::ExemptCause& cause : mesh::exempt_causes(report)) {
+    for (const mesh::SameCause& cause : mesh::exempt_causes(report)) {
         causes.emplace_back(cause.cause, cause.count);
     }
     return causes;
@@ -188,7 +246,12 @@ std::string in_short(const MeshReport& report) {
 }
 
 void bind_course(ReportClass& report) {
-    report.def_readonly("exempt", &MeshReport::exempt, "[(triangle, why and by which entities), ...]")
+    report.def_property_readonly("exempt", &exempt_texts, "[(triangle, why and by which entities), ...]")
+        .def_property_readonly(
+            "exempt_reasons", [](const MeshReport& r) { return r.exempt; },
+            "[(triangle, reason), ...]: the same as data: reason.cause, .forced (by the shape itself), .angle (of the "
+            "shape in "
+            "degrees, or -1), .entities (names of the edges, the vertex and the face)")
         .def_readonly("spanning", &MeshReport::spanning,
                       "[(triangle, the CAD faces that it lies on), ...], of keep_edges = feature; its own face is that "
                       "with the largest share")
@@ -226,6 +289,7 @@ void bind_report(py::module_& m) {
 }  // namespace
 
 void bind_mesh(py::module_& m) {
+    bind_exempt_reason(m);
     bind_report(m);
     const auto surface = [](const py::object& self) -> const Surface& { return self.cast<const Surface&>(); };
     py::class_<Surface, SurfacePointer>(m, "Surface", "A triangle mesh in the core's memory, and its report.")

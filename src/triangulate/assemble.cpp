@@ -21,7 +21,7 @@ std::vector<std::vector<int>> add_segments(ClassifiedMesh& mesh, const InitialTr
 
 std::vector<int> add_sites(ClassifiedMesh& mesh, const FaceMesh& face, int f) {
     std::vector<int> sites;
-    for (const FaceMesh::Site& s : face.sites) {
+    for (const FaceMesh::VertexUse& s : face.sites) {
         const int vertex = s.vertex >= 0 ? s.vertex : mesh.add_vertex(s.point, {2, f});
         sites.push_back(mesh.add_site({vertex, s.uv, s.normal}));
     }

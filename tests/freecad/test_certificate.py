@@ -11,7 +11,7 @@ import Part
 import MeshQuality as mq
 from MeshQuality import phrases
 from MeshQuality.core import verdict
-from MeshQuality.features import mesh_object
+from MeshQuality.features import mesh_object, properties
 
 
 def wedge(tip=0.8, length=10.0):
@@ -48,6 +48,30 @@ class Certificates(CertificateTest):
                 self.assertEqual(obj.getEditorMode(name), ["ReadOnly"])
                 self.assertTrue(obj.getDocumentationOfProperty(name))
             self.assertEqual(obj.Certificate, "met")
+
+    def test_what_it_says_is_kept_as_data(self):
+        obj = mq.add_quality_mesh(self.feature(wedge()))
+        certificate = phrases.stored(obj.Certificate, obj.CertificateData)
+        self.assertIsInstance(verdict.said(certificate), phrases.Text)
+        self.assertEqual(verdict.said(certificate), verdict.said(str(certificate)))
+        found = properties.exempt_reasons(obj)
+        report = mq.triangulate(obj.Source).report
+        self.assertEqual(found, dict(report.exempt))
+        self.assertTrue(all(isinstance(why, phrases.Text) for why in found.values()))
+        self.assertEqual({why.cause for _, why in report.exempt_reasons}, {"narrow_corner"})
+        for _, why in report.exempt_reasons:
+            self.assertTrue(why.forced)
+            self.assertAlmostEqual(why.angle, 4.57, delta=0.01)
+            self.assertRegex(" ".join(why.entities), r"^Edge\d+ Edge\d+ Vertex\d+ Face\d+$")
+
+    def test_documents_of_older_versions_have_the_texts_only(self):
+        obj = mq.add_quality_mesh(self.feature(wedge()))
+        found = properties.exempt_reasons(obj)
+        for stale in ([], ["nothing"], ['["another text", [0]]']):
+            obj.ExemptReasons = stale
+            self.assertEqual(properties.exempt_reasons(obj), found)
+        obj.CertificateData = ""
+        self.assertIs(type(phrases.stored(obj.Certificate, obj.CertificateData)), str)
 
     def test_a_narrow_corner_is_missed_with_its_place(self):
         source = self.feature(wedge())
@@ -120,7 +144,6 @@ class Certificates(CertificateTest):
     def test_curved_elements_that_fold(self):
         class Report:
             invalid, elements = 4, 90
-            invalid_elements = [f"triangle {i} on Face{i % 2 + 1}" for i in range(4)]
 
         class Curved:
             report, nodes = Report, np.arange(12.0).reshape(4, 3)
@@ -131,8 +154,8 @@ class Certificates(CertificateTest):
         faults = verdict.elements(Curved)
         self.assertEqual(faults[0].place, ((3, 4, 5), (6, 7, 8), (9, 10, 11)))
         self.assertEqual(verdict.sentence(faults),
-                         "not met: 4 of 90 elements are not proven valid: triangle 0 on Face1, triangle 1 on "
-                         "Face2, triangle 2 on Face1 and 1 more.")
+                         "not met: 4 of 90 elements are not proven valid: triangle 1 on Face1, triangle 2 on "
+                         "Face2, triangle 3 on Face1 and 1 more.")
         self.assertEqual(verdict.faces(faults), ["Face1", "Face2"])
 
     def test_a_boolean_tells_its_tolerance(self):
@@ -246,7 +269,7 @@ class WhatNoMeshShouldHave(CertificateTest):
     def test_faces_that_were_left_out(self):
         class Report:
             triangles, min_angle, min_angle_asked, complete, self_intersections = 2, 45.0, 25.0, True, 0
-            max_chord_height, chord_height_asked, max_chord_triangle, exempt = 0.0, 0.0, -1, ()
+            max_chord_height, chord_height_asked, max_chord_triangle, exempt_reasons = 0.0, 0.0, -1, ()
             closed, border_edges, nonmanifold_edges, pinched_vertices = False, 4, 0, 0
             degenerate_triangles, misoriented_edges = 0, 0
             missing_faces = [(6, "no triangulation"), (6, "no triangulation"), (1, "of another kind")]

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of phrases has all that the core says where panels show it, and takes it apart rightly."""
 
+import copy
+import json
+import pickle
 import re
 import sys
 import unittest
@@ -17,12 +20,6 @@ _STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 MARKED = phrases.Wording(lambda text: f"<{text}>")  # a translation that can be told from the text
 INCHES = phrases.Wording(number=lambda text: text.translate({ord("."): ",", ord(","): "."}),
                          lengths=lambda texts: [f"{float(text.split()[0]) / 25.4:.3g} in" for text in texts])
-
-
-def literals(path, begin, end):
-    """The strings between two marks of a source file."""
-    text = (ROOT / path).read_text(encoding="utf-8")
-    return _STRING.findall(text[text.index(begin):text.index(end, text.index(begin))])
 
 
 class Phrases(unittest.TestCase):
@@ -44,16 +41,6 @@ class Phrases(unittest.TestCase):
             stage = "waits for OpenCASCADE: " + text + ("Face7" if more else "")
             self.assertEqual(phrases.stage(stage, MARKED).count("<"), 2, stage)
             self.assertEqual(phrases.rest(stage, MARKED).count("<"), 2, stage)
-
-    def test_every_reason_of_the_core_is_a_phrase(self):
-        known = " ".join(phrases.REASONS + phrases.ENDINGS)
-        parts = literals("src/triangulate/report/exemption_text.cpp", "std::string degrees(", "}  // namespace mq")
-        parts += literals("src/improve/improver.cpp", "Improver::left()", "return result")
-        parts = [part.strip() for part in parts
-                 if len(part.split()) > 1 and not part.startswith("%")]
-        self.assertGreater(len(parts), 9)
-        for part in parts:
-            self.assertIn(part, known)
 
     def test_every_error_of_the_core_is_one_of_its(self):
         said = "".join("".join(_STRING.findall(re.sub(r'"\s*"', "", path.read_text(encoding="utf-8"))))
@@ -116,20 +103,50 @@ class Phrases(unittest.TestCase):
                          "nicht wasserdicht: 3 offene Kanten.")
 
     def test_what_the_shape_itself_rules_out_is_said(self):
-        reason = "the shape itself has a corner of 3.10° between Edge3 and Edge5 at Vertex2"
-        self.assertTrue(phrases.is_forced(reason + " on Face4"))
-        self.assertEqual(phrases.sentence(reason), f"Target angle not reachable: {reason}.")
-        other = "points cannot be placed any closer in single precision"
-        self.assertFalse(phrases.is_forced(other))
-        self.assertEqual(phrases.sentence(other), "Points cannot be placed any closer in single precision.")
+        corner = phrases.Text(phrases.EXEMPT["narrow_corner"], number="3.10", edge="Edge3", edge2="Edge5",
+                              vertex="Vertex2")
+        self.assertEqual(phrases.exempt_sentence(corner, True), f"Target angle not reachable: {corner}.")
+        other = phrases.Text(phrases.EXEMPT["resolution"])
+        self.assertEqual(phrases.exempt_sentence(other, False),
+                         "Points cannot be placed any closer in single precision.")
+        self.assertEqual(phrases.sentences(phrases.exempt_sentence(other, False), MARKED),
+                         "<points cannot be placed any closer in single precision>.")
 
-    def test_reasons_with_every_ending(self):
-        for reason in phrases.REASONS:
+    def test_what_a_text_is_made_of_is_kept(self):
+        corner = phrases.Text(phrases.EXEMPT["apex"], vertex=phrases.Text(phrases.CREASE_END, name="Face7"))
+        text = phrases.joined(phrases.upper_first(phrases.Text(phrases.MORE_BELOW[1], count="3", number="25")),
+                              phrases.exempt_sentence(corner, True),
+                              phrases.Text(phrases.MISSING[1], count="2", list=["Face1", "Face{2}"]))
+        self.assertEqual(text, "3 more triangles are below 25°. Target angle not reachable: the surface comes to a "
+                               "point with too little angle around it at the end of a crease on Face7. 2 faces could "
+                               "not be meshed and were left out: Face1, Face{2}.")
+        said = phrases.sentences(text, MARKED)
+        self.assertEqual(said.count("<"), 5, said)
+        for copied in (copy.deepcopy(text), pickle.loads(pickle.dumps(text)),
+                       phrases.stored(str(text), json.dumps(phrases.to_data(text)))):
+            self.assertEqual(copied, text)
+            self.assertEqual(phrases.sentences(copied, MARKED), said)
+        self.assertEqual(phrases.lower_first(phrases.exempt_sentence(corner, True)),
+                         f"target angle not reachable: {corner}.")
+
+    def test_what_was_stored_is_trusted_only_with_its_text(self):
+        text = phrases.Text(phrases.LIMIT)
+        data = json.dumps(phrases.to_data(text))
+        self.assertIsInstance(phrases.stored(str(text), data), phrases.Text)
+        for changed in ("", "[]", "3", "{", '{"phrase": 3, "places": {}}', '{"phrase": "{a}", "places": {}}', data[1:]):
+            self.assertIs(type(phrases.stored(str(text), changed)), str)
+        self.assertEqual(phrases.stored("met", data), "met")
+
+    def test_documents_of_older_versions_hold_plain_texts(self):
+        for reason in phrases.EXEMPT.values():
             filled = re.sub(r"{(\w+?)\d?}", lambda place: {"number": "4.57", "edge": "Edge3",
                                                            "vertex": "Edge9"}[place[1]], reason)
             for ending in ("", " at Edge12", " at Edge12 on Face3", " on Face3"):
                 found = phrases.translated(filled + ending, MARKED)
                 self.assertEqual(found.count("<"), 1 + ending.count("E") + ending.count("F"), found)
+                line = phrases.exempt_triangle(7, filled + ending)
+                self.assertEqual(phrases.read_exempt_triangle(str(line)), (7, filled + ending))
+        self.assertIsNone(phrases.read_exempt_triangle("nothing"))
 
     def test_lists_of_elements(self):
         found = phrases.translated("4 of 90 elements are not proven valid: triangle 0 on Face1, "

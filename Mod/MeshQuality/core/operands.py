@@ -2,7 +2,6 @@
 """The operands of a Boolean: what scripts may pass, as surfaces of the core."""
 
 import hashlib
-import re
 import string
 import time
 from contextlib import contextmanager
@@ -25,7 +24,6 @@ _FINEST_CHORD = 4.0 * 3.0**0.5 * 2.0**-24
 _FRAME = 4.0
 # Fraction of the size of all operands that a Boolean asks for at least.
 _FINEST_TOLERANCE = 4.0 * 2.0**-23
-_NAMES_ONE = re.compile(r"\boperand [A-Z\d]")
 
 
 @dataclass(frozen=True)
@@ -203,7 +201,7 @@ class Operands:
         labels = [f"{letter} is {convert.label_of(source)}"
                   for letter, source in zip(self._letters, self._sources)
                   if getattr(source, "Label", None)]
-        if not labels or not _NAMES_ONE.search(str(error)):
+        if not labels or not any(name in str(error) for name in self._names):
             return error
         return type(error)(f"{error} ({', '.join(labels)})")
 

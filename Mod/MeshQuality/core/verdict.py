@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import phrases
 from ..compat import extension
-from ..phrases import MET, NOT_MET
+from ..phrases import MET, NOT_MET, Text
 from . import convert
 
 # Elements whose shape is distorted more than this are a finding. The inverse of the distortion is the shape metric of
@@ -53,12 +53,12 @@ def word(findings):
 
 def sentence(findings):
     """What the property Certificate says."""
-    return f"{NOT_MET}: {_joined(findings)}" if findings else MET
+    return Text(phrases.NOT_MET_TEXT, text=_joined(findings)) if findings else MET
 
 
 def _joined(findings):
     """The sentences of all, to stand after a colon."""
-    return phrases.lower_first(" ".join(finding.text for finding in findings))
+    return phrases.lower_first(phrases.joined(*(finding.text for finding in findings)))
 
 
 def is_met(certificate):
@@ -73,6 +73,8 @@ def is_missed(certificate):
 
 def said(certificate):
     """What a Certificate says is not met, without the words before it."""
+    if isinstance(certificate, Text):
+        return certificate.places["text"]
     for start in (f"{NOT_MET}: ", _OLD_NOT_MET):
         if certificate.startswith(start):
             return certificate[len(start):]
@@ -101,7 +103,7 @@ def line(label, report, findings, say=str):
 
     say   say(text that a phrase of `phrases` fits) -> text in the user's language and units
     """
-    verdict = phrases.TARGET_NOT_MET.format(text=_joined(findings)) if findings else phrases.ALL_MET
+    verdict = Text(phrases.TARGET_NOT_MET, text=_joined(findings)) if findings else Text(phrases.ALL_MET)
     return f"{label}: {', '.join(map(say, _figures(report)))}; {say(verdict)}"
 
 
@@ -109,16 +111,16 @@ def _figures(report):
     """What the line says of a MeshReport, BooleanReport or CurveReport."""
     if hasattr(report, "elements"):
         yield _counted(phrases.ELEMENTS, report.elements)
-        yield phrases.MAX_DISTORTION.format(number=_number(report.max_shape_distortion))
-        yield phrases.MAX_DEVIATION.format(length=_length(_rounded(report.max_deviation)))
+        yield Text(phrases.MAX_DISTORTION, number=_number(report.max_shape_distortion))
+        yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_deviation)))
     else:
         yield _counted(phrases.TRIANGLES, report.triangles)
         if report.triangles:
-            yield phrases.SMALLEST_ANGLE.format(number=_rounded(report.min_angle))
+            yield Text(phrases.SMALLEST_ANGLE, number=_rounded(report.min_angle))
         if hasattr(report, "error_bound"):
-            yield phrases.ERROR_BOUND.format(length=_length(_rounded(report.error_bound)))
+            yield Text(phrases.ERROR_BOUND, length=_length(_rounded(report.error_bound)))
         elif report.max_chord_height >= 0:
-            yield phrases.MAX_DEVIATION.format(length=_length(_rounded(report.max_chord_height)))
+            yield Text(phrases.MAX_DEVIATION, length=_length(_rounded(report.max_chord_height)))
     if report.overlaps > 0:
         yield _counted(phrases.OVERLAPS, report.overlaps)
 
@@ -146,8 +148,8 @@ def of_boolean(mesh):
     report = mesh.report
     found = _too_far(report.error_bound, report.tolerance_asked, phrases.RESULT_DISTANCE)
     if report.self_intersections > 0:  # counted of method uniform only
-        found.append(Finding(f"{_counted(phrases.CROSSING, report.self_intersections)} "
-                             f"{_sentence(phrases.UNIFORM_CROSSES)}"))
+        found.append(Finding(phrases.joined(_counted(phrases.CROSSING, report.self_intersections),
+                                            _sentence(phrases.UNIFORM_CROSSES))))
     elif report.faults_left:
         found.append(Finding(_counted(phrases.FAULTS_LEFT, report.faults_left)))
     return found + (topology(report, True, mesh) if report.triangles else [])
@@ -211,23 +213,22 @@ def angles(mesh):
         return []
     measured = extension().triangle_shapes(mesh._surface)[0]
     worst, below = int(np.argmin(measured)), np.flatnonzero(measured < asked)
-    reasons = dict(report.exempt)
-    forced = all(phrases.is_forced(reasons.get(int(triangle), "")) for triangle in below)
+    reasons = dict(report.exempt_reasons)
+    forced = all(int(triangle) in reasons and reasons[int(triangle)].forced for triangle in below)
     least, limit = _told_apart(report.min_angle, asked)
-    text = _sentence(phrases.ANGLE, number=least, number2=limit, phrase=_triangle(mesh, worst))
+    said = [_sentence(phrases.ANGLE, number=least, number2=limit, phrase=_triangle(mesh, worst))]
     if worst in reasons:
-        text += f" {phrases.sentence(_without_face(mesh, worst, reasons[worst]))}"
+        said.append(phrases.exempt_sentence(_without_face(reasons[worst]), reasons[worst].forced))
     if len(below) > 1:
         more = phrases.MORE_FORCED if forced else phrases.MORE_BELOW
-        text += " " + _counted(more, len(below) - 1, number=limit)
-    return [Finding(text, _names(mesh, below), _corners(mesh, worst), forced)]
+        said.append(_counted(more, len(below) - 1, number=limit))
+    return [Finding(phrases.joined(*said), _names(mesh, below), _corners(mesh, worst), forced)]
 
 
-def _without_face(mesh, triangle, reason):
-    """A reason without the face at its end, which the sentence before it names."""
-    for name in _names(mesh, [triangle]):
-        reason = reason.removesuffix(phrases.ON_FACE.format(phrase="", face=name))
-    return reason
+def _without_face(reason):
+    """The Text of a reason without the face at its end, which the sentence before it names."""
+    text = phrases.from_data(reason.message)
+    return text.places["phrase"] if text.phrase == phrases.ON_FACE else text
 
 
 def deviation(mesh):
@@ -272,7 +273,7 @@ def edges(mesh, values, shape=None):
     worst, side = np.unravel_index(np.argmax(lengths / allowed), lengths.shape)
     where = _triangle(mesh, worst)
     if along[worst, side] >= 0:
-        where = phrases.ON_EDGE.format(phrase=where, edge=f"Edge{along[worst, side] + 1}")
+        where = Text(phrases.ON_EDGE, phrase=where, edge=f"Edge{along[worst, side] + 1}")
     return [Finding(finding.text, _names(mesh, beyond), _corners(mesh, worst)) for finding in _too_far(
         lengths[worst, side], allowed[worst, side], phrases.LONGEST_EDGE, phrase=where)]
 
@@ -323,9 +324,10 @@ def elements(curved):
     report = curved.report
     if not report.invalid:
         return []
-    named = report.invalid_elements
-    text = _first_of(named)
-    return [Finding(_counted(phrases.FOLDED, report.invalid, count2=report.elements, list=text),
+    filled = len(curved.tetrahedra) > 0
+    folded = np.flatnonzero(_folded(curved.tetrahedron_quality if filled else curved.triangle_quality)).tolist()
+    named = [_element(curved, element, filled) for element in folded]
+    return [Finding(_counted(phrases.FOLDED, report.invalid, count2=str(report.elements), list=_first_of(named)),
                     _names(curved, np.flatnonzero(_folded(curved.triangle_quality))), _first_folded(curved))]
 
 
@@ -359,15 +361,20 @@ def distortion(curved):
     worst = int(np.argmax(values))
     faces = () if filled else tuple(dict.fromkeys(
         f"Face{face + 1}" for face in curved.triangle_face[values > SHAPE_DISTORTION_LIMIT].tolist()))
-    where = phrases.TETRAHEDRON.format(count=worst, solid=f"Solid{curved.tetrahedron_solid[worst] + 1}") if filled \
-        else phrases.ON_FACE.format(phrase=phrases.TRIANGLE.format(count=worst),
-                                    face=f"Face{curved.triangle_face[worst] + 1}")
     most, limit = _told_apart(values[worst], SHAPE_DISTORTION_LIMIT)
-    text = _sentence(phrases.DISTORTED, number=most, number2=limit, phrase=where)
+    said = [_sentence(phrases.DISTORTED, number=most, number2=limit, phrase=_element(curved, worst, filled))]
     if count > 1:
-        text += " " + _counted(phrases.MORE_DISTORTED, count - 1, number=limit)
+        said.append(_counted(phrases.MORE_DISTORTED, count - 1, number=limit))
     corners = (curved.tetrahedra if filled else curved.triangles)[worst, :3]
-    return [Finding(text, faces, tuple(map(tuple, curved.nodes[corners].tolist())))]
+    return [Finding(phrases.joined(*said), faces, tuple(map(tuple, curved.nodes[corners].tolist())))]
+
+
+def _element(curved, element, filled):
+    """"tetrahedron 7 of Solid1" of a volume mesh, else "triangle 7 on Face3"."""
+    if filled:
+        return Text(phrases.TETRAHEDRON, count=str(element), solid=f"Solid{curved.tetrahedron_solid[element] + 1}")
+    return Text(phrases.ON_FACE, phrase=Text(phrases.TRIANGLE, count=str(element)),
+                face=f"Face{curved.triangle_face[element] + 1}")
 
 
 def _crossing_pairs(mesh, progress=None):
@@ -384,11 +391,11 @@ def _crossings(report):
     if report.self_intersections <= 0:
         return []
     pairs = [tuple(f"Face{face + 1}" for face in crossing[:2]) for crossing in report.crossing_faces]
-    text = _counted(phrases.CROSSING, report.self_intersections)
+    said = [_counted(phrases.CROSSING, report.self_intersections)]
     for first, second in pairs[:_NAMED]:
-        text += " " + (phrases.CROSSES_ITSELF.format(face=first) if first == second
-                       else phrases.FACES_CROSS.format(face=first, face2=second))
-    return [Finding(text, tuple(dict.fromkeys(face for pair in pairs for face in pair)))]
+        said.append(Text(phrases.CROSSES_ITSELF, face=first) if first == second
+                    else Text(phrases.FACES_CROSS, face=first, face2=second))
+    return [Finding(phrases.joined(*said), tuple(dict.fromkeys(face for pair in pairs for face in pair)))]
 
 
 def _missing_faces(report):
@@ -400,7 +407,7 @@ def _missing_faces(report):
 
 
 def _incomplete(report):
-    return [] if report.complete else [Finding(phrases.sentence(phrases.LIMIT))]
+    return [] if report.complete else [Finding(phrases.sentence(Text(phrases.LIMIT)))]
 
 
 def _counted(phrase, count, /, **places):
@@ -414,12 +421,12 @@ def counted_list(phrase, names, /, **places):
 
 
 def _first_of(names):
-    listed = ", ".join(names[:_NAMED])
-    return phrases.AND_MORE.format(list=listed, count=len(names) - _NAMED) if len(names) > _NAMED else listed
+    listed = list(names[:_NAMED])
+    return Text(phrases.AND_MORE, list=listed, count=str(len(names) - _NAMED)) if len(names) > _NAMED else listed
 
 
 def _sentence(phrase, /, **places):
-    return phrases.upper_first(phrase.format(**places))
+    return phrases.upper_first(Text(phrase, **places))
 
 
 _ROUNDING = 1e-6
@@ -452,9 +459,9 @@ def _length(number):
 
 def _triangle(mesh, triangle):
     """"triangle 7 on Face3"; without the face where that is not known."""
-    text = phrases.TRIANGLE.format(count=triangle)
+    text = Text(phrases.TRIANGLE, count=str(triangle))
     names = _names(mesh, [triangle])
-    return phrases.ON_FACE.format(phrase=text, face=names[0]) if names else text
+    return Text(phrases.ON_FACE, phrase=text, face=names[0]) if names else text
 
 
 def _at_edges(text, mesh, bad):

@@ -29,6 +29,7 @@ class ImprovedMesh(mesh_object.OfOneSource):
     SOURCE, NEEDS = "The object whose mesh is improved", "a mesh"
     OPTIONS = options.IMPROVE
     MEASURED, PROMISES = MEASURED, mesh_object.ANGLE_PROMISES
+    HIDDEN = (properties.EXEMPT_REASONS,)
 
     @classmethod
     def work_on(cls, sources, values, obj=None):

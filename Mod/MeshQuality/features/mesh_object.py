@@ -2,13 +2,14 @@
 """What the document objects that hold a mesh have in common."""
 
 import hashlib
+import json
 from contextlib import contextmanager, suppress
 from functools import partial
 
 import FreeCAD
 import numpy as np
 
-from .. import options
+from .. import options, phrases
 from ..compat import PlainState, property_of, without_traceback
 from ..core import convert, frames, hidden_parts, verdict
 from ..errors import Error, InvalidInput
@@ -26,6 +27,8 @@ PROMISES = (
     ("Manifold", "App::PropertyBool",
      "The mesh has no edge of three or more triangles and no pinched vertex"),
 )
+CERTIFICATE_DATA = ("CertificateData", "App::PropertyString",
+                    "What the certificate is made of, by which the window translates it")
 CERTIFICATE_FACES = ("CertificateFaces", "App::PropertyStringList",
                      "CAD faces on which a requested limit is not met")
 CERTIFICATE_PLACE = ("CertificatePlace", "App::PropertyVectorList",
@@ -86,7 +89,7 @@ class MeshObject(PlainState):
             elif name == "Certificate" and obj.Mesh.CountFacets:
                 obj.Certificate = verdict.UNKNOWN
             obj.setEditorMode(name, 1)
-        add_hidden(obj, "Certificate", (CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT))
+        add_hidden(obj, "Certificate", (CERTIFICATE_DATA, CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT))
         older = placement.ORIGIN[0] not in obj.PropertiesList
         add_hidden(obj, "Mesh", (placement.FRAME, placement.ORIGIN, placement.ARRANGEMENT))
         if older:  # computed in the frame of its source, whatever container that is in
@@ -340,6 +343,7 @@ def show_certificate(obj, report, closed, findings):
     closed  whether the mesh was to be closed
     """
     obj.AskedClosed, obj.Closed, obj.Manifold = closed, report.closed, report.manifold
-    obj.Certificate = verdict.sentence(findings)
+    certificate = verdict.sentence(findings)
+    obj.Certificate, obj.CertificateData = certificate, json.dumps(phrases.to_data(certificate))
     obj.CertificateFaces = verdict.faces(findings)
     obj.CertificatePlace = [FreeCAD.Vector(*corner) for corner in verdict.place(findings)]

@@ -52,7 +52,7 @@ def require_outside(obj):
     """Raises InvalidInput where the object lies in something that it is made of: each would wait for the other."""
     holder = _source_around(obj)
     if holder is not None:
-        raise InvalidInput(phrases.IN_ITS_SOURCE.format(name=f"'{holder.Label}'"))
+        raise InvalidInput(phrases.Text(phrases.IN_ITS_SOURCE, name=f"'{holder.Label}'"))
 
 
 def _source_around(obj):
@@ -94,7 +94,7 @@ def _take_out(obj, changed):
     source = _source_around(obj)
     if source is None:
         return
-    said = window().translated(phrases.TAKEN_OUT.format(name=f"'{source.Label}'"))
+    said = window().translated(phrases.Text(phrases.TAKEN_OUT, name=f"'{source.Label}'"))
     FreeCAD.Console.PrintError(f"{obj.Label}: {said}\n")
     for holder in _holders(obj):
         if hasattr(holder, "removeObject"):

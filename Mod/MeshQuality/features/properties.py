@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Properties of the document objects that hold a mesh: what adds, reads and fills them."""
 
-from .. import options
+import json
+from contextlib import suppress
+
+from .. import options, phrases
 from ..compat import attribute_of, property_of
 from . import aliases, distance_bound
 
@@ -16,6 +19,8 @@ ANGLES = (
     ("MeasuredMaxAngle", "App::PropertyAngle", "Largest angle of all triangles"),
     ("Exempt", "App::PropertyStringList", "Triangles below the requested angle, and why"),
 )
+EXEMPT_REASONS = ("ExemptReasons", "App::PropertyStringList",
+                  "For each reason in Exempt what it is made of, and the triangles, by which the window translates it")
 
 
 def add_property(obj, kind, name, group, text):
@@ -68,8 +73,25 @@ def show_angles(obj, report):
     """Fills the properties of ANGLES and ANGLE_PROMISES, and Notes."""
     obj.MeasuredMinAngle, obj.MeasuredMaxAngle = report.min_angle, report.max_angle
     obj.AskedMinAngle = report.min_angle_asked
-    obj.Exempt = [f"triangle {triangle}: {why}" for triangle, why in report.exempt]
+    reasons = [(triangle, phrases.from_data(reason.message)) for triangle, reason in report.exempt_reasons]
+    obj.Exempt = [phrases.exempt_triangle(triangle, reason) for triangle, reason in reasons]
+    triangles = {}
+    for triangle, reason in reasons:
+        triangles.setdefault(reason, []).append(triangle)
+    obj.ExemptReasons = [json.dumps([phrases.to_data(reason), numbers]) for reason, numbers in triangles.items()]
     obj.Notes = list(report.notes)
+
+
+def exempt_reasons(obj):
+    """{triangle: why it is below the requested angle} of an object; plain texts where an older version stored them."""
+    lines = list(getattr(obj, "Exempt", []))
+    with suppress(ValueError, KeyError, TypeError, AttributeError, IndexError):
+        stored = (json.loads(line) for line in getattr(obj, "ExemptReasons", []))
+        reasons = {triangle: reason for data, triangles in stored for reason in [phrases.from_data(data)]
+                   for triangle in triangles}
+        if [phrases.exempt_triangle(*item) for item in sorted(reasons.items())] == lines:
+            return reasons
+    return dict(filter(None, map(phrases.read_exempt_triangle, lines)))
 
 
 def add_options(obj, table):

@@ -37,6 +37,7 @@ class QualityMesh(mesh_object.SourceMesh):
     OPTIONS = options.TRIANGULATE
     PRESETS = options.TRIANGULATE_PRESETS
     MEASURED, PROMISES = MEASURED, PROMISES
+    HIDDEN = (*mesh_object.SourceMesh.HIDDEN, properties.EXEMPT_REASONS)
     cache = None  # MeshCache of its last meshes; not saved, nor copied with the object
 
     def add_properties(self, obj):

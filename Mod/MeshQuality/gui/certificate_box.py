@@ -6,6 +6,7 @@ import FreeCADGui
 import numpy as np
 from PySide import QtGui
 
+from .. import phrases
 from ..core import convert, frames, verdict
 from ..features import mesh_object
 from .sub_elements import Mark, select_face
@@ -19,7 +20,7 @@ def _words(obj):
     """What the certificate and the status of an object say."""
     if verdict.is_missed(obj.Certificate):
         words = translate("MeshQuality", "Target not met: {}").format(
-            translated_certificate(verdict.said(obj.Certificate)))
+            translated_certificate(verdict.said(phrases.stored(obj.Certificate, obj.CertificateData))))
     elif verdict.is_met(obj.Certificate):
         words = translate("MeshQuality", "All requested limits are met.")
     else:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The numbers behind the quality view: what is measured, element by element. No windows here."""
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -15,13 +14,13 @@ from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
 from ..errors import InvalidInput
 from ..features import mesh_object
+from ..features.properties import exempt_reasons
 from .quantities import Unit, in_locale
 from .view.colour_scale import GREEN
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
-_EXEMPT = re.compile(r"triangle (\d+): (.*)", re.DOTALL)
 BARS = 40
 _MANY, COARSE = 200_000, 50_000  # triangles from which on others stand for them; about how many
 
@@ -185,7 +184,7 @@ class QualityData:
         self.corners = self._curved = None
         if obj.Mesh.CountFacets == 0:
             raise InvalidInput(f"{obj.Label} has no triangles")
-        self._why = dict(self._reasons(obj))
+        self._why = exempt_reasons(obj)
         asked = "AskedChordHeight" in obj.PropertiesList and property_of(obj, "AskedChordHeight").Value
         self.bound = asked or None
         self.tetrahedra = self.shown = 0
@@ -316,13 +315,6 @@ class QualityData:
     def triangles_of(self, chosen):
         """Those drawn triangles, float32 (n, 3, 3), that belong to elements chosen by a mask."""
         return self.corners[chosen[self.element]]
-
-    @staticmethod
-    def _reasons(obj):
-        for sentence in getattr(obj, "Exempt", []):
-            found = _EXEMPT.match(sentence)
-            if found:
-                yield int(found[1]), found[2]
 
 
 def _shape_behind(source, obj):

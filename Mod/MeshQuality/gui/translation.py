@@ -17,7 +17,7 @@ WORDING = phrases.Wording(translate_phrase, quantities.in_locale, quantities.len
 
 def translated(text):
     """A reason, an error, or anything else of the table of phrases."""
-    return phrases.translated(str(text), WORDING)
+    return phrases.translated(phrases.text_of(text), WORDING)
 
 
 def translated_certificate(text):

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/key_set.h"
 #include "boolean/arrangement/soup.h"
 #include "boolean/exact/exact_point.h"
 
@@ -17,15 +18,6 @@ using EdgeKey = std::array<std::int32_t, 2>;
 inline EdgeKey edge_key(std::int32_t a, std::int32_t b) {
     return a < b ? EdgeKey{a, b} : EdgeKey{b, a};
 }
-
-struct EdgeKeyHash {
-    std::size_t operator()(const EdgeKey& e) const {
-        const std::uint64_t h =
-            (static_cast<std::uint64_t>(static_cast<std::uint32_t>(e[0])) << 32 | static_cast<std::uint32_t>(e[1])) *
-            0x9E3779B97F4A7C15ULL;
-        return h ^ (h >> 31);
-    }
-};
 
 /// The points of an arrangement by index: first the soup's vertices, then the constructed ones.
 class PointTable {
@@ -56,12 +48,6 @@ class PointTable {
   private:
     const Vec3& vertex(std::int32_t v) const { return soup_.vertices[static_cast<std::size_t>(v)]; }
     std::int32_t made(std::array<std::int32_t, 4> key, const EdgeKey& edge, const PlanePoints& plane);
-
-    struct KeyHash {
-        std::size_t operator()(const std::array<std::int32_t, 4>& k) const {
-            return EdgeKeyHash()({k[0], k[1]}) * 31 + EdgeKeyHash()({k[2], k[3]});
-        }
-    };
 
     const Soup& soup_;
     std::int32_t given_;

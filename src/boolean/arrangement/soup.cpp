@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/key_set.h"
 #include "mesh/weld_vertices.h"
 
 namespace mq::boolean {
@@ -45,17 +46,6 @@ void merge_marked(Soup& soup, const std::vector<char>& marked) {
         }
     }
 }
-
-struct CornersHash {
-    std::size_t operator()(const Triangle& t) const {
-        std::uint64_t h = 0;
-        for (const std::int32_t v : t) {
-            h = (h ^ static_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15ULL;
-            h ^= h >> 29;
-        }
-        return h;
-    }
-};
 
 }  // namespace
 
@@ -118,7 +108,7 @@ std::vector<CoincidentTriangle> find_twins(const Soup& soup) {
 
 std::vector<CoincidentTriangle> find_twins(const Soup& soup, const std::vector<std::int32_t>& among) {
     std::vector<CoincidentTriangle> twins;
-    tsl::robin_map<Triangle, std::int32_t, CornersHash> at;
+    tsl::robin_map<Triangle, std::int32_t, KeyHash> at;
     for (const std::int32_t i : among) {
         Triangle t = soup.triangles[static_cast<std::size_t>(i)];
         std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/key_set.h"
 #include "boolean/arrangement/point_table.h"
 #include "boolean/arrangement/soup.h"
 
@@ -20,7 +21,7 @@ struct Segment {
 /// The points and segments that intersections put on the triangles. A point on an edge is recorded with the edge, so
 /// that both of its triangles are divided alike.
 struct Incidences {
-    std::unordered_map<EdgeKey, std::vector<std::int32_t>, EdgeKeyHash> on_edge;
+    std::unordered_map<EdgeKey, std::vector<std::int32_t>, KeyHash> on_edge;
     std::unordered_map<std::int32_t, std::vector<std::int32_t>> in_face;
     std::unordered_map<std::int32_t, std::vector<Segment>> segments;
     /// Pairs of triangles in one plane whose insides meet.

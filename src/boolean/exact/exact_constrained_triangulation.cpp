@@ -86,7 +86,7 @@ void ExactConstrainedTriangulation::around(int vertex, Visit&& visit) const {
         if (visit(h)) {
             return;
         }
-        h = twin(before(h));
+        h = twin(prev(h));
     } while (h >= 0 && h != first);
     if (h >= 0) {
         return;
@@ -117,8 +117,8 @@ void ExactConstrainedTriangulation::split(int h, int point) {
     const int outer_bc = twin(next(h));
     const int line_bc = line(next(h));
     const int t = h / 3;
-    const int line_ca = line(before(h));
-    const int outer_ca = twin(before(h));
+    const int line_ca = line(prev(h));
+    const int outer_ca = twin(prev(h));
     const int u = new_triangle(point, b, c);
     set_triangle(t, a, point, c);
     const auto give = [&](int half, int outer, int value) {
@@ -138,8 +138,8 @@ void ExactConstrainedTriangulation::split(int h, int point) {
     const int d = apex(other);
     const int outer_ad = twin(next(other));
     const int line_ad = line(next(other));
-    const int outer_db = twin(before(other));
-    const int line_db = line(before(other));
+    const int outer_db = twin(prev(other));
+    const int line_db = line(prev(other));
     const int s = other / 3;
     const int r = new_triangle(point, a, d);
     set_triangle(s, b, point, d);
@@ -278,13 +278,13 @@ void ExactConstrainedTriangulation::flip(int h) {
     const int c = apex(h);
     const int d = apex(g);
     const int bc = twin(next(h));
-    const int ca = twin(before(h));
+    const int ca = twin(prev(h));
     const int ad = twin(next(g));
-    const int db = twin(before(g));
+    const int db = twin(prev(g));
     const int line_bc = line(next(h));
-    const int line_ca = line(before(h));
+    const int line_ca = line(prev(h));
     const int line_ad = line(next(g));
-    const int line_db = line(before(g));
+    const int line_db = line(prev(g));
     const int t = h / 3;
     const int s = g / 3;
     set_triangle(t, d, b, c);
@@ -365,7 +365,7 @@ int ExactConstrainedTriangulation::step(const Segment& segment) {
             end = v;
         } else {
             // The walk goes on through the edge with one end on either side; h runs from its left to its right.
-            h = beside > 0 ? next(h) : before(h);
+            h = beside > 0 ? next(h) : prev(h);
         }
     }
     clear_way(segment, end, crossed);

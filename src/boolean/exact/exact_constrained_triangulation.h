@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "boolean/exact/exact_point.h"
+#include "mesh/corner_table.h"
 
 namespace mq::boolean {
 
@@ -57,11 +58,11 @@ class ExactConstrainedTriangulation {
         int vertex = -1;
     };
 
-    static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
-    static int before(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+    static int next(int h) { return mesh::next_corner(h); }
+    static int prev(int h) { return mesh::previous_corner(h); }
     int origin(int h) const { return corner_[static_cast<std::size_t>(h)]; }
     int target(int h) const { return origin(next(h)); }
-    int apex(int h) const { return origin(before(h)); }
+    int apex(int h) const { return origin(prev(h)); }
     int twin(int h) const { return twin_[static_cast<std::size_t>(h)]; }
     int line(int h) const { return line_[static_cast<std::size_t>(h)]; }
     void link(int h, int other);

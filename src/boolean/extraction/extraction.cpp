@@ -7,6 +7,7 @@
 
 #include "base/disjoint_sets.h"
 #include "boolean/arrangement/radial_order.h"
+#include "mesh/corner_table.h"
 
 namespace mq::boolean {
 
@@ -69,7 +70,7 @@ class FanOpener {
     void join() {
         std::vector<std::pair<EdgeKey, std::size_t>> edges;  // with the slot where the edge starts
         for (std::size_t i = 0; i < corner_.size(); ++i) {
-            edges.emplace_back(edge_key(point_[i], point_[next(i)]), i);
+            edges.emplace_back(edge_key(point_[i], point_[mesh::next_corner(i)]), i);
         }
         std::sort(edges.begin(), edges.end());
         for (std::size_t i = 0; i < edges.size();) {
@@ -86,14 +87,12 @@ class FanOpener {
         }
     }
 
-    static std::size_t next(std::size_t slot) { return slot % 3 == 2 ? slot - 2 : slot + 1; }
-
     /// The triangles that start an edge at slots a and b are neighbours there.
     void join_sides(std::size_t a, std::size_t b, const EdgeKey& edge) {
         const bool a_up = point_[a] == edge[0];
         const bool b_up = point_[b] == edge[0];
-        fans_.unite(a_up ? a : next(a), b_up ? b : next(b));
-        fans_.unite(a_up ? next(a) : a, b_up ? next(b) : b);
+        fans_.unite(a_up ? a : mesh::next_corner(a), b_up ? b : mesh::next_corner(b));
+        fans_.unite(a_up ? mesh::next_corner(a) : a, b_up ? mesh::next_corner(b) : b);
     }
 
     /// More than two triangles at an edge are neighbours across the material between them.
@@ -102,8 +101,8 @@ class FanOpener {
         std::vector<RadialFace> around;
         for (std::size_t i = first; i < last; ++i) {
             const std::size_t slot = edges[i].second;
-            around.push_back({static_cast<std::int32_t>(slot), point_[next(next(slot))], point_[slot] == edge[0],
-                              source_[corner_[slot] / 3]});
+            around.push_back({static_cast<std::int32_t>(slot), point_[mesh::previous_corner(slot)],
+                              point_[slot] == edge[0], source_[corner_[slot] / 3]});
         }
         sort_radially(points_, edge[0], edge[1], around);
         wedges_.emplace_back();

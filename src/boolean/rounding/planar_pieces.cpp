@@ -77,12 +77,12 @@ int PlanarPieces::new_piece(int a, int b, int c) {
 /// Splits a half-edge on the border at a point; returns the half-edge from the point on.
 int PlanarPieces::split_edge(int half, int point) {
     const int end = origin(next(half));
-    const int apex = origin(next(next(half)));
+    const int apex = origin(prev(half));
     const int beyond = twin(next(half));
     const int added = new_piece(point, end, apex);
     piece(half).point[static_cast<std::size_t>(next(half) % 3)] = point;
     link(next(added), beyond);
-    link(next(half), next(next(added)));
+    link(next(half), prev(added));
     return added;
 }
 
@@ -108,9 +108,9 @@ void PlanarPieces::split_inside(int point) {
     piece(best).point[2] = point;
     link(one, old.twin[1]);
     link(two, old.twin[2]);
-    link(next(best), next(next(one)));
-    link(next(one), next(next(two)));
-    link(next(two), next(next(best)));
+    link(next(best), prev(one));
+    link(next(one), prev(two));
+    link(next(two), prev(best));
 }
 
 bool PlanarPieces::should_flip(int half) const {
@@ -122,8 +122,8 @@ bool PlanarPieces::should_flip(int half) const {
     constexpr double kShorter = 1.0 - 1e-9;
     const int a = origin(half);
     const int b = origin(next(half));
-    const int c = origin(next(next(half)));
-    const int d = origin(next(next(other)));
+    const int c = origin(prev(half));
+    const int d = origin(prev(other));
     return (place(c) - place(d)).squaredNorm() < kShorter * (place(a) - place(b)).squaredNorm() &&
            area(d, b, c) > flat_ && area(c, a, d) > flat_;
 }
@@ -132,12 +132,12 @@ void PlanarPieces::flip(int half) {
     const int other = twin(half);
     const int a = origin(half);
     const int b = origin(next(half));
-    const int c = origin(next(next(half)));
-    const int d = origin(next(next(other)));
+    const int c = origin(prev(half));
+    const int d = origin(prev(other));
     const int bc = twin(next(half));
-    const int ca = twin(next(next(half)));
+    const int ca = twin(prev(half));
     const int ad = twin(next(other));
-    const int db = twin(next(next(other)));
+    const int db = twin(prev(other));
     const int s = half - half % 3;
     const int t = other - other % 3;
     piece(s).point = {d, b, c};

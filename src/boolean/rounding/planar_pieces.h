@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mesh/corner_table.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
@@ -47,7 +48,8 @@ class PlanarPieces {
     const Piece& piece(int half) const { return pieces_[static_cast<std::size_t>(half / 3)]; }
     int origin(int half) const { return piece(half).point[static_cast<std::size_t>(half % 3)]; }
     int twin(int half) const { return piece(half).twin[static_cast<std::size_t>(half % 3)]; }
-    static int next(int half) { return half % 3 == 2 ? half - 2 : half + 1; }
+    static int next(int half) { return mesh::next_corner(half); }
+    static int prev(int half) { return mesh::previous_corner(half); }
     double area(int a, int b, int c) const;
     void link(int half, int other);
     int new_piece(int a, int b, int c);

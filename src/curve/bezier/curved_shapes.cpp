@@ -24,15 +24,6 @@ FaceKey face_key(int a, int b, int c) {
     return key;
 }
 
-std::size_t FaceKeyHash::operator()(const FaceKey& key) const {
-    std::uint64_t h = 0;
-    for (const std::int32_t part : key) {
-        h = (h ^ static_cast<std::uint32_t>(part)) * 0x9e3779b97f4a7c15ull;
-        h ^= h >> 29;
-    }
-    return static_cast<std::size_t>(h);
-}
-
 CurvedShapes::CurvedShapes(int order) : order_(order) {
     const Lattice& lattice = Lattice::of(2, order);
     for (int i = 0; i < lattice.size(); ++i) {

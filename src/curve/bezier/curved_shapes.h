@@ -18,10 +18,6 @@ using FaceKey = std::array<std::int32_t, 3>;
 /// Ascending vertices.
 FaceKey face_key(int a, int b, int c);
 
-struct FaceKeyHash {
-    std::size_t operator()(const FaceKey& key) const;
-};
-
 /// A mesh vertex with its classification (section 1 of Dey, O'Bara, Shephard 1999): dimension 0 model vertex, 1 edge,
 /// 2 face, 3 region.
 struct Vertex {
@@ -61,7 +57,7 @@ class CurvedShapes {
 
     int order_;
     std::unordered_map<EdgeKey, std::vector<Vec3>> edges_;  // inner control points from the lower vertex to the higher
-    std::unordered_map<FaceKey, std::vector<Vec3>, FaceKeyHash> faces_;  // inner control points on ascending corners
+    std::unordered_map<FaceKey, std::vector<Vec3>, KeyHash> faces_;  // inner control points on ascending corners
     std::vector<int> inner_;  // indices of the inner points of the triangle lattice
 };
 

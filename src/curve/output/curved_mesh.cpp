@@ -294,7 +294,7 @@ void require_sound(const CurvedMesh& mesh) {
 }
 
 std::vector<std::int32_t> tetrahedra_behind(const CurvedMesh& mesh) {
-    std::unordered_map<FaceKey, std::int32_t, FaceKeyHash> faces;
+    std::unordered_map<FaceKey, std::int32_t, KeyHash> faces;
     const auto width = static_cast<std::size_t>(mesh.nodes_per_tetrahedron());
     for (std::size_t e = 0; e < mesh.tetrahedron_volume.size(); ++e) {
         for (std::size_t k = 0; k < 4; ++k) {

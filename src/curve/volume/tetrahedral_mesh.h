@@ -53,7 +53,7 @@ class TetrahedralMesh {
   private:
     std::vector<std::vector<int>> of_vertex_;
     std::unordered_set<EdgeKey> fixed_edges_;
-    std::unordered_set<FaceKey, FaceKeyHash> fixed_faces_;
+    std::unordered_set<FaceKey, KeyHash> fixed_faces_;
 };
 
 /// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.

@@ -75,7 +75,7 @@ class UntanglingPatch {
     std::vector<FreeEdge> edges_;
     std::vector<FreeFace> faces_;
     std::unordered_map<EdgeKey, std::vector<int>> points_of_edge_;  // points from the lower vertex to the higher
-    std::unordered_map<FaceKey, std::vector<int>, FaceKeyHash> points_of_face_;
+    std::unordered_map<FaceKey, std::vector<int>, KeyHash> points_of_face_;
     std::unordered_map<int, int> points_of_vertex_;
 };
 

@@ -23,7 +23,7 @@ bool refilling_may_help(const FilledTetrahedralMesh& filled) {
         return false;
     }
     const TetrahedralMesh& volume = filled.volume;
-    std::unordered_set<FaceKey, FaceKeyHash> folded;
+    std::unordered_set<FaceKey, KeyHash> folded;
     for (const SurfaceTriangle& t : volume.surface.triangles) {
         if (t.alive && !(t.quality > 0.0)) {
             folded.insert(face_key(t.corners[0], t.corners[1], t.corners[2]));

@@ -391,14 +391,14 @@ PatchTree::Jet PatchTree::at(const Net& net, const double (&s)[2]) const {
 
 /// One step towards the minimum of r^2 / 2, along the tangents where that is not convex. A parameter that stands at a
 /// bound and would be driven out of it stays.
-Vec2 PatchTree::step_from(const Jet& j, const Vec3& r, const Foot& foot, Vec2& gradient) {
+Vec2 PatchTree::step_from(const Jet& j, const Vec3& r, const Projection& projection, Vec2& gradient) {
     gradient = Vec2(r.dot(j.first[0]), r.dot(j.first[1]));
     Vec2 curvature(j.first[0].squaredNorm() + r.dot(j.second[0]), j.first[1].squaredNorm() + r.dot(j.second[2]));
     double mixed = j.first[0].dot(j.first[1]) + r.dot(j.second[1]);
     bool free[2];
     for (int d = 0; d < 2; ++d) {
-        free[d] = j.first[d].squaredNorm() > 0.0 && !(foot.s[d] <= 0.0 && gradient[d] >= 0.0) &&
-                  !(foot.s[d] >= 1.0 && gradient[d] <= 0.0);
+        free[d] = j.first[d].squaredNorm() > 0.0 && !(projection.s[d] <= 0.0 && gradient[d] >= 0.0) &&
+                  !(projection.s[d] >= 1.0 && gradient[d] <= 0.0);
     }
     const bool convex = free[0] && free[1] ? curvature[0] > 0.0 && curvature[0] * curvature[1] > mixed * mixed
                                            : curvature[free[0] ? 0 : 1] > 0.0;
@@ -415,44 +415,44 @@ Vec2 PatchTree::step_from(const Jet& j, const Vec3& r, const Foot& foot, Vec2& g
 }
 
 /// Within the patch.
-PatchTree::Foot PatchTree::newton(const Net& net, const Vec3& p) const {
+PatchTree::Projection PatchTree::newton(const Net& net, const Vec3& p) const {
     constexpr int kSteps = 50;            // bounds the search: the step need not converge
     constexpr int kHalvings = 20;         // the last trial is a millionth of the step
     constexpr double kLeastStep = 1e-14;  // as a fraction of the patch
     constexpr double kLeastGain = 1e-14;  // as a fraction of the squared distance
     constexpr double kRounding = 1e-15;   // relative rounding error of coordinates
     const double rounding = kRounding * kRounding * p.squaredNorm();
-    Foot foot{{0.5, degree_[1] > 0 ? 0.5 : 0.0}, 0.0};
-    Jet j = at(net, foot.s);
-    foot.square = (j.point - p).squaredNorm();
+    Projection projection{{0.5, degree_[1] > 0 ? 0.5 : 0.0}, 0.0};
+    Jet j = at(net, projection.s);
+    projection.square = (j.point - p).squaredNorm();
     for (int i = 0; i < kSteps; ++i) {
         Vec2 gradient;
-        Vec2 move = step_from(j, j.point - p, foot, gradient);
-        if (-gradient.dot(move) <= kLeastGain * foot.square + rounding) {
-            return foot;
+        Vec2 move = step_from(j, j.point - p, projection, gradient);
+        if (-gradient.dot(move) <= kLeastGain * projection.square + rounding) {
+            return projection;
         }
         bool better = false;
         double moved = 0.0;
         for (int halving = 0; halving < kHalvings && !better; ++halving, move *= 0.5) {
-            const double next[2] = {std::clamp(foot.s[0] + move[0], 0.0, 1.0),
-                                    std::clamp(foot.s[1] + move[1], 0.0, 1.0)};
-            moved = std::max(std::abs(next[0] - foot.s[0]), std::abs(next[1] - foot.s[1]));
+            const double next[2] = {std::clamp(projection.s[0] + move[0], 0.0, 1.0),
+                                    std::clamp(projection.s[1] + move[1], 0.0, 1.0)};
+            moved = std::max(std::abs(next[0] - projection.s[0]), std::abs(next[1] - projection.s[1]));
             if (!(moved > kLeastStep)) {
-                return foot;
+                return projection;
             }
             const Jet there = at(net, next);
             const double square = (there.point - p).squaredNorm();
-            better = square < foot.square;
+            better = square < projection.square;
             if (better) {
-                foot = {{next[0], next[1]}, square};
+                projection = {{next[0], next[1]}, square};
                 j = there;
             }
         }
         if (!better) {
-            return foot;
+            return projection;
         }
     }
-    return foot;
+    return projection;
 }
 
 bool PatchTree::settled(const Node& node, const Vec3& p, double square_of_box) const {
@@ -481,10 +481,11 @@ double PatchTree::nearest(const Vec3& point, double square, const Counts& counts
         if (nodes_[node].child == 0) {
             if (settled(nodes_[node], point, least)) {
                 const Node& patch = nodes_[node];
-                const Foot foot = newton(patch.net, point);
-                if (foot.square < square && counts(patch.low[0] + foot.s[0] * (patch.high[0] - patch.low[0]),
-                                                   patch.low[1] + foot.s[1] * (patch.high[1] - patch.low[1]))) {
-                    square = foot.square;
+                const Projection projection = newton(patch.net, point);
+                if (projection.square < square &&
+                    counts(patch.low[0] + projection.s[0] * (patch.high[0] - patch.low[0]),
+                           patch.low[1] + projection.s[1] * (patch.high[1] - patch.low[1]))) {
+                    square = projection.square;
                 }
                 continue;
             }

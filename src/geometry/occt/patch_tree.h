@@ -67,7 +67,7 @@ class PatchTree {
         double square_distance(const Vec3& p) const;
     };
     struct Jet;
-    struct Foot {
+    struct Projection {
         double s[2];  // from 0 to 1 over the patch
         double square;
     };
@@ -83,8 +83,8 @@ class PatchTree {
     void set_reach(Node& node) const;
     void divide(std::size_t node);
     Jet at(const Net& net, const double (&s)[2]) const;
-    static Vec2 step_from(const Jet& j, const Vec3& r, const Foot& foot, Vec2& gradient);
-    Foot newton(const Net& net, const Vec3& p) const;
+    static Vec2 step_from(const Jet& j, const Vec3& r, const Projection& projection, Vec2& gradient);
+    Projection newton(const Net& net, const Vec3& p) const;
     bool settled(const Node& node, const Vec3& p, double square_of_box) const;
 
     std::array<std::size_t, 2> degree_;

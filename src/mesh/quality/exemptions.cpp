@@ -14,30 +14,9 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// Replaces every number, with its fraction, by one '#'.
-std::string without_numbers(const std::string& reason) {
-    std::string text;
-    for (std::size_t i = 0; i < reason.size();) {
-        if (!is_digit(reason[i])) {
-            text += reason[i++];
-            continue;
-        }
-        while (i < reason.size() && (is_digit(reason[i]) || (reason[i] == '.' && is_digit(reason[i + 1])))) {
-            ++i;
-        }
-        text += '#';
-    }
-    return text;
-}
-
-/// "Face12" of a reason that ends with "on Face12"; empty when it names no face.
-std::string face_of(const std::string& reason) {
-    const std::size_t start = reason.rfind("Face");
-    if (start == std::string::npos) {
-        return "";
-    }
-    const auto end = std::find_if_not(reason.begin() + static_cast<std::ptrdiff_t>(start) + 4, reason.end(), is_digit);
-    return std::string(reason.begin() + static_cast<std::ptrdiff_t>(start), end);
+/// A value of a reason with '#' for its number: "#" of "7.25", "Edge#" of "Edge12".
+std::string without_number(const std::string& value) {
+    return std::string(value.begin(), std::find_if(value.begin(), value.end(), is_digit)) + "#";
 }
 
 std::string list_of(const std::vector<std::string>& names) {
@@ -52,7 +31,7 @@ std::string list_of(const std::vector<std::string>& names) {
 
 }  // namespace
 
-void set_exempt(const TriangleMesh& mesh, std::vector<std::pair<std::int32_t, std::string>> exempt,
+void set_exempt(const TriangleMesh& mesh, std::vector<std::pair<std::int32_t, ExemptReason>> exempt,
                 MeshReport& report) {
     std::vector<char> listed(mesh.triangles.size(), 0);
     for (const auto& [triangle, why] : exempt) {
@@ -69,32 +48,32 @@ void set_exempt(const TriangleMesh& mesh, std::vector<std::pair<std::int32_t, st
     }
 }
 
-std::vector<ExemptCause> exempt_causes(const MeshReport& report) {
-    std::vector<ExemptCause> causes;
+std::vector<SameCause> exempt_causes(const MeshReport& report) {
+    std::vector<SameCause> causes;
     std::unordered_map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < report.exempt.size(); ++i) {
-        const std::string& reason = report.exempt[i].second;
-        const auto [found, fresh] = known.emplace(without_numbers(reason), causes.size());
+        const ExemptReason& reason = report.exempt[i].second;
+        const auto [found, fresh] = known.emplace(message_of(reason).text(without_number), causes.size());
         if (fresh) {
             causes.push_back({found->first, 0, i, {}});
         }
-        ExemptCause& cause = causes[found->second];
+        SameCause& cause = causes[found->second];
         ++cause.count;
-        const std::string face = face_of(reason);
+        const std::string face = reason.face.dimension < 0 ? "" : name_of(reason.face).text();
         if (!face.empty() && std::find(cause.faces.begin(), cause.faces.end(), face) == cause.faces.end()) {
             cause.faces.push_back(face);
         }
     }
     std::stable_sort(causes.begin(), causes.end(),
-                     [](const ExemptCause& a, const ExemptCause& b) { return a.count > b.count; });
+                     [](const SameCause& a, const SameCause& b) { return a.count > b.count; });
     return causes;
 }
 
 std::string exemptions_text(const MeshReport& report) {
     std::string text;
-    for (const ExemptCause& cause : exempt_causes(report)) {
+    for (const SameCause& cause : exempt_causes(report)) {
         const auto& [triangle, reason] = report.exempt[cause.first];
-        const std::string example = "triangle " + std::to_string(triangle) + ": " + reason + "\n";
+        const std::string example = "triangle " + std::to_string(triangle) + ": " + message_of(reason).text() + "\n";
         if (cause.count == 1) {
             text += "  1 triangle below the limit: " + example;
         } else {

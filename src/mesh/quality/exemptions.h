@@ -14,10 +14,11 @@ namespace mq::mesh {
 
 /// Writes the list of exempt triangles, index and reason, to the report of a mesh, with the smallest angle of all
 /// others.
-void set_exempt(const TriangleMesh& mesh, std::vector<std::pair<std::int32_t, std::string>> exempt, MeshReport& report);
+void set_exempt(const TriangleMesh& mesh, std::vector<std::pair<std::int32_t, ExemptReason>> exempt,
+                MeshReport& report);
 
 /// Exempted triangles whose reasons differ in numbers only.
-struct ExemptCause {
+struct SameCause {
     std::string cause;      ///< the reason with '#' for every number: "corner of # degrees between Edge# and Edge# ..."
     std::size_t count = 0;  ///< number of triangles
     std::size_t first = 0;  ///< index into MeshReport::exempt
@@ -25,7 +26,7 @@ struct ExemptCause {
 };
 
 /// The causes of all exemptions, most frequent first; equally frequent ones in the order in which they were met.
-std::vector<ExemptCause> exempt_causes(const MeshReport& report);
+std::vector<SameCause> exempt_causes(const MeshReport& report);
 
 /// A line or two for each cause; empty without exemptions.
 std::string exemptions_text(const MeshReport& report);

@@ -9,6 +9,7 @@
 
 #include "base/progress.h"
 #include "base/stage_clock.h"
+#include "mesh/quality/exempt_reason.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
@@ -55,7 +56,7 @@ struct MeshReport {
     /// that cross; -1: not searched.
     std::int64_t self_intersections = -1;
     std::int64_t overlaps = -1;  ///< pairs of triangles of different volumes that cross; -1: not searched
-    std::vector<std::pair<std::int32_t, std::string>> exempt;    ///< triangle, and the reason with its entities
+    std::vector<std::pair<std::int32_t, ExemptReason>> exempt;   ///< triangle, why its angle is below the bound
     std::vector<std::pair<std::int32_t, std::string>> spanning;  ///< triangle, which CAD faces it lies on
     std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
     std::vector<std::pair<std::int32_t, std::string>> missing;   ///< CAD face that has no triangles, why

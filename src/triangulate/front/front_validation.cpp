@@ -55,7 +55,7 @@ Count count(const FaceMesh& face, const geometry::Topology& topology) {
 std::string fault_of_face(const FaceMesh& face, const FaceMesh& coarse, const geometry::Topology& topology) {
     const Count own = count(face, topology);
     const std::size_t sites = static_cast<std::size_t>(
-        std::count_if(face.sites.begin(), face.sites.end(), [](const FaceMesh::Site& s) { return s.vertex < 0; }));
+        std::count_if(face.sites.begin(), face.sites.end(), [](const FaceMesh::VertexUse& s) { return s.vertex < 0; }));
     const std::size_t borders = static_cast<std::size_t>(std::count_if(
         face.borders.begin(), face.borders.end(), [](const FaceMesh::Border& b) { return b.index >= 0; }));
     if (own.borders != borders) {

@@ -166,7 +166,7 @@ void CacheRestore::forget_where_points_differ() {
         }
         geometry::Engine::Batch batch;
         std::vector<Vec3> points;
-        for (const FaceMesh::Site& site : faces_[f]->mesh.sites) {
+        for (const FaceMesh::VertexUse& site : faces_[f]->mesh.sites) {
             if (site.vertex < 0) {
                 batch.push_back(geometry::Query::face_point(f, site.uv.x(), site.uv.y()));
                 points.push_back(motion_.of_point(site.point));
@@ -186,11 +186,11 @@ FaceMesh CacheRestore::restored(const EdgeDiscretisation& chains, int face) {
     const Topology& topology = session_.topology();
     const std::vector<int> uses = uses_in_order(topology.faces[face]);
     FaceMesh mesh = faces_[face]->mesh;
-    for (FaceMesh::Site& site : mesh.sites) {
+    for (FaceMesh::VertexUse& site : mesh.sites) {
         const Vec3 before = site.point;
         if (site.vertex >= 0) {
-            const CachedFace::Knot& knot = faces_[face]->knots[site.vertex];
-            site.vertex = chains.chain(topology.uses[uses[knot.use]].edge).vertices[knot.index];
+            const CachedFace::EdgeParameter& edge_parameter = faces_[face]->edge_parameters[site.vertex];
+            site.vertex = chains.chain(topology.uses[uses[edge_parameter.use]].edge).vertices[edge_parameter.index];
             site.point = chains.vertices()[site.vertex].point;
         } else {
             site.point = grid_.snap(motion_.of_point(before));

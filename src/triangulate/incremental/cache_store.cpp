@@ -56,7 +56,7 @@ class FaceWriter {
             result_.parameters.push_back(chain.t);
             result_.min_sample_count.push_back(min_sample_count(topology_.uses[uses[k]].edge, recall));
             for (int i = 0; i < static_cast<int>(chain.vertices.size()); ++i) {
-                knot_at_.emplace(chain.vertices[i], CachedFace::Knot{k, i});
+                edge_parameter_at_.emplace(chain.vertices[i], CachedFace::EdgeParameter{k, i});
             }
         }
     }
@@ -98,17 +98,17 @@ class FaceWriter {
         if (!fresh) {
             return true;
         }
-        const ClassifiedMesh::Site& s = mesh_.site(site);
-        int knot = -1;
+        const ClassifiedMesh::VertexUse& s = mesh_.site(site);
+        int edge_parameter = -1;
         if (mesh_.vertex(s.vertex).entity[0] != 2) {
-            const auto found = knot_at_.find(s.vertex);
-            if (found == knot_at_.end()) {
+            const auto found = edge_parameter_at_.find(s.vertex);
+            if (found == edge_parameter_at_.end()) {
                 return false;
             }
-            knot = static_cast<int>(result_.knots.size());
-            result_.knots.push_back(found->second);
+            edge_parameter = static_cast<int>(result_.edge_parameters.size());
+            result_.edge_parameters.push_back(found->second);
         }
-        result_.mesh.sites.push_back({knot, s.uv, s.normal, work_.grid.to_part(s.point)});
+        result_.mesh.sites.push_back({edge_parameter, s.uv, s.normal, work_.grid.to_part(s.point)});
         return true;
     }
 
@@ -134,8 +134,8 @@ class FaceWriter {
     void add_exemption(int place, const Exemption& exemption) {
         CachedFace::GivenUp given_up{place, exemption.cause, {}, -1};
         if (exemption.vertex >= 0) {
-            const auto found = knot_at_.find(exemption.vertex);
-            if (found == knot_at_.end()) {
+            const auto found = edge_parameter_at_.find(exemption.vertex);
+            if (found == edge_parameter_at_.end()) {
                 return;
             }
             given_up.vertex = found->second;
@@ -160,7 +160,7 @@ class FaceWriter {
     std::unordered_map<int, int> place_of_use_;
     std::unordered_map<int, int> place_of_triangle_;
     std::unordered_map<int, int> place_of_site_;
-    std::unordered_map<int, CachedFace::Knot> knot_at_;  // by vertex
+    std::unordered_map<int, CachedFace::EdgeParameter> edge_parameter_at_;  // by vertex
 };
 
 }  // namespace

@@ -58,7 +58,7 @@ std::size_t bytes_from_back(const Runs& runs, std::size_t most, std::size_t& cou
 }  // namespace
 
 std::size_t CachedFace::bytes() const {
-    return sizeof(CachedFace) + bytes_of(parameters) + bytes_of(min_sample_count) + bytes_of(knots) +
+    return sizeof(CachedFace) + bytes_of(parameters) + bytes_of(min_sample_count) + bytes_of(edge_parameters) +
            bytes_of(mesh.sites) + bytes_of(mesh.triangles) + bytes_of(mesh.links) + bytes_of(mesh.borders) +
            bytes_of(measured) + bytes_of(given_up);
 }

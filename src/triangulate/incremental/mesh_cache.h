@@ -19,7 +19,7 @@ namespace mq::triangulate {
 /// The final mesh of one CAD face, numbered such that it fits any shape with this face.
 struct CachedFace {
     /// A vertex on a CAD edge: its place in `parameters`.
-    struct Knot {
+    struct EdgeParameter {
         int use = -1;    ///< index into uses_in_order
         int index = -1;  ///< index of the parameter; 0 on a collapsed edge
     };
@@ -27,16 +27,16 @@ struct CachedFace {
     struct GivenUp {
         int triangle = -1;  ///< index into the triangles of `mesh`
         Cause cause = Cause::NoImprovingChange;
-        Knot vertex;   ///< the vertex that causes it; `use` is -1 if there is none
-        int use = -1;  ///< the edge that causes it, as an index into uses_in_order, or -1
+        EdgeParameter vertex;  ///< the vertex that causes it; `use` is -1 if there is none
+        int use = -1;          ///< the edge that causes it, as an index into uses_in_order, or -1
     };
     /// Parameters of all vertices along the edge of each use, ascending; empty for a collapsed edge.
     std::vector<std::vector<double>> parameters;
     /// By use: the least number of vertices its edge had in any run since it is known; 0: none.
     std::vector<std::size_t> min_sample_count;
-    std::vector<Knot> knots;
-    /// `vertex` of a site is an index into `knots`, `use` of a border counts as in Knot. Points are in the shape's
-    /// coordinates.
+    std::vector<EdgeParameter> edge_parameters;
+    /// `vertex` of a site is an index into `edge_parameters`, `use` of a border counts as in EdgeParameter. Points are
+    /// in the shape's coordinates.
     FaceMesh mesh;
     std::vector<ChordErrorCache::Measured> measured;  ///< by half-edge
     std::vector<GivenUp> given_up;                    ///< only those whose cause lies on the face's border

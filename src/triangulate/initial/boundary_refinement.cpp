@@ -57,9 +57,9 @@ std::set<int> edges_in_the_way(const InitialTriangulation& result, const geometr
     std::set<int> edges;
     for (int f = 0; f < static_cast<int>(result.faces.size()); ++f) {
         const FaceMesh& face = result.faces[f];
-        for (const EdgeDiscretisation::Mark& mark : face.marks) {
+        for (const EdgeDiscretisation::PieceRef& piece : face.marks) {
             if (included(f)) {
-                edges.insert(mark.first);
+                edges.insert(piece.first);
             }
         }
         if (!face.failure.empty() && included(f)) {
@@ -75,11 +75,11 @@ void run_rounds(geometry::Session& session, InitialTriangulation& result, std::v
                 const FaceTriangulator& triangulate) {
     bool shaping = true;
     for (int round = 0; round < limits.rounds && !open.empty(); ++round) {
-        std::set<EdgeDiscretisation::Mark> marks;
+        std::set<EdgeDiscretisation::PieceRef> marks;
         for (std::size_t i = 0; i < open.size(); ++i) {
             progress.check();
             triangulate(open[i], shaping);
-            const std::set<EdgeDiscretisation::Mark>& wished = result.faces[open[i]].marks;
+            const std::set<EdgeDiscretisation::PieceRef>& wished = result.faces[open[i]].marks;
             marks.insert(wished.begin(), wished.end());
             progress.advance((round + static_cast<double>(i) / static_cast<double>(open.size())) / (round + 2.0));
         }

@@ -12,7 +12,7 @@ namespace mq::triangulate {
 namespace {
 
 using Piece = FaceBoundary::Piece;
-using Site = FaceMesh::Site;
+using VertexUse = FaceMesh::VertexUse;
 
 constexpr int kSteps = 64;                    // Samples along a collapsed side at which normals are compared.
 constexpr double kMostTurn = 60.0 * kDegree;  // Radians: largest turn of the normal along one piece.
@@ -23,7 +23,7 @@ constexpr double kRounding = 1e-9;  // rounding, as a fraction of the size of th
 
 // Returns the parameter along which the side runs; -1: neither, where points between its ends would not lie on it
 // exactly. Removes a difference by rounding between the ends in the other parameter.
-int direction_of(const geometry::Face& face, const Site& from, Site& to) {
+int direction_of(const geometry::Face& face, const VertexUse& from, VertexUse& to) {
     int direction = -1;
     for (int i = 0; i < 2; ++i) {
         const double range = face.high[i] - face.low[i];
@@ -36,12 +36,13 @@ int direction_of(const geometry::Face& face, const Site& from, Site& to) {
     return direction;
 }
 
-Vec2 between(const Site& from, const Site& to, double share) {
+Vec2 between(const VertexUse& from, const VertexUse& to, double share) {
     return from.uv + share * (to.uv - from.uv);
 }
 
 // Returns the points at which the side is divided, as fractions of its length.
-std::vector<double> places(geometry::Session& session, int face, const Site& from, const Site& to, int direction) {
+std::vector<double> places(geometry::Session& session, int face, const VertexUse& from, const VertexUse& to,
+                           int direction) {
     const geometry::Face& data = session.topology().faces[face];
     const int across = 1 - direction;
     const double range = data.high[across] - data.low[across];
@@ -68,7 +69,7 @@ std::vector<double> places(geometry::Session& session, int face, const Site& fro
     return result;
 }
 
-int add_site(FaceBoundary& border, Site site, const Vec2& uv) {
+int add_site(FaceBoundary& border, VertexUse site, const Vec2& uv) {
     site.uv = uv;
     border.sites.push_back(site);
     return static_cast<int>(border.sites.size()) - 1;
@@ -80,8 +81,8 @@ std::vector<int> divide_degenerate_sides(geometry::Session& session, int face, F
     std::map<int, int> apex_of;  // by site on a divided side
     std::vector<Piece> pieces;
     for (const Piece& piece : border.pieces) {
-        const Site from = border.sites[piece.from];
-        Site to = border.sites[piece.to];
+        const VertexUse from = border.sites[piece.from];
+        VertexUse to = border.sites[piece.to];
         const bool apex = piece.collapsed() && from.vertex == to.vertex;
         const int direction = apex ? direction_of(session.topology().faces[face], from, to) : -1;
         const std::vector<double> shares =

@@ -6,7 +6,7 @@ namespace mq::triangulate {
 namespace {
 
 using Link = FaceMesh::Link;
-using Site = FaceMesh::Site;
+using VertexUse = FaceMesh::VertexUse;
 
 void join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b) {
     if (a.half_edge >= 0) {
@@ -18,7 +18,7 @@ void join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b)
 }
 
 // Returns the last side of the triangle that is one vertex in space; -1: none.
-int collapsed_side(const std::array<int, 3>& triangle, const std::vector<Site>& sites) {
+int collapsed_side(const std::array<int, 3>& triangle, const std::vector<VertexUse>& sites) {
     int side = -1;
     for (int i = 0; i < 3; ++i) {
         if (same_vertex(sites[triangle[i]], sites[triangle[(i + 1) % 3]])) {

@@ -376,8 +376,9 @@ void EdgeDiscretisation::place_nodes(const geometry::Topology& topology) {
     }
 }
 
-std::set<int> EdgeDiscretisation::halve(geometry::Session& session, const std::set<Mark>& marks) {
-    const std::vector<Mark> order(marks.rbegin(), marks.rend());  // from the back, so that earlier indices remain valid
+std::set<int> EdgeDiscretisation::halve(geometry::Session& session, const std::set<PieceRef>& marks) {
+    const std::vector<PieceRef> order(marks.rbegin(),
+                                      marks.rend());  // from the back, so that earlier indices remain valid
     geometry::Engine::Batch batch;
     for (const auto& [e, i] : order) {
         batch.push_back(geometry::Query::edge_middle(e, chains_[e].t[i], chains_[e].t[i + 1]));

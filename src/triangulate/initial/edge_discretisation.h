@@ -39,10 +39,10 @@ class EdgeDiscretisation {
     /// Whether the face is so small that all its edges are collapsed and there is nothing to mesh.
     bool is_a_point(int face) const { return small_faces_.count(face) > 0; }
 
-    using Mark = std::pair<int, int>;  ///< edge, index of the piece from t[i] to t[i + 1]
+    using PieceRef = std::pair<int, int>;  ///< edge, index of the piece from t[i] to t[i + 1]
     /// Halves the marked pieces by arc length, except those that the grid cannot halve. @return the edges that
     /// changed.
-    std::set<int> halve(geometry::Session& session, const std::set<Mark>& marks);
+    std::set<int> halve(geometry::Session& session, const std::set<PieceRef>& marks);
     /// Removes vertices of the edges within `tolerances` times the tolerance of the node at either end, and suppresses
     /// later ones there. @return the edges that changed.
     std::set<int> suppress_near_nodes(const geometry::Topology& topology, const std::set<int>& edges,

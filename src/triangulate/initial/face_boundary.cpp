@@ -9,7 +9,7 @@ namespace mq::triangulate {
 
 namespace {
 
-using Site = FaceMesh::Site;
+using VertexUse = FaceMesh::VertexUse;
 
 // One use of an edge, in the direction in which the face lies on the left.
 struct Run {
@@ -18,7 +18,7 @@ struct Run {
     bool internal;
     int loop;
     std::vector<int> index;  // index of the piece after point i
-    std::vector<Site> points;
+    std::vector<VertexUse> points;
 };
 
 // Returns the average length of the derivatives by u and v, mm, which scales (u, v) to approximate lengths.
@@ -61,7 +61,7 @@ std::vector<Run> collect_runs(geometry::Session& session, const EdgeDiscretisati
             const int n = static_cast<int>(chain.t.size());
             for (int k = 0; k < n; ++k) {
                 const int i = use.forward ? k : n - 1 - k;
-                Site site;
+                VertexUse site;
                 site.vertex = chain.vertices[i];
                 run.points.push_back(site);
                 run.index.push_back(chain.collapsed ? -1 : use.forward ? i : i - 1);
@@ -74,7 +74,7 @@ std::vector<Run> collect_runs(geometry::Session& session, const EdgeDiscretisati
     const geometry::Engine::Answers answers = session.ask(std::move(batch));
     std::size_t a = 0;
     for (Run& run : runs) {
-        for (Site& site : run.points) {
+        for (VertexUse& site : run.points) {
             const geometry::Answer& answer = answers[a++];
             if (!answer.found()) {
                 failure = topology.name_of({1, topology.uses[run.use].edge}) + " has no curve on it (" +
@@ -96,14 +96,14 @@ class SiteMerger {
   public:
     explicit SiteMerger(FaceBoundary& border) : border_(border) {}
 
-    int add(const Site& site) {
+    int add(const VertexUse& site) {
         border_.sites.push_back(site);
         const int id = static_cast<int>(border_.sites.size()) - 1;
         of_vertex_[site.vertex].push_back(id);
         return id;
     }
     // Returns a site of the same vertex within `reach` in the scaled domain, or a new one.
-    int find_or_add(const Site& site, double reach) {
+    int find_or_add(const VertexUse& site, double reach) {
         int best = -1;
         double least = reach;
         for (const int s : of_vertex_[site.vertex]) {
@@ -137,7 +137,7 @@ struct Joint {
     int site = -1;       // -1: not reached yet
     double reach = 0.0;  // mm, in the scaled domain
 
-    bool holds(const FaceBoundary& border, const Site& point) const {
+    bool holds(const FaceBoundary& border, const VertexUse& point) const {
         return site >= 0 && border.sites[site].vertex == point.vertex &&
                (border.scaled(border.sites[site].uv) - border.scaled(point.uv)).norm() <= reach;
     }
@@ -228,15 +228,15 @@ FaceBoundary face_boundary(geometry::Session& session, const EdgeDiscretisation&
     return border;
 }
 
-std::vector<Site> sites_of_points(geometry::Session& session, const EdgeDiscretisation& chains,
-                                  const SinglePrecisionGrid& grid, int face, const FaceBoundary& border) {
-    std::vector<Site> result;
+std::vector<VertexUse> sites_of_points(geometry::Session& session, const EdgeDiscretisation& chains,
+                                       const SinglePrecisionGrid& grid, int face, const FaceBoundary& border) {
+    std::vector<VertexUse> result;
     for (const int node : session.topology().faces[face].points) {
-        Site site;
+        VertexUse site;
         site.vertex = chains.vertex_of_node(node);
         site.point = chains.vertices()[site.vertex].point;
         const bool on_border = std::any_of(border.sites.begin(), border.sites.end(),
-                                           [&](const Site& s) { return s.vertex == site.vertex; });
+                                           [&](const VertexUse& s) { return s.vertex == site.vertex; });
         const geometry::Answer foot = session.ask(geometry::Query::face_nearest_global(face, grid.to_part(site.point)));
         if (!on_border && foot.found()) {
             site.uv = Vec2(foot.u, foot.v);

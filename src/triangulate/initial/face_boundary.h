@@ -19,7 +19,7 @@ struct FaceBoundary {
 
         bool collapsed() const { return index < 0; }
     };
-    std::vector<FaceMesh::Site> sites;
+    std::vector<FaceMesh::VertexUse> sites;
     std::vector<Piece> pieces;
     Vec2 scale = Vec2::Ones();  ///< mm per unit of u and of v, on average
     bool plane = false;
@@ -36,7 +36,7 @@ FaceBoundary face_boundary(geometry::Session& session, const EdgeDiscretisation&
 
 /// Returns sites for the nodes inside the face, through which it shares vertices with entities that touch it. Nodes on
 /// the border have sites already.
-std::vector<FaceMesh::Site> sites_of_points(geometry::Session& session, const EdgeDiscretisation& chains,
-                                            const SinglePrecisionGrid& grid, int face, const FaceBoundary& border);
+std::vector<FaceMesh::VertexUse> sites_of_points(geometry::Session& session, const EdgeDiscretisation& chains,
+                                                 const SinglePrecisionGrid& grid, int face, const FaceBoundary& border);
 
 }  // namespace mq::triangulate

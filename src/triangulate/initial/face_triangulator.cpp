@@ -18,7 +18,7 @@ namespace mq::triangulate {
 
 namespace {
 
-using Site = FaceMesh::Site;
+using VertexUse = FaceMesh::VertexUse;
 using Link = FaceMesh::Link;
 using Fault = TriangleFault;
 using Corners = std::array<int, 3>;
@@ -39,7 +39,7 @@ constexpr int kMaxSites = 40000;  // Vertices on one face, which bounds memory o
 class FaceMesher {
   public:
     FaceMesher(geometry::Session& session, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid, int face,
-               bool border_may_change, const std::vector<Site>& inner)
+               bool border_may_change, const std::vector<VertexUse>& inner)
         : session_(session),
           chains_(chains),
           grid_(grid),
@@ -60,7 +60,7 @@ class FaceMesher {
     bool much_longer(int a, int b) const { return length_of(a) > kMuchLonger * length_of(b); }
     bool request_halving(int piece);
     void find_inside();
-    void insert_inside(const Site& site);
+    void insert_inside(const VertexUse& site);
     void insert_inner();
     void check_loops();
     void reject_useless_halving();
@@ -75,8 +75,8 @@ class FaceMesher {
     Link link_of(int h, const std::vector<int>& number) const;
     bool close(const std::vector<Corners>& triangles, std::vector<std::array<Link, 3>> links);
 
-    const Site& site_at(int corner_vertex) const { return result_.sites[site_of_[corner_vertex]]; }
-    const Site& corner_site(int h) const { return site_at(tri_->corner(h)); }
+    const VertexUse& site_at(int corner_vertex) const { return result_.sites[site_of_[corner_vertex]]; }
+    const VertexUse& corner_site(int h) const { return site_at(tri_->corner(h)); }
     int kept_site(int h) const {
         const auto s = static_cast<std::size_t>(site_of_[tri_->corner(h)]);
         return s < stands_for_.size() ? stands_for_[s] : static_cast<int>(s);
@@ -90,7 +90,7 @@ class FaceMesher {
     int face_;
     // Whether pieces may be halved to follow the surface, not only to keep the border from crossing itself.
     bool border_may_change_;
-    const std::vector<Site>& inner_;
+    const std::vector<VertexUse>& inner_;
     FaceBoundary border_;
     std::vector<int> stands_for_;  // see divide_degenerate_sides
     std::unique_ptr<ConstrainedDelaunay> tri_;
@@ -202,7 +202,7 @@ void FaceMesher::mark_around(int planar_vertex) {
 bool FaceMesher::insert_border() {
     Vec2 low = Vec2::Constant(1e300);
     Vec2 high = Vec2::Constant(-1e300);
-    for (const Site& s : border_.sites) {
+    for (const VertexUse& s : border_.sites) {
         low = low.cwiseMin(border_.scaled(s.uv));
         high = high.cwiseMax(border_.scaled(s.uv));
     }
@@ -307,7 +307,7 @@ void FaceMesher::find_inside() {
     }
 }
 
-void FaceMesher::insert_inside(const Site& site) {
+void FaceMesher::insert_inside(const VertexUse& site) {
     if (tri_->insert_off_constraints(border_.scaled(site.uv)) == static_cast<int>(site_of_.size())) {
         site_of_.push_back(static_cast<int>(result_.sites.size()));
         result_.sites.push_back(site);
@@ -316,9 +316,9 @@ void FaceMesher::insert_inside(const Site& site) {
 }
 
 void FaceMesher::insert_inner() {
-    const std::vector<Site> points = sites_of_points(session_, chains_, grid_, face_, border_);
-    for (const std::vector<Site>* sites : {&points, &inner_}) {
-        std::for_each(sites->begin(), sites->end(), [&](const Site& site) { insert_inside(site); });
+    const std::vector<VertexUse> points = sites_of_points(session_, chains_, grid_, face_, border_);
+    for (const std::vector<VertexUse>* sites : {&points, &inner_}) {
+        std::for_each(sites->begin(), sites->end(), [&](const VertexUse& site) { insert_inside(site); });
     }
     if (!points.empty() || !inner_.empty()) {
         find_inside();
@@ -383,7 +383,7 @@ void FaceMesher::reject_useless_halving() {
 }
 
 Fault FaceMesher::fault(int t, const geometry::Answer& at_centroid) const {
-    const std::array<const Site*, 3> s{&corner_site(3 * t), &corner_site(3 * t + 1), &corner_site(3 * t + 2)};
+    const std::array<const VertexUse*, 3> s{&corner_site(3 * t), &corner_site(3 * t + 1), &corner_site(3 * t + 2)};
     double longest = 0.0;
     for (int i = 0; i < 3; ++i) {
         longest = std::max(longest, (s[(i + 1) % 3]->point - s[i]->point).norm());
@@ -506,7 +506,7 @@ bool FaceMesher::insert_midpoints(const std::set<std::array<int, 2>>& sides) {
     std::size_t i = 0;
     for (const auto& [a, b] : sides) {
         const geometry::Answer& answer = answers[i];
-        Site site;
+        VertexUse site;
         site.uv = border_.unscaled(places[i++]);
         site.normal = answer.normal;
         site.point = grid_.snap(answer.point);
@@ -581,7 +581,7 @@ bool FaceMesher::close(const std::vector<Corners>& triangles, std::vector<std::a
 }  // namespace
 
 FaceMesh triangulate_face(geometry::Session& session, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid,
-                          int face, bool border_may_change, const std::vector<FaceMesh::Site>& inner) {
+                          int face, bool border_may_change, const std::vector<FaceMesh::VertexUse>& inner) {
     return FaceMesher(session, chains, grid, face, border_may_change, inner).run();
 }
 

@@ -15,7 +15,8 @@ namespace mq::triangulate {
 /// A coarse triangulation of one face: constrained Delaunay in the metric-scaled parameter domain, refined until no
 /// triangle's normal deviates from the surface.
 struct FaceMesh {
-    struct Site {
+    /// The use of a vertex by the face; in short, a site.
+    struct VertexUse {
         int vertex = -1;  ///< vertex of the chains; -1: a vertex inside the face, at `point`
         Vec2 uv = Vec2::Zero();
         Vec3 normal = Vec3::Zero();
@@ -31,17 +32,18 @@ struct FaceMesh {
         int half_edge = -1;
         int border = -1;
     };
-    std::vector<Site> sites;
+    std::vector<VertexUse> sites;
     std::vector<std::array<int, 3>> triangles;  ///< sites, counter-clockwise seen from outside
     std::vector<std::array<Link, 3>> links;     ///< by triangle, for the side from corner i to corner i + 1
     std::vector<Border> borders;
-    std::string failure;                       ///< the reason if there is no triangulation, else empty
-    std::set<EdgeDiscretisation::Mark> marks;  ///< pieces of CAD edges to be halved before the face can be triangulated
-    int unresolved = 0;                        ///< triangles whose normal still deviates from the surface
+    std::string failure;  ///< the reason if there is no triangulation, else empty
+    std::set<EdgeDiscretisation::PieceRef>
+        marks;           ///< pieces of CAD edges to be halved before the face can be triangulated
+    int unresolved = 0;  ///< triangles whose normal still deviates from the surface
 };
 
 /// Whether two sites are one vertex in space: a pole is one vertex with many sites in (u, v).
-inline bool same_vertex(const FaceMesh::Site& a, const FaceMesh::Site& b) {
+inline bool same_vertex(const FaceMesh::VertexUse& a, const FaceMesh::VertexUse& b) {
     return a.vertex >= 0 && a.vertex == b.vertex;
 }
 
@@ -50,7 +52,7 @@ inline bool same_vertex(const FaceMesh::Site& a, const FaceMesh::Site& b) {
 /// without it, only where the border cannot be triangulated otherwise. `inner` sites become vertices too, unless they
 /// lie on the border or outside of it in (u, v); this is fast if successive sites are close.
 FaceMesh triangulate_face(geometry::Session& session, const EdgeDiscretisation& chains, const SinglePrecisionGrid& grid,
-                          int face, bool border_may_change, const std::vector<FaceMesh::Site>& inner = {});
+                          int face, bool border_may_change, const std::vector<FaceMesh::VertexUse>& inner = {});
 
 /// Reverses the orientation of every triangle and keeps the links: for a face whose outward normal is -(Su x Sv).
 void reverse_orientation(FaceMesh& face);

@@ -8,7 +8,7 @@
 
 namespace mq::triangulate {
 
-using Site = FaceMesh::Site;
+using VertexUse = FaceMesh::VertexUse;
 
 // Terminates since both measures of better_flipped only ever increase.
 void SurfaceFlips::run() {

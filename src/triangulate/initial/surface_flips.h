@@ -14,7 +14,7 @@ namespace mq::triangulate {
 /// after and their smallest angle grows.
 struct SurfaceFlips {
     ConstrainedDelaunay& plane;
-    const std::vector<FaceMesh::Site>& sites;
+    const std::vector<FaceMesh::VertexUse>& sites;
     const std::vector<int>& site_of;  ///< by vertex of the plane
     const std::vector<char>& inside;  ///< by triangle: 1 inside the face
     bool reversed;                    ///< counter-clockwise in (u, v) is clockwise seen from outside
@@ -26,7 +26,7 @@ struct SurfaceFlips {
   private:
     bool better_flipped(int h) const;
     double uprightness(int a, int b, int c) const;
-    const FaceMesh::Site& site(int vertex) const { return sites[site_of[vertex]]; }
+    const FaceMesh::VertexUse& site(int vertex) const { return sites[site_of[vertex]]; }
 };
 
 }  // namespace mq::triangulate

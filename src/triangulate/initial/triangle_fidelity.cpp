@@ -27,7 +27,7 @@ TriangleFault fault_of(const TriangleOnFace& triangle) {
     double worst = own.dot(triangle.surface_normal);
     double best = worst;
     bool singular = false;
-    for (const FaceMesh::Site* corner : s) {
+    for (const FaceMesh::VertexUse* corner : s) {
         if (corner->normal.squaredNorm() > 0.0) {
             worst = std::min({worst, own.dot(corner->normal), triangle.surface_normal.dot(corner->normal)});
             best = std::max(best, own.dot(corner->normal));

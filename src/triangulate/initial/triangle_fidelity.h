@@ -25,7 +25,7 @@ const double kCosMaxTurnAtApex = std::cos(70.0 * kDegree);
 
 /// A triangle on a face, with the surface point over its centroid.
 struct TriangleOnFace {
-    std::array<const FaceMesh::Site*, 3> corners;
+    std::array<const FaceMesh::VertexUse*, 3> corners;
     Vec3 on_surface;         ///< in the frame of the corners
     Vec3 surface_normal;     ///< at on_surface
     bool reversed;           ///< counter-clockwise in (u, v) is clockwise seen from outside

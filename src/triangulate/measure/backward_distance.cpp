@@ -72,8 +72,8 @@ void for_each_cad_sample_over(Workspace& work, int triangle,
     });
 }
 
-double backward_distance(Workspace& work, int face, const ClassifiedMesh::Site& a, const ClassifiedMesh::Site& b,
-                         const ClassifiedMesh::Site& c) {
+double backward_distance(Workspace& work, int face, const ClassifiedMesh::VertexUse& a,
+                         const ClassifiedMesh::VertexUse& b, const ClassifiedMesh::VertexUse& c) {
     double farthest = 0.0;
     work.span_points.inside(face, {a.uv, b.uv, c.uv}, [&](const Vec3& p) {
         const std::optional<Projection> projection = project(p, a.point, b.point, c.point);

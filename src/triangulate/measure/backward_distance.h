@@ -23,8 +23,8 @@ void for_each_cad_sample_over(Workspace& work, int triangle,
 
 /// Returns the largest distance, in mm, from the triangle of three sites to the sample points with parameters in it
 /// that are over it in space. The triangle need not be in the mesh.
-double backward_distance(Workspace& work, int face, const ClassifiedMesh::Site& a, const ClassifiedMesh::Site& b,
-                         const ClassifiedMesh::Site& c);
+double backward_distance(Workspace& work, int face, const ClassifiedMesh::VertexUse& a,
+                         const ClassifiedMesh::VertexUse& b, const ClassifiedMesh::VertexUse& c);
 /// The point of a curve between two vertices that is farthest from their chord: its distance in mm, and its projection
 /// on the chord.
 struct BackwardDistance {

@@ -17,7 +17,7 @@ struct Cubic {
     double at(double x) const { return length * x * (1.0 - x) * (slope * (1.0 - x) - last_slope * x); }
 };
 
-Cubic cubic_between(const ClassifiedMesh::Site& from, const ClassifiedMesh::Site& to) {
+Cubic cubic_between(const ClassifiedMesh::VertexUse& from, const ClassifiedMesh::VertexUse& to) {
     const Vec3 along = to.point - from.point;
     const Vec3 up = (from.normal + to.normal).normalized();
     const double length = along.norm();
@@ -82,7 +82,7 @@ EdgePeak edge_peak(const ClassifiedMesh& mesh, int half_edge) {
     return edge_peak(from, to);
 }
 
-EdgePeak edge_peak(const ClassifiedMesh::Site& from, const ClassifiedMesh::Site& to) {
+EdgePeak edge_peak(const ClassifiedMesh::VertexUse& from, const ClassifiedMesh::VertexUse& to) {
     const Cubic cubic = cubic_between(from, to);
     EdgePeak peak;
     for (int i = 2; i <= 8; ++i) {
@@ -95,7 +95,7 @@ EdgePeak edge_peak(const ClassifiedMesh::Site& from, const ClassifiedMesh::Site&
     return peak;
 }
 
-double side_skew(const ClassifiedMesh::Site& from, const ClassifiedMesh::Site& to) {
+double side_skew(const ClassifiedMesh::VertexUse& from, const ClassifiedMesh::VertexUse& to) {
     const Cubic cubic = cubic_between(from, to);
     return 0.5 * cubic.length * (cubic.slope + cubic.last_slope);
 }
@@ -126,8 +126,8 @@ TrianglePeak triangle_peak(const TriangleHeights& heights) {
     return height > peak.height ? TrianglePeak{weights, height} : peak;
 }
 
-TrianglePeak expected_peak(const ClassifiedMesh::Site& a, const ClassifiedMesh::Site& b,
-                           const ClassifiedMesh::Site& c) {
+TrianglePeak expected_peak(const ClassifiedMesh::VertexUse& a, const ClassifiedMesh::VertexUse& b,
+                           const ClassifiedMesh::VertexUse& c) {
     return triangle_peak({{cubic_between(a, b).at(0.5), cubic_between(b, c).at(0.5), cubic_between(c, a).at(0.5)},
                           {side_skew(a, b), side_skew(b, c), side_skew(c, a)}});
 }

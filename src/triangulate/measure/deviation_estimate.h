@@ -16,11 +16,11 @@ struct EdgePeak {
 };
 EdgePeak edge_peak(const ClassifiedMesh& mesh, int half_edge);
 /// Estimates the peak of an edge that need not be in the mesh.
-EdgePeak edge_peak(const ClassifiedMesh::Site& from, const ClassifiedMesh::Site& to);
+EdgePeak edge_peak(const ClassifiedMesh::VertexUse& from, const ClassifiedMesh::VertexUse& to);
 
 /// Returns the asymmetry of the cubic between two sites: at the fraction x of the edge it adds the height skew x (1 -
 /// x) (1 - 2 x), mm.
-double side_skew(const ClassifiedMesh::Site& from, const ClassifiedMesh::Site& to);
+double side_skew(const ClassifiedMesh::VertexUse& from, const ClassifiedMesh::VertexUse& to);
 
 /// The surface over a triangle as a cubic: a quadratic through its heights over the middles of the sides, plus the
 /// skew of every side by the slopes at its ends.
@@ -42,6 +42,7 @@ struct TrianglePeak {
 };
 TrianglePeak triangle_peak(const TriangleHeights& heights);
 /// Estimates the peak from the slopes at the corners; returns the centroid where these give no height.
-TrianglePeak expected_peak(const ClassifiedMesh::Site& a, const ClassifiedMesh::Site& b, const ClassifiedMesh::Site& c);
+TrianglePeak expected_peak(const ClassifiedMesh::VertexUse& a, const ClassifiedMesh::VertexUse& b,
+                           const ClassifiedMesh::VertexUse& c);
 
 }  // namespace mq::triangulate

@@ -10,7 +10,7 @@ namespace mq::triangulate {
 namespace {
 
 using geometry::Query;
-using Site = ClassifiedMesh::Site;
+using VertexUse = ClassifiedMesh::VertexUse;
 
 void add_on_face(const Workspace& work, int face, const Vec3& p, const Vec2& uv, geometry::Engine::Batch& batch) {
     batch.push_back(Query::face_nearest(face, work.grid.to_part(p), uv.x(), uv.y()));
@@ -18,12 +18,13 @@ void add_on_face(const Workspace& work, int face, const Vec3& p, const Vec2& uv,
 
 }  // namespace
 
-void add_edge_probe(const Workspace& work, int face, const Site& a, const Site& b, double at,
+void add_edge_probe(const Workspace& work, int face, const VertexUse& a, const VertexUse& b, double at,
                     geometry::Engine::Batch& batch) {
     add_on_face(work, face, (1.0 - at) * a.point + at * b.point, (1.0 - at) * a.uv + at * b.uv, batch);
 }
 
-void add_edge_probes(const Workspace& work, int face, const Site& a, const Site& b, geometry::Engine::Batch& batch) {
+void add_edge_probes(const Workspace& work, int face, const VertexUse& a, const VertexUse& b,
+                     geometry::Engine::Batch& batch) {
     constexpr double kMiddle = 0.5;  // Fraction of an edge's length.
     add_edge_probe(work, face, a, b, kMiddle, batch);
     if (const double at = edge_peak(a, b).at; at != kMiddle) {
@@ -31,7 +32,7 @@ void add_edge_probes(const Workspace& work, int face, const Site& a, const Site&
     }
 }
 
-void add_triangle_probe(const Workspace& work, int face, const Site& a, const Site& b, const Site& c,
+void add_triangle_probe(const Workspace& work, int face, const VertexUse& a, const VertexUse& b, const VertexUse& c,
                         geometry::Engine::Batch& batch) {
     const auto w = expected_peak(a, b, c).weights;
     add_on_face(work, face, w[0] * a.point + w[1] * b.point + w[2] * c.point, w[0] * a.uv + w[1] * b.uv + w[2] * c.uv,

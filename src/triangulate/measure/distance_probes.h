@@ -12,14 +12,15 @@ namespace mq::triangulate {
 constexpr double kNear = 0.94;
 
 /// Adds the query for the point of an edge on a face at a fraction of its length from a to b.
-void add_edge_probe(const Workspace& work, int face, const ClassifiedMesh::Site& a, const ClassifiedMesh::Site& b,
-                    double at, geometry::Engine::Batch& batch);
+void add_edge_probe(const Workspace& work, int face, const ClassifiedMesh::VertexUse& a,
+                    const ClassifiedMesh::VertexUse& b, double at, geometry::Engine::Batch& batch);
 /// Adds queries at the middle of an edge, and where it is expected to be farthest (see edge_peak).
-void add_edge_probes(const Workspace& work, int face, const ClassifiedMesh::Site& a, const ClassifiedMesh::Site& b,
-                     geometry::Engine::Batch& batch);
+void add_edge_probes(const Workspace& work, int face, const ClassifiedMesh::VertexUse& a,
+                     const ClassifiedMesh::VertexUse& b, geometry::Engine::Batch& batch);
 /// Adds the query where the triangle is expected to be farthest (see expected_peak).
-void add_triangle_probe(const Workspace& work, int face, const ClassifiedMesh::Site& a, const ClassifiedMesh::Site& b,
-                        const ClassifiedMesh::Site& c, geometry::Engine::Batch& batch);
+void add_triangle_probe(const Workspace& work, int face, const ClassifiedMesh::VertexUse& a,
+                        const ClassifiedMesh::VertexUse& b, const ClassifiedMesh::VertexUse& c,
+                        geometry::Engine::Batch& batch);
 
 /// A vertex on a CAD edge.
 struct PointOfEdge {

@@ -28,24 +28,24 @@ bool disagrees(const ClassifiedMesh& mesh, int h) {
 }
 
 InwardStep way_to_centroid(const ClassifiedMesh& mesh, int h) {
-    const ClassifiedMesh::Site& a = mesh.site(mesh.site_of(h));
-    const ClassifiedMesh::Site& b = mesh.site(mesh.site_of(ClassifiedMesh::next(h)));
-    const ClassifiedMesh::Site& c = mesh.site(mesh.site_of(ClassifiedMesh::prev(h)));
+    const ClassifiedMesh::VertexUse& a = mesh.site(mesh.site_of(h));
+    const ClassifiedMesh::VertexUse& b = mesh.site(mesh.site_of(ClassifiedMesh::next(h)));
+    const ClassifiedMesh::VertexUse& c = mesh.site(mesh.site_of(ClassifiedMesh::prev(h)));
     return {(b.point + c.point - 2.0 * a.point) / 3.0, (b.uv + c.uv - 2.0 * a.uv) / 3.0};
 }
 
 }  // namespace
 
 InwardStep inward_step(const ClassifiedMesh& mesh, int half_edge) {
-    const ClassifiedMesh::Site& a = mesh.site(mesh.site_of(half_edge));
-    const ClassifiedMesh::Site& b = mesh.site(mesh.site_of(ClassifiedMesh::next(half_edge)));
-    const ClassifiedMesh::Site& c = mesh.site(mesh.site_of(ClassifiedMesh::prev(half_edge)));
+    const ClassifiedMesh::VertexUse& a = mesh.site(mesh.site_of(half_edge));
+    const ClassifiedMesh::VertexUse& b = mesh.site(mesh.site_of(ClassifiedMesh::next(half_edge)));
+    const ClassifiedMesh::VertexUse& c = mesh.site(mesh.site_of(ClassifiedMesh::prev(half_edge)));
     const Vec3 side = b.point - a.point;
     const double at = side.dot(c.point - a.point) / side.squaredNorm();
     return {c.point - a.point - at * side, c.uv - a.uv - at * (b.uv - a.uv)};
 }
 
-std::optional<Vec3> interior_normal(const Workspace& work, int face, const ClassifiedMesh::Site& site,
+std::optional<Vec3> interior_normal(const Workspace& work, int face, const ClassifiedMesh::VertexUse& site,
                                     const InwardStep& way) {
     const double length = way.step.norm();
     if (!(length > 0.0) || !(site.normal.squaredNorm() > 0.0)) {

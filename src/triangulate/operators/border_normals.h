@@ -21,7 +21,7 @@ InwardStep inward_step(const ClassifiedMesh& mesh, int half_edge);
 
 /// Returns the normal inside of a site on the border of the face, at a distance of at most `Workspace::unseen`, if it
 /// deviates there by more than 60 degrees; else nothing.
-std::optional<Vec3> interior_normal(const Workspace& work, int face, const ClassifiedMesh::Site& site,
+std::optional<Vec3> interior_normal(const Workspace& work, int face, const ClassifiedMesh::VertexUse& site,
                                     const InwardStep& way);
 
 /// Assigns that normal to border sites whose own normal disagrees with the initial triangles.

@@ -171,7 +171,7 @@ bool CavityOptimiser::process_queue() {
     for (std::size_t attempts = 0;
          !queue_.empty() && attempts < most && attempts_of_all_ > 0 && !work_.over_budget();) {
         work_.progress.check();
-        const Bad bad = queue_.top();
+        const QueuedTriangle bad = queue_.top();
         queue_.pop();
         if (work_.mesh.stamp(bad.triangle) != bad.stamp || failed_.marked(work_.mesh, bad.triangle)) {
             continue;
@@ -370,13 +370,13 @@ bool CavityOptimiser::good_enough(const Cavity& disc, const Corner& apex, int ap
 // are expected to be farthest, and the backward distance, mm.
 double CavityOptimiser::distance_of_fan(const Cavity& disc, const Corner& apex, const Vec2& uv, int apex_site) const {
     const ClassifiedMesh& mesh = work_.mesh;
-    const ClassifiedMesh::Site top{-1, uv, apex.normal, apex.point};
+    const ClassifiedMesh::VertexUse top{-1, uv, apex.normal, apex.point};
     geometry::Engine::Batch batch;
     double back = 0.0;
     const int face = mesh.face_of(disc.triangles.front());
     for (const int side : disc.rim) {
-        const ClassifiedMesh::Site& a = mesh.site(mesh.site_of(side));
-        const ClassifiedMesh::Site& b = mesh.site(mesh.site_of(ClassifiedMesh::next(side)));
+        const ClassifiedMesh::VertexUse& a = mesh.site(mesh.site_of(side));
+        const ClassifiedMesh::VertexUse& b = mesh.site(mesh.site_of(ClassifiedMesh::next(side)));
         add_edge_probes(work_, face, a, top, batch);
         if (mesh.site_of(side) != apex_site && mesh.site_of(ClassifiedMesh::next(side)) != apex_site) {
             add_triangle_probe(work_, face, a, b, top, batch);

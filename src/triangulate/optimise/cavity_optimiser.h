@@ -56,11 +56,11 @@ class CavityOptimiser {
     std::vector<int> bad_triangles() const;
 
   private:
-    struct Bad {
+    struct QueuedTriangle {
         double angle;
         int triangle;
         std::uint32_t stamp;
-        bool operator<(const Bad& other) const {  // for a max-heap: the smallest angle on top, ties by index
+        bool operator<(const QueuedTriangle& other) const {  // for a max-heap: the smallest angle on top, ties by index
             return angle != other.angle ? angle > other.angle : triangle > other.triangle;
         }
     };
@@ -158,7 +158,7 @@ class CavityOptimiser {
     double surely_enough_ = 0.0;  // squared sine that surely exceeds the target angle
     std::vector<int> near_;       // the vertices with the larger target, ascending
     const Sizing& sizing_;
-    std::priority_queue<Bad> queue_;
+    std::priority_queue<QueuedTriangle> queue_;
     EdgeVertexRelocation slider_;
     TransactionStack undo_;                   // open while changes may still be undone
     std::vector<int> ears_;                   // by trial: the site whose corner was cut off, or -1

@@ -173,7 +173,7 @@ double EdgeVertexRelocation::distance_from_curve(const EdgeVertexStar& bead, con
 // Returns the largest distance of spokes and triangles from the surfaces with the vertex at its new sites, one for
 // each use, mm.
 double EdgeVertexRelocation::distance_from_surfaces(const EdgeVertexStar& bead,
-                                                    const std::vector<ClassifiedMesh::Site>& sites,
+                                                    const std::vector<ClassifiedMesh::VertexUse>& sites,
                                                     double where_none) const {
     const ClassifiedMesh& mesh = work_.mesh;
     geometry::Engine::Batch batch;
@@ -181,8 +181,8 @@ double EdgeVertexRelocation::distance_from_surfaces(const EdgeVertexStar& bead,
     for (std::size_t k = 0; k < bead.spokes.size(); ++k) {
         for (const int h : bead.spokes[k]) {
             const int face = mesh.face_of(ClassifiedMesh::triangle_of(h));
-            const ClassifiedMesh::Site& b = mesh.site(mesh.site_of(ClassifiedMesh::next(h)));
-            const ClassifiedMesh::Site& c = mesh.site(mesh.site_of(ClassifiedMesh::prev(h)));
+            const ClassifiedMesh::VertexUse& b = mesh.site(mesh.site_of(ClassifiedMesh::next(h)));
+            const ClassifiedMesh::VertexUse& c = mesh.site(mesh.site_of(ClassifiedMesh::prev(h)));
             if (mesh.twin(h) >= 0) {
                 add_edge_probes(work_, face, sites[k], b, batch);
             }
@@ -195,7 +195,7 @@ double EdgeVertexRelocation::distance_from_surfaces(const EdgeVertexStar& bead,
 
 // Whether the distance stays within the tolerance, or does not increase.
 bool EdgeVertexRelocation::within_tolerance(const EdgeVertexStar& bead, const Place& place,
-                                            const std::vector<ClassifiedMesh::Site>& sites) const {
+                                            const std::vector<ClassifiedMesh::VertexUse>& sites) const {
     const ClassifiedMesh& mesh = work_.mesh;
     const double allowed = kNear * sizing_.tolerance;
     const ClassifiedMesh::Segment& near = mesh.segment(bead.near);
@@ -208,14 +208,15 @@ bool EdgeVertexRelocation::within_tolerance(const EdgeVertexStar& bead, const Pl
     if (from_surfaces <= allowed) {
         return true;
     }
-    std::vector<ClassifiedMesh::Site> now;
+    std::vector<ClassifiedMesh::VertexUse> now;
     for (const std::vector<int>& around : bead.spokes) {
         now.push_back(mesh.site(mesh.site_of(around.front())));
     }
     return from_surfaces <= distance_from_surfaces(bead, now, 0.0);
 }
 
-bool EdgeVertexRelocation::aligned(const EdgeVertexStar& bead, const std::vector<ClassifiedMesh::Site>& sites) const {
+bool EdgeVertexRelocation::aligned(const EdgeVertexStar& bead,
+                                   const std::vector<ClassifiedMesh::VertexUse>& sites) const {
     const ClassifiedMesh& mesh = work_.mesh;
     double before = kAligned;
     double after = 1.0;
@@ -239,7 +240,7 @@ bool EdgeVertexRelocation::put(const EdgeVertexStar& bead, const Place& place, d
     for (const ClassifiedMesh::SegmentUse& use : mesh.segment(bead.near).uses) {
         batch.push_back(Query::use_on_face(use.use, place.t));
     }
-    std::vector<ClassifiedMesh::Site> sites;
+    std::vector<ClassifiedMesh::VertexUse> sites;
     for (const geometry::Answer& answer : work_.session.ask(std::move(batch))) {
         if (!answer.found()) {
             return false;
@@ -252,7 +253,7 @@ bool EdgeVertexRelocation::put(const EdgeVertexStar& bead, const Place& place, d
     undo.record_relocation(bead.near, bead.far, triangles_around(bead));
     const int vertex = mesh.add_vertex(place.point, {1, mesh.segment(bead.near).edge});
     std::vector<int> indices;
-    for (ClassifiedMesh::Site& site : sites) {
+    for (ClassifiedMesh::VertexUse& site : sites) {
         site.vertex = vertex;
         indices.push_back(mesh.add_site(site));
     }

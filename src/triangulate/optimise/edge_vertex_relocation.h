@@ -66,11 +66,11 @@ class EdgeVertexRelocation {
     std::vector<Place> places_for(const EdgeVertexStar& bead, const Angles& at_least) const;
     bool lengths_allowed(const EdgeVertexStar& bead, const Vec3& point) const;
     double distance_from_curve(const EdgeVertexStar& bead, const PointOfEdge& middle) const;
-    double distance_from_surfaces(const EdgeVertexStar& bead, const std::vector<ClassifiedMesh::Site>& sites,
+    double distance_from_surfaces(const EdgeVertexStar& bead, const std::vector<ClassifiedMesh::VertexUse>& sites,
                                   double where_none) const;
     bool within_tolerance(const EdgeVertexStar& bead, const Place& place,
-                          const std::vector<ClassifiedMesh::Site>& sites) const;
-    bool aligned(const EdgeVertexStar& bead, const std::vector<ClassifiedMesh::Site>& sites) const;
+                          const std::vector<ClassifiedMesh::VertexUse>& sites) const;
+    bool aligned(const EdgeVertexStar& bead, const std::vector<ClassifiedMesh::VertexUse>& sites) const;
     std::optional<Place> place_at(const EdgeVertexStar& bead, double step) const;
     bool put(const EdgeVertexStar& bead, const Place& place, double bound, TransactionStack& undo);
 

@@ -306,7 +306,7 @@ bool CavityOptimiser::reopens_ear(const Cavity& disc, int apex_site, int ear) co
 void CavityOptimiser::follow(const std::function<bool(int)>& change) {
     TriangleMarks tried;
     for (int n = 0; n < kAttemptsAfterKick && !queue_.empty() && !budget_spent(); ++n) {
-        const Bad bad = queue_.top();
+        const QueuedTriangle bad = queue_.top();
         queue_.pop();
         --attempts_left_;
         --attempts_of_all_;

@@ -107,9 +107,9 @@ std::optional<VertexRemoval::RemovalPlan> VertexRemoval::plan_for(int vertex) co
 
 // Where the present angles are below the bound, new ones need only be larger, but must not be needles. Input angles of
 // the shape do not count: a triangle that fills such a corner evenly would be replaced by one that does not.
-double VertexRemoval::least_angle(const StarPolygon& polygon) const {
+double VertexRemoval::least_angle(const RemovalCavity& cavity) const {
     double least = least_angle_;
-    for (const int t : polygon.triangles) {
+    for (const int t : cavity.triangles) {
         const Exemption* exemption = work_.exemption_of(t);
         if (exemption != nullptr && exemption->cause != Cause::NarrowCorner) {
             least = std::min(least, std::max(kGain * smallest_angle(work_.mesh, t).angle, kNoNeedle * bound_));
@@ -120,27 +120,27 @@ double VertexRemoval::least_angle(const StarPolygon& polygon) const {
 
 bool VertexRemoval::add_fan(int half_edge, RemovalPlan& plan) const {
     const ClassifiedMesh& mesh = work_.mesh;
-    auto polygon = star_polygon(mesh, half_edge);
-    if (!polygon || polygon->sides.size() < 4) {
+    auto cavity = removal_cavity(mesh, half_edge);
+    if (!cavity || cavity->sides.size() < 4) {
         return false;
     }
-    std::vector<PolygonFan> fans = fans_of(mesh, *polygon, least_angle(*polygon));
-    const auto good = std::find_if(fans.begin(), fans.end(), [&](const PolygonFan& fan) {
-        return heights_expected(*polygon, fan) && lengths_allowed(half_edge, *polygon, fan) &&
-               fan_aligned(mesh, *polygon, fan, kWellAligned) && fan_legal(mesh, work_.maxmin, *polygon, fan.apex_site);
+    std::vector<Fan> fans = fans_of(mesh, *cavity, least_angle(*cavity));
+    const auto good = std::find_if(fans.begin(), fans.end(), [&](const Fan& fan) {
+        return heights_expected(*cavity, fan) && lengths_allowed(half_edge, *cavity, fan) &&
+               fan_aligned(mesh, *cavity, fan, kWellAligned) && fan_legal(mesh, work_.maxmin, *cavity, fan.apex_site);
     });
     if (good == fans.end()) {
         return false;
     }
-    for (const int t : polygon->triangles) {
+    for (const int t : cavity->triangles) {
         plan.stamps.push_back(mesh.stamp(t));
     }
-    plan.polygons.push_back(std::move(*polygon));
+    plan.cavities.push_back(std::move(*cavity));
     plan.fans.push_back(std::move(*good));
     return true;
 }
 
-bool VertexRemoval::lengths_allowed(int half_edge, const StarPolygon& polygon, const PolygonFan& fan) const {
+bool VertexRemoval::lengths_allowed(int half_edge, const RemovalCavity& cavity, const Fan& fan) const {
     const ClassifiedMesh& mesh = work_.mesh;
     double longest = 1e300;
     for (const int spoke : mesh.star(half_edge)) {
@@ -148,21 +148,21 @@ bool VertexRemoval::lengths_allowed(int half_edge, const StarPolygon& polygon, c
             std::min({longest, sizing_.bounds.of(mesh, spoke), sizing_.bounds.of(mesh, ClassifiedMesh::next(spoke))});
     }
     const auto fits = [&](int from, int to) {
-        const ClassifiedMesh::Site& a = mesh.site(from);
-        const ClassifiedMesh::Site& b = mesh.site(to);
+        const ClassifiedMesh::VertexUse& a = mesh.site(from);
+        const ClassifiedMesh::VertexUse& b = mesh.site(to);
         return (a.point - b.point).norm() <= longest &&
                (!(sizing_.turn > 0.0) || angle_between(a.normal, b.normal) <= sizing_.turn);
     };
-    const std::vector<int> ends = spokes_of(polygon, fan.apex_site);
-    return (polygon.base[0] < 0 || fits(polygon.base[0], polygon.base[1])) &&
+    const std::vector<int> ends = spokes_of(cavity, fan.apex_site);
+    return (cavity.base[0] < 0 || fits(cavity.base[0], cavity.base[1])) &&
            std::all_of(ends.begin(), ends.end(), [&](int end) { return fits(fan.apex_site, end); });
 }
 
-bool VertexRemoval::heights_expected(const StarPolygon& polygon, const PolygonFan& fan) const {
+bool VertexRemoval::heights_expected(const RemovalCavity& cavity, const Fan& fan) const {
     if (!(sizing_.tolerance > 0.0)) {
         return true;
     }
-    const std::vector<int> ends = spokes_of(polygon, fan.apex_site);
+    const std::vector<int> ends = spokes_of(cavity, fan.apex_site);
     return std::all_of(ends.begin(), ends.end(), [&](int end) {
         return edge_peak(work_.mesh.site(fan.apex_site), work_.mesh.site(end)).height <= sizing_.tolerance;
     });
@@ -181,8 +181,8 @@ std::vector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& c
             continue;
         }
         std::vector<int> triangles;
-        for (const StarPolygon& polygon : plan->polygons) {
-            triangles.insert(triangles.end(), polygon.triangles.begin(), polygon.triangles.end());
+        for (const RemovalCavity& cavity : plan->cavities) {
+            triangles.insert(triangles.end(), cavity.triangles.begin(), cavity.triangles.end());
         }
         std::vector<int> sorted = triangles;
         std::sort(sorted.begin(), sorted.end());
@@ -206,10 +206,10 @@ std::vector<VertexRemoval::RemovalPlan> VertexRemoval::plans(std::vector<int>& c
 // Adds queries for the joined segment, and for inner edges and triangles of the fans.
 void VertexRemoval::add_new(const RemovalPlan& plan, geometry::Engine::Batch& batch) const {
     const ClassifiedMesh& mesh = work_.mesh;
-    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
-        const int face = mesh.face_of(plan.polygons[k].triangles.front());
+    for (std::size_t k = 0; k < plan.cavities.size(); ++k) {
+        const int face = mesh.face_of(plan.cavities[k].triangles.front());
         const int apex = plan.fans[k].apex_site;
-        for (const int end : spokes_of(plan.polygons[k], apex)) {
+        for (const int end : spokes_of(plan.cavities[k], apex)) {
             add_edge_probes(work_, face, mesh.site(apex), mesh.site(end), batch);
         }
         for (const auto& t : plan.fans[k].triangles) {
@@ -227,8 +227,8 @@ void VertexRemoval::add_new(const RemovalPlan& plan, geometry::Engine::Batch& ba
 // Adds queries for the present edges at the vertex, if there is no tolerance.
 void VertexRemoval::add_old(const RemovalPlan& plan, geometry::Engine::Batch& batch) const {
     const ClassifiedMesh& mesh = work_.mesh;
-    for (const StarPolygon& polygon : plan.polygons) {
-        for (const int t : sizing_.tolerance > 0.0 ? std::vector<int>() : polygon.triangles) {
+    for (const RemovalCavity& cavity : plan.cavities) {
+        for (const int t : sizing_.tolerance > 0.0 ? std::vector<int>() : cavity.triangles) {
             for (int h = 3 * t; h < 3 * t + 3; ++h) {
                 if (mesh.vertex_of(h) == plan.vertex) {
                     add_edge_probe(work_, mesh.face_of(t), mesh.site(mesh.site_of(h)),
@@ -243,8 +243,8 @@ void VertexRemoval::add_old(const RemovalPlan& plan, geometry::Engine::Batch& ba
 double VertexRemoval::way_back_to_new(const RemovalPlan& plan) const {
     const ClassifiedMesh& mesh = work_.mesh;
     double farthest = 0.0;
-    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
-        const int face = mesh.face_of(plan.polygons[k].triangles.front());
+    for (std::size_t k = 0; k < plan.cavities.size(); ++k) {
+        const int face = mesh.face_of(plan.cavities[k].triangles.front());
         for (const auto& t : plan.fans[k].triangles) {
             farthest =
                 std::max(farthest, backward_distance(work_, face, mesh.site(t[0]), mesh.site(t[1]), mesh.site(t[2])));
@@ -296,15 +296,15 @@ bool VertexRemoval::is_valid(const RemovalPlan& plan) const {
         return false;
     }
     std::size_t i = 0;
-    for (const StarPolygon& polygon : plan.polygons) {
-        for (const int t : polygon.triangles) {
+    for (const RemovalCavity& cavity : plan.cavities) {
+        for (const int t : cavity.triangles) {
             if (work_.mesh.gone(t) || work_.mesh.stamp(t) != plan.stamps[i++]) {
                 return false;
             }
         }
     }
-    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
-        if (!fan_legal(work_.mesh, work_.maxmin, plan.polygons[k], plan.fans[k].apex_site)) {
+    for (std::size_t k = 0; k < plan.cavities.size(); ++k) {
+        if (!fan_legal(work_.mesh, work_.maxmin, plan.cavities[k], plan.fans[k].apex_site)) {
             return false;
         }
     }
@@ -315,9 +315,9 @@ bool VertexRemoval::is_valid(const RemovalPlan& plan) const {
 void VertexRemoval::apply(const RemovalPlan& plan, std::vector<int>& around) {
     std::vector<ClassifiedMesh::CavityFill> refills;
     std::vector<int> removed;
-    for (std::size_t k = 0; k < plan.polygons.size(); ++k) {
-        const std::vector<int>& triangles = plan.polygons[k].triangles;
-        refills.push_back({triangles, plan.fans[k].triangles, plan.polygons[k].base});
+    for (std::size_t k = 0; k < plan.cavities.size(); ++k) {
+        const std::vector<int>& triangles = plan.cavities[k].triangles;
+        refills.push_back({triangles, plan.fans[k].triangles, plan.cavities[k].base});
         removed.insert(removed.end(), triangles.begin(), triangles.end());
     }
     const std::optional<Exemption> reason = withdraw_exemptions(work_, removed);

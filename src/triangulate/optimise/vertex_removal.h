@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "triangulate/measure/chord_error.h"
-#include "triangulate/operators/star_polygon.h"
+#include "triangulate/operators/removal_cavity.h"
 #include "triangulate/work_mesh/size_bounds.h"
 
 namespace mq::triangulate {
@@ -29,9 +29,10 @@ class VertexRemoval {
   private:
     struct RemovalPlan {
         int vertex = -1;
-        std::vector<StarPolygon> polygons;  // a single one; for a vertex on a CAD edge one for each use of its segments
-        std::vector<PolygonFan> fans;
-        std::vector<std::uint32_t> stamps;  // versions of the polygons' triangles, in their order
+        std::vector<RemovalCavity>
+            cavities;  // a single one; for a vertex on a CAD edge one for each use of its segments
+        std::vector<Fan> fans;
+        std::vector<std::uint32_t> stamps;  // versions of the cavities' triangles, in their order
         int near = -1;                      // the segments that end and start at the vertex; -1: it is inside a face
         int far = -1;
     };
@@ -41,10 +42,10 @@ class VertexRemoval {
     bool is_candidate(int vertex) const;
     bool can_be_joined(int near, int far) const;
     std::optional<RemovalPlan> plan_for(int vertex) const;
-    double least_angle(const StarPolygon& polygon) const;
+    double least_angle(const RemovalCavity& cavity) const;
     bool add_fan(int half_edge, RemovalPlan& plan) const;
-    bool lengths_allowed(int half_edge, const StarPolygon& polygon, const PolygonFan& fan) const;
-    bool heights_expected(const StarPolygon& polygon, const PolygonFan& fan) const;
+    bool lengths_allowed(int half_edge, const RemovalCavity& cavity, const Fan& fan) const;
+    bool heights_expected(const RemovalCavity& cavity, const Fan& fan) const;
     std::vector<RemovalPlan> plans(std::vector<int>& candidates);
     double way_back_to_new(const RemovalPlan& plan) const;
     std::vector<char> within_tolerance(const std::vector<RemovalPlan>& plans);
@@ -59,7 +60,7 @@ class VertexRemoval {
     double least_angle_;
     const Sizing& sizing_;
     int first_vertex_;
-    // Largest number of spokes inside a face: a fan from a corner of a regular polygon with more corners misses
+    // Largest number of spokes inside a face: a fan from a corner of a regular cavity with more corners misses
     // least_angle_.
     int most_spokes_;
     std::vector<int> half_edge_of_;  // by vertex: a half-edge that leaves it; -1: none, or the vertex was removed

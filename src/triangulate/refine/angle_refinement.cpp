@@ -112,7 +112,7 @@ void AngleRefinement::run() {
 void AngleRefinement::exempt_the_rest() {
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
         work_.progress.check();
-        const Bad bad{smallest_angle(work_.mesh, t).angle, t, work_.mesh.stamp(t)};
+        const QueuedTriangle bad{smallest_angle(work_.mesh, t).angle, t, work_.mesh.stamp(t)};
         if (bad.angle < bound_ && work_.exemption_of(t) == nullptr && !exempt_narrow_corner(bad)) {
             exempt(bad, Cause::Budget);
         }
@@ -170,7 +170,7 @@ std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
     jobs.swap(again_);
     const std::size_t most = std::clamp<std::size_t>(queue_.size() / kPartOfQueue, kMinRound, kMaxRound);
     while (!queue_.empty() && jobs.size() < most) {
-        const Bad bad = queue_.top();
+        const QueuedTriangle bad = queue_.top();
         queue_.pop();
         if (work_.mesh.stamp(bad.triangle) != bad.stamp) {
             continue;
@@ -200,7 +200,7 @@ std::optional<Candidate> AngleRefinement::site_by_rule(int triangle, int attempt
 }
 
 // Each triangle is taken once: where splitting is refused it stays.
-void AngleRefinement::take_turned(const Bad& bad, std::vector<Job>& jobs) {
+void AngleRefinement::take_turned(const QueuedTriangle& bad, std::vector<Job>& jobs) {
     turned_.mark(work_.mesh, bad.triangle);
     touched_.push_back(bad.triangle);
     const int h = most_turned_side(work_.mesh, bad.triangle);
@@ -219,7 +219,7 @@ void AngleRefinement::take_turned(const Bad& bad, std::vector<Job>& jobs) {
 // If the smallest angle lies between two segments that meet in its corner, it is an input angle of the shape: exempts
 // the triangle, or has the segments halved where only their chords are at fault. Returns whether it was one of both, or
 // the apex of a slender cone.
-bool AngleRefinement::exempt_narrow_corner(const Bad& bad) {
+bool AngleRefinement::exempt_narrow_corner(const QueuedTriangle& bad) {
     const int h = smallest_angle(work_.mesh, bad.triangle).half_edge;
     if (slender_apex(h)) {
         exempt(bad, Cause::Apex, work_.mesh.vertex_of(h));
@@ -271,7 +271,7 @@ bool AngleRefinement::slender_apex(int h) const {
     return fan && fan->sum < static_cast<double>(kLeast) * bound_;
 }
 
-bool AngleRefinement::insert_apex_ring(const Bad& bad) {
+bool AngleRefinement::insert_apex_ring(const QueuedTriangle& bad) {
     if (insertion_ == Insertion::Paper ||
         !apex_rings_.insert_ring(smallest_angle(work_.mesh, bad.triangle).half_edge, touched_)) {
         return false;
@@ -292,13 +292,13 @@ bool AngleRefinement::divides_guarded_fan(const std::vector<int>& triangles) con
 
 // The obtuse angle faces a segment, so that its corner encroaches upon it. The triangle changes when the segment is
 // split.
-void AngleRefinement::handle_blocked(const Bad& bad, int segment) {
+void AngleRefinement::handle_blocked(const QueuedTriangle& bad, int segment) {
     if (!split_instead(bad, {segment})) {
         give_up({bad, {}, kLastAttempt}, Cause::Crowded, {segment});
     }
 }
 
-bool AngleRefinement::split_instead(const Bad& bad, const std::vector<int>& segments) {
+bool AngleRefinement::split_instead(const QueuedTriangle& bad, const std::vector<int>& segments) {
     bool any = false;
     for (const int s : segments) {
         if (segments_.may_split(s)) {
@@ -412,7 +412,7 @@ void AngleRefinement::give_up(const Job& job, Cause cause, const std::vector<int
 }
 
 // Names the blocking segments, and the small input angle if one of them must not be split because of it.
-void AngleRefinement::exempt_for(const Bad& bad, Cause cause, const std::vector<int>& segments) {
+void AngleRefinement::exempt_for(const QueuedTriangle& bad, Cause cause, const std::vector<int>& segments) {
     for (const int s : segments) {
         int corner = -1;
         if (segments_.is_terminal(s, &corner)) {
@@ -435,7 +435,7 @@ void AngleRefinement::exempt_for(const Bad& bad, Cause cause, const std::vector<
     exempt(bad, cause, -1, segments.empty() ? -1 : segments.front());
 }
 
-void AngleRefinement::exempt(const Bad& bad, Cause cause, int vertex, int segment) {
+void AngleRefinement::exempt(const QueuedTriangle& bad, Cause cause, int vertex, int segment) {
     const int edge = segment >= 0 ? work_.mesh.segment(segment).edge : -1;
     work_.exempt[bad.triangle] = {cause, vertex, edge, bad.stamp};
 }

@@ -31,18 +31,18 @@ class AngleRefinement {
     void run();
 
   private:
-    struct Bad {
+    struct QueuedTriangle {
         double angle;  // radians; for a triangle whose normal deviates, its alignment - 2
         int triangle;
         std::uint32_t stamp;
-        bool turned() const { return angle < 0.0; }  // its normal deviates from the surface
-        bool operator<(const Bad& other) const {     // for a max-heap: the smallest angle on top, ties by index
+        bool turned() const { return angle < 0.0; }          // its normal deviates from the surface
+        bool operator<(const QueuedTriangle& other) const {  // for a max-heap: the smallest angle on top, ties by index
             return angle != other.angle ? angle > other.angle : triangle > other.triangle;
         }
     };
     static constexpr int kLastAttempt = 2;  // Index of the last rule for sites: the middle of the longest edge.
     struct Job {
-        Bad bad;
+        QueuedTriangle bad;
         Candidate candidate;
         int attempt = 0;  // the chosen rule's site; if refused, the other rule's, then the middle of the longest edge
     };
@@ -50,25 +50,25 @@ class AngleRefinement {
     /// Counts whatever lets a retry end in another way than the one before it.
     using State = std::array<std::size_t, 4>;
 
-    void take_turned(const Bad& bad, std::vector<Job>& jobs);
+    void take_turned(const QueuedTriangle& bad, std::vector<Job>& jobs);
     void push_if_bad(int triangle);
     void push_touched();
     bool refine_round();
     std::vector<Job> take_jobs();
     std::optional<Candidate> site_by_rule(int triangle, int attempt, int& blocking_segment) const;
-    void handle_blocked(const Bad& bad, int segment);
+    void handle_blocked(const QueuedTriangle& bad, int segment);
     void work_on(const Job& job, const std::optional<SurfacePoint>& p);
-    bool split_instead(const Bad& bad, const std::vector<int>& segments);
+    bool split_instead(const QueuedTriangle& bad, const std::vector<int>& segments);
     bool flattens_segment(const std::vector<int>& segments, const Vec3& p) const;
     void give_up(const Job& job, Cause cause, const std::vector<int>& segments = {});
-    void exempt_for(const Bad& bad, Cause cause, const std::vector<int>& segments);
+    void exempt_for(const QueuedTriangle& bad, Cause cause, const std::vector<int>& segments);
     bool crowded(int triangle, double nearest, int& shrinks) const;
     void remember_shrinks(int first_vertex, int shrinks);
-    void exempt(const Bad& bad, Cause cause, int vertex = -1, int segment = -1);
-    bool exempt_narrow_corner(const Bad& bad);
+    void exempt(const QueuedTriangle& bad, Cause cause, int vertex = -1, int segment = -1);
+    bool exempt_narrow_corner(const QueuedTriangle& bad);
     bool request_finer_chords(int a, int b, int vertex);
     bool slender_apex(int h) const;
-    bool insert_apex_ring(const Bad& bad);
+    bool insert_apex_ring(const QueuedTriangle& bad);
     bool divides_guarded_fan(const std::vector<int>& triangles) const;
     bool retry_exempted();
     State state() const;
@@ -80,7 +80,7 @@ class AngleRefinement {
     double surely_enough_;  // squared sine that surely exceeds the bound
     Insertion insertion_;
     ApexRings apex_rings_;
-    std::priority_queue<Bad> queue_;
+    std::priority_queue<QueuedTriangle> queue_;
     std::map<int, int> sharpened_;  // by vertex: number of times the chords at a small input angle were halved
     TriangleMarks turned_;          // triangles that were refined for their alignment
     std::vector<int> touched_;

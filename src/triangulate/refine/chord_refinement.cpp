@@ -27,19 +27,19 @@ std::array<std::uint32_t, 2> stamps_beside(const ClassifiedMesh& mesh, int h) {
     return {mesh.stamp(first / 3), mesh.stamp(mesh.twin(first) / 3)};
 }
 
-// Sorts indices instead of sites, which are several times as large.
-template <typename Site>
-std::vector<Site> worst_first(const std::vector<Site>& sites) {
+// Sorts indices instead of violations, which are several times as large.
+template <typename Violation>
+std::vector<Violation> worst_first(const std::vector<Violation>& found) {
     std::vector<std::pair<double, std::size_t>> order;
-    order.reserve(sites.size());
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-        order.emplace_back(-sites[i].excess, i);
+    order.reserve(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        order.emplace_back(-found[i].excess, i);
     }
     std::sort(order.begin(), order.end());
-    std::vector<Site> sorted;
-    sorted.reserve(sites.size());
+    std::vector<Violation> sorted;
+    sorted.reserve(found.size());
     for (const auto& [excess, i] : order) {
-        sorted.push_back(sites[i]);
+        sorted.push_back(found[i]);
     }
     return sorted;
 }
@@ -76,7 +76,7 @@ std::vector<double> ChordRefinement::turns_of(const std::vector<int>& segments) 
     return turns;
 }
 
-void ChordRefinement::measure_segments(std::vector<Site>& found) {
+void ChordRefinement::measure_segments(std::vector<Violation>& found) {
     std::vector<int> segments;
     std::vector<int> sides;
     for (int s = 0; s < work_.mesh.segment_count(); ++s) {
@@ -100,7 +100,7 @@ void ChordRefinement::measure_segments(std::vector<Site>& found) {
     }
 }
 
-void ChordRefinement::measure_edges(std::vector<Site>& found) {
+void ChordRefinement::measure_edges(std::vector<Violation>& found) {
     std::vector<int> edges;
     CancelPace pace(work_.progress);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
@@ -142,7 +142,7 @@ void ChordRefinement::measure_edges(std::vector<Site>& found) {
     }
 }
 
-void ChordRefinement::measure_triangles(std::vector<Site>& found) {
+void ChordRefinement::measure_triangles(std::vector<Violation>& found) {
     std::vector<int> triangles;
     CancelPace pace(work_.progress);
     for (int t = 0; t < work_.mesh.triangle_count(); ++t) {
@@ -187,7 +187,7 @@ void ChordRefinement::refuse(int half_edge) {
     refused_[work_.mesh.number_of(half_edge)] = stamps_beside(work_.mesh, half_edge);
 }
 
-void ChordRefinement::measure_growth(std::vector<Site>& found) {
+void ChordRefinement::measure_growth(std::vector<Violation>& found) {
     const ClassifiedMesh& mesh = work_.mesh;
     const std::vector<double> sizes = graded_sizes(mesh, sizing_.growth);
     const auto check = [&](int h) {
@@ -209,8 +209,8 @@ void ChordRefinement::measure_growth(std::vector<Site>& found) {
     }
 }
 
-std::vector<ChordRefinement::Site> ChordRefinement::violations() {
-    std::vector<Site> found;
+std::vector<ChordRefinement::Violation> ChordRefinement::violations() {
+    std::vector<Violation> found;
     measure_segments(found);
     if (found.empty()) {
         measure_edges(found);
@@ -229,12 +229,12 @@ bool ChordRefinement::run() {
     for (int round = 0; round < kMaxRounds && !work_.over_budget(); ++round) {
         work_.progress.check();
         const int before = work_.mesh.triangle_count();
-        const std::vector<Site> sites = violations();
+        const std::vector<Violation> found = violations();
         work_.progress.check();
-        if (sites.empty()) {
+        if (found.empty()) {
             break;
         }
-        split(sites);
+        split(found);
         if (work_.mesh.triangle_count() == before) {
             break;
         }
@@ -243,14 +243,14 @@ bool ChordRefinement::run() {
     return changed_;
 }
 
-void ChordRefinement::split(const std::vector<Site>& sites) {
-    std::vector<const Site*> inner;
-    for (const Site& site : sites) {
-        const int s = work_.mesh.segment_of(site.half_edge);
+void ChordRefinement::split(const std::vector<Violation>& found) {
+    std::vector<const Violation*> inner;
+    for (const Violation& violation : found) {
+        const int s = work_.mesh.segment_of(violation.half_edge);
         if (s >= 0) {
             segments_.request(s, true);
         } else {
-            inner.push_back(&site);
+            inner.push_back(&violation);
         }
     }
     const auto points = surface_points_of(inner);
@@ -264,26 +264,27 @@ void ChordRefinement::split(const std::vector<Site>& sites) {
 }
 
 // Projects the candidates whose surface points are not known.
-std::vector<std::optional<SurfacePoint>> ChordRefinement::surface_points_of(const std::vector<const Site*>& sites) {
+std::vector<std::optional<SurfacePoint>> ChordRefinement::surface_points_of(
+    const std::vector<const Violation*>& found) {
     std::vector<Candidate> unknown;
-    for (const Site* site : sites) {
-        if (!site->surface_point) {
-            unknown.push_back(site->candidate);
+    for (const Violation* violation : found) {
+        if (!violation->surface_point) {
+            unknown.push_back(violation->candidate);
         }
     }
     const auto asked = surface_points(work_, unknown);
     auto next = asked.begin();
     std::vector<std::optional<SurfacePoint>> result;
-    result.reserve(sites.size());
-    for (const Site* site : sites) {
-        result.push_back(site->surface_point ? site->surface_point : *next++);
+    result.reserve(found.size());
+    for (const Violation* violation : found) {
+        result.push_back(violation->surface_point ? violation->surface_point : *next++);
     }
     return result;
 }
 
-void ChordRefinement::split_one(const Site& site, const std::optional<SurfacePoint>& p) {
-    const int h = site.half_edge;
-    if (work_.mesh.stamp(h / 3) != site.stamp || work_.mesh.twin(h) < 0) {
+void ChordRefinement::split_one(const Violation& violation, const std::optional<SurfacePoint>& p) {
+    const int h = violation.half_edge;
+    if (work_.mesh.stamp(h / 3) != violation.stamp || work_.mesh.twin(h) < 0) {
         return;
     }
     if (!p) {

@@ -26,27 +26,28 @@ class ChordRefinement {
     bool run();
 
   private:
-    struct Site {
+    /// A side or an inside that deviates more than allowed.
+    struct Violation {
         int half_edge;
         std::uint32_t stamp;
         double excess;  // ratio of the measured value to its bound
         Candidate candidate;
         std::optional<SurfacePoint> surface_point{};  // surface point of the candidate, if known already
     };
-    std::vector<Site> violations();
-    void measure_segments(std::vector<Site>& found);
-    void measure_edges(std::vector<Site>& found);
-    void measure_triangles(std::vector<Site>& found);
+    std::vector<Violation> violations();
+    void measure_segments(std::vector<Violation>& found);
+    void measure_edges(std::vector<Violation>& found);
+    void measure_triangles(std::vector<Violation>& found);
     std::optional<int> side_to_split(int triangle) const;
     bool refused(int half_edge) const;
     void refuse(int half_edge);
-    void measure_growth(std::vector<Site>& found);
+    void measure_growth(std::vector<Violation>& found);
     double excess(double chord) const { return sizing_.tolerance > 0.0 ? chord / sizing_.tolerance : 0.0; }
     double excess_of_edge(double chord, int half_edge) const;
     std::vector<double> turns_of(const std::vector<int>& segments);
-    void split(const std::vector<Site>& sites);
-    std::vector<std::optional<SurfacePoint>> surface_points_of(const std::vector<const Site*>& sites);
-    void split_one(const Site& site, const std::optional<SurfacePoint>& p);
+    void split(const std::vector<Violation>& found);
+    std::vector<std::optional<SurfacePoint>> surface_points_of(const std::vector<const Violation*>& found);
+    void split_one(const Violation& violation, const std::optional<SurfacePoint>& p);
 
     Workspace& work_;
     SegmentSplitter& segments_;

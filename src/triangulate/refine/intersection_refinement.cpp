@@ -107,27 +107,27 @@ std::map<int, IntersectionRefinement::Side> IntersectionRefinement::highest_side
     return result;
 }
 
-void IntersectionRefinement::request(const Crossing& crossing, std::vector<Site>& sites) const {
+void IntersectionRefinement::request(const Crossing& crossing, std::vector<SideToSplit>& sides) const {
     const double higher = std::max(crossing.sides[0].height, crossing.sides[1].height);
     for (int i = 0; i < 2; ++i) {
         const Side& side = crossing.sides[i];
         if (side.height >= kAsHigh * higher && side.height > kExact * work_.grid.resolution()) {
-            sites.push_back({side.half_edge, work_.mesh.stamp(crossing.pair[i])});
+            sides.push_back({side.half_edge, work_.mesh.stamp(crossing.pair[i])});
         }
     }
 }
 
-bool IntersectionRefinement::split(const std::vector<Site>& sites) {
+bool IntersectionRefinement::split(const std::vector<SideToSplit>& sides) {
     std::vector<int> touched;
     const int before = work_.mesh.triangle_count();
     std::vector<Candidate> candidates;
-    for (const Site& site : sites) {
-        candidates.push_back(edge_middle_site(work_.mesh, site.half_edge));
+    for (const SideToSplit& side : sides) {
+        candidates.push_back(edge_middle_site(work_.mesh, side.half_edge));
     }
     const auto points = surface_points(work_, candidates);
-    for (std::size_t i = 0; i < sites.size() && !work_.over_budget(); ++i) {
-        const int h = sites[i].half_edge;
-        if (work_.mesh.stamp(h / 3) != sites[i].stamp) {
+    for (std::size_t i = 0; i < sides.size() && !work_.over_budget(); ++i) {
+        const int h = sides[i].half_edge;
+        if (work_.mesh.stamp(h / 3) != sides[i].stamp) {
             continue;
         }
         if (const int s = work_.mesh.segment_of(h); s >= 0) {
@@ -146,17 +146,18 @@ bool IntersectionRefinement::run() {
     }
     const std::vector<Crossing> found = crossings();
     judge(found);
-    std::vector<Site> sites;
+    std::vector<SideToSplit> sides;
     for (const Crossing& crossing : found) {
         if (crossing.by_chords && of_the_part_.count(finder_.faces_of(crossing.pair)) == 0) {
-            request(crossing, sites);
+            request(crossing, sides);
         }
     }
-    std::sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return a.half_edge < b.half_edge; });
-    sites.erase(std::unique(sites.begin(), sites.end(),
-                            [](const Site& a, const Site& b) { return a.half_edge == b.half_edge; }),
-                sites.end());
-    return !sites.empty() && split(sites);
+    std::sort(sides.begin(), sides.end(),
+              [](const SideToSplit& a, const SideToSplit& b) { return a.half_edge < b.half_edge; });
+    sides.erase(std::unique(sides.begin(), sides.end(),
+                            [](const SideToSplit& a, const SideToSplit& b) { return a.half_edge == b.half_edge; }),
+                sides.end());
+    return !sides.empty() && split(sides);
 }
 
 }  // namespace mq::triangulate

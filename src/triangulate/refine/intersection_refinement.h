@@ -37,7 +37,7 @@ class IntersectionRefinement {
         std::array<Side, 2> sides;  ///< the highest side of each triangle
         bool by_chords;             ///< no deeper than the heights explain
     };
-    struct Site {
+    struct SideToSplit {
         int half_edge;
         std::uint32_t stamp;
     };
@@ -45,8 +45,8 @@ class IntersectionRefinement {
     std::vector<Crossing> crossings();
     bool folded(const std::array<int, 2>& pair) const;
     void judge(const std::vector<Crossing>& crossings);
-    void request(const Crossing& crossing, std::vector<Site>& sites) const;
-    bool split(const std::vector<Site>& sites);
+    void request(const Crossing& crossing, std::vector<SideToSplit>& sides) const;
+    bool split(const std::vector<SideToSplit>& sides);
     std::map<int, double> heights_of_segments(const Pairs& pairs);
     std::map<int, Side> highest_sides(const Pairs& pairs);
 

@@ -296,7 +296,7 @@ InsertionCavity SegmentSplitter::cavity_for(int half_edge, const Vec3& point, An
     if (cavity.complete || !on_face.found()) {
         return cavity;
     }
-    const ClassifiedMesh::Site site{-1, Vec2(on_face.u, on_face.v), on_face.normal, point};
+    const ClassifiedMesh::VertexUse site{-1, Vec2(on_face.u, on_face.v), on_face.normal, point};
     const auto inner = interior_normal(work_, mesh.face_of(triangle), site, inward_step(mesh, half_edge));
     if (!inner) {
         return cavity;

@@ -7,7 +7,7 @@
 #include "base/angle.h"
 #include "triangulate/measure/max_chord_error.h"
 #include "triangulate/measure/self_intersections.h"
-#include "triangulate/report/exemption_text.h"
+#include "triangulate/report/exemption.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {

@@ -12,7 +12,7 @@ using geometry::Query;
 
 FaceSampler::FaceSampler(const SamplingContext& context, int face, const FaceBoundary& border, double closest)
     : context_(context), face_(face), closest_(closest) {
-    for (const Site& site : border.sites) {
+    for (const VertexUse& site : border.sites) {
         index_.add(site.point, spacing_at(site.point));
         half_piece_.push_back(0.0);
     }

@@ -34,11 +34,11 @@ struct SamplingContext {
 /// The samples of one face: what the two algorithms have in common of Ruiz et al. All distances are in space, mm.
 class FaceSampler {
   public:
-    using Site = FaceMesh::Site;
+    using VertexUse = FaceMesh::VertexUse;
 
     /// A point of the surface that may become a sample.
     struct Candidate {
-        Site site;
+        VertexUse site;
         double spacing = 0.0;  ///< graded spacing r(K) at the point, mm
         /// Whether it is inside the trimmed face, by the geometry engine, and not too close to a sample.
         bool fits = false;

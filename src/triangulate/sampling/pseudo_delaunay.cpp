@@ -16,7 +16,7 @@
 namespace mq::triangulate {
 
 namespace {
-using Site = FaceMesh::Site;
+using VertexUse = FaceMesh::VertexUse;
 
 // Fraction of a ball's radius: vertices this close to the ball lie on it within rounding.
 constexpr double kRound = 1e-9;
@@ -82,7 +82,7 @@ class Front {
     const FaceBoundary& border_;
     const SamplingContext& context_;
     FrontBorder outline_;
-    std::vector<Site> sites_;
+    std::vector<VertexUse> sites_;
     std::vector<Vec3> normals_;    // never zero
     SampleIndex index_;            // has the numbers of the sites
     std::vector<double> spacing_;  // by site, mm

@@ -17,7 +17,7 @@
 namespace mq::triangulate {
 
 namespace {
-using Site = FaceMesh::Site;
+using VertexUse = FaceMesh::VertexUse;
 
 // Largest spacing as a fraction of the shape's largest dimension, for flat faces without a bound, and the smallest one
 // without a chord tolerance. Tuned on the corpus.
@@ -42,7 +42,7 @@ SpacingBounds bounds_of(const TriangulateOptions& options, double chord, double 
     return bounds;
 }
 
-std::vector<Site> along_curve(const std::vector<FaceSampler::Candidate>& samples, const FaceBoundary& border) {
+std::vector<VertexUse> along_curve(const std::vector<FaceSampler::Candidate>& samples, const FaceBoundary& border) {
     Vec2 low = Vec2::Constant(1e300);
     Vec2 high = Vec2::Constant(-1e300);
     for (const FaceSampler::Candidate& s : samples) {
@@ -55,7 +55,7 @@ std::vector<Site> along_curve(const std::vector<FaceSampler::Candidate>& samples
         order.emplace_back(along_z_curve((border.scaled(samples[i].site.uv) - low) / size), i);
     }
     std::sort(order.begin(), order.end());
-    std::vector<Site> sites;
+    std::vector<VertexUse> sites;
     for (const auto& entry : order) {
         sites.push_back(samples[entry.second].site);
     }

@@ -40,7 +40,7 @@ class Star {
     Star(const SamplingContext& context, int face, const FaceBoundary& border)
         : sampler_(context, face, border, kClosest) {
         for (const FaceBoundary::Piece& piece : border.pieces) {
-            const FaceSampler::Site& from = border.sites[piece.from];
+            const FaceSampler::VertexUse& from = border.sites[piece.from];
             const Vec3 along = border.sites[piece.to].point - from.point;
             if (from.normal.squaredNorm() > 0.0 && along.squaredNorm() > 0.0) {
                 queue_.push_back({{from, sampler_.spacing_at(from.point), true}, along});

@@ -13,7 +13,7 @@ namespace mq::triangulate {
 class EdgeSampler {
   public:
     /// Measures the curvature of every edge and of the faces beside it, from the chains' vertices with increasing
-    /// density until neighbouring knots are at most two spacings apart, and adds the spacings to the field. `bounds`
+    /// density until neighbouring samples are at most two spacings apart, and adds the spacings to the field. `bounds`
     /// and `field` must outlive the sampler.
     EdgeSampler(geometry::Session& session, const EdgeDiscretisation& chains, const SpacingBounds& bounds,
                 SpacingField& field);
@@ -22,30 +22,30 @@ class EdgeSampler {
     void resample(EdgeDiscretisation& chains);
 
   private:
-    struct Knot {
+    struct EdgeSample {
         double t = 0.0;
         Vec3 point = Vec3::Zero();
         Vec3 tangent = Vec3::Zero();
         double spacing = 0.0;
     };
-    using Knots = std::vector<Knot>;
-    /// The interval after knot `index` of an edge.
+    using EdgeSamples = std::vector<EdgeSample>;
+    /// The interval after sample `index` of an edge.
     struct Interval {
         int edge;
         std::size_t index;
     };
 
-    Knots evaluate(int edge, const std::vector<double>& parameters);
-    void measure_spacing(int edge, Knots& knots);
+    EdgeSamples evaluate(int edge, const std::vector<double>& parameters);
+    void measure_spacing(int edge, EdgeSamples& samples);
     std::vector<Interval> too_long(double share) const;
     bool halve(const std::vector<Interval>& intervals, bool by_field);
     void limit_by_length(int edge);
-    std::vector<double> iso_metric(const Knots& knots, int least_pieces) const;
+    std::vector<double> iso_metric(const EdgeSamples& samples, int least_pieces) const;
 
     geometry::Session& session_;
     const SpacingBounds& bounds_;
     SpacingField& field_;
-    std::vector<Knots> knots_;  // by edge; empty for a collapsed one
+    std::vector<EdgeSamples> samples_;  // by edge; empty for a collapsed one
 };
 
 }  // namespace mq::triangulate

@@ -135,7 +135,7 @@ CandidateFaces VirtualFaces::sheets(const std::vector<int>& triangles, const Vec
         }
     };
     const auto offer = [&](int site) {
-        const ClassifiedMesh::Site& s = mesh_.site(site);
+        const ClassifiedMesh::VertexUse& s = mesh_.site(site);
         offer_point(face_of_site(site), mesh_.vertex(s.vertex).point, s.uv);
     };
     for (const int t : triangles) {

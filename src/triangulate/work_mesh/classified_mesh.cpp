@@ -18,7 +18,7 @@ int ClassifiedMesh::add_vertex(const Vec3& point, mesh::VertexEntity entity) {
     return vertex_count() - 1;
 }
 
-int ClassifiedMesh::add_site(const Site& site) {
+int ClassifiedMesh::add_site(const VertexUse& site) {
     sites_.push_back(site);
     sites_.back().point = vertices_[site.vertex].point;
     return site_count() - 1;

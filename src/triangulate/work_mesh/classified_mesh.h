@@ -32,7 +32,8 @@ class ClassifiedMesh {
         Vec3 point;
         mesh::VertexEntity entity{-1, -1};
     };
-    struct Site {
+    /// The use of a vertex by the triangles of one face; in short, a site. A vertex on a seam or a pole has several.
+    struct VertexUse {
         int vertex = -1;
         Vec2 uv = Vec2::Zero();
         Vec3 normal = Vec3::Zero();  ///< outward unit normal of the CAD face; zero where it has none
@@ -51,7 +52,7 @@ class ClassifiedMesh {
     };
 
     int add_vertex(const Vec3& point, mesh::VertexEntity entity);
-    int add_site(const Site& site);
+    int add_site(const VertexUse& site);
     int add_triangle(const std::array<int, 3>& sites, int face);
     int add_segment(int edge, const std::array<int, 2>& vertices, const std::array<double, 2>& t);
     /// Makes two half-edges of one face twins.
@@ -89,7 +90,7 @@ class ClassifiedMesh {
     std::uint32_t stamp(int triangle) const { return stamp_[triangle]; }
 
     const Vertex& vertex(int v) const { return vertices_[v]; }
-    const Site& site(int s) const { return sites_[s]; }
+    const VertexUse& site(int s) const { return sites_[s]; }
     void set_normal(int s, const Vec3& normal) { sites_[s].normal = normal; }
     const Segment& segment(int s) const { return segments_[s]; }
 
@@ -172,7 +173,7 @@ class ClassifiedMesh {
     void link_by_vertices(const std::map<std::pair<int, int>, int>& open);
 
     std::vector<Vertex> vertices_;
-    std::vector<Site> sites_;
+    std::vector<VertexUse> sites_;
     std::vector<Segment> segments_;
     std::vector<int> corner_;  // site at the origin of each half-edge
     std::vector<int> twin_;    // half-edge, or ~segment

@@ -14,26 +14,14 @@
 #include "base/single_precision_grid.h"
 #include "geometry/cad_samples.h"
 #include "geometry/session.h"
+#include "mesh/quality/exempt_reason.h"
 #include "triangulate/work_mesh/classified_mesh.h"
 #include "triangulate/work_mesh/element_marks.h"
 #include "triangulate/work_mesh/maxmin_swaps.h"
 
 namespace mq::triangulate {
 
-/// The cause for which a triangle keeps an angle below the bound.
-enum class Cause {
-    NarrowCorner,     ///< the angle lies between two CAD edges that meet in its corner
-    Apex,             ///< singular point of the surface with too little angle around it for three triangles
-    NarrowCluster,    ///< splitting further would shrink edges towards a small input angle without terminating
-    Resolution,       ///< a further vertex would be closer to others than the resolution of single precision
-    FaceFloorRaised,  ///< too many exempt triangles on the face lack room, so that it is refined no finer
-    MinEdge,          ///< a further vertex would make an edge shorter than min_edge
-    Crowded,  ///< a further vertex would be closer to another one than the length of the triangle's shortest edge
-    Fold,     ///< a further vertex would fold the mesh over the surface
-    NoSurfacePoint,     ///< the engine finds no point of the surface there
-    Budget,             ///< max_triangles is reached
-    NoImprovingChange,  ///< no change of the triangles around it enlarges the angle within the bounds
-};
+using Cause = mesh::ExemptCause;
 
 struct Exemption {
     Cause cause = Cause::Fold;

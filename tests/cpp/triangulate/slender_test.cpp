@@ -55,7 +55,7 @@ TEST(Slender, NeedlesAreExemptAtTheirApexOnly) {
             for (const Vec3& p : corners_of(result.mesh, t)) {
                 highest = std::max(highest, p.z());
             }
-            EXPECT_GT(highest, 0.5 * length) << why;
+            EXPECT_GT(highest, 0.5 * length) << mesh::message_of(why).text();
         }
     }
 }

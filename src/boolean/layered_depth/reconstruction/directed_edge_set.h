@@ -40,9 +40,7 @@ class EdgeSet {
 
     /// The slot that holds the key, or would hold it.
     std::size_t place(std::uint64_t k) const {
-        std::uint64_t hash = k * 0x9e3779b97f4a7c15ULL;
-        hash ^= hash >> 29;
-        std::size_t slot = hash & (slots_.size() - 1);
+        std::size_t slot = KeyHash()(k) & (slots_.size() - 1);
         while (slots_[slot] != kEmpty && slots_[slot] != k) {
             slot = (slot + 1) & (slots_.size() - 1);
         }

@@ -38,7 +38,7 @@ class FaceEvaluator {
 
   private:
     /// The result of a search for the nearest point.
-    struct Foot {
+    struct Projection {
         Vec2 uv = Vec2::Zero();
         double square = 0.0;
         bool found = false;
@@ -68,16 +68,16 @@ class FaceEvaluator {
     void set_normal(double u, double v, const SurfacePoint& s, Answer& answer) const;
     Answer at(double u, double v) const;
     Answer at(double u, double v, const SurfacePoint& s) const;
-    Answer foot_at(const Vec3& point, const Foot& foot, const Vec2& guess) const;
+    Answer answer_at(const Vec3& point, const Projection& projection, const Vec2& guess) const;
 
     ParameterBox elementary_box(const Vec2& guess) const;
     void set_search_box();
     Step newton_step(const SurfacePoint& s, const Vec3& r, const Vec2& uv, const ParameterBox& box) const;
-    Foot newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
+    Projection newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
     bool collapsed(const SurfacePoint& s) const;
-    bool is_foot(const Vec3& p, const Foot& foot, const ParameterBox& box) const;
-    Foot search(const Vec3& p, const ParameterBox& box);
-    Foot pattern_search(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
+    bool is_local_minimum(const Vec3& p, const Projection& projection, const ParameterBox& box) const;
+    Projection search(const Vec3& p, const ParameterBox& box);
+    Projection pattern_search(const Vec3& p, const Vec2& start, const ParameterBox& box) const;
     void sample();
     Vec2 offset_from_pole(const Vec3& p, const Vec2& pole) const;
     Vec2 sample_at(int i, int k) const;

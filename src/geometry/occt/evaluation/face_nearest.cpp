@@ -120,45 +120,45 @@ FaceEvaluator::Step FaceEvaluator::newton_step(const SurfacePoint& s, const Vec3
 }
 
 /// @param p point in the surface's own coordinates.
-FaceEvaluator::Foot FaceEvaluator::newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const {
+FaceEvaluator::Projection FaceEvaluator::newton(const Vec3& p, const Vec2& start, const ParameterBox& box) const {
     // Newton steps at most; searches that need more start anew elsewhere.
     constexpr int kSteps = 30;
     // Halvings of a step that does not reduce the distance.
     constexpr int kHalvings = 8;
     const Vec2 longest(0.25 * (trimmed_.high[0] - trimmed_.low[0]), 0.25 * (trimmed_.high[1] - trimmed_.low[1]));
-    Foot foot;
-    foot.uv = clamped(start, box);
-    SurfacePoint s = second(foot.uv.x(), foot.uv.y());
-    foot.square = (s.point - p).squaredNorm();
+    Projection projection;
+    projection.uv = clamped(start, box);
+    SurfacePoint s = second(projection.uv.x(), projection.uv.y());
+    projection.square = (s.point - p).squaredNorm();
     for (int i = 0; i < kSteps; ++i) {
-        const Step step = newton_step(s, s.point - p, foot.uv, box);
+        const Step step = newton_step(s, s.point - p, projection.uv, box);
         Vec2 move = step.move.cwiseMin(longest).cwiseMax(-longest);
-        const Vec2 next = clamped(foot.uv + move, box);
-        move = next - foot.uv;
+        const Vec2 next = clamped(projection.uv + move, box);
+        move = next - projection.uv;
         const double square_moved = step.squares.x() * move.x() * move.x() + step.squares.y() * move.y() * move.y();
         const double last = (step.minimum ? kLastStep : kLastSlowStep) * size_;
         if (square_moved <= last * last) {
-            foot.uv = next;
-            foot.found = step.minimum;
-            foot.at = moved(s, move);
-            return foot;
+            projection.uv = next;
+            projection.found = step.minimum;
+            projection.at = moved(s, move);
+            return projection;
         }
         int halvings = 0;
         for (; halvings <= kHalvings; ++halvings, move *= 0.5) {
-            const Vec2 uv = foot.uv + move;
+            const Vec2 uv = projection.uv + move;
             s = second(uv.x(), uv.y());
             const double square = (s.point - p).squaredNorm();
-            if (square <= foot.square * (1.0 + 1e-14) + 1e-28 * size_ * size_) {
-                foot.uv = uv;
-                foot.square = square;
+            if (square <= projection.square * (1.0 + 1e-14) + 1e-28 * size_ * size_) {
+                projection.uv = uv;
+                projection.square = square;
                 break;
             }
         }
         if (halvings > kHalvings) {
-            return foot;
+            return projection;
         }
     }
-    return foot;
+    return projection;
 }
 
 /// Whether one parameter has no effect, as at a pole, so that a search cannot leave in every direction.
@@ -169,14 +169,14 @@ bool FaceEvaluator::collapsed(const SurfacePoint& s) const {
 }
 
 /// Whether r is orthogonal to the surface, or points out of the box.
-bool FaceEvaluator::is_foot(const Vec3& p, const Foot& foot, const ParameterBox& box) const {
-    const SurfacePoint& s = foot.at;
+bool FaceEvaluator::is_local_minimum(const Vec3& p, const Projection& projection, const ParameterBox& box) const {
+    const SurfacePoint& s = projection.at;
     const Vec3 r = s.point - p;
     const double slack = 1e-6 * r.norm() + 1e-9 * size_;
     const double across[2] = {r.dot(s.su), r.dot(s.sv)};
     const double squares[2] = {s.su.squaredNorm(), s.sv.squaredNorm()};
     for (std::size_t i = 0; i < 2; ++i) {
-        const double x = foot.uv[static_cast<Eigen::Index>(i)];
+        const double x = projection.uv[static_cast<Eigen::Index>(i)];
         const bool sloping = across[i] * across[i] > slack * slack * squares[i];
         if (sloping && (across[i] > 0.0 ? x > box.low[i] : x < box.high[i])) {
             return false;
@@ -281,20 +281,20 @@ Vec2 FaceEvaluator::offset_from_pole(const Vec3& p, const Vec2& pole) const {
 
 /// Newton's method from the best samples; where none comes closer (at a crease, at a pole), the best sample is improved
 /// without derivatives.
-FaceEvaluator::Foot FaceEvaluator::search(const Vec3& p, const ParameterBox& box) {
+FaceEvaluator::Projection FaceEvaluator::search(const Vec3& p, const ParameterBox& box) {
     if (grid_.empty()) {
         sample();
     }
     const std::vector<std::pair<double, Vec2>> starts = best_samples(p);
-    Foot best;
+    Projection best;
     best.square = kInfinity;
     if (starts.empty()) {
         return best;
     }
     for (const auto& [square, uv] : starts) {
-        const Foot foot = newton(p, collapsed(first(uv.x(), uv.y())) ? offset_from_pole(p, uv) : uv, box);
-        if (foot.found && is_foot(p, foot, box) && foot.square < best.square) {
-            best = foot;
+        const Projection projection = newton(p, collapsed(first(uv.x(), uv.y())) ? offset_from_pole(p, uv) : uv, box);
+        if (projection.found && is_local_minimum(p, projection, box) && projection.square < best.square) {
+            best = projection;
         }
     }
     if (!best.found || starts.front().first < best.square * (1.0 - 1e-9)) {
@@ -303,10 +303,11 @@ FaceEvaluator::Foot FaceEvaluator::search(const Vec3& p, const ParameterBox& box
     return best;
 }
 
-FaceEvaluator::Foot FaceEvaluator::pattern_search(const Vec3& p, const Vec2& start, const ParameterBox& box) const {
-    Foot foot;
-    foot.uv = start;
-    foot.square = (place(start.x(), start.y()) - p).squaredNorm();
+FaceEvaluator::Projection FaceEvaluator::pattern_search(const Vec3& p, const Vec2& start,
+                                                        const ParameterBox& box) const {
+    Projection projection;
+    projection.uv = start;
+    projection.square = (place(start.x(), start.y()) - p).squaredNorm();
     Vec2 reach((trimmed_.high[0] - trimmed_.low[0]) / samples_[0], (trimmed_.high[1] - trimmed_.low[1]) / samples_[1]);
     // Steps of the search without derivatives at most.
     constexpr int kSteps = 400;
@@ -316,26 +317,26 @@ FaceEvaluator::Foot FaceEvaluator::pattern_search(const Vec3& p, const Vec2& sta
     for (int i = 0; i < kSteps && part > kEnd; ++i) {
         bool better = false;
         for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
-            const Vec2 uv = clamped(foot.uv + part * reach.cwiseProduct(way), box);
+            const Vec2 uv = clamped(projection.uv + part * reach.cwiseProduct(way), box);
             const double square = (place(uv.x(), uv.y()) - p).squaredNorm();
-            if (square < foot.square) {
-                foot.uv = uv;
-                foot.square = square;
+            if (square < projection.square) {
+                projection.uv = uv;
+                projection.square = square;
                 better = true;
             }
         }
         part *= better ? 1.0 : 0.5;
     }
-    foot.found = std::isfinite(foot.square);
-    foot.at = first(foot.uv.x(), foot.uv.y());
-    return foot;
+    projection.found = std::isfinite(projection.square);
+    projection.at = first(projection.uv.x(), projection.uv.y());
+    return projection;
 }
 
 /// The answer at the projection (u, v) of `point`, on the turn nearest to the guess.
-Answer FaceEvaluator::foot_at(const Vec3& point, const Foot& foot, const Vec2& guess) const {
-    const double u = branch_nearest(foot.uv.x(), guess.x(), period_[0]);
-    const double v = branch_nearest(foot.uv.y(), guess.y(), period_[1]);
-    Answer answer = at(u, v, foot.at);
+Answer FaceEvaluator::answer_at(const Vec3& point, const Projection& projection, const Vec2& guess) const {
+    const double u = branch_nearest(projection.uv.x(), guess.x(), period_[0]);
+    const double v = branch_nearest(projection.uv.y(), guess.y(), period_[1]);
+    Answer answer = at(u, v, projection.at);
     answer.distance = (answer.point - point).norm();
     return answer;
 }
@@ -351,15 +352,15 @@ Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
     answer.status = Status::NotFound;
     if (elementary_) {
         const auto uv = elementary_->nearest(p, elementary_box(guess), guess);
-        return uv ? foot_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, guess) : answer;
+        return uv ? answer_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, guess) : answer;
     }
-    Foot foot = newton(p, guess, search_);
-    const bool local = foot.found && is_foot(p, foot, search_);
-    if (!local || collapsed(foot.at)) {
-        const Foot other = search(p, search_);
-        foot = local && foot.square <= other.square ? foot : other;
+    Projection projection = newton(p, guess, search_);
+    const bool local = projection.found && is_local_minimum(p, projection, search_);
+    if (!local || collapsed(projection.at)) {
+        const Projection other = search(p, search_);
+        projection = local && projection.square <= other.square ? projection : other;
     }
-    return foot.found ? foot_at(point, foot, guess) : answer;
+    return projection.found ? answer_at(point, projection, guess) : answer;
 }
 
 Answer FaceEvaluator::nearest_global(const Vec3& point) {
@@ -369,10 +370,10 @@ Answer FaceEvaluator::nearest_global(const Vec3& point) {
     const Vec2 middle(0.5 * (trimmed_.low[0] + trimmed_.high[0]), 0.5 * (trimmed_.low[1] + trimmed_.high[1]));
     if (elementary_) {
         const auto uv = elementary_->nearest(p, trimmed_, middle);
-        return uv ? foot_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, *uv) : answer;
+        return uv ? answer_at(point, {*uv, 0.0, true, first(uv->x(), uv->y())}, *uv) : answer;
     }
-    const Foot foot = search(p, trimmed_);
-    return foot.found ? foot_at(point, foot, foot.uv) : answer;
+    const Projection projection = search(p, trimmed_);
+    return projection.found ? answer_at(point, projection, projection.uv) : answer;
 }
 
 }  // namespace mq::geometry

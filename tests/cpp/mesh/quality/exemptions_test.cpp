@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/quality/named_entities.h"
 #include "mesh/sample_meshes.h"
 
 namespace mq::mesh {
@@ -15,10 +16,10 @@ using samples::tetrahedron;
 
 TEST(Report, ExemptionsAreSummedUpByCause) {
     MeshReport r = measure(tetrahedron());
-    r.exempt = {{0, "a further point would fold the mesh on Face1"},
-                {1, "the shape itself has a corner of 7.25° between Edge1 and Edge12 at Vertex3 on Face2"},
-                {2, "the shape itself has a corner of 10.00° between Edge4 and Edge5 at Vertex6 on Face10"},
-                {3, "the shape itself has a corner of 9° between Edge4 and Edge6 at Vertex6 on Face2"}};
+    r.exempt = {{0, {ExemptCause::Fold, -1.0, {}, {}, face(1)}},
+                {1, {ExemptCause::NarrowCorner, 7.25, {edge(1), edge(12)}, vertex(3), face(2)}},
+                {2, {ExemptCause::NarrowCorner, 10.0, {edge(4), edge(5)}, vertex(6), face(10)}},
+                {3, {ExemptCause::NarrowCorner, 9.0, {edge(4), edge(6)}, vertex(6), face(2)}}};
     const auto causes = exempt_causes(r);
     ASSERT_EQ(causes.size(), 2u);
     EXPECT_EQ(causes[0].cause, "the shape itself has a corner of #° between Edge# and Edge# at Vertex# on Face#");
@@ -40,7 +41,7 @@ TEST(Report, ExemptionsAreSummedUpByCause) {
 TEST(Report, ManyExemptionsMakeAShortText) {
     MeshReport r = measure(tetrahedron());
     for (int i = 0; i < 1000; ++i) {
-        r.exempt.emplace_back(i, "the triangle limit max_triangles was reached on Face" + std::to_string(i + 1));
+        r.exempt.push_back({i, {ExemptCause::Budget, -1.0, {}, {}, face(i + 1)}});
     }
     const std::string text = exemptions_text(r);
     EXPECT_LT(text.size(), 300u) << text;

@@ -175,7 +175,7 @@ TEST(Report, TextSaysToWhichFaceADistanceIs) {
 TEST(Report, TextNamesWhatMatters) {
     MeshReport r = measure(tetrahedron());
     r.min_angle_asked = 25.0;
-    r.exempt = {{2, "sharp angle of 10 degrees at Vertex3"}};
+    r.exempt = {{2, {ExemptCause::Apex, -1.0, {}, {0, {0, 2}}}}};
     r.max_chord_height = 0.01;
     r.chord_height_asked = 0.02;
     r.notes = {"Face7 is missing"};

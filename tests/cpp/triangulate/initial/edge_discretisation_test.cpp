@@ -79,7 +79,7 @@ struct Case {
         const triangulate::FaceMesh& face = initial.faces.front();
         for (const auto& t : face.triangles) {
             const auto point = [&](int k) {
-                const triangulate::FaceMesh::Site& site = face.sites[t[k]];
+                const triangulate::FaceMesh::VertexUse& site = face.sites[t[k]];
                 return site.vertex >= 0 ? initial.chains.vertices()[site.vertex].point : site.point;
             };
             sum += 0.5 * (point(1) - point(0)).cross(point(2) - point(0)).norm();

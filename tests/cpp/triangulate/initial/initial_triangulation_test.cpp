@@ -32,7 +32,7 @@ struct Case {
 
     const geometry::Topology& topology() const { return model.topology(); }
     /// Returns the point of a site in the shape's coordinates.
-    Vec3 point_of(const FaceMesh::Site& site) const {
+    Vec3 point_of(const FaceMesh::VertexUse& site) const {
         return grid.to_part(site.vertex >= 0 ? initial.chains.vertices()[site.vertex].point : site.point);
     }
 
@@ -108,7 +108,7 @@ void expect_links(const Case& c, int f) {
 }
 
 void expect_sites_on_surface(const Case& c, int f) {
-    for (const FaceMesh::Site& site : c.initial.faces[f].sites) {
+    for (const FaceMesh::VertexUse& site : c.initial.faces[f].sites) {
         const geometry::Answer there = c.model.answer(geometry::Query::face_point(f, site.uv.x(), site.uv.y()));
         ASSERT_TRUE(there.found());
         EXPECT_LE((there.point - c.point_of(site)).norm(), c.grid.resolution() + kTolerance);

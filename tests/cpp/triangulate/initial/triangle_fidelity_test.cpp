@@ -16,7 +16,7 @@ struct Sample {
         sites[0].point = Vec3(0, 0, 0);
         sites[1].point = Vec3(1, 0, 0);
         sites[2].point = Vec3(0, 1, 0);
-        for (FaceMesh::Site& site : sites) {
+        for (FaceMesh::VertexUse& site : sites) {
             site.normal = normal;
         }
         triangle = {{&sites[0], &sites[1], &sites[2]}, Vec3(1.0 / 3.0, 1.0 / 3.0, height), normal, false, 1e-6, 1e-6};
@@ -24,7 +24,7 @@ struct Sample {
     Sample(const Sample&) = delete;
     Sample& operator=(const Sample&) = delete;
 
-    std::array<FaceMesh::Site, 3> sites;
+    std::array<FaceMesh::VertexUse, 3> sites;
     TriangleOnFace triangle;
 };
 

@@ -29,18 +29,18 @@ TEST(BorderNormal, IsTakenFromInsideWhereTheSurfaceTurnsByMoreThan60DegreesUnsee
     const auto at = [&](double degrees) {
         const double u = degrees * M_PI / 180.0;
         const Vec3 normal(std::cos(u), std::sin(u), 0.0);
-        return ClassifiedMesh::Site{-1, Vec2(u, 2.0), normal,
-                                    2.0 * normal + Vec3(0.0, 0.0, 2.0) - pipeline.grid.origin()};
+        return ClassifiedMesh::VertexUse{-1, Vec2(u, 2.0), normal,
+                                         2.0 * normal + Vec3(0.0, 0.0, 2.0) - pipeline.grid.origin()};
     };
     int lateral = 0;
     while (std::abs(pipeline.session.ask(geometry::Query::face_point(lateral, 0.3, 2.0)).normal.z()) > 0.5) {
         ++lateral;
     }
-    const ClassifiedMesh::Site from = at(0.0);
+    const ClassifiedMesh::VertexUse from = at(0.0);
     const auto way_to = [&](double degrees) {
         return InwardStep{at(degrees).point - from.point, at(degrees).uv - from.uv};
     };
-    const auto normal = [&](const ClassifiedMesh::Site& site, double unseen, double degrees) {
+    const auto normal = [&](const ClassifiedMesh::VertexUse& site, double unseen, double degrees) {
         pipeline.work.unseen = unseen;
         return interior_normal(pipeline.work, lateral, site, way_to(degrees));
     };
@@ -50,7 +50,7 @@ TEST(BorderNormal, IsTakenFromInsideWhereTheSurfaceTurnsByMoreThan60DegreesUnsee
     EXPECT_FALSE(normal(from, 10.0, 100.0));  // deviates by 50 degrees
     EXPECT_FALSE(normal(from, 0.1, 150.0));   // deviates by a few degrees
     EXPECT_FALSE(normal(from, 10.0, 0.0));    // the step has no length
-    ClassifiedMesh::Site apex = from;
+    ClassifiedMesh::VertexUse apex = from;
     apex.normal = Vec3::Zero();
     EXPECT_FALSE(normal(apex, 10.0, 150.0));
 }

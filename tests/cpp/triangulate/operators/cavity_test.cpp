@@ -52,7 +52,7 @@ TEST(Cavity, IsNoneWhereAVertexHasTwoSites) {
                 sites[ring].push_back(mesh.add_site({mesh.add_vertex(p, {1, i}), p.head<2>(), up}));
             }
         }
-        const ClassifiedMesh::Site& first = mesh.site(sites[0][0]);
+        const ClassifiedMesh::VertexUse& first = mesh.site(sites[0][0]);
         const int last = two_sites ? mesh.add_site({first.vertex, Vec2(9, 9), up}) : sites[0][0];
         std::vector<int> triangles;
         for (int i = 0; i < 4; ++i) {

@@ -33,7 +33,7 @@ std::vector<int> put_new_fan(Pipeline& pipeline, int h, Undo& undo) {
     if (!disc) {
         return {};
     }
-    const ClassifiedMesh::Site site = mesh.site(mesh.site_of(disc->rim.front()));
+    const ClassifiedMesh::VertexUse site = mesh.site(mesh.site_of(disc->rim.front()));
     const int vertex = mesh.add_vertex(site.point, {2, mesh.face_of(h / 3)});
     undo.about_to_remove(disc->triangles);
     std::vector<int> added = replace_by_fan(pipeline.work, *disc, mesh.add_site({vertex, site.uv, site.normal}), 0.4);

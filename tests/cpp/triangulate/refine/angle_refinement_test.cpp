@@ -49,7 +49,8 @@ TEST_P(RefineTest, SimplePartsNeedNoExemptions) {
         const bool simple = part.name.find("cone") == std::string::npos && part.name != "cusp";
         if (simple && GetParam().min_angle <= 25.0) {
             const Result result = mesh_of(part.model, options());
-            EXPECT_TRUE(result.report.exempt.empty()) << part.name << ": " << result.report.exempt.front().second;
+            EXPECT_TRUE(result.report.exempt.empty())
+                << part.name << ": " << mesh::message_of(result.report.exempt.front().second).text();
         }
     }
 }

@@ -191,9 +191,9 @@ TEST(Chord, PeakOfATriangleIsThatOfTheCubicOverIt) {
 TEST(Chord, SkewIsThatOfTheSurface) {
     constexpr double kSmall = 1e-4;  // Coefficient of the cubic: slopes small enough for linear formulas.
     // z = kSmall x^3 is -kSmall x (1 - x) (1 + x) over its chord, and 1 + x = 3/2 - (1 - 2 x) / 2.
-    ClassifiedMesh::Site from;
+    ClassifiedMesh::VertexUse from;
     from.normal = Vec3::UnitZ();
-    ClassifiedMesh::Site to;
+    ClassifiedMesh::VertexUse to;
     to.point = {1.0, 0.0, kSmall};
     to.normal = Vec3(-3.0 * kSmall, 0.0, 1.0).normalized();
     EXPECT_NEAR(side_skew(from, to), 0.5 * kSmall, 1e-10);

@@ -49,7 +49,7 @@ class SampledFace {
     FaceMesh triangulated(const std::vector<FaceSampler::Candidate>& samples) const {
         return triangulate_pseudo_delaunay(context(), 0, border_, samples, coarse_);
     }
-    Vec3 point(const FaceMesh::Site& site) const {
+    Vec3 point(const FaceMesh::VertexUse& site) const {
         return site.vertex >= 0 ? pipeline_.initial.chains.vertices()[static_cast<std::size_t>(site.vertex)].point
                                 : site.point;
     }
@@ -110,7 +110,7 @@ TEST(PseudoDelaunay, OnAPlaneTheCircumcirclesAreEmpty) {
         const Vec3 centre =
             a + (c.squaredNorm() * normal.cross(b) + b.squaredNorm() * c.cross(normal)) / (2.0 * normal.squaredNorm());
         const double radius = (centre - a).norm();
-        for (const FaceMesh::Site& site : mesh.sites) {
+        for (const FaceMesh::VertexUse& site : mesh.sites) {
             EXPECT_GE((face.point(site) - centre).norm(), radius * (1.0 - 1e-6));
         }
     }

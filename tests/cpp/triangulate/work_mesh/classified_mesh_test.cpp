@@ -362,7 +362,7 @@ TEST(ClassifiedMesh, AnotherVertexTakesThePlaceBetweenTwoSegments) {
                 const int h =
                     mesh.vertex_of(use.half_edge) == old ? use.half_edge : ClassifiedMesh::next(use.half_edge);
                 spokes.push_back(mesh.star(h));
-                ClassifiedMesh::Site site = mesh.site(mesh.site_of(h));
+                ClassifiedMesh::VertexUse site = mesh.site(mesh.site_of(h));
                 site.vertex = vertex;
                 sites.push_back(mesh.add_site(site));
                 for (const int spoke : spokes.back()) {

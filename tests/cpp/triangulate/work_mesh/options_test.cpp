@@ -92,9 +92,8 @@ TEST(TriangulateOptions, MinEdgeIsKeptAndNamed) {
     expect_angles(result, 30.0);
     options.min_edge = 0.0;
     EXPECT_LT(result.mesh.triangles.size(), mesh_of(model, options).mesh.triangles.size());
-    const bool named = std::any_of(result.report.exempt.begin(), result.report.exempt.end(), [](const auto& entry) {
-        return entry.second.find("min_edge") != std::string::npos;
-    });
+    const bool named = std::any_of(result.report.exempt.begin(), result.report.exempt.end(),
+                                   [](const auto& entry) { return entry.second.cause == mesh::ExemptCause::MinEdge; });
     EXPECT_TRUE(named);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/operators/star_polygon.h"
+#include "triangulate/operators/removal_cavity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,22 +22,22 @@ double squared_sine(const ClassifiedMesh& mesh, const std::array<int, 3>& sites,
     return squared_sine_of_smallest(area, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm());
 }
 
-PolygonFan fan_from(const ClassifiedMesh& mesh, const StarPolygon& polygon, int apex_site, double least_angle) {
+Fan fan_from(const ClassifiedMesh& mesh, const RemovalCavity& cavity, int apex_site, double least_angle) {
     const double enough = std::pow(std::sin(least_angle), 2);
     double least = 1.0;
-    for (const auto& side : polygon.sides) {
+    for (const auto& side : cavity.sides) {
         if (side[0] != apex_site && side[1] != apex_site) {
-            least = std::min(least, squared_sine(mesh, {side[0], side[1], apex_site}, polygon.normal));
+            least = std::min(least, squared_sine(mesh, {side[0], side[1], apex_site}, cavity.normal));
             if (least < enough) {
                 return {};
             }
         }
     }
-    PolygonFan fan;
+    Fan fan;
     fan.apex_site = apex_site;
     fan.angle = std::asin(std::sqrt(least));
-    fan.triangles.reserve(polygon.sides.size());
-    for (const auto& side : polygon.sides) {
+    fan.triangles.reserve(cavity.sides.size());
+    for (const auto& side : cavity.sides) {
         if (side[0] != apex_site && side[1] != apex_site) {
             fan.triangles.push_back({side[0], side[1], apex_site});
         }
@@ -47,30 +47,30 @@ PolygonFan fan_from(const ClassifiedMesh& mesh, const StarPolygon& polygon, int 
 
 }  // namespace
 
-std::optional<StarPolygon> star_polygon(const ClassifiedMesh& mesh, int half_edge) {
-    StarPolygon polygon;
+std::optional<RemovalCavity> removal_cavity(const ClassifiedMesh& mesh, int half_edge) {
+    RemovalCavity cavity;
     const std::vector<int> star = mesh.star(half_edge);
     std::vector<int> vertices;
-    polygon.triangles.reserve(star.size());
-    polygon.sides.reserve(star.size() + 1);
+    cavity.triangles.reserve(star.size());
+    cavity.sides.reserve(star.size() + 1);
     vertices.reserve(star.size() + 1);
     for (const int spoke : star) {
         const int t = ClassifiedMesh::triangle_of(spoke);
         if (narrow_corner_of(mesh, t) >= 0) {
             return std::nullopt;
         }
-        polygon.triangles.push_back(t);
-        polygon.sides.push_back({mesh.site_of(ClassifiedMesh::next(spoke)), mesh.site_of(ClassifiedMesh::prev(spoke))});
-        polygon.normal += (mesh.point_of(ClassifiedMesh::next(spoke)) - mesh.point_of(spoke))
-                              .cross(mesh.point_of(ClassifiedMesh::prev(spoke)) - mesh.point_of(spoke));
+        cavity.triangles.push_back(t);
+        cavity.sides.push_back({mesh.site_of(ClassifiedMesh::next(spoke)), mesh.site_of(ClassifiedMesh::prev(spoke))});
+        cavity.normal += (mesh.point_of(ClassifiedMesh::next(spoke)) - mesh.point_of(spoke))
+                             .cross(mesh.point_of(ClassifiedMesh::prev(spoke)) - mesh.point_of(spoke));
     }
     if (mesh.twin(ClassifiedMesh::prev(star.back())) < 0) {
-        polygon.base = {polygon.sides.back()[1], polygon.sides.front()[0]};
-        polygon.sides.push_back(polygon.base);
+        cavity.base = {cavity.sides.back()[1], cavity.sides.front()[0]};
+        cavity.sides.push_back(cavity.base);
     }
-    for (std::size_t i = 0; i < polygon.sides.size(); ++i) {
-        vertices.push_back(mesh.site(polygon.sides[i][0]).vertex);
-        if (polygon.sides[i][1] != polygon.sides[(i + 1) % polygon.sides.size()][0]) {
+    for (std::size_t i = 0; i < cavity.sides.size(); ++i) {
+        vertices.push_back(mesh.site(cavity.sides[i][0]).vertex);
+        if (cavity.sides[i][1] != cavity.sides[(i + 1) % cavity.sides.size()][0]) {
             return std::nullopt;  // a pole, with one site for each of its images in the parameter domain
         }
     }
@@ -78,16 +78,16 @@ std::optional<StarPolygon> star_polygon(const ClassifiedMesh& mesh, int half_edg
     if (std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end()) {
         return std::nullopt;
     }
-    return polygon;
+    return cavity;
 }
 
-std::vector<int> spokes_of(const StarPolygon& polygon, int apex_site) {
+std::vector<int> spokes_of(const RemovalCavity& cavity, int apex_site) {
     std::vector<int> ends;
-    ends.reserve(polygon.sides.size());
-    for (const auto& side : polygon.sides) {
+    ends.reserve(cavity.sides.size());
+    for (const auto& side : cavity.sides) {
         ends.push_back(side[0]);
     }
-    for (const auto& side : polygon.sides) {
+    for (const auto& side : cavity.sides) {
         if (side[0] == apex_site || side[1] == apex_site) {
             ends.erase(std::remove_if(ends.begin(), ends.end(), [&](int s) { return s == side[0] || s == side[1]; }),
                        ends.end());
@@ -96,32 +96,31 @@ std::vector<int> spokes_of(const StarPolygon& polygon, int apex_site) {
     return ends;
 }
 
-std::vector<PolygonFan> fans_of(const ClassifiedMesh& mesh, const StarPolygon& polygon, double least_angle) {
-    std::vector<PolygonFan> fans;
-    for (const auto& side : polygon.sides) {
-        PolygonFan fan = fan_from(mesh, polygon, side[0], least_angle);
+std::vector<Fan> fans_of(const ClassifiedMesh& mesh, const RemovalCavity& cavity, double least_angle) {
+    std::vector<Fan> fans;
+    for (const auto& side : cavity.sides) {
+        Fan fan = fan_from(mesh, cavity, side[0], least_angle);
         if (fan.apex_site >= 0) {
             fans.push_back(std::move(fan));
         }
     }
-    std::stable_sort(fans.begin(), fans.end(),
-                     [](const PolygonFan& a, const PolygonFan& b) { return a.angle > b.angle; });
+    std::stable_sort(fans.begin(), fans.end(), [](const Fan& a, const Fan& b) { return a.angle > b.angle; });
     return fans;
 }
 
-bool fan_aligned(const ClassifiedMesh& mesh, const StarPolygon& polygon, const PolygonFan& fan, double aligned) {
+bool fan_aligned(const ClassifiedMesh& mesh, const RemovalCavity& cavity, const Fan& fan, double aligned) {
     double worst = 1.0;
     for (const auto& t : fan.triangles) {
         worst = std::min(worst, alignment(corner_of(mesh, t[0]), corner_of(mesh, t[1]), corner_of(mesh, t[2])));
     }
-    return worst >= aligned || (worst >= kAligned && std::any_of(polygon.triangles.begin(), polygon.triangles.end(),
+    return worst >= aligned || (worst >= kAligned && std::any_of(cavity.triangles.begin(), cavity.triangles.end(),
                                                                  [&](int t) { return alignment(mesh, t) <= worst; }));
 }
 
-// All inner edges of the polygon end at its vertex, so an edge between two of its corners lies outside.
-bool fan_legal(const ClassifiedMesh& mesh, const MaxMinSwaps& maxmin, const StarPolygon& polygon, int apex_site) {
+// All inner edges of the cavity end at its vertex, so an edge between two of its corners lies outside.
+bool fan_legal(const ClassifiedMesh& mesh, const MaxMinSwaps& maxmin, const RemovalCavity& cavity, int apex_site) {
     int h = -1;  // leaves the apex
-    for (const int t : polygon.triangles) {
+    for (const int t : cavity.triangles) {
         for (int k = 3 * t; k < 3 * t + 3; ++k) {
             h = mesh.site_of(k) == apex_site ? k : h;
         }
@@ -134,7 +133,7 @@ bool fan_legal(const ClassifiedMesh& mesh, const MaxMinSwaps& maxmin, const Star
         joined.push_back(mesh.vertex_of(ClassifiedMesh::next(spoke)));
         joined.push_back(mesh.vertex_of(ClassifiedMesh::prev(spoke)));
     }
-    const std::vector<int> ends = spokes_of(polygon, apex_site);
+    const std::vector<int> ends = spokes_of(cavity, apex_site);
     return std::none_of(ends.begin(), ends.end(), [&](int site) {
         const int v = mesh.site(site).vertex;
         return v == apex || maxmin.joined(apex, v) || std::find(joined.begin(), joined.end(), v) != joined.end();
