@@ -9,17 +9,13 @@
 
 #include "base/angle.h"
 #include "base/disjoint_sets.h"
+#include "triangulate/initial/unresolved_ends.h"
 
 namespace mq::triangulate {
 
 namespace {
 
 constexpr double kMaxTurn = 0.5236;  // Radians: largest angle between the tangents along one piece (30 degrees).
-constexpr double kApart = 0.5236;    // Radians: edges at larger angles are told apart at once (30 degrees).
-// Part of the shorter of two edges along which these may be too close together to be told apart: edges that stay so for
-// longer bound a sliver, which has no other end to it. Tuned on the parts to develop on.
-constexpr double kMostUnresolved = 0.02;
-constexpr int kDeviationSamples = 16;  // Pieces of an edge, at whose ends it is compared with its curves on faces.
 // Bounds the halvings of one interval, since at a kink the tangent turns equally however short the interval is.
 constexpr int kMaxDepth = 14;
 // Largest fraction of an edge's length that the tolerance ball of a node may cover, however large its tolerance is.
@@ -66,8 +62,11 @@ EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SingleP
     collapse_short_edges(topology);
     collapse_small_faces(session);
     balls_.resize(chains_.size());
-    unresolved_.resize(chains_.size());
-    find_unresolved_ends(session);
+    std::vector<double> lengths;
+    for (std::size_t e = 0; e < chains_.size(); ++e) {
+        lengths.push_back(chains_[e].collapsed ? 0.0 : length_of(points_[e]));
+    }
+    unresolved_ = unresolved_ends(session, grid, lengths);
     for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
         suppress_near_nodes(topology, e, 1.0, points_[e]);
     }
@@ -129,8 +128,9 @@ void EdgeDiscretisation::collapse_short_edges(const geometry::Topology& topology
         const double length = length_of(points_[e]);
         double limit = grid_.shortest_side();
         if (edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1]) {
-            // To the modeller, nodes whose tolerance balls meet are one point.
-            limit = std::max(limit, topology.nodes[edge.nodes[0]].tolerance + topology.nodes[edge.nodes[1]].tolerance);
+            // To the modeller, nodes around which balls of the smaller of both tolerances meet are one point.
+            limit = std::max(limit, 2.0 * std::min(topology.nodes[edge.nodes[0]].tolerance,
+                                                   topology.nodes[edge.nodes[1]].tolerance));
         }
         if (edge.degenerate || length < limit) {
             collapse(static_cast<int>(e), edge);
@@ -170,137 +170,6 @@ void EdgeDiscretisation::collapse(int edge, const geometry::Edge& data) {
 bool EdgeDiscretisation::at_node(int edge, int end, const Vec3& point) const {
     const Ball& ball = balls_[edge][end];
     return (point - ball.centre).norm() < ball.radius;
-}
-
-namespace {
-
-// Two edges where a face has a corner: each by its index, its end there, and how far along it is looked.
-struct FaceCorner {
-    std::array<int, 2> edge;
-    std::array<int, 2> end;
-    std::vector<double> distances{};  // from the node, mm, descending
-};
-
-std::vector<FaceCorner> corners_of_faces(const geometry::Topology& topology) {
-    std::vector<FaceCorner> corners;
-    for (const geometry::Face& face : topology.faces) {
-        for (const geometry::Loop& loop : face.loops) {
-            for (std::size_t i = 0; i < loop.uses.size(); ++i) {
-                const geometry::EdgeUse& a = topology.uses[loop.uses[i]];
-                const geometry::EdgeUse& b = topology.uses[loop.uses[(i + 1) % loop.uses.size()]];
-                const FaceCorner corner{{a.edge, b.edge}, {a.forward ? 1 : 0, b.forward ? 0 : 1}};
-                const int node = topology.edges[a.edge].nodes[corner.end[0]];
-                if (a.edge != b.edge && node >= 0 && node == topology.edges[b.edge].nodes[corner.end[1]]) {
-                    corners.push_back(corner);
-                }
-            }
-        }
-    }
-    return corners;
-}
-
-// Keeps the corners whose edges leave the node at less than kApart.
-void keep_narrow(geometry::Session& session, std::vector<FaceCorner>& corners) {
-    const geometry::Topology& topology = session.topology();
-    geometry::Engine::Batch batch;
-    for (const FaceCorner& corner : corners) {
-        for (int k = 0; k < 2; ++k) {
-            const geometry::Edge& edge = topology.edges[corner.edge[k]];
-            batch.push_back(geometry::Query::edge_point(corner.edge[k], corner.end[k] == 0 ? edge.t0 : edge.t1));
-        }
-    }
-    const geometry::Engine::Answers ends = session.ask(std::move(batch));
-    const geometry::Answer* at = ends.data();
-    const auto wide = [&](const FaceCorner& corner) {
-        const Vec3 a = (corner.end[0] == corner.end[1] ? 1.0 : -1.0) * at[0].normal;
-        const bool known = at[0].found() && at[1].found();
-        const bool apart = known && angle_between(a, at[1].normal) > kApart;
-        at += 2;
-        return apart;
-    };
-    corners.erase(std::remove_if(corners.begin(), corners.end(), wide), corners.end());
-}
-
-// Returns how far at most edges lie from their curves on faces, mm, by edge: what is left of the tolerances that
-// modellers give, which are often a hundred times as large. Measured for the edges of the corners only.
-std::map<int, double> deviations(geometry::Session& session, const std::vector<FaceCorner>& corners) {
-    const geometry::Topology& topology = session.topology();
-    std::map<int, double> result;
-    for (const FaceCorner& corner : corners) {
-        result[corner.edge[0]];
-        result[corner.edge[1]];
-    }
-    geometry::Engine::Batch batch;
-    for (const auto& entry : result) {
-        const geometry::Edge& edge = topology.edges[entry.first];
-        for (int i = 0; i <= kDeviationSamples; ++i) {
-            const double t = edge.t0 + (edge.t1 - edge.t0) * i / kDeviationSamples;
-            batch.push_back(geometry::Query::edge_point(entry.first, t));
-            for (const int use : edge.uses) {
-                batch.push_back(geometry::Query::use_on_face(use, t));
-            }
-        }
-    }
-    const geometry::Engine::Answers answers = session.ask(std::move(batch));
-    const geometry::Answer* at = answers.data();
-    for (auto& [e, deviation] : result) {
-        for (int i = 0; i <= kDeviationSamples; ++i) {
-            const geometry::Answer& on_curve = *at++;
-            for (std::size_t k = 0; k < topology.edges[e].uses.size(); ++k, ++at) {
-                if (on_curve.found() && at->found()) {
-                    deviation = std::max(deviation, (at->point - on_curve.point).norm());
-                }
-            }
-        }
-        deviation = std::min(deviation, topology.edges[e].tolerance);
-    }
-    return result;
-}
-
-}  // namespace
-
-// Two edges of a face that leave a node in nearly the same direction are not told apart where they are closer together
-// than they lie from their faces, or than single precision: where modellers approximate tangent curves these cross
-// there at will. Looks how far that goes, at distances from the node that are halved.
-void EdgeDiscretisation::find_unresolved_ends(geometry::Session& session) {
-    const geometry::Topology& topology = session.topology();
-    std::vector<FaceCorner> corners = corners_of_faces(topology);
-    const auto collapsed = [&](const FaceCorner& corner) {
-        return chains_[corner.edge[0]].collapsed || chains_[corner.edge[1]].collapsed;
-    };
-    corners.erase(std::remove_if(corners.begin(), corners.end(), collapsed), corners.end());
-    keep_narrow(session, corners);
-    std::map<int, double> deviation = deviations(session, corners);
-    geometry::Engine::Batch batch;
-    for (FaceCorner& corner : corners) {
-        const double reach =
-            kMostUnresolved * std::min(length_of(points_[corner.edge[0]]), length_of(points_[corner.edge[1]]));
-        for (double distance = reach; distance > grid_.shortest_side(); distance *= 0.5) {
-            corner.distances.push_back(distance);
-            for (int k = 0; k < 2; ++k) {
-                const geometry::Edge& edge = topology.edges[corner.edge[k]];
-                const auto [from, to] = corner.end[k] == 0 ? std::pair{edge.t0, edge.t1} : std::pair{edge.t1, edge.t0};
-                batch.push_back(geometry::Query::edge_at_distance(corner.edge[k], from, to, distance));
-            }
-        }
-    }
-    const geometry::Engine::Answers answers = session.ask(std::move(batch));
-    const geometry::Answer* at = answers.data();
-    for (const FaceCorner& corner : corners) {
-        const double apart = deviation[corner.edge[0]] + deviation[corner.edge[1]] + 2.0 * grid_.resolution();
-        // From the farthest to the nearest: the last distance at which they are apart ends the stretch at the node.
-        double radius = 0.0;
-        bool together = false;
-        for (std::size_t i = 0; i < corner.distances.size(); ++i, at += 2) {
-            together = at[0].found() && at[1].found() && (at[0].point - at[1].point).norm() < apart;
-            radius = together ? radius : corner.distances[i];
-        }
-        radius = together ? radius : 0.0;
-        for (int k = 0; k < 2 && radius > 0.0; ++k) {
-            double& known = unresolved_[corner.edge[k]][corner.end[k]];
-            known = std::max(known, radius);
-        }
-    }
 }
 
 // @param points  the points of the chain, in the shape's frame; those of suppressed vertices are erased

@@ -47,8 +47,7 @@ class EdgeDiscretisation {
     /// later ones there. @return the edges that changed.
     std::set<int> suppress_near_nodes(const geometry::Topology& topology, const std::set<int>& edges,
                                       double tolerances);
-    /// Radius around an end of the edge, mm, within which it has no vertices, since it is not told apart there from the
-    /// next edge of a face; 0: there is no such stretch.
+    /// Radius around an end of the edge, mm, within which it has no vertices: see unresolved_ends.
     double unresolved(int edge, int end) const {
         return unresolved_[static_cast<std::size_t>(edge)][static_cast<std::size_t>(end)];
     }
@@ -65,7 +64,6 @@ class EdgeDiscretisation {
     bool suppress_near_nodes(const geometry::Topology& topology, int edge, double tolerances,
                              std::vector<Vec3>& points);
     bool at_node(int edge, int end, const Vec3& point) const;
-    void find_unresolved_ends(geometry::Session& session);
 
     const SinglePrecisionGrid& grid_;
     std::vector<ChainVertex> vertices_;
@@ -79,7 +77,7 @@ class EdgeDiscretisation {
         double radius = 0.0;
     };
     std::vector<std::array<Ball, 2>> balls_;         // by edge
-    std::vector<std::array<double, 2>> unresolved_;  // by edge and end: see unresolved()
+    std::vector<std::array<double, 2>> unresolved_;  // by edge and end: see unresolved_ends
 };
 
 }  // namespace mq::triangulate

@@ -254,6 +254,9 @@ bool SegmentSplitter::far_enough(int segment, const Vec3& point) const {
 // Returns the radius around that end within which the segment's edge has no vertices; 0 unless it is an end of the
 // edge.
 double SegmentSplitter::unresolved(int segment, int end) const {
+    if (work_.unresolved.empty()) {
+        return 0.0;
+    }
     const ClassifiedMesh::Segment& s = work_.mesh.segment(segment);
     const geometry::Edge& edge = work_.session.topology().edges[s.edge];
     return s.t[end] == edge.t0 ? work_.unresolved[s.edge][0] : s.t[end] == edge.t1 ? work_.unresolved[s.edge][1] : 0.0;

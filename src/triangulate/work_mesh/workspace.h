@@ -58,7 +58,7 @@ struct Workspace {
     TriangleMarks settled{};  ///< triangles from an earlier run, with good angles or exempt in that run
     geometry::CadSamples span_points{session, grid};
     /// By CAD edge: radius around each of its ends, mm, within which no vertices are placed on it (see
-    /// EdgeDiscretisation::unresolved).
+    /// unresolved_ends); empty: none.
     std::vector<std::array<double, 2>> unresolved{};
     double unseen = 0.0;              ///< mm: normals that turn within a smaller length need not be resolved
     std::size_t left_by_mending = 0;  ///< triangles below the bound when the attempts of mending were used up

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/initial/unresolved_ends.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "base/angle.h"
+
+namespace mq::triangulate {
+
+namespace {
+
+constexpr double kApart = 0.5236;  // Radians: edges at larger angles are told apart at once (30 degrees).
+// Part of the shorter of two edges along which these may be too close together to be told apart: edges that stay so for
+// longer bound a sliver, which has no other end to it. Tuned on the parts to develop on.
+constexpr double kMostUnresolved = 0.02;
+constexpr int kDeviationSamples = 16;  // Pieces of an edge, at whose ends it is compared with its curves on faces.
+
+// Two edges where a face has a corner: each by its index, its end there, and how far along it is looked.
+struct FaceCorner {
+    std::array<int, 2> edge;
+    std::array<int, 2> end;
+    std::vector<double> distances{};  // from the node, mm, descending
+};
+
+std::vector<FaceCorner> corners_of_faces(const geometry::Topology& topology) {
+    std::vector<FaceCorner> corners;
+    for (const geometry::Face& face : topology.faces) {
+        for (const geometry::Loop& loop : face.loops) {
+            for (std::size_t i = 0; i < loop.uses.size(); ++i) {
+                const geometry::EdgeUse& a = topology.uses[loop.uses[i]];
+                const geometry::EdgeUse& b = topology.uses[loop.uses[(i + 1) % loop.uses.size()]];
+                const FaceCorner corner{{a.edge, b.edge}, {a.forward ? 1 : 0, b.forward ? 0 : 1}};
+                const int node = topology.edges[a.edge].nodes[corner.end[0]];
+                if (a.edge != b.edge && node >= 0 && node == topology.edges[b.edge].nodes[corner.end[1]]) {
+                    corners.push_back(corner);
+                }
+            }
+        }
+    }
+    return corners;
+}
+
+// Keeps the corners whose edges leave the node at less than kApart.
+void keep_narrow(geometry::Session& session, std::vector<FaceCorner>& corners) {
+    const geometry::Topology& topology = session.topology();
+    geometry::Engine::Batch batch;
+    for (const FaceCorner& corner : corners) {
+        for (int k = 0; k < 2; ++k) {
+            const geometry::Edge& edge = topology.edges[corner.edge[k]];
+            batch.push_back(geometry::Query::edge_point(corner.edge[k], corner.end[k] == 0 ? edge.t0 : edge.t1));
+        }
+    }
+    const geometry::Engine::Answers ends = session.ask(std::move(batch));
+    const geometry::Answer* at = ends.data();
+    const auto wide = [&](const FaceCorner& corner) {
+        const Vec3 a = (corner.end[0] == corner.end[1] ? 1.0 : -1.0) * at[0].normal;
+        const bool known = at[0].found() && at[1].found();
+        const bool apart = known && angle_between(a, at[1].normal) > kApart;
+        at += 2;
+        return apart;
+    };
+    corners.erase(std::remove_if(corners.begin(), corners.end(), wide), corners.end());
+}
+
+// Returns how far at most edges lie from their curves on faces, mm, by edge: what is left of the tolerances that
+// modellers give, which are often a hundred times as large. Measured for the edges of the corners only.
+std::map<int, double> deviations(geometry::Session& session, const std::vector<FaceCorner>& corners) {
+    const geometry::Topology& topology = session.topology();
+    std::map<int, double> result;
+    for (const FaceCorner& corner : corners) {
+        result[corner.edge[0]];
+        result[corner.edge[1]];
+    }
+    geometry::Engine::Batch batch;
+    for (const auto& entry : result) {
+        const geometry::Edge& edge = topology.edges[entry.first];
+        for (int i = 0; i <= kDeviationSamples; ++i) {
+            const double t = edge.t0 + (edge.t1 - edge.t0) * i / kDeviationSamples;
+            batch.push_back(geometry::Query::edge_point(entry.first, t));
+            for (const int use : edge.uses) {
+                batch.push_back(geometry::Query::use_on_face(use, t));
+            }
+        }
+    }
+    const geometry::Engine::Answers answers = session.ask(std::move(batch));
+    const geometry::Answer* at = answers.data();
+    for (auto& [e, deviation] : result) {
+        for (int i = 0; i <= kDeviationSamples; ++i) {
+            const geometry::Answer& on_curve = *at++;
+            for (std::size_t k = 0; k < topology.edges[e].uses.size(); ++k, ++at) {
+                if (on_curve.found() && at->found()) {
+                    deviation = std::max(deviation, (at->point - on_curve.point).norm());
+                }
+            }
+        }
+        deviation = std::min(deviation, topology.edges[e].tolerance);
+    }
+    return result;
+}
+
+// Lists the distances from the node at which the edges of each corner are compared, and the questions for their points.
+geometry::Engine::Batch places(const geometry::Topology& topology, const std::vector<double>& lengths, double shortest,
+                               std::vector<FaceCorner>& corners) {
+    geometry::Engine::Batch batch;
+    for (FaceCorner& corner : corners) {
+        const double reach = kMostUnresolved * std::min(lengths[corner.edge[0]], lengths[corner.edge[1]]);
+        for (double distance = reach; distance > shortest; distance *= 0.5) {
+            corner.distances.push_back(distance);
+            for (int k = 0; k < 2; ++k) {
+                const geometry::Edge& edge = topology.edges[corner.edge[k]];
+                const auto [from, to] = corner.end[k] == 0 ? std::pair{edge.t0, edge.t1} : std::pair{edge.t1, edge.t0};
+                batch.push_back(geometry::Query::edge_at_distance(corner.edge[k], from, to, distance));
+            }
+        }
+    }
+    return batch;
+}
+
+}  // namespace
+
+std::vector<std::array<double, 2>> unresolved_ends(geometry::Session& session, const SinglePrecisionGrid& grid,
+                                                   const std::vector<double>& lengths) {
+    const geometry::Topology& topology = session.topology();
+    std::vector<FaceCorner> corners = corners_of_faces(topology);
+    const auto collapsed = [&](const FaceCorner& corner) {
+        return !(lengths[corner.edge[0]] > 0.0) || !(lengths[corner.edge[1]] > 0.0);
+    };
+    corners.erase(std::remove_if(corners.begin(), corners.end(), collapsed), corners.end());
+    keep_narrow(session, corners);
+    std::map<int, double> deviation = deviations(session, corners);
+    const geometry::Engine::Answers answers = session.ask(places(topology, lengths, grid.shortest_side(), corners));
+    const geometry::Answer* at = answers.data();
+    std::vector<std::array<double, 2>> result(topology.edges.size(), {0.0, 0.0});
+    for (const FaceCorner& corner : corners) {
+        const double apart = deviation[corner.edge[0]] + deviation[corner.edge[1]] + 2.0 * grid.resolution();
+        // From the farthest to the nearest: the last distance at which they are apart ends the stretch at the node.
+        double radius = 0.0;
+        bool together = false;
+        for (std::size_t i = 0; i < corner.distances.size(); ++i, at += 2) {
+            together = at[0].found() && at[1].found() && (at[0].point - at[1].point).norm() < apart;
+            radius = together ? radius : corner.distances[i];
+        }
+        radius = together ? radius : 0.0;
+        for (int k = 0; k < 2 && radius > 0.0; ++k) {
+            double& known = result[corner.edge[k]][corner.end[k]];
+            known = std::max(known, radius);
+        }
+    }
+    return result;
+}
+
+}  // namespace mq::triangulate
