@@ -12,8 +12,8 @@ namespace mq::triangulate {
 namespace {
 
 constexpr double kApart = 0.5236;  // Radians: edges at larger angles are told apart at once (30 degrees).
-// Part of the shorter of two edges along which these may be too close together to be told apart: edges that stay so for
-// longer bound a sliver, which has no other end to it. Tuned on the parts to develop on.
+// Fraction of the shorter of two edges along which these may be too close together to be told apart: edges that stay so
+// for longer bound a sliver, which has no other end to it. Tuned on the parts to develop on.
 constexpr double kMostUnresolved = 0.02;
 constexpr int kDeviationSamples = 16;  // Pieces of an edge, at whose ends it is compared with its curves on faces.
 
