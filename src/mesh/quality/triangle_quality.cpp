@@ -50,9 +50,12 @@ Sides sides_of(const std::array<Vec3, 3>& p) {
     const double longest = s.length[s.longest];
     const bool has_length = s.side[0] != Vec3::Zero() || s.side[1] != Vec3::Zero();
     if (longest > kLong || (longest < kShort && has_length)) {
-        const double scale = scale_of(p);
-        s = sides_of({p[0] * scale, p[1] * scale, p[2] * scale});
-        s.scale = scale;
+        // Short sides may lie far from the origin: the sides are to be scaled then, not the corners.
+        const Vec3 origin = longest > kLong ? Vec3(Vec3::Zero()) : p[0];
+        const std::array<Vec3, 3> local{p[0] - origin, p[1] - origin, p[2] - origin};
+        const double scale = scale_of(local);
+        s = sides_of({local[0] * scale, local[1] * scale, local[2] * scale});
+        s.scale *= scale;
         return s;
     }
     const int i = (s.longest + 1) % 3, j = (s.longest + 2) % 3;

@@ -42,6 +42,15 @@ TEST(TriangleShape, IsTheSameAtAnySize) {
     EXPECT_EQ(shape_of({1e-200 * p[0], 1e-200 * p[1], 1e-200 * p[2]}).area, 0.0);
 }
 
+TEST(TriangleShape, OfShortSidesFarFromTheOriginIsKnown) {
+    for (const double size : {1e-100, 1e-200, 1e-300}) {
+        const TriangleShape shape = shape_of({Vec3(1, 0, 0), Vec3(1, size, 0), Vec3(1, 0, size)});
+        EXPECT_NEAR(shape.min_angle, 45.0, 1e-12) << size;
+        EXPECT_NEAR(shape.max_angle, 90.0, 1e-12) << size;
+        EXPECT_FALSE(shape.degenerate) << size;
+    }
+}
+
 TEST(TriangleShape, AnglesOfKnownTriangles) {
     EXPECT_NEAR(min_angle_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}), 45.0, 1e-12);
     EXPECT_NEAR(min_angle_of({Vec3(0, 0, 0), Vec3(std::sqrt(3.0), 0, 0), Vec3(0, 0, 1)}), 30.0, 1e-12);
