@@ -13,7 +13,7 @@ import time
 
 import inside_freecad
 import numpy as np
-from made_meshes import sphere
+from made_meshes import box, sphere
 
 
 def parser():
@@ -21,14 +21,6 @@ def parser():
     result.add_argument("--operations", type=int, default=200)
     result.add_argument("-n", type=int, default=3, dest="runs", help="runs of each case")
     return result
-
-
-def box(size, place):
-    """(V, F) of a box with a corner at `place`."""
-    corners = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
-    triangles = [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
-                 [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]]
-    return (corners * size + place).astype(np.float32), np.array(triangles, np.int32)
 
 
 def carve(count):

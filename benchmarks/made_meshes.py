@@ -62,3 +62,11 @@ def crumpled_sheet(level):
     a = (x[:-1, :-1] + y[:-1, :-1] * (cells + 1)).ravel()
     c = a + cells + 2
     return vertices, np.vstack([np.stack([a, a + 1, c], axis=1), np.stack([a, c, c - 1], axis=1)])
+
+
+def box(size, place):
+    """(V, F) of a box with a corner at `place`."""
+    corners = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
+    triangles = [[0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
+                 [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5]]
+    return (corners * size + place).astype(np.float32), np.array(triangles, np.int32)
