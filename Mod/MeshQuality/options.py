@@ -339,7 +339,7 @@ CURVED_DISPLAY = (
 
 
 # Changes no result, and so is no property of objects.
-THREADS = Option("threads", int, 0, low=0, high=1024, above=False, title="Threads",
+THREADS = Option("threads", int, 0, low=0, high=1024, above=False, group="Speed", title="Threads",
                  help="Threads that work at a time; 0: one for each core")
 BOOLEAN = (
     Option("operation", str, "union", choices=OPERATIONS, group="Boolean", title="Operation",
@@ -548,6 +548,8 @@ def bound_from_properties(bound, values):
     """The two values of the bound on the distance from those of their properties: of which of BOUNDS
     is chosen the other one has no effect.
     """
+    if bound not in BOUNDS:  # a script may give the property other choices
+        raise InvalidInput(f"DistanceBound = {bound!r} is not allowed: it must be one of {', '.join(BOUNDS)}")
     chord, relative = (values[name] for name in DISTANCE)
     return {DISTANCE[0]: {ABSOLUTE: chord or 0.0, UNBOUNDED: NO_BOUND, RELATIVE: None}[bound],
             DISTANCE[1]: relative if bound == RELATIVE else None}

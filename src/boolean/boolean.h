@@ -20,8 +20,8 @@ struct BooleanOptions {
     /// Cells along the longest side of the operands' box; the tolerance is then sqrt(3) times the side of a cell, the
     /// bound of Wang 2010, section IV.A.
     int resolution = 512;
-    /// Threads that work at a time; 0: one for each core, or as many as MESHQUALITY_THREADS says. The result is the same
-    /// for any number.
+    /// Threads that work at a time; 0: one for each core, or as many as MESHQUALITY_THREADS says. The result is the
+    /// same for any number.
     int threads = 0;
 
     /// The tolerance in mm: as it was requested, else that of the resolution for operands whose box has this longest

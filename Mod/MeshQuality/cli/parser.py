@@ -22,7 +22,7 @@ OUTPUTS = {"triangulate": FLAT_SUFFIXES + CURVED_SUFFIXES,
            "improve": FLAT_SUFFIXES + CURVED_SUFFIXES, "boolean": FLAT_SUFFIXES + CURVED_SUFFIXES,
            "quality": ()}
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
-          "improve": options.IMPROVE, "boolean": options.BOOLEAN, "quality": ()}
+          "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": ()}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
