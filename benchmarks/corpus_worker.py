@@ -40,8 +40,8 @@ def read_shape(path):
 
 def holds_faces(thing):
     """Whether a document object has a shape with faces."""
-    shape = getattr(thing, "Shape", None)
-    return shape is not None and not shape.isNull() and bool(shape.Faces)
+    shape = getattr(thing, "Shape", None)  # of documents' own properties some are called so
+    return isinstance(shape, Part.Shape) and not shape.isNull() and bool(shape.Faces)
 
 
 def is_step(thing):
