@@ -10,7 +10,9 @@ import numbers
 import re
 from dataclasses import dataclass, field
 
+from . import phrases
 from .errors import InvalidInput
+from .phrases import Text
 
 METHODS = ("refine", "star", "sprinkle")
 CONNECTIVITIES = ("pseudo-delaunay", "parametric")
@@ -127,15 +129,16 @@ class Option:
         if self.kind is bool:
             return "True or False"
         if self.is_sizes:
-            return "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2"
+            return Text(phrases.LOCAL_SIZES)
+        is_length = self.unit == "mm"
+        unit = "" if is_length or not self.unit else f" {self.unit}"
         end = f", or {NO_BOUND!r}" if self.can_be_unbounded else ""
-        unit = f" {self.unit}" if self.unit else ""
-        parts = []
-        if self.low is not None:
-            parts.append(f"{'greater than' if self.above else 'at least'} {self.low:.10g}")
-        if self.high is not None:
-            parts.append(f"at most {self.high:.10g}")
-        return " and ".join(parts) + unit + end
+        bounds = [(words, bound) for words, bound in (("greater than" if self.above else "at least", self.low),
+                                                      ("at most", self.high)) if bound is not None]
+        names = [f"{'length' if is_length else 'number'}{'' if i == 0 else i + 1}" for i in range(len(bounds))]
+        phrase = " and ".join(f"{words} {{{name}}}" for (words, _), name in zip(bounds, names)) + unit + end
+        return Text(phrase, **{name: f"{bound:.10g}{' mm' if is_length else ''}"
+                               for (_, bound), name in zip(bounds, names)})
 
     def checked(self, value):
         """The value as a plain int, float, bool, str, dict or None.
@@ -157,10 +160,16 @@ class Option:
             value = _plain_number(value, self)
             good = self._in_range(value)
         if not good:
-            unit = " mm" if self.unit == "mm" else ""
-            raise InvalidInput(f"{self.name} = {value!r}{unit} is not allowed: it must be "
-                               f"{self.range_text}")
+            raise self._not_allowed(value)
         return value
+
+    def _not_allowed(self, value):
+        """The error of a value out of range."""
+        if self.unit == "mm" and isinstance(value, (int, float)):
+            said = Text(phrases.LENGTH_NOT_ALLOWED, option=self.name, length=f"{value!r} mm", range=self.range_text)
+        else:
+            said = Text(phrases.NOT_ALLOWED, option=self.name, value=repr(value), range=self.range_text)
+        return InvalidInput(said)
 
     def _in_range(self, value):
         if isinstance(value, float) and not math.isfinite(value):
@@ -188,8 +197,7 @@ def _plain_number(value, option):
     if type(value).__name__ == "Quantity" and hasattr(value, "Unit"):
         expected = {"degrees": "Angle", "mm": "Length"}.get(option.unit)
         if value.Unit.Type not in (expected, ""):
-            raise InvalidInput(f"{option.name} = {value} is not allowed: it must be "
-                               f"{option.range_text}")
+            raise InvalidInput(Text(phrases.NOT_ALLOWED, option=option.name, value=str(value), range=option.range_text))
         value = value.Value
     wanted = numbers.Integral if option.kind is int else numbers.Real
     try:
@@ -199,8 +207,8 @@ def _plain_number(value, option):
         return math.inf
     except (TypeError, ValueError):  # of a type that says it is a number
         pass
-    what = "a whole number" if option.kind is int else "a number"
-    raise InvalidInput(f"{option.name} = {value!r} is not allowed: it must be {what}, {option.range_text}")
+    raise InvalidInput(Text(phrases.NOT_A_WHOLE_NUMBER if option.kind is int else phrases.NOT_A_NUMBER,
+                            option=option.name, value=repr(value), range=option.range_text))
 
 
 def _checked_sizes(value, option):
@@ -213,8 +221,7 @@ def _checked_sizes(value, option):
         found = None
     if found is None or not all(_NAME.fullmatch(name) and math.isfinite(length) and length > 0
                                 for name, length in found.items()):
-        raise InvalidInput(f"{option.name} = {value!r} is not allowed: it must be "
-                           f"{option.range_text}")
+        raise InvalidInput(Text(phrases.NOT_ALLOWED, option=option.name, value=repr(value), range=option.range_text))
     return found or None
 
 
@@ -453,12 +460,11 @@ def takes_aliases(table, **others):
 def _check_sizes(values):
     chord, relative = (values.get(name) for name in DISTANCE)
     if chord is not None and relative is not None:
-        what = "'none'" if chord == NO_BOUND else f"{chord:g} mm"
-        raise InvalidInput(f"chord_height = {what} and chord_height_relative = {relative:g} "
-                           "exclude each other: give one of them")
+        raise InvalidInput(Text(phrases.NO_BOUND_AND_BOUND, number=f"{relative:g}") if chord == NO_BOUND else
+                           Text(phrases.TWO_BOUNDS, length=f"{chord:g} mm", number=f"{relative:g}"))
     low, high = values.get("min_edge"), values.get("max_edge")
     if low is not None and high is not None and low > high:
-        raise InvalidInput(f"min_edge = {low:g} mm is longer than max_edge = {high:g} mm")
+        raise InvalidInput(Text(phrases.MIN_ABOVE_MAX, length=f"{low:g} mm", length2=f"{high:g} mm"))
 
 
 def has_distance(table):

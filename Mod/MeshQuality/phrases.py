@@ -8,16 +8,14 @@ phrase and what stands in the places, a Text again or a value: by these it is tr
 {length} stands a number with " mm", for which the window has the user's unit. Angles are in degrees
 everywhere; of their numbers, as of all, the window changes the decimal point alone.
 
-Errors, and what documents of older versions hold, are plain text: that is taken apart by the phrases (`read`).
+A plain text stays as it is, but for its lengths: what documents of older versions hold, and errors that name faults
+of single files or shapes.
 """
 
 import json
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
-
-from . import options
 
 # The verdict on a mesh.
 MET, NOT_MET = "met", "not met"
@@ -112,55 +110,64 @@ TAKEN_OUT = "it is made of {name} and cannot lie in that, as each would wait for
             "follows from outside, too"
 
 # Errors that a panel can meet.
-ERRORS = (
-    IN_ITS_SOURCE,
-    TAKEN_OUT,
+BOUND_BY_EXPRESSION = (
     "{option} cannot be changed: the property {name} of {name2} is set by the expression {value}; clear that first, by "
-    "{name3} or in the property editor",
-    "{option} = {value} is not allowed: it must be a whole number, {range}",
-    "{option} = {value} is not allowed: it must be a number, {range}",
-    "{option} = {length} is not allowed: it must be {range}",
-    "{option} = {value} is not allowed: it must be {range}",
-    "chord_height = {length} and chord_height_relative = {number} exclude each other: give one of them",
-    "chord_height = 'none' and chord_height_relative = {number} exclude each other: give one of them",
-    "min_edge = {length} is longer than max_edge = {length2}",
-    "Source is empty: choose an object with a shape",
-    "Source is not a mesh: choose one object with a mesh",
-    "Sources has 1 object: choose two or more with a mesh or a shape",
-    "Sources has {count} objects: choose two or more with a mesh or a shape",
-    "{name} is null: it has no geometry; recompute the document, if it is new",
-    "{name} is null: it has no geometry",
-    "{name} has no faces (its type is {name2}): give a solid, a shell or faces",
-    "{name} has no triangles",
-    "local_sizes names {value}, but {name} does not hold that: select it again in the 3D view",
-    "Source is empty: the source was deleted; choose another one, or delete this mesh",
-    "The source was deleted. Close this panel.",
-    "The document was closed. Close this panel.",
+    "{name3} or in the property editor")
+NOT_A_WHOLE_NUMBER = "{option} = {value} is not allowed: it must be a whole number, {range}"
+NOT_A_NUMBER = "{option} = {value} is not allowed: it must be a number, {range}"
+LENGTH_NOT_ALLOWED = "{option} = {length} is not allowed: it must be {range}"
+NOT_ALLOWED = "{option} = {value} is not allowed: it must be {range}"
+TWO_BOUNDS = "chord_height = {length} and chord_height_relative = {number} exclude each other: give one of them"
+NO_BOUND_AND_BOUND = "chord_height = 'none' and chord_height_relative = {number} exclude each other: give one of them"
+MIN_ABOVE_MAX = "min_edge = {length} is longer than max_edge = {length2}"
+NO_SOURCE = "Source is empty: choose an object with a shape"
+NO_MESH = "Source is not a mesh: choose one object with a mesh"
+FEW_SOURCES = ("Sources has 1 object: choose two or more with a mesh or a shape",
+               "Sources has {count} objects: choose two or more with a mesh or a shape")
+IS_NULL_RECOMPUTE = "{name} is null: it has no geometry; recompute the document, if it is new"
+IS_NULL_HIDDEN = "{name} is null: it has no geometry; what is hidden in a container does not count: show it"
+IS_NULL = "{name} is null: it has no geometry"
+NO_FACES = "{name} has no faces (its type is {name2}): give a solid, a shell or faces"
+NO_TRIANGLES = "{name} has no triangles"
+NO_SUCH_ELEMENT = "local_sizes names {value}, but {name} does not hold that: select it again in the 3D view"
+SOURCE_DELETED = "Source is empty: the source was deleted; choose another one, or delete this mesh"
+SOURCE_GONE = "The source was deleted. Close this panel."
+DOCUMENT_CLOSED = "The document was closed. Close this panel."
+ERRORS = (
+    IN_ITS_SOURCE, TAKEN_OUT, BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
+    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_MESH, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
+    IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
-# Likewise, of the core. What it says of single faults of shapes stays as it is.
-CORE_ERRORS = (
-    "the shape has no solids to fill: leave volume off to curve its faces",
-    "the shape has no faces with an area: give a solid, a shell or faces",
-    "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest",
-    "chord_height is {length}: single precision holds this shape to {length2} only; choose a larger value",
-    "tolerance is {length}: single precision holds these operands to {length2} only; choose a larger value",
-    "deviation is {length}: single precision holds this mesh to {length2} only; choose a larger value",
-    "{option} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value",
-    "the local size of {name} is {length}: single precision holds edges of this shape from {length2} on; choose a "
-    "larger value",
-    "method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; choose "
-    "a resolution of at most {count2}, a tolerance of at least {length}, or method 'default'",
-    "a deviation of {length} takes more than {count} triangles: ask for a larger one",
-    "tolerance is {length}: method 'uniform' reaches {length2} with the most rays that it can use; ask for more "
-    "than that, or use method 'default'",
-    "a local size is given for {name}, but the shape has {count} {name2}",
-    "order is {count}: it goes from 1 to {count2} for volumes",
-    "filling the surface with tetrahedra did not come to an end: its triangles do not fit each other "
-    "across thin walls; ask for a smaller chord height or shorter edges",
-    "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "
-    "walls are too thin for its triangles; ask for a smaller chord height",
-    "{name} has no triangle with an area that encloses a volume",
-)
+# Likewise, of the core: the build compiles these into it (tools/core_phrases). What it says of single faults of shapes
+# is plain text.
+CORE_ERRORS = {
+    "no_solids": "the shape has no solids to fill: leave volume off to curve its faces",
+    "no_faces": "the shape has no faces with an area: give a solid, a shell or faces",
+    "not_triangulated": "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest",
+    "fine_chord_height":
+        "chord_height is {length}: single precision holds this shape to {length2} only; choose a larger value",
+    "fine_tolerance":
+        "tolerance is {length}: single precision holds these operands to {length2} only; choose a larger value",
+    "fine_deviation":
+        "deviation is {length}: single precision holds this mesh to {length2} only; choose a larger value",
+    "short_edges": "{option} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value",
+    "short_local_size": "the local size of {name} is {length}: single precision holds edges of this shape from {length2} "
+                        "on; choose a larger value",
+    "much_memory": "method 'uniform' would take about {number} GB at the resolution {count}: it can take {number2} GB; "
+                   "choose a resolution of at most {count2}, a tolerance of at least {length}, or method 'default'",
+    "many_triangles": "a deviation of {length} takes more than {count} triangles: ask for a larger one",
+    "many_rays": "tolerance is {length}: method 'uniform' reaches {length2} with the most rays that it can use; ask for "
+                 "more than that, or use method 'default'",
+    "no_such_entity": "a local size is given for {name}, but the shape has {count} {name2}",
+    "volume_order": "order is {count}: it goes from 1 to {count2} for volumes",
+    "filling_without_end": "filling the surface with tetrahedra did not come to an end: its triangles do not fit each "
+                           "other across thin walls; ask for a smaller chord height or shorter edges",
+    "not_filled": "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "
+                  "walls are too thin for its triangles; ask for a smaller chord height",
+    "fault_in_solid": "{solid}: {phrase} ({value})",
+    "no_enclosed_volume": "{name} has no triangle with an area that encloses a volume",
+}
+LOCAL_SIZES = "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2"
 RANGES = (
     "greater than {number} and at most {number2} degrees",
     "greater than {number} and at most {number2}",
@@ -169,7 +176,7 @@ RANGES = (
     "greater than {length}",
     "greater than {number}",
     "at least {number}",
-    "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2",
+    LOCAL_SIZES,
 )
 
 # Between the others and whatever they end with, hence last.
@@ -216,81 +223,70 @@ STAGES = {
     # What the work can wait for, without being able to interrupt it.
     "comparing the shape": "comparing the shape with the last one",
     "measuring the size": "measuring the size of the shape",
-    "waits for FreeCAD: adding the mesh to the document": "waits for FreeCAD: adding the mesh to the document",
 }
-_WAITS_FOR_KERNEL = "waits for OpenCASCADE: {stage}"
-_STAGES_OF_PARTS = ("checking {name}", "reading {name}", "measuring the volume of {name}")
-_WAITS = (_WAITS_FOR_KERNEL, "waits for the shape engine, used by {name}", *_STAGES_OF_PARTS)
+# Parts of a stage that work cannot interrupt, of the core too.
+WAITS_FOR_KERNEL = "waits for OpenCASCADE: {stage}"
+WAITS_FOR_ENGINE = "waits for the shape engine, used by {name}"
+OTHER_WORK = "other work"
+CHECKING, READING, MEASURING_VOLUME = "checking {name}", "reading {name}", "measuring the volume of {name}"
+ADDING = "waits for FreeCAD: adding the mesh to the document"
+CORE_WAITS = {
+    "waits_for_kernel": WAITS_FOR_KERNEL, "waits_for_engine": WAITS_FOR_ENGINE, "other_work": OTHER_WORK,
+    "checking": CHECKING, "reading": READING, "measuring_volume": MEASURING_VOLUME,
+}
+_WAITS = (*CORE_WAITS.values(), ADDING)
 _KERNEL_STILL_WORKS, _STILL_WORKS = "OpenCASCADE still finishes: {stage}", "still finishes: {stage}"
 
 # What is said in a panel where the English text is made for scripts.
 _SHOWN = {
-    "{option} = {value} is not allowed: it must be a whole number, {range}":
-        "{option}: {value} is not possible, it must be a whole number, {range}",
-    "{option} = {value} is not allowed: it must be a number, {range}":
-        "{option}: {value} is not possible, it must be a number, {range}",
-    "{option} = {length} is not allowed: it must be {range}":
-        "{option}: {length} is not possible, it must be {range}",
-    "{option} = {value} is not allowed: it must be {range}":
-        "{option}: {value} is not possible, it must be {range}",
-    "chord_height = {length} and chord_height_relative = {number} exclude each other: give one of them":
-        "The max. deviation is given twice, as {length} and as {number} of the size: give one of them",
-    "chord_height = 'none' and chord_height_relative = {number} exclude each other: give one of them":
-        "The max. deviation is given twice, as unlimited and as {number} of the size: give one of them",
-    "min_edge = {length} is longer than max_edge = {length2}":
-        "The shortest edge of {length} is longer than the longest edge of {length2}",
+    NOT_A_WHOLE_NUMBER: "{option}: {value} is not possible, it must be a whole number, {range}",
+    NOT_A_NUMBER: "{option}: {value} is not possible, it must be a number, {range}",
+    LENGTH_NOT_ALLOWED: "{option}: {length} is not possible, it must be {range}",
+    NOT_ALLOWED: "{option}: {value} is not possible, it must be {range}",
+    TWO_BOUNDS: "The max. deviation is given twice, as {length} and as {number} of the size: give one of them",
+    NO_BOUND_AND_BOUND: "The max. deviation is given twice, as unlimited and as {number} of the size: give one of them",
+    MIN_ABOVE_MAX: "The shortest edge of {length} is longer than the longest edge of {length2}",
     "greater than {length}, or 'none'": "greater than {length}, or without a limit",
-    "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2":
-        "lengths greater than 0 by sub-elements, such as Face3=0.5 mm, Edge7=0.2 mm",
-    "a further point would make an edge shorter than min_edge":
-        "a further point would make an edge shorter than the shortest that is allowed",
-    "the triangle limit max_triangles was reached": "the triangle limit was reached",
-    "the shape has no solids to fill: leave volume off to curve its faces":
-        "The shape has no solids to fill with tetrahedra: switch that off to curve its faces",
-    "no triangulation of {value}. Repair the shape, or allow missing faces to mesh the rest":
-        "Faces cannot be meshed: {value}. Repair the shape (Part - Check geometry), or choose to skip "
-        "faces that fail under More options",
-    "chord_height is {length}: single precision holds this shape to {length2} only; choose a larger value":
-        "A max. deviation of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
-        "larger value",
-    "tolerance is {length}: single precision holds these operands to {length2} only; choose a larger value":
-        "A tolerance of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger "
-        "value",
-    "deviation is {length}: single precision holds this mesh to {length2} only; choose a larger value":
-        "A display accuracy of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
-        "larger value",
-    "a deviation of {length} takes more than {count} triangles: ask for a larger one":
-        "A display accuracy of {length} takes more than {count} triangles. Choose a larger value",
-    "tolerance is {length}: method 'uniform' reaches {length2} with the most rays that it can use; ask for more "
-    "than that, or use method 'default'":
-        "A tolerance of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger "
-        "tolerance or exact intersection as the method",
-    "a local size is given for {name}, but the shape has {count} {name2}":
-        "A local size is given for {name}, but the shape has only {count} of these",
-    "order is {count}: it goes from 1 to {count2} for volumes":
-        "Tetrahedra of order {count} are not possible: choose an order from 1 to {count2}",
-    "the surface could not be filled with tetrahedra (the mesher says: {value}): it meets itself, or "
-    "walls are too thin for its triangles; ask for a smaller chord height":
-        "The surface could not be filled with tetrahedra: it intersects itself, or walls are too thin for "
-        "its triangles. Choose a smaller max. deviation ({value})",
-    "filling the surface with tetrahedra did not come to an end: its triangles do not fit each other "
-    "across thin walls; ask for a smaller chord height or shorter edges":
-        "The surface could not be filled with tetrahedra: its triangles do not fit each other across thin "
-        "walls. Choose a smaller max. deviation or shorter edges",
+    LOCAL_SIZES: "lengths greater than 0 by sub-elements, such as Face3=0.5 mm, Edge7=0.2 mm",
+    EXEMPT["min_edge"]: "a further point would make an edge shorter than the shortest that is allowed",
+    EXEMPT["budget"]: "the triangle limit was reached",
+    **{CORE_ERRORS[name]: shown for name, shown in {
+        "no_solids": "The shape has no solids to fill with tetrahedra: switch that off to curve its faces",
+        "not_triangulated":
+            "Faces cannot be meshed: {value}. Repair the shape (Part - Check geometry), or choose to skip "
+            "faces that fail under More options",
+        "fine_chord_height":
+            "A max. deviation of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
+            "larger value",
+        "fine_tolerance":
+            "A tolerance of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a larger "
+            "value",
+        "fine_deviation":
+            "A display accuracy of {length} is below the single precision of meshes in FreeCAD, here {length2}. Choose a "
+            "larger value",
+        "many_triangles":
+            "A display accuracy of {length} takes more than {count} triangles. Choose a larger value",
+        "many_rays":
+            "A tolerance of {length} is not possible with sampling, which reaches {length2} at best. Choose a larger "
+            "tolerance or exact intersection as the method",
+        "no_such_entity":
+            "A local size is given for {name}, but the shape has only {count} of these",
+        "volume_order":
+            "Tetrahedra of order {count} are not possible: choose an order from 1 to {count2}",
+        "not_filled":
+            "The surface could not be filled with tetrahedra: it intersects itself, or walls are too thin for "
+            "its triangles. Choose a smaller max. deviation ({value})",
+        "filling_without_end":
+            "The surface could not be filled with tetrahedra: its triangles do not fit each other across thin "
+            "walls. Choose a smaller max. deviation or shorter edges",
+    }.items()},
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LENGTH = rf"{_NUMBER} mm"
-_KINDS = {
-    "count": r"\d[\d,]*", "number": _NUMBER, "length": _LENGTH, "face": r"Face\d+", "edge": r"Edge\d+",
-    "vertex": r"(?:Vertex|Edge|Face)\d+", "solid": r"Solid\d+", "option": r"\w+", "value": ".+?",
-    "name": ".+?", "phrase": ".+", "list": ".+", "range": ".+", "text": ".+", "stage": ".+",
-}
 _LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT)
-_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *CORE_ERRORS, *RANGES, *ENDINGS)
-_TABLE = frozenset(_PHRASES)
-_SENTENCES = re.compile(r"(?<=\.) (?=[A-Z0-9])")
-_LENGTHS = re.compile(rf"(?<![\w.]){_LENGTH}(?!\w)")
+_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
+_TABLE = frozenset((*_PHRASES, *_WAITS))
+_LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")
 
 
 @dataclass(frozen=True)
@@ -301,11 +297,13 @@ class Wording:
     number     number(text such as "4.57" or "1,203") -> text as the user writes numbers
     lengths    lengths(texts such as ["0.0171 mm", "0.01 mm"]) -> as many texts in the user's unit, different
                ones where the lengths differ
+    title      title(name of an option) -> its name in panels
     """
 
     translate: Callable = str
     number: Callable = str
     lengths: Callable = list
+    title: Callable = str
 
 
 class Text(str):
@@ -390,9 +388,8 @@ def texts():
 
 
 def translated(text, wording):
-    """The text in the words of a Wording; of one that no phrase fits only its lengths."""
-    known = text if isinstance(text, Text) else read(text)
-    return _with_lengths(text, wording) if known is None else _said(known, wording)
+    """The text in the words of a Wording; of a plain one only its lengths."""
+    return _said(text, wording) if isinstance(text, Text) else _with_lengths(text, wording)
 
 
 def _said(text, wording):
@@ -405,47 +402,9 @@ def _said(text, wording):
     return found[:1].upper() + found[1:] if text.upper else found
 
 
-def read(text):
-    """The Text of a plain one that a phrase fits, also as the head of a sentence; None where none does. For errors,
-    and for what documents of older versions hold.
-    """
-    found = _matched(text)
-    if found is None and text[:1].isupper():
-        found = _matched(lower_first(text))
-        found = None if found is None else upper_first(found)
-    return found
-
-
-def read_exempt_triangle(text):
-    """(triangle, why) of what a document of an older version says of an exempt triangle; None where it does not fit."""
-    found = _pattern(_EXEMPT_TRIANGLE).fullmatch(text)
-    return found and (int(found["count"]), found["phrase"])
-
-
-def _matched(text):
-    for phrase in _PHRASES:
-        found = _pattern(phrase).fullmatch(text)
-        if found:
-            return Text(phrase, **found.groupdict())
-    return None
-
-
 def _with_lengths(text, wording):
     shown = iter(wording.lengths(_LENGTHS.findall(text)))
     return _LENGTHS.sub(lambda _: next(shown), text)
-
-
-def sentences(text, wording):
-    """The sentences of a text, each in the words of a Wording."""
-    if isinstance(text, Text):
-        return _said(text, wording)
-    return " ".join(_sentence(part, wording) for part in _SENTENCES.split(text))
-
-
-def _sentence(text, wording):
-    if read(text) is None and text.endswith("."):
-        return translated(text[:-1], wording) + "."
-    return translated(text, wording)
 
 
 def sentence(phrase):
@@ -471,23 +430,20 @@ def lower_first(text):
     return joined(Text._of(first.phrase, first.places), *others)
 
 
+def is_wait(name):
+    """Whether the stage is one that cannot be interrupted."""
+    return isinstance(name, Text) and name.phrase in (WAITS_FOR_KERNEL, WAITS_FOR_ENGINE, ADDING)
+
+
 def stage(name, wording):
     """Words for a stage."""
-    if name in STAGES:
-        return wording.translate(STAGES[name])
-    for phrase in _WAITS:
-        found = _pattern(phrase).fullmatch(name)
-        if found:
-            return wording.translate(phrase).format(**{place: stage(value, wording) if place == "stage" else value
-                                                       for place, value in found.groupdict().items()})
-    return name
+    return _said(name, wording) if isinstance(name, Text) else wording.translate(STAGES[name]) if name in STAGES else name
 
 
 def rest(name, wording):
     """Words for what goes on after cancelling in the middle of a stage."""
-    found = _pattern(_WAITS_FOR_KERNEL).fullmatch(name)
-    if found:
-        return wording.translate(_KERNEL_STILL_WORKS).format(stage=stage(found["stage"], wording))
+    if is_wait(name) and name.phrase == WAITS_FOR_KERNEL:
+        return wording.translate(_KERNEL_STILL_WORKS).format(stage=stage(name.places["stage"], wording))
     return wording.translate(_STILL_WORKS).format(stage=stage(name or "start", wording))
 
 
@@ -497,28 +453,14 @@ def _place(name, value, wording):
     if kind in ("count", "number"):
         return wording.number(value)
     if kind == "option":
-        return wording.translate(_titles().get(value, value))
+        return wording.title(value)
     if kind == "list":
         parts = value.split(", ") if type(value) is str else [value] if isinstance(value, Text) else value
         return ", ".join(translated(part, wording) for part in parts)
-    if kind == "text":
-        return sentences(value, wording)
-    return translated(value, wording) if kind in ("phrase", "range") or isinstance(value, Text) else value
+    if kind == "stage":
+        return stage(value, wording)
+    return translated(value, wording) if kind in ("phrase", "range", "text") or isinstance(value, Text) else value
 
 
 def _kind(name):
     return name.rstrip("0123456789")
-
-
-@lru_cache(maxsize=None)
-def _pattern(phrase):
-    places = re.split(r"{(\w+)}", phrase)
-    return re.compile("".join(f"(?P<{part}>{_KINDS[_kind(part)]})" if i % 2 else re.escape(part)
-                              for i, part in enumerate(places)), re.DOTALL)
-
-
-@lru_cache(maxsize=None)
-def _titles():
-    tables = (options.TRIANGULATE, options.CURVE, options.CURVED_DISPLAY, options.BOOLEAN,
-              options.IMPROVE)
-    return {option.name: option.title for table in tables for option in table}

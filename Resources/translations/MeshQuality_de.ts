@@ -1782,6 +1782,18 @@
         <source>the end of a crease on {name}</source>
         <translation>dem Ende eines Knicks auf {name}</translation>
     </message>
+    <message>
+        <source>other work</source>
+        <translation>andere Arbeit</translation>
+    </message>
+    <message>
+        <source>{name} is null: it has no geometry; what is hidden in a container does not count: show it</source>
+        <translation>{name} ist leer: ohne Geometrie; was in einem Behälter ausgeblendet ist, zählt nicht: blenden Sie es ein</translation>
+    </message>
+    <message>
+        <source>{solid}: {phrase} ({value})</source>
+        <translation>{solid}: {phrase} ({value})</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

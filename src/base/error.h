@@ -3,13 +3,23 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "base/message.h"
 
 namespace mq {
 
 /// Base of all errors that leave the core. `what()` is a sentence that names the entity at fault and the remedy.
+/// Those that a panel can meet are made of a phrase of the catalogue.
 class Error : public std::runtime_error {
   public:
-    using std::runtime_error::runtime_error;
+    explicit Error(const std::string& text) : Error(Message::value(text)) {}
+    explicit Error(Message message) : std::runtime_error(message.text()), message_(std::move(message)) {}
+
+    const Message& message() const { return message_; }
+
+  private:
+    Message message_;
 };
 
 /// An option, a shape or a mesh that is not valid as given.

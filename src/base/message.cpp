@@ -1,7 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "base/message.h"
 
+#include <cstdio>
+
 namespace mq {
+
+Message Message::of(std::string phrase, std::initializer_list<std::pair<const char*, std::string>> values) {
+    Message message{std::move(phrase)};
+    for (const auto& [place, text] : values) {
+        message.places.push_back({place, value(text)});
+    }
+    return message;
+}
 
 std::string Message::text(const std::function<std::string(const std::string&)>& written) const {
     if (is_value) {
@@ -15,6 +25,12 @@ std::string Message::text(const std::function<std::string(const std::string&)>& 
         }
     }
     return result;
+}
+
+std::string in_digits(double number, int digits) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*g", digits, number);
+    return text;
 }
 
 }  // namespace mq

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,8 +17,17 @@ struct Message {
     bool is_value = false;  ///< no phrase, but what stands in the place of one: "Face3", "7.25"
 
     static Message value(std::string text) { return {std::move(text), {}, true}; }
+    /// A phrase with a value in each place.
+    static Message of(std::string phrase, std::initializer_list<std::pair<const char*, std::string>> values);
+    bool empty() const { return phrase.empty(); }
+    friend bool operator==(const Message& a, const Message& b) {
+        return a.phrase == b.phrase && a.is_value == b.is_value && a.places == b.places;
+    }
     /// Returns the text, with each value as `written` gives it; by default as it is.
     std::string text(const std::function<std::string(const std::string&)>& written = {}) const;
 };
+
+/// A number with this many significant digits.
+std::string in_digits(double number, int digits);
 
 }  // namespace mq

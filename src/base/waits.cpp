@@ -3,6 +3,8 @@
 
 #include <map>
 
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+
 namespace mq {
 
 namespace {
@@ -32,17 +34,17 @@ Waits::~Waits() {
     all.operations.erase(&progress_);
 }
 
-std::string Waits::lasting(std::chrono::steady_clock::duration least) const {
+Message Waits::lasting(std::chrono::steady_clock::duration least) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return std::chrono::steady_clock::now() - since_ < least ? std::string() : what_;
+    return std::chrono::steady_clock::now() - since_ < least ? Message() : what_;
 }
 
-std::vector<std::pair<std::string, std::string>> Waits::all_lasting(std::chrono::steady_clock::duration least) {
-    std::vector<std::pair<std::string, std::string>> found;
+std::vector<std::pair<std::string, Message>> Waits::all_lasting(std::chrono::steady_clock::duration least) {
+    std::vector<std::pair<std::string, Message>> found;
     Watched& all = watched();
     const std::lock_guard<std::mutex> lock(all.mutex);
     for (const auto& [progress, waits] : all.operations) {
-        if (std::string what = waits->lasting(least); !what.empty()) {
+        if (Message what = waits->lasting(least); !what.empty()) {
             found.emplace_back(waits->title_, std::move(what));
         }
     }
@@ -56,7 +58,7 @@ std::string Waits::title_of(const Progress* progress) {
     return found == all.operations.end() ? std::string() : found->second->title_;
 }
 
-void Waits::set(const Progress* progress, std::string what) {
+void Waits::set(const Progress* progress, Message what) {
     Watched& all = watched();
     const std::lock_guard<std::mutex> lock(all.mutex);
     const auto found = all.operations.find(progress);
@@ -65,10 +67,14 @@ void Waits::set(const Progress* progress, std::string what) {
     }
     Waits& waits = *found->second;
     const std::lock_guard<std::mutex> lock_of_text(waits.mutex_);
-    if (waits.what_ != what) {
+    if (!(waits.what_ == what)) {
         waits.what_ = std::move(what);
         waits.since_ = std::chrono::steady_clock::now();
     }
+}
+
+OpenCascadeWait::OpenCascadeWait(const Progress* progress, Message doing) : progress_(progress) {
+    Waits::set(progress_, Message{phrases::kWaitsForKernel, {{"stage", std::move(doing)}}});
 }
 
 }  // namespace mq

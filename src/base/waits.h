@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "base/progress.h"
 
 namespace mq {
@@ -22,30 +23,30 @@ class Waits {
     Waits& operator=(const Waits&) = delete;
 
     /// Watcher: the name of what the operation waits for; empty when the wait has lasted less than `least`.
-    std::string lasting(std::chrono::steady_clock::duration least) const;
+    Message lasting(std::chrono::steady_clock::duration least) const;
 
     /// The titles of all operations that have waited for at least this time, and for what.
-    static std::vector<std::pair<std::string, std::string>> all_lasting(std::chrono::steady_clock::duration least);
+    static std::vector<std::pair<std::string, Message>> all_lasting(std::chrono::steady_clock::duration least);
     /// The title of an operation; empty for one without a watcher, and for none.
     static std::string title_of(const Progress* progress);
     /// Worker: waits for `what` from now on, or continues to; empty: it works. No effect without a watcher.
-    static void set(const Progress* progress, std::string what);
+    static void set(const Progress* progress, Message what);
 
   private:
     const Progress& progress_;
     const std::string title_;
     mutable std::mutex mutex_;
-    std::string what_;
+    Message what_;
     std::chrono::steady_clock::time_point since_;
 };
 
 /// During its lifetime the operation waits for OpenCASCADE, which does what `doing` says. Not to be nested.
 class OpenCascadeWait {
   public:
-    OpenCascadeWait(const Progress* progress, const std::string& doing) : progress_(progress) {
-        Waits::set(progress_, "OpenCASCADE: " + doing);
-    }
-    ~OpenCascadeWait() { Waits::set(progress_, std::string()); }
+    OpenCascadeWait(const Progress* progress, Message doing);
+    OpenCascadeWait(const Progress* progress, const std::string& stage)
+        : OpenCascadeWait(progress, Message::value(stage)) {}
+    ~OpenCascadeWait() { Waits::set(progress_, Message()); }
     OpenCascadeWait(const OpenCascadeWait&) = delete;
     OpenCascadeWait& operator=(const OpenCascadeWait&) = delete;
 

@@ -20,6 +20,7 @@
 #include "boolean/perturbation/near_coincidence.h"
 #include "boolean/perturbation/perturbation.h"
 #include "boolean/rounding/snap_rounding.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/intersection/self_intersection.h"
 #include "mesh/quality/mesh_report.h"
 #include "mesh/quality/surface_verification.h"
@@ -166,9 +167,9 @@ class BooleanPipeline {
                                                      : std::string());
         }
         if (tolerance_ < 4.0 * kSingleUnit * size_) {
-            throw InvalidInput("tolerance is " + mesh::in_three_digits(tolerance_) +
-                               " mm: single precision holds these operands to " +
-                               mesh::in_three_digits(4.0 * kSingleUnit * size_) + " mm only; choose a larger value");
+            throw InvalidInput(Message::of(phrases::kFineTolerance,
+                                           {{"length", mesh::in_three_digits(tolerance_) + " mm"},
+                                            {"length2", mesh::in_three_digits(4.0 * kSingleUnit * size_) + " mm"}}));
         }
     }
 

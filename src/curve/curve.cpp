@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/bezier/validity.h"
 #include "curve/output/shape_distortion.h"
 #include "curve/surface/enclosed_volume.h"
@@ -168,7 +169,7 @@ double largest_distortion(const CurvedMesh& mesh, bool volume, Progress& progres
 void require_solids(const geometry::Topology& topology, const CurveOptions& options) {
     const auto solid = [](const geometry::Volume& volume) { return volume.kind == geometry::Volume::Kind::Solid; };
     if (options.volume && std::none_of(topology.volumes.begin(), topology.volumes.end(), solid)) {
-        throw InvalidInput("the shape has no solids to fill: leave volume off to curve its faces");
+        throw InvalidInput(Message{phrases::kNoSolids});
     }
 }
 
@@ -189,8 +190,9 @@ void repair(SurfaceEditor& editor, const geometry::Topology& topology, const Cur
 void CurveOptions::validate() const {
     const int most = volume ? kMaxOrder - 1 : kMaxOrder;
     if (order < 1 || order > most) {
-        throw InvalidInput("order is " + std::to_string(order) + ": it goes from 1 to " + std::to_string(most) +
-                           (volume ? " for volumes" : " for surfaces"));
+        const std::string range[2] = {std::to_string(order), std::to_string(most)};
+        throw volume ? InvalidInput(Message::of(phrases::kVolumeOrder, {{"count", range[0]}, {"count2", range[1]}}))
+                     : InvalidInput("order is " + range[0] + ": it goes from 1 to " + range[1] + " for surfaces");
     }
     if (volume && !repair) {
         throw InvalidInput("repair is off: only surfaces are curved without repairs, leave volume off");

@@ -14,6 +14,7 @@
 
 #include "base/error.h"
 #include "base/waits.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::geometry {
 
@@ -129,7 +130,8 @@ void Engine::Impl::wait(const std::future<Result>& result, std::uint64_t number,
 void Engine::Impl::name_user(std::uint64_t number, const Progress* progress) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (waiting_job(number) != queue_.end()) {
-        Waits::set(progress, "the shape engine, used by " + (user_.empty() ? "other work" : user_));
+        Waits::set(progress, Message{phrases::kWaitsForEngine,
+                                     {{"name", user_.empty() ? Message{phrases::kOtherWork} : Message::value(user_)}}});
     }
 }
 
@@ -165,7 +167,7 @@ void Engine::Impl::serve() {
         Job job = std::move(queue_.front());
         queue_.pop_front();
         user_ = Waits::title_of(job.owner);
-        Waits::set(job.owner, std::string());
+        Waits::set(job.owner, Message());
         lock.unlock();
         not_full_.notify_one();
         finish(job);

@@ -46,7 +46,7 @@ std::optional<LocalOperation> collapse_edge(const EditableMesh& mesh, int from, 
     if (free == Freedom::None || (free == Freedom::Curve && !mesh.is_sharp(from, to))) {
         return std::nullopt;
     }
-    // Each vertex joined to both must belong to a triangle of the edge.
+    // The link condition: each vertex joined to both must belong to a triangle of the edge, ...
     const bool fewer_at_from = mesh.star(from).size() <= mesh.star(to).size();
     const std::vector<int> joined = mesh.neighbours(fewer_at_from ? from : to);
     const int other = fewer_at_from ? to : from;
@@ -62,7 +62,15 @@ std::optional<LocalOperation> collapse_edge(const EditableMesh& mesh, int from, 
             change.added.push_back(with(mesh.triangle(t), from, to));
         }
     }
-    if (change.added.empty()) {
+    // ... and no two triangles that differ in the ends of the edge alone, as of a tetrahedron, may fall together.
+    const auto is_there = [&](const mesh::Triangle& t) {
+        const std::vector<int>& around = mesh.star(to);
+        return std::any_of(around.begin(), around.end(), [&](int other_triangle) {
+            const mesh::Triangle& there = mesh.triangle(other_triangle);
+            return std::is_permutation(t.begin(), t.end(), there.begin());
+        });
+    };
+    if (change.added.empty() || std::any_of(change.added.begin(), change.added.end(), is_there)) {
         return std::nullopt;
     }
     for (const int w : mesh.sharp_neighbours(from)) {

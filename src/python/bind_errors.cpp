@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <cstring>
 #include <string>
 #include <system_error>
 
@@ -13,14 +12,9 @@ namespace mq::python {
 namespace {
 
 /// The classes live in Python, so that they can be caught where the extension module is missing.
-void raise(const char* name, const std::exception& error) {
+void raise(const char* name, const Error& error) {
     const py::object type = py::module_::import("MeshQuality.errors").attr(name);
-    // Names of files need not be UTF-8.
-    PyObject* text = PyUnicode_DecodeUTF8(error.what(), static_cast<py::ssize_t>(std::strlen(error.what())), "replace");
-    if (text != nullptr) {
-        PyErr_SetObject(type.ptr(), text);
-        Py_DECREF(text);
-    }
+    PyErr_SetObject(type.ptr(), text_of(error.message()).ptr());
 }
 
 /// Calls a function of Python; an error of ours that it raises gets no traceback. Other errors keep theirs.
@@ -41,7 +35,33 @@ py::object call_without_traceback(const py::function& function, const py::args& 
     return found;
 }
 
+/// What MeshQuality.phrases.from_data takes.
+py::object data_of(const Message& message) {
+    if (message.is_value) {
+        // Names of files need not be UTF-8.
+        PyObject* text =
+            PyUnicode_DecodeUTF8(message.phrase.data(), static_cast<py::ssize_t>(message.phrase.size()), "replace");
+        if (text == nullptr) {
+            throw py::error_already_set();
+        }
+        return py::reinterpret_steal<py::object>(text);
+    }
+    py::dict places;
+    for (const auto& [name, value] : message.places) {
+        places[name.c_str()] = data_of(value);
+    }
+    py::dict data;
+    data["phrase"] = message.phrase;
+    data["places"] = places;
+    return std::move(data);
+}
+
 }  // namespace
+
+py::object text_of(const Message& message) {
+    const py::object data = data_of(message);
+    return message.is_value ? data : py::module_::import("MeshQuality.phrases").attr("from_data")(data);
+}
 
 void bind_errors(py::module_& m) {
     m.def(

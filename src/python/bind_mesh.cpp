@@ -119,21 +119,6 @@ std::vector<std::pair<std::int32_t, std::string>> exempt_texts(const MeshReport&
     return texts;
 }
 
-/// What MeshQuality.phrases.from_data takes: {"phrase": text, "places": {place: the same again}}; a value is its text.
-py::object object_of(const Message& message) {
-    if (message.is_value) {
-        return py::str(message.phrase);
-    }
-    py::dict places;
-    for (const auto& [name, value] : message.places) {
-        places[name.c_str()] = object_of(value);
-    }
-    py::dict data;
-    data["phrase"] = message.phrase;
-    data["places"] = places;
-    return std::move(data);
-}
-
 std::vector<std::string> names_of(const std::vector<mesh::NamedEntity>& entities) {
     std::vector<std::string> names;
     for (const mesh::NamedEntity& entity : entities) {
@@ -164,8 +149,8 @@ void bind_exempt_reason(py::module_& m) {
             },
             "the names of the edges and the vertex of the shape that cause it, and of its face")
         .def_property_readonly(
-            "message", [](const ExemptReason& r) { return object_of(mesh::message_of(r)); },
-            "what it says, as MeshQuality.phrases.from_data takes it")
+            "message", [](const ExemptReason& r) { return text_of(mesh::message_of(r)); },
+            "what it says, a MeshQuality.phrases.Text")
         .def("__str__", [](const ExemptReason& r) { return mesh::message_of(r).text(); });
 }
 

@@ -3,6 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include "base/message.h"
+
 /// The bindings of the extension module MeshQuality._core, one function for each topic.
 namespace mq::python {
 
@@ -14,5 +16,8 @@ void bind_freecad_mesh(pybind11::module_& m);
 void bind_improve(pybind11::module_& m);
 void bind_mesh(pybind11::module_& m);
 void bind_triangulate(pybind11::module_& m);
+
+/// A MeshQuality.phrases.Text, or the text of a message that is a value.
+pybind11::object text_of(const Message& message);
 
 }  // namespace mq::python

@@ -2,6 +2,8 @@
 #include <pybind11/stl.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "geometry/occt/shape_model.h"
 #include "python/bindings.h"
@@ -48,7 +50,14 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_boolean(m);
     mq::python::bind_improve(m);
     m.def(
-        "waits", [] { return mq::Waits::all_lasting(mq::python::kLongestUnnamedWait); },
-        "[(name of a thread, what its call waits for and cannot interrupt), ...]");
+        "waits",
+        [] {
+            std::vector<std::pair<std::string, py::object>> found;
+            for (const auto& [title, what] : mq::Waits::all_lasting(mq::python::kLongestUnnamedWait)) {
+                found.emplace_back(title, mq::python::text_of(what));
+            }
+            return found;
+        },
+        "[(name of a thread, what its call waits for and cannot interrupt, a MeshQuality.phrases.Text), ...]");
     py::module_::import("atexit").attr("register")(py::cpp_function(&mq::python::end_with_python));
 }

@@ -11,6 +11,7 @@
 
 #include "base/progress.h"
 #include "base/waits.h"
+#include "python/bindings.h"
 #include "python/python_lock.h"
 #include "python/running_work.h"
 
@@ -35,14 +36,14 @@ class Watcher {
             if (PyErr_CheckSignals() != 0) {
                 throw pybind11::error_already_set();
             }
-            const std::string wait = waits_.lasting(kLongestUnnamedWait);
-            report(progress_.fraction(), wait.empty() ? progress_.name() : "waits for " + wait);
+            const Message wait = waits_.lasting(kLongestUnnamedWait);
+            report(progress_.fraction(), wait.empty() ? Message::value(progress_.name()) : wait);
         } catch (...) {
             raised_ = std::current_exception();
             progress_.cancel();
         }
     }
-    void report(double fraction, const std::string& stage) {
+    void report(double fraction, const Message& stage) {
         /// Time between two calls back at most: a cancellation takes effect within 0.2 s.
         constexpr std::chrono::milliseconds kLongestSilence(50);
         const auto now = std::chrono::steady_clock::now();
@@ -53,7 +54,7 @@ class Watcher {
         called_ = now;
         fraction_ = fraction;
         stage_ = stage;
-        const pybind11::tuple arguments = pybind11::make_tuple(fraction, stage);
+        const pybind11::tuple arguments = pybind11::make_tuple(fraction, text_of(stage));
         PyObject* answer = outliving_python([&] { return PyObject_CallObject(callback_.ptr(), arguments.ptr()); });
         if (answer == nullptr) {
             throw pybind11::error_already_set();
@@ -79,7 +80,7 @@ class Watcher {
     pybind11::object callback_;
     std::chrono::steady_clock::time_point called_;
     double fraction_ = -1.0;
-    std::string stage_;
+    Message stage_;
     std::exception_ptr raised_;
 };
 
@@ -106,7 +107,7 @@ auto watch(const pybind11::object& callback, Work&& work) {
     }
     watcher.rethrow();
     auto result = future.get();
-    watcher.report(1.0, "done");
+    watcher.report(1.0, Message::value("done"));
     progress.check();
     return result;
 }

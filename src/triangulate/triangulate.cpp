@@ -16,6 +16,7 @@
 
 #include "base/predicates.h"
 #include "base/stopwatch.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "triangulate/assemble.h"
 #include "triangulate/incremental/cache_restore.h"
 #include "triangulate/incremental/cache_store.h"
@@ -53,10 +54,9 @@ double first_share(const TriangulateOptions& options) {
     return options.method == Method::Refine ? kFirstShare : options.keeps_bounds() ? 0.5 : 0.9;
 }
 
-/// Formats a length, which may be tiny, with four significant digits.
-std::string in_digits(double number) {
-    std::array<char, 32> buffer;
-    return {buffer.data(), static_cast<std::size_t>(std::snprintf(buffer.data(), buffer.size(), "%.4g", number))};
+/// A length, which may be tiny.
+std::string in_mm(double length) {
+    return in_digits(length, 4) + " mm";
 }
 
 double chord_height(const TriangulateOptions& options, const Box& box) {
@@ -67,23 +67,22 @@ void check_against_part(const TriangulateOptions& options, const geometry::Topol
                         const SinglePrecisionGrid& grid) {
     const auto something = [](const geometry::Face& face) { return !face.no_area; };
     if (std::none_of(topology.faces.begin(), topology.faces.end(), something)) {
-        throw InvalidInput("the shape has no faces with an area: give a solid, a shell or faces");
+        throw InvalidInput(Message{phrases::kNoFaces});
     }
     const double chord = chord_height(options, topology.box);
     if (chord > 0.0 && chord < 4.0 * grid.resolution()) {
-        throw InvalidInput("chord_height is " + in_digits(chord) + " mm: single precision holds this shape to " +
-                           in_digits(4.0 * grid.resolution()) + " mm only; choose a larger value");
+        throw InvalidInput(Message::of(phrases::kFineChordHeight,
+                                       {{"length", in_mm(chord)}, {"length2", in_mm(4.0 * grid.resolution())}}));
     }
-    const auto require_edges = [&](const std::string& name, double length) {
+    const auto require_edges = [&](const char* phrase, const char* place, const std::string& name, double length) {
         if (length > 0.0 && length < grid.shortest_side()) {
-            throw InvalidInput(name + " is " + in_digits(length) +
-                               " mm: single precision holds edges of this shape from " +
-                               in_digits(grid.shortest_side()) + " mm on; choose a larger value");
+            throw InvalidInput(Message::of(
+                phrase, {{place, name}, {"length", in_mm(length)}, {"length2", in_mm(grid.shortest_side())}}));
         }
     };
-    require_edges("max_edge", options.max_edge);
+    require_edges(phrases::kShortEdges, "option", "max_edge", options.max_edge);
     for (const LocalSize& size : options.local_sizes) {
-        require_edges("the local size of " + geometry::name_of({size.dimension, size.index}), size.max_edge);
+        require_edges(phrases::kShortLocalSize, "name", geometry::name_of({size.dimension, size.index}), size.max_edge);
     }
 }
 
@@ -288,8 +287,7 @@ void add_note(mesh::MeshReport& report, const std::string& note) {
 void check_failures(const InitialTriangulation& faces, const geometry::Topology& topology,
                     const TriangulateOptions& options) {
     if (!faces.failures.empty() && (!options.allow_missing_faces || faces.failures.size() == faces.faces.size())) {
-        throw TopologyError("no triangulation of " + failed_faces(faces, topology) +
-                            ". Repair the shape, or allow missing faces to mesh the rest");
+        throw TopologyError(Message::of(phrases::kNotTriangulated, {{"value", failed_faces(faces, topology)}}));
     }
 }
 

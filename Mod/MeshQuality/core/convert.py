@@ -11,8 +11,10 @@ from functools import cached_property
 import FreeCAD
 import numpy as np
 
+from .. import phrases
 from ..compat import attribute_of, extension
 from ..errors import InvalidInput, IoError
+from ..phrases import Text
 from . import frames
 from .repeated_parts import each_once
 
@@ -81,10 +83,9 @@ def own_shape_of(source):
         raise InvalidInput("a Part.Shape or a document object with a shape is needed, not "
                            f"{type(source).__name__}")
     if shape.isNull():
-        raise InvalidInput(f"{label_of(source)} is null: it has no geometry{_remedy(source)}")
+        raise InvalidInput(Text(_null_phrase(source), name=label_of(source)))
     if not shape.Faces:
-        raise InvalidInput(f"{label_of(source)} has no faces (its type is {shape.ShapeType}): "
-                           "give a solid, a shell or faces")
+        raise InvalidInput(Text(phrases.NO_FACES, name=label_of(source), name2=shape.ShapeType))
     return shape
 
 
@@ -105,13 +106,11 @@ def size_of(source):
     return max(box.XLength, box.YLength, box.ZLength)
 
 
-def _remedy(source):
-    obj = frames.object_of(source)
-    if not isinstance(obj, FreeCAD.DocumentObject):
-        return ""
-    if frames.leaf_of(source).hasExtension("App::GroupExtension"):
-        return "; what is hidden in a container does not count: show it"
-    return "; recompute the document, if it is new"
+def _null_phrase(source):
+    if not isinstance(frames.object_of(source), FreeCAD.DocumentObject):
+        return phrases.IS_NULL
+    is_container = frames.leaf_of(source).hasExtension("App::GroupExtension")
+    return phrases.IS_NULL_HIDDEN if is_container else phrases.IS_NULL_RECOMPUTE
 
 
 def is_mesh(candidate):
@@ -398,8 +397,7 @@ def _sub_element_of(source, name):
         wanted = held[index] if index < len(held) else None
     found = None if wanted is None else name_in(own_shape_of(source), wanted)
     if found is None:
-        raise InvalidInput(f"local_sizes names {name}, but {label_of(source)} does not hold that: select it "
-                           "again in the 3D view")
+        raise InvalidInput(Text(phrases.NO_SUCH_ELEMENT, value=name, name=label_of(source)))
     return found
 
 

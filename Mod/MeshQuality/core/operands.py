@@ -11,6 +11,7 @@ from functools import cached_property
 import FreeCAD
 import numpy as np
 
+from .. import phrases
 from ..compat import attribute_of, extension
 from ..errors import InvalidInput, TopologyError
 from . import convert, frames
@@ -89,8 +90,8 @@ class Operands:
         """
         least = _FINEST_TOLERANCE * self._size()
         if tolerance < least:
-            raise InvalidInput(f"tolerance is {tolerance:.4g} mm: single precision holds these operands to {least:.4g} "
-                               "mm only; choose a larger value")
+            raise InvalidInput(phrases.Text(phrases.CORE_ERRORS["fine_tolerance"], length=f"{tolerance:.4g} mm",
+                                            length2=f"{least:.4g} mm"))
         return tolerance
 
     def digest(self):

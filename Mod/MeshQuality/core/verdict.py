@@ -227,7 +227,7 @@ def angles(mesh):
 
 def _without_face(reason):
     """The Text of a reason without the face at its end, which the sentence before it names."""
-    text = phrases.from_data(reason.message)
+    text = reason.message
     return text.places["phrase"] if text.phrase == phrases.ON_FACE else text
 
 

@@ -3,6 +3,7 @@
 nothing else can change them.
 """
 
+from .. import phrases
 from ..errors import InvalidInput
 from .distance_bound import PROPERTY
 
@@ -27,6 +28,5 @@ def require_free(obj, table, before, values):
     """
     for name, (bound, expression) in expressions_of(obj, table).items():
         if values[name] != before[name]:
-            raise InvalidInput(f"{name} cannot be changed: the property {bound} of '{obj.Label}' is set by the "
-                               f"expression {expression}; clear that first, by obj.setExpression({bound!r}, None) or "
-                               "in the property editor")
+            raise InvalidInput(phrases.Text(phrases.BOUND_BY_EXPRESSION, option=name, name=bound, name2=f"'{obj.Label}'",
+                                            value=expression, name3=f"obj.setExpression({bound!r}, None)"))

@@ -6,7 +6,7 @@ from functools import partial
 
 import FreeCAD
 
-from .. import options
+from .. import options, phrases
 from ..core import frames, verdict
 from ..core.booleans import run
 from ..core.operands import Operands
@@ -71,8 +71,8 @@ class MeshBoolean(mesh_object.MeshObject):
     def work_on(cls, sources, values, obj=None):
         """The Boolean of these sources."""
         if len(sources) < 2:
-            count = "1 object" if len(sources) == 1 else f"{len(sources)} objects"
-            raise InvalidInput(f"Sources has {count}: choose two or more with a mesh or a shape")
+            few, count = phrases.FEW_SOURCES, len(sources)
+            raise InvalidInput(phrases.Text(few[0]) if count == 1 else phrases.Text(few[1], count=str(count)))
         values = options.check(options.BOOLEAN, values)
         operands = Operands(sources)
         return Work(sources, values,

@@ -5,7 +5,7 @@ import hashlib
 import json
 from functools import partial
 
-from .. import options
+from .. import options, phrases
 from ..compat import extension
 from ..core import convert, verdict
 from ..core.improvement import improve
@@ -36,7 +36,7 @@ class ImprovedMesh(mesh_object.OfOneSource):
         """A better version of the source's mesh."""
         mesh_object.require_source(sources, obj)
         if not convert.is_mesh(sources[0]):
-            raise InvalidInput("Source is not a mesh: choose one object with a mesh")
+            raise InvalidInput(phrases.Text(phrases.NO_MESH))
         values = options.check(cls.OPTIONS, values)
         mesh = convert.MeshCopy(sources[0])
         return Work(sources, values, partial(_digest, mesh, values),

@@ -299,9 +299,8 @@ def require_source(sources, obj):
     if None not in sources:
         return
     if obj is not None and obj.Fingerprint:
-        raise InvalidInput("Source is empty: the source was deleted; choose another one, or delete "
-                           "this mesh")
-    raise InvalidInput("Source is empty: choose an object with a shape")
+        raise InvalidInput(phrases.Text(phrases.SOURCE_DELETED))
+    raise InvalidInput(phrases.Text(phrases.NO_SOURCE))
 
 
 def _tell(obj, report, findings, left_out):

@@ -2,6 +2,7 @@
 """Properties of the document objects that hold a mesh: what adds, reads and fills them."""
 
 import json
+import re
 from contextlib import suppress
 
 from .. import options, phrases
@@ -73,13 +74,16 @@ def show_angles(obj, report):
     """Fills the properties of ANGLES and ANGLE_PROMISES, and Notes."""
     obj.MeasuredMinAngle, obj.MeasuredMaxAngle = report.min_angle, report.max_angle
     obj.AskedMinAngle = report.min_angle_asked
-    reasons = [(triangle, phrases.from_data(reason.message)) for triangle, reason in report.exempt_reasons]
+    reasons = [(triangle, reason.message) for triangle, reason in report.exempt_reasons]
     obj.Exempt = [phrases.exempt_triangle(triangle, reason) for triangle, reason in reasons]
     triangles = {}
     for triangle, reason in reasons:
         triangles.setdefault(reason, []).append(triangle)
     obj.ExemptReasons = [json.dumps([phrases.to_data(reason), numbers]) for reason, numbers in triangles.items()]
     obj.Notes = list(report.notes)
+
+
+_EXEMPT_LINE = re.compile(r"triangle (\d+): (.+)")  # where no reasons are stored beside
 
 
 def exempt_reasons(obj):
@@ -91,7 +95,7 @@ def exempt_reasons(obj):
                    for triangle in triangles}
         if [phrases.exempt_triangle(*item) for item in sorted(reasons.items())] == lines:
             return reasons
-    return dict(filter(None, map(phrases.read_exempt_triangle, lines)))
+    return {int(found[1]): found[2] for found in map(_EXEMPT_LINE.fullmatch, lines) if found}
 
 
 def add_options(obj, table):

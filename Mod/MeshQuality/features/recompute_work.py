@@ -4,8 +4,9 @@
 from functools import cached_property
 
 from ..core.frames import arrangement_of, frame_of
+from ..phrases import WAITS_FOR_KERNEL, Text
 
-_COMPARING = "waits for OpenCASCADE: comparing the shape"
+_COMPARING = Text(WAITS_FOR_KERNEL, stage="comparing the shape")
 
 
 class Work:

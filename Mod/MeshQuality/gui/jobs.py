@@ -14,13 +14,13 @@ import time
 import FreeCAD
 from PySide import QtCore
 
+from .. import phrases
 from ..errors import Cancelled, Error
 from .translation import translated, translated_rest, translated_stage
 
 translate = FreeCAD.Qt.translate
 
-WAITS_FOR = "waits for "  # what a stage begins with that cannot be interrupted
-ADDING = WAITS_FOR + "FreeCAD: adding the mesh to the document"
+ADDING = phrases.Text(phrases.ADDING)
 WAITING, RUNNING, DONE, FAILED, CANCELLED = "waiting", "running", "done", "failed", "cancelled"
 _POLL = 30  # ms between two looks at the thread
 _NICENESS = 5
@@ -94,7 +94,7 @@ class Job(QtCore.QObject):
         if self.held_up:
             return self.held_up
         stage = self._stage_now()
-        return translated_stage(stage) if stage.startswith(WAITS_FOR) else ""
+        return translated_stage(stage) if phrases.is_wait(stage) else ""
 
     @property
     def doing(self):
@@ -107,7 +107,7 @@ class Job(QtCore.QObject):
         """The stage; what the core waits for is known after it was cancelled, too."""
         core = sys.modules.get("MeshQuality._core")
         what = dict(core.waits()).get(self._thread.name) if core is not None and self.works else None
-        return WAITS_FOR + what if what else self.stage
+        return what if what else self.stage
 
     def cancel(self):
         """Asks the work to stop; `ended` tells when it has."""

@@ -8,7 +8,7 @@ before, in the background.
 import FreeCAD
 import FreeCADGui
 
-from .. import options
+from .. import options, phrases
 from ..core import convert, frames
 from ..errors import InvalidInput
 from ..features import bindings, mesh_object, properties
@@ -178,7 +178,7 @@ def check(operations, values):
     Raises InvalidInput, also where the document has lost what the operations need.
     """
     if operations[0].document not in FreeCAD.listDocuments():
-        raise InvalidInput("The document was closed. Close this panel.")
+        raise InvalidInput(phrases.Text(phrases.DOCUMENT_CLOSED))
     if not all(made.possible(made.obj) for made in operations):
-        raise InvalidInput("The source was deleted. Close this panel.")
+        raise InvalidInput(phrases.Text(phrases.SOURCE_GONE))
     return options.check(operations[0].kind.OPTIONS, values)

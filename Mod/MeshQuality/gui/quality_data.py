@@ -9,6 +9,7 @@ from typing import Optional
 import FreeCAD
 import numpy as np
 
+from .. import phrases
 from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
@@ -183,7 +184,7 @@ class QualityData:
         self._shape = _shape_behind(source, obj)
         self.corners = self._curved = None
         if obj.Mesh.CountFacets == 0:
-            raise InvalidInput(f"{obj.Label} has no triangles")
+            raise InvalidInput(phrases.Text(phrases.NO_TRIANGLES, name=obj.Label))
         self._why = exempt_reasons(obj)
         asked = "AskedChordHeight" in obj.PropertiesList and property_of(obj, "AskedChordHeight").Value
         self.bound = asked or None

@@ -3,7 +3,7 @@
 
 import FreeCAD
 
-from .. import phrases
+from .. import options, phrases
 from . import quantities
 
 
@@ -12,7 +12,15 @@ def translate_phrase(text):
     return FreeCAD.Qt.translate("MeshQuality", text)
 
 
-WORDING = phrases.Wording(translate_phrase, quantities.in_locale, quantities.lengths_in_units)
+_TITLES = {option.name: option.title for table in (options.TRIANGULATE, options.CURVE, options.CURVED_DISPLAY,
+                                                   options.BOOLEAN, options.IMPROVE) for option in table}
+
+
+def _title(name):
+    return translate_phrase(_TITLES.get(name, name))
+
+
+WORDING = phrases.Wording(translate_phrase, quantities.in_locale, quantities.lengths_in_units, _title)
 
 
 def translated(text):
@@ -22,7 +30,7 @@ def translated(text):
 
 def translated_certificate(text):
     """The sentences of a certificate."""
-    return phrases.sentences(text, WORDING)
+    return phrases.translated(text, WORDING)
 
 
 def translated_stage(stage):

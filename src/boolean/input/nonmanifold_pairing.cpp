@@ -53,6 +53,9 @@ class PatchOrientation {
             }
         }
         draft_.turn(turn_);
+        for (std::int32_t& h : conflicts) {
+            h = turn_[h / 3] != 0 ? OperandMesh::turned(h) : h;
+        }
         return conflicts;
     }
 

@@ -37,13 +37,12 @@ void OperandMesh::remove(const std::vector<char>& marked) {
 }
 
 void OperandMesh::turn(const std::vector<char>& marked) {
-    // (a, b, c) becomes (a, c, b): edge 0 takes the place of edge 2, and back.
-    const auto moved = [&](std::int32_t h) { return h >= 0 && marked[h / 3] != 0 ? h / 3 * 3 + 2 - h % 3 : h; };
-    std::vector<std::int32_t> turned(mates.size());
+    const auto moved = [&](std::int32_t h) { return h >= 0 && marked[h / 3] != 0 ? turned(h) : h; };
+    std::vector<std::int32_t> mates_then(mates.size());
     for (std::size_t h = 0; h < mates.size(); ++h) {
-        turned[moved(static_cast<std::int32_t>(h))] = moved(mates[h]);
+        mates_then[moved(static_cast<std::int32_t>(h))] = moved(mates[h]);
     }
-    mates.swap(turned);
+    mates.swap(mates_then);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         if (marked[t] != 0) {
             std::swap(triangles[t][1], triangles[t][2]);

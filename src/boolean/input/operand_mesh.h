@@ -37,6 +37,8 @@ struct OperandMesh {
     void remove(const std::vector<char>& marked);
     /// Reverses the triangles marked, and their mates with them.
     void turn(const std::vector<char>& marked);
+    /// The corner that has the edge of this one once its triangle is reversed: (a, b, c) becomes (a, c, b).
+    static std::int32_t turned(std::int32_t corner) { return corner / 3 * 3 + 2 - corner % 3; }
     double area(std::int32_t triangle) const;
     /// Formats a position in the model's frame: "(1.5, 0, -2) mm".
     std::string position(const Vec3& local) const;

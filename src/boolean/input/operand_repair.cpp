@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 #include "base/error.h"
 #include "base/predicates.h"
 #include "boolean/input/operand_mesh.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/corner_table.h"
 #include "mesh/weld_vertices.h"
 
@@ -84,15 +86,50 @@ bool all_paired(const OperandMesh& draft) {
     return std::all_of(draft.mates.begin(), draft.mates.end(), [](std::int32_t mate) { return mate >= 0; });
 }
 
-/// Two triangles on the same three vertices that are neighbours along more than one edge.
-bool has_flat_pair(const OperandMesh& draft) {
-    for (std::size_t h = 0; h < draft.mates.size(); h += 3) {
-        const std::int32_t* mate = &draft.mates[h];
-        if (mate[0] >= 0 && (mate[0] / 3 == mate[1] / 3 || mate[0] / 3 == mate[2] / 3)) {
+/// Whether a triangle and its neighbour along the edge of this corner lie on the same three vertices.
+bool is_fold(const OperandMesh& draft, std::int32_t h) {
+    const std::int32_t mate = draft.mates[h];
+    return mate >= 0 && draft.tail(mesh::previous_corner(h)) == draft.tail(mesh::previous_corner(mate));
+}
+
+bool has_fold(const OperandMesh& draft) {
+    for (std::size_t h = 0; h < draft.mates.size(); ++h) {
+        if (is_fold(draft, static_cast<std::int32_t>(h))) {
             return true;
         }
     }
     return false;
+}
+
+/// Removes pairs of triangles that lie on each other and are neighbours, until there are none: they bound nothing. The
+/// neighbours of both along their other edges become neighbours. Needs triangles that agree on the outside, each corner
+/// with a mate. Ends, as each step has two triangles less.
+void remove_folds(OperandMesh& draft) {
+    std::vector<char> marked(draft.triangles.size(), 0);
+    std::vector<std::int32_t> to_do(draft.mates.size());
+    std::iota(to_do.begin(), to_do.end(), 0);
+    std::size_t gone = 0;
+    while (!to_do.empty()) {
+        const std::int32_t h = to_do.back();
+        to_do.pop_back();
+        if (marked[h / 3] != 0 || !is_fold(draft, h)) {
+            continue;
+        }
+        const std::int32_t g = draft.mates[h];
+        marked[h / 3] = marked[g / 3] = 1;
+        gone += 2;
+        for (const auto& [side, other] : {std::pair(mesh::next_corner(h), mesh::previous_corner(g)),
+                                          std::pair(mesh::previous_corner(h), mesh::next_corner(g))}) {
+            if (draft.mates[side] != other) {
+                to_do.push_back(draft.mates[side]);
+                draft.pair(draft.mates[side], draft.mates[other]);
+            }
+        }
+    }
+    if (gone > 0) {
+        draft.repairs.duplicate += gone;
+        draft.remove(marked);
+    }
 }
 
 bool has_degenerate(const OperandMesh& draft) {
@@ -113,7 +150,7 @@ bool single_fans(const OperandMesh& draft) {
 }
 
 bool is_fit(const OperandMesh& draft) {
-    return all_paired(draft) && !has_flat_pair(draft) && !has_degenerate(draft) && single_fans(draft);
+    return all_paired(draft) && !has_fold(draft) && !has_degenerate(draft) && single_fans(draft);
 }
 
 /// Puts a vertex in the middle of the edge of h and its mate: (u, v, x) and (v, u, y) become (u, m, x), (m, v, x) and
@@ -145,7 +182,8 @@ void split_edge(OperandMesh& draft, std::int32_t h) {
 }
 
 /// Edges that two pairs of triangles still share, as their ends are one fan each, get a vertex in their middle: one for
-/// each pair but the first. Every corner has a mate afterwards.
+/// each pair but the first. Every corner has a mate afterwards. Ends, as there are no folds: all edges of the new
+/// vertex have two triangles, so that each division leaves one pair less.
 void part_edges(OperandMesh& draft) {
     bool again = true;
     while (again) {
@@ -215,6 +253,7 @@ void repair(OperandMesh& draft, const Progress* progress) {
     close_holes(draft, progress);
     check_cancelled(progress);
     draft.repairs.degenerate += remove_degenerate(draft);
+    remove_folds(draft);
     split_fans(draft);
     part_edges(draft);
 }
@@ -265,7 +304,7 @@ Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name,
     }
     check_cancelled(progress);
     if (draft.triangles.empty()) {
-        throw InvalidInput(name + " has no triangle with an area that encloses a volume");
+        throw InvalidInput(Message::of(phrases::kNoEnclosedVolume, {{"name", name}}));
     }
     orient_to_bound_volume(draft);
     if (draft.repairs.flipped > 0) {

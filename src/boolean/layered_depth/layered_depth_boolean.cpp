@@ -13,6 +13,7 @@
 #include "boolean/layered_depth/reconstruction/node_open.h"
 #include "boolean/layered_depth/samples/rasterise.h"
 #include "boolean/layered_depth/samples/sample_clustering.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/edge_table.h"
 #include "mesh/polygon_triangulation.h"
 
@@ -181,12 +182,13 @@ void require_memory(const OperandPair& pair, const Box& box, int resolution) {
         least = bytes_about(pair, SampleGrid(box, possible));
     }
     const double side = box.empty() ? 0.0 : box.largest_side();
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  "method 'uniform' would take about %.2g GB at the resolution %d: it can take %.2g GB; choose a "
-                  "resolution of at most %d, a tolerance of at least %.4g mm, or method 'default'",
-                  bytes / (1 << 30), resolution, kMostBytes / (1 << 30), possible, uniform_bound(side, possible));
-    throw InvalidInput(text);
+    const auto in_gb = [](double b) { return in_digits(b / (1 << 30), 2); };
+    throw InvalidInput(
+        Message::of(phrases::kMuchMemory, {{"number", in_gb(bytes)},
+                                           {"count", std::to_string(resolution)},
+                                           {"number2", in_gb(kMostBytes)},
+                                           {"count2", std::to_string(possible)},
+                                           {"length", in_digits(uniform_bound(side, possible), 4) + " mm"}}));
 }
 
 /// One run of the method; the stages in their order.
@@ -437,12 +439,8 @@ double uniform_bound(double size, int resolution) {
 int uniform_resolution(double size, double tolerance) {
     const double least = uniform_bound(size, kHighestResolution);
     if (tolerance < least) {
-        char text[200];
-        std::snprintf(text, sizeof text,
-                      "tolerance is %.6g mm: method 'uniform' reaches %.6g mm with the most rays that it can use; ask "
-                      "for more than that, or use method 'default'",
-                      tolerance, least);
-        throw InvalidInput(text);
+        throw InvalidInput(Message::of(phrases::kManyRays, {{"length", in_digits(tolerance, 6) + " mm"},
+                                                            {"length2", in_digits(least, 6) + " mm"}}));
     }
     const double wanted = SampleGrid::resolution_for(size, tolerance / kBound);
     int resolution = static_cast<int>(std::clamp<double>(wanted, kLowestResolution, kHighestResolution));

@@ -10,6 +10,7 @@
 #include "base/key_set.h"
 #include "base/segment_distance.h"
 #include "base/single_precision_grid.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/bezier/curved_shapes.h"
 #include "curve/bezier/node_orders.h"
 #include "curve/bezier/sub_simplex.h"
@@ -116,12 +117,9 @@ class Tessellator {
           pace_(progress),
           max_triangles_(max_triangles) {
         if (deviation > 0.0 && deviation < 4.0 * grid_.resolution()) {
-            std::array<char, 160> text;
-            std::snprintf(
-                text.data(), text.size(),
-                "deviation is %.4g mm: single precision holds this mesh to %.4g mm only; choose a larger value",
-                deviation, 4.0 * grid_.resolution());
-            throw InvalidInput(text.data());
+            throw InvalidInput(
+                Message::of(phrases::kFineDeviation, {{"length", in_digits(deviation, 4) + " mm"},
+                                                      {"length2", in_digits(4.0 * grid_.resolution(), 4) + " mm"}}));
         }
         const double asked = deviation > 0.0 ? deviation : 1e-3 * box_of(mesh).largest_side();
         result_.deviation = std::max(asked, 4.0 * grid_.resolution());
@@ -210,11 +208,8 @@ class Tessellator {
     }
 
     [[noreturn]] void refuse() const {
-        std::array<char, 120> text;
-        std::snprintf(text.data(), text.size(),
-                      "a deviation of %.4g mm takes more than %zu triangles: ask for a larger one", result_.deviation,
-                      max_triangles_);
-        throw InvalidInput(text.data());
+        throw InvalidInput(Message::of(phrases::kManyTriangles, {{"length", in_digits(result_.deviation, 4) + " mm"},
+                                                                 {"count", std::to_string(max_triangles_)}}));
     }
 
     std::size_t node_of(std::size_t i) const {

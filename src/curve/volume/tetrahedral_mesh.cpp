@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/bezier/validity.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
@@ -190,6 +191,14 @@ Shell shell_of(const CurvedSurface& surface, std::size_t volume) {
     return shell;
 }
 
+/// What filling says of a solid, and where.
+Message in_solid(std::size_t solid, const Error& error, const std::string& place) {
+    return {phrases::kFaultInSolid,
+            {{"solid", Message::value("Solid" + std::to_string(solid + 1))},
+             {"phrase", error.message()},
+             {"value", Message::value(place)}}};
+}
+
 }  // namespace
 
 TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
@@ -205,11 +214,9 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& to
         try {
             filling = fill(shell.points, shell.triangles, grading_factor, progress);
         } catch (const MeshingFailed& error) {
-            throw MeshingFailed("Solid" + std::to_string(i + 1) + ": " + error.what() + " (" +
-                                trouble_spot(surface, topology, i, progress) + ")");
+            throw MeshingFailed(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         } catch (const GeometryError& error) {
-            throw GeometryError("Solid" + std::to_string(i + 1) + ": " + error.what() + " (" +
-                                trouble_spot(surface, topology, i, progress) + ")");
+            throw GeometryError(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {

@@ -39,6 +39,7 @@
 
 #include "base/error.h"
 #include "base/waits.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/patch_tree.h"
 
 namespace mq::geometry {
@@ -268,7 +269,8 @@ class ShapeDistance {
         }
         for (int i = 1; i <= map.Extent(); ++i) {
             check_cancelled(progress);
-            const OpenCascadeWait wait(progress, "reading Face" + std::to_string(i));
+            const OpenCascadeWait wait(progress,
+                                       Message::of(phrases::kReading, {{"name", "Face" + std::to_string(i)}}));
             faces_.push_back(std::make_unique<FaceDistance>(TopoDS::Face(map(i))));
         }
         nodes_.reserve(2 * faces_.size());

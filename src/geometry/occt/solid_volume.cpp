@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/waits.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::geometry {
 
@@ -31,7 +32,8 @@ double solid_content(const TopoDS_Shape& shape, const Progress* progress) {
         double sum = 0.0;
         for (int i = 1; i <= solids.Extent(); ++i) {
             check_cancelled(progress);
-            const OpenCascadeWait wait(progress, "measuring the volume of Solid" + std::to_string(i));
+            const OpenCascadeWait wait(progress,
+                                       Message::of(phrases::kMeasuringVolume, {{"name", "Solid" + std::to_string(i)}}));
             GProp_GProps properties;
             BRepGProp::VolumeProperties(solids(i), properties, kAccuracy);
             sum += std::abs(properties.Mass());

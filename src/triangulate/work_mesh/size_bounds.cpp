@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 
 namespace mq::triangulate {
 
@@ -22,8 +23,10 @@ std::vector<LocalSize> sizes_of_pieces(const std::vector<LocalSize>& local, cons
         const std::size_t count = topology.own_count(size.dimension);
         const std::string name = geometry::name_of({size.dimension, size.index});
         if (size.index < 0 || static_cast<std::size_t>(size.index) >= count) {
-            throw InvalidInput("a local size is given for " + name + ", but the shape has " + std::to_string(count) +
-                               " " + kinds[count == 1 ? 1 : 0][size.dimension]);
+            throw InvalidInput(
+                Message::of(phrases::kNoSuchEntity, {{"name", name},
+                                                     {"count", std::to_string(count)},
+                                                     {"name2", kinds[count == 1 ? 1 : 0][size.dimension]}}));
         }
         if (!(size.max_edge > 0.0)) {
             throw InvalidInput("the local size of " + name + " must be greater than 0 mm");

@@ -86,8 +86,8 @@ inline void place(mesh::TriangleMesh& mesh, Bytes& bytes) {
         axis = Vec3(x, 1.0, bytes.part(-1.0, 1.0)).normalized();
     }
     const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
-    const Vec3 stretch(bytes.number(1, 8) * 0.25, bytes.number(1, 8) * 0.25, bytes.number(1, 8) * 0.25);
-    const Vec3 shift(bytes.number(-8, 8) * 0.25, bytes.number(-8, 8) * 0.25, bytes.number(-8, 8) * 0.25);
+    const Vec3 stretch{bytes.number(1, 8) * 0.25, bytes.number(1, 8) * 0.25, bytes.number(1, 8) * 0.25};
+    const Vec3 shift{bytes.number(-8, 8) * 0.25, bytes.number(-8, 8) * 0.25, bytes.number(-8, 8) * 0.25};
     for (Vec3& p : mesh.vertices) {
         p = to_single(rotation * p.cwiseProduct(stretch) + shift);
     }

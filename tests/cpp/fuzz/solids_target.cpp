@@ -58,9 +58,11 @@ TopoDS_Shape moved(const TopoDS_Shape& shape, fuzz::Bytes& bytes) {
     const int quarters = bytes.number(0, 7);
     gp_Trsf turn;
     const double angle = quarters < 6 ? 0.25 * M_PI * quarters : bytes.part(0.0, M_PI);
-    turn.SetRotation(gp_Ax1(gp_Pnt(0.0, 0.0, 0.0), gp_Dir(bytes.number(0, 1), bytes.number(0, 1), 1.0)), angle);
+    // Braces, as the order of arguments in parentheses is the compiler's choice.
+    turn.SetRotation(gp_Ax1(gp_Pnt(0.0, 0.0, 0.0), gp_Dir{bytes.number(0, 1) * 1.0, bytes.number(0, 1) * 1.0, 1.0}),
+                     angle);
     gp_Trsf move;
-    move.SetTranslation(gp_Vec(0.5 * bytes.number(-8, 8), 0.5 * bytes.number(-8, 8), 0.5 * bytes.number(-8, 8)));
+    move.SetTranslation(gp_Vec{0.5 * bytes.number(-8, 8), 0.5 * bytes.number(-8, 8), 0.5 * bytes.number(-8, 8)});
     return shape.Located(TopLoc_Location(move * turn), Standard_False);
 }
 
@@ -126,6 +128,16 @@ void check_angles(const triangulate::Result& result, double bound) {
     }
 }
 
+/// Whether OpenCASCADE calls it a valid solid, and its shells are closed, which that does not ask.
+bool is_closed_solid(const TopoDS_Shape& shape) {
+    for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
+        if (!BRep_Tool::IsClosed(shell.Current())) {
+            return false;
+        }
+    }
+    return TopExp_Explorer(shape, TopAbs_SOLID).More() && BRepCheck_Analyzer(shape).IsValid();
+}
+
 void check(const TopoDS_Shape& shape, const triangulate::TriangulateOptions& options) {
     geometry::Engine engine(geometry::Engine::Mode::Direct);
     const auto model = geometry::make_shape_model(shape);
@@ -139,8 +151,8 @@ void check(const TopoDS_Shape& shape, const triangulate::TriangulateOptions& opt
     }
     fuzz::require(result.mesh.triangle_face.size() == result.mesh.triangles.size(), "every triangle has a face");
     fuzz::require(measured.degenerate_triangles == 0, "no triangle is degenerate");
-    const bool is_solid = TopExp_Explorer(shape, TopAbs_SOLID).More() && BRepCheck_Analyzer(shape).IsValid();
-    fuzz::require(!is_solid || (measured.closed && measured.oriented), "the mesh of a valid solid is closed");
+    fuzz::require(!is_closed_solid(shape) || (measured.closed && measured.oriented),
+                  "the mesh of a valid solid is closed");
     // Where the budget ends the work the report says it is incomplete, and lists nothing.
     if (result.report.complete) {
         check_angles(result, options.min_angle);

@@ -57,7 +57,7 @@ void wait_until(const std::atomic<bool>& flag) {
 /// The name of what the operation waits for, once it has one.
 std::string wait_of(const Waits& waits) {
     for (int i = 0; i < 500; ++i) {
-        if (const std::string what = waits.lasting(0ms); !what.empty()) {
+        if (const std::string what = waits.lasting(0ms).text(); !what.empty()) {
             return what;
         }
         std::this_thread::sleep_for(10ms);
@@ -77,14 +77,14 @@ TEST(Engine, NamesWhatACallerWaitsFor) {
     std::thread user([&] { engine.ask(model, numbered(1), &first); });
     wait_until(model->started);
     std::thread waiter([&] { engine.ask(model, numbered(1), &second); });
-    EXPECT_EQ(wait_of(first_waits), "OpenCASCADE: refining angles");
-    EXPECT_EQ(wait_of(second_waits), "the shape engine, used by Mesh of Bracket");
-    EXPECT_EQ(second_waits.lasting(1h), "");
+    EXPECT_EQ(wait_of(first_waits), "waits for OpenCASCADE: refining angles");
+    EXPECT_EQ(wait_of(second_waits), "waits for the shape engine, used by Mesh of Bracket");
+    EXPECT_EQ(second_waits.lasting(1h).text(), "");
     model->held = false;
     user.join();
     waiter.join();
-    EXPECT_EQ(first_waits.lasting(0ms), "");
-    EXPECT_EQ(second_waits.lasting(0ms), "");
+    EXPECT_EQ(first_waits.lasting(0ms).text(), "");
+    EXPECT_EQ(second_waits.lasting(0ms).text(), "");
 }
 
 TEST(Engine, AnswersInOrderOnItsOwnThread) {

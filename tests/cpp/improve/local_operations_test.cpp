@@ -50,6 +50,14 @@ TEST(LocalOperations, ACollapseTakesAVertexAndTwoTriangles) {
     EXPECT_TRUE(collapse_edge(mesh, 2, 3, kFeature)) << "along a straight one";
 }
 
+TEST(LocalOperations, NoCollapseLaysTwoTrianglesOnEachOther) {
+    mesh::TriangleMesh tetrahedron;
+    tetrahedron.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+    tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    const EditableMesh mesh(tetrahedron, M_PI);
+    EXPECT_FALSE(collapse_edge(mesh, 0, 1, kFeature));
+}
+
 TEST(LocalOperations, ASplitPutsAVertexOnTheEdge) {
     EditableMesh mesh = grid();
     const int middle = mesh.add_vertex(0.5 * (mesh.point(0) + mesh.point(1)));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/child_process.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/volume/mesher/filling_answer.h"
 
 namespace mq::curve {
@@ -122,14 +123,11 @@ TetrahedralFilling fill(const std::vector<Vec3>& points, const std::vector<std::
             return std::move(result.filling);
         }
         if (result.too_long) {
-            throw GeometryError(
-                "filling the surface with tetrahedra did not come to an end: its triangles do not fit each "
-                "other across thin walls; ask for a smaller chord height or shorter edges");
+            throw GeometryError(Message{phrases::kFillingWithoutEnd});
         }
         why = result.fault;
     }
-    throw MeshingFailed("the surface could not be filled with tetrahedra (the mesher says: " + why +
-                        "): it meets itself, or walls are too thin for its triangles; ask for a smaller chord height");
+    throw MeshingFailed(Message::of(phrases::kNotFilled, {{"value", why}}));
 }
 
 }  // namespace mq::curve

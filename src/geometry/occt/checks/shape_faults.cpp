@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "base/waits.h"
+#include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "geometry/occt/checks/linear_time_checks.h"
 #include "geometry/occt/topology/shape_map.h"
 #include "geometry/occt/topology/sub_shapes.h"
@@ -117,7 +118,8 @@ class FaultList {
         for (const Kind& kind : kinds_) {
             for (int i = 1; i <= kind.map.Extent(); ++i) {
                 check_cancelled(progress);
-                const OpenCascadeWait wait(progress, "checking " + (kind.name + std::to_string(i)));
+                const OpenCascadeWait wait(progress,
+                                           Message::of(phrases::kChecking, {{"name", kind.name + std::to_string(i)}}));
                 check(kind, kind.map(i), progress);
             }
         }
@@ -237,7 +239,8 @@ void add_inverted_solids(const ShapeMap& live, const Topology& topology, std::ve
         if (topology.volumes[i].kind != Volume::Kind::Solid) {
             continue;
         }
-        const OpenCascadeWait wait(progress, "checking Solid" + std::to_string(i + 1));
+        const OpenCascadeWait wait(progress,
+                                   Message::of(phrases::kChecking, {{"name", "Solid" + std::to_string(i + 1)}}));
         BRepClass3d_SolidClassifier classifier(live.volumes[i].Located(TopLoc_Location()));
         classifier.PerformInfinitePoint(Precision::Confusion());
         if (classifier.State() == TopAbs_IN) {
