@@ -102,7 +102,7 @@ def property_of(obj, name):
 
 
 def attribute_of(geometry, name):
-    """The value of an attribute of a Part.Shape or a Mesh.Mesh."""
+    """The value of an attribute of a Part.Shape, a Mesh.Mesh or a placement."""
     return getattr(type(geometry), name).__get__(geometry)
 
 

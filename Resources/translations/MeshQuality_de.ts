@@ -371,6 +371,10 @@
         <source>What the certificate is made of, by which the window translates it</source>
         <translation>Woraus das Zertifikat besteht; danach übersetzt es das Fenster</translation>
     </message>
+    <message>
+        <source>What a failure in Status is made of, by which the window translates it</source>
+        <translation>Woraus ein Fehler in Status besteht; danach übersetzt ihn das Fenster</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>

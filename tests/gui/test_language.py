@@ -10,8 +10,10 @@ import Part
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
+from MeshQuality import phrases
 from MeshQuality.gui import commands, translation
 from MeshQuality.gui.panels import quality_panel
+from MeshQuality.phrases import Text
 
 # Words of English sentences that are no German ones.
 ENGLISH = re.compile(r"\b(the|of|and|is|are|be|with|that|to|than|from|each|triangles?|mesh|shape|angles?|"
@@ -166,13 +168,14 @@ class German(gui_helpers.PanelTest):
             self.assertIsNone(ENGLISH.search(text), text)
 
     def test_waits_are_german(self):
+        checking = Text(phrases.WAITS_FOR_KERNEL, stage=Text(phrases.CHECKING, name="Face12"))
         for stage, german in (
-                ("waits for OpenCASCADE: checking Face12", "wartet auf OpenCASCADE: Face12 wird geprüft"),
-                ("waits for OpenCASCADE: reading the shape", "wartet auf OpenCASCADE: Form wird gelesen"),
-                ("waits for the shape engine, used by Mesh of Bracket",
+                (checking, "wartet auf OpenCASCADE: Face12 wird geprüft"),
+                (Text(phrases.WAITS_FOR_KERNEL, stage="reading the shape"), "wartet auf OpenCASCADE: Form wird gelesen"),
+                (Text(phrases.WAITS_FOR_ENGINE, name="Mesh of Bracket"),
                  "wartet auf den Formkern, belegt durch: Mesh of Bracket")):
             self.assertEqual(translation.translated_stage(stage), german)
-        self.assertEqual(translation.translated_rest("waits for OpenCASCADE: checking Face12"),
+        self.assertEqual(translation.translated_rest(checking),
                          "OpenCASCADE arbeitet noch: Face12 wird geprüft")
         self.assertEqual(translation.translated_rest("mending"),
                          "arbeitet noch: " + translation.translated_stage("mending"))

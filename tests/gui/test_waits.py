@@ -112,7 +112,7 @@ class Waits(gui_helpers.PanelTest):
             ended.set()
 
         threading.Thread(target=use, name="Mesh of Bracket").start()
-        self.until(lambda: dict(compat.extension().waits()).get("Mesh of Bracket") == "OpenCASCADE: checking Face1")
+        self.until(lambda: dict(compat.extension().waits()).get("Mesh of Bracket") == "waits for OpenCASCADE: checking Face1")
         panel = self.started(self.box())
         self.until(lambda: panel.doing.text() == "waits for the shape engine, used by Mesh of Bracket")
         self.shot("waits_engine")

@@ -10,7 +10,7 @@ import FreeCAD
 import numpy as np
 
 from .. import options, phrases
-from ..compat import PlainState, property_of, without_traceback
+from ..compat import PlainState, attribute_of, property_of, without_traceback
 from ..core import convert, frames, hidden_parts, verdict
 from ..errors import Error, InvalidInput
 from . import aliases, distance_bound, placement
@@ -27,6 +27,8 @@ PROMISES = (
     ("Manifold", "App::PropertyBool",
      "The mesh has no edge of three or more triangles and no pinched vertex"),
 )
+STATUS_DATA = ("StatusData", "App::PropertyString",
+               "What a failure in Status is made of, by which the window translates it")
 CERTIFICATE_DATA = ("CertificateData", "App::PropertyString",
                     "What the certificate is made of, by which the window translates it")
 CERTIFICATE_FACES = ("CertificateFaces", "App::PropertyStringList",
@@ -89,11 +91,11 @@ class MeshObject(PlainState):
             elif name == "Certificate" and obj.Mesh.CountFacets:
                 obj.Certificate = verdict.UNKNOWN
             obj.setEditorMode(name, 1)
-        add_hidden(obj, "Certificate", (CERTIFICATE_DATA, CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT))
+        add_hidden(obj, "Certificate", (CERTIFICATE_DATA, CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT, STATUS_DATA))
         older = placement.ORIGIN[0] not in obj.PropertiesList
         add_hidden(obj, "Mesh", (placement.FRAME, placement.ORIGIN, placement.ARRANGEMENT))
         if older:  # computed in the frame of its source, whatever container that is in
-            obj.MeshOrigin = property_of(obj, "Placement").Base
+            obj.MeshOrigin = attribute_of(property_of(obj, "Placement"), "Base")
         obj.setEditorMode("Placement", 1)
         if add_property(obj, "App::PropertyEnumeration", "Recompute", "Update",
                         "Automatic: the mesh follows its sources and options; Manual: only Update mesh "
@@ -169,6 +171,7 @@ class MeshObject(PlainState):
             with suppress(AttributeError):  # where Status is read-only, too
                 deleted = obj.Fingerprint and self.lacks_source(obj)
                 obj.Status = SOURCE_DELETED if deleted else f"{FAILED}{error}"
+                obj.StatusData = json.dumps(phrases.to_data(phrases.text_of(error)))
             if isinstance(error, (Error, ImportError, MemoryError)):
                 raise type(error)(f"{obj.Label}: {window().translated(error)}") from error
             raise

@@ -33,7 +33,7 @@ def record(obj, frame, arrangement):
     arrangement  of all sources then, see frames.arrangement_of
     """
     obj.SourceFrame, obj.SourceArrangement = frame, arrangement
-    obj.MeshOrigin = attribute_of(property_of(obj, "Mesh"), "Placement").Base
+    obj.MeshOrigin = attribute_of(attribute_of(property_of(obj, "Mesh"), "Placement"), "Base")
 
 
 def follow(obj):

@@ -30,7 +30,7 @@ def _words(obj):
                                                 "changed.")
     elif obj.Status.startswith(mesh_object.FAILED):
         words += " " + translate("MeshQuality", "The last update failed: {}").format(
-            translated(obj.Status[len(mesh_object.FAILED):]))
+            translated(phrases.stored(obj.Status[len(mesh_object.FAILED):], obj.StatusData)))
     return words
 
 
