@@ -25,6 +25,7 @@
 #include "triangulate/optimise/vertex_removal.h"
 #include "triangulate/refine/angle_refinement.h"
 #include "triangulate/refine/chord_refinement.h"
+#include "triangulate/refine/doubled_edges.h"
 #include "triangulate/refine/intersection_refinement.h"
 #include "triangulate/report/final_report.h"
 #include "triangulate/report/manifold_output.h"
@@ -86,34 +87,6 @@ void check_against_part(const TriangulateOptions& options, const geometry::Topol
     }
 }
 
-// Inserts a vertex in the middle of edges that join the same vertices on two faces, however short they are: a
-// consistent surface takes precedence over min_edge.
-// @return whether there were any such edges
-bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
-    bool any = false;
-    for (int round = 0; round < 8; ++round) {
-        const std::vector<int> doubled = work.maxmin.doubled_edges();
-        std::vector<Candidate> candidates;
-        for (const int h : doubled) {
-            candidates.push_back(edge_middle_site(work.mesh, h));
-        }
-        const auto points = surface_points(work, candidates);
-        bool changed = false;
-        for (std::size_t i = 0; i < doubled.size(); ++i) {
-            changed = (points[i] && !insert_vertex(work, doubled[i] / 3, *points[i], touched, kAligned, work.floor)) ||
-                      changed;
-            if (changed) {
-                break;  // swaps may have changed the others
-            }
-        }
-        if (!changed) {
-            break;
-        }
-        any = true;
-    }
-    return any;
-}
-
 // Splits crossing triangles, however short the new edges are: a mesh that does not cross itself takes precedence over
 // min_edge.
 // @return whether anything was split
@@ -122,36 +95,6 @@ bool split_crossings(Workspace& work, IntersectionRefinement& crossings) {
     const bool any = crossings.run();
     work.min_edge = asked;
     return any;
-}
-
-// CAD edges that join the same nodes by one segment each would become one edge of the mesh: all but the straightest of
-// them are split.
-void separate_doubled_segments(Workspace& work, SegmentSplitter& splitter, std::vector<int>& touched) {
-    std::map<std::pair<int, int>, std::vector<int>> by_ends;
-    for (int s = 0; s < work.mesh.segment_count(); ++s) {
-        if (!work.mesh.segment(s).uses.empty()) {
-            const auto& v = work.mesh.segment(s).vertices;
-            by_ends[std::minmax(v[0], v[1])].push_back(s);
-        }
-    }
-    for (const auto& [ends, segments] : by_ends) {
-        if (segments.size() < 2) {
-            continue;
-        }
-        const Vec3 middle = 0.5 * (work.mesh.vertex(ends.first).point + work.mesh.vertex(ends.second).point);
-        std::vector<std::pair<double, int>> by_height;
-        for (const int s : segments) {
-            const ClassifiedMesh::Segment& segment = work.mesh.segment(s);
-            const geometry::Answer on_curve =
-                work.session.ask(geometry::Query::edge_middle(segment.edge, segment.t[0], segment.t[1]));
-            by_height.emplace_back((work.grid.snap(on_curve.point) - middle).norm(), s);
-        }
-        std::sort(by_height.begin(), by_height.end());
-        for (std::size_t i = 1; i < by_height.size(); ++i) {
-            splitter.request(by_height[i].second, true);
-        }
-    }
-    splitter.run(touched);
 }
 
 std::string failed_faces(const InitialTriangulation& initial, const geometry::Topology& topology) {

@@ -245,7 +245,7 @@ std::optional<Cause> insert_vertex(Workspace& work, int triangle, const SurfaceP
     }
     const int face = mesh.face_of(triangle);
     const int site = mesh.add_site({mesh.add_vertex(p.point, {2, face}), p.uv, p.normal});
-    const auto three = mesh.split_triangle(triangle, site);
+    const auto three = work.maxmin.split_triangle(triangle, site);
     touched.insert(touched.end(), three.begin(), three.end());
     const std::size_t before = touched.size() - 3;
     for (const int g : cavity.outside) {

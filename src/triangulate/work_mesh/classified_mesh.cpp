@@ -105,35 +105,6 @@ std::array<int, 3> ClassifiedMesh::split_triangle(int triangle, int site) {
     return {triangle, t1, t2};
 }
 
-std::array<int, 4> ClassifiedMesh::split_edge(int h, int site) {
-    const int g = twin_[h];
-    const int t = triangle_of(h);
-    const int o = triangle_of(g);
-    const int a = corner_[h];
-    const int b = corner_[next(h)];
-    const int c = corner_[prev(h)];
-    const int b_other = corner_[g];
-    const int a_other = corner_[next(g)];
-    const int d = corner_[prev(g)];
-    const Link bc = take(next(h));
-    const Link ca = take(prev(h));
-    const Link ad = take(next(g));
-    const Link db = take(prev(g));
-    const int t1 = add_triangle({site, b, c}, face_[t]);
-    const int o1 = add_triangle({site, a_other, d}, face_[o]);
-    set_corners(t, a, site, c);
-    set_corners(o, b_other, site, d);
-    put(3 * t + 2, ca);
-    put(3 * t1 + 1, bc);
-    put(3 * o + 2, db);
-    put(3 * o1 + 1, ad);
-    link(3 * t + 1, 3 * t1 + 2);
-    link(3 * o + 1, 3 * o1 + 2);
-    link(3 * t, 3 * o1);
-    link(3 * t1, 3 * o);
-    return {t, t1, o, o1};
-}
-
 int ClassifiedMesh::split_segment(int segment, int vertex, double t, const std::vector<int>& sites) {
     const int far =
         add_segment(segments_[segment].edge, {vertex, segments_[segment].vertices[1]}, {t, segments_[segment].t[1]});

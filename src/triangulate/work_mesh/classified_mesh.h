@@ -97,8 +97,6 @@ class ClassifiedMesh {
     /// Triangle (a, b, c) becomes (a, b, p), (b, c, p), (c, a, p); the first keeps its index.
     /// @return the indices of the three.
     std::array<int, 3> split_triangle(int triangle, int site);
-    /// Replaces the two triangles beside the edge of `h` by four around `site`. Needs a twin.
-    std::array<int, 4> split_edge(int h, int site);
     /// Splits a segment at `vertex`, parameter `t`; `sites[k]` is the vertex's site for use k.
     /// @return the new segment from `vertex` to the old far end. The segment itself keeps the near half.
     int split_segment(int segment, int vertex, double t, const std::vector<int>& sites);

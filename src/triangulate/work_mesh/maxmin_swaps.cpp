@@ -26,20 +26,20 @@ void MaxMinSwaps::rebuild() {
         }
     }
     for (int h = 0; h < mesh_.half_edge_count(); ++h) {
-        if (mesh_.twin(h) > h) {
+        if (mesh_.twin(h) > h && !mesh_.gone(ClassifiedMesh::triangle_of(h))) {
             remember(mesh_.vertex_of(h), mesh_.vertex_of(ClassifiedMesh::next(h)));
         }
     }
 }
 
 void MaxMinSwaps::remember(int a, int b) {
-    if (on_border(a) && on_border(b) && ++pairs_[pair_key(a, b)] == 2) {
+    if (may_be_doubled(a, b) && ++pairs_[pair_key(a, b)] == 2) {
         ++doubled_;
     }
 }
 
 void MaxMinSwaps::forget(int a, int b) {
-    if (!on_border(a) || !on_border(b)) {
+    if (!may_be_doubled(a, b)) {
         return;
     }
     const auto found = pairs_.find(pair_key(a, b));
@@ -54,12 +54,15 @@ void MaxMinSwaps::forget(int a, int b) {
     }
 }
 
+bool MaxMinSwaps::is_doubled(int h) const {
+    const auto found = pairs_.find(pair_key(mesh_.vertex_of(h), mesh_.vertex_of(ClassifiedMesh::next(h))));
+    return found != pairs_.end() && found->second > 1;
+}
+
 std::vector<int> MaxMinSwaps::doubled_edges() const {
     std::vector<int> result;
     for (int h = 0; doubled_ > 0 && h < mesh_.half_edge_count(); ++h) {
-        const int a = mesh_.vertex_of(h);
-        const int b = mesh_.vertex_of(ClassifiedMesh::next(h));
-        if (mesh_.twin(h) > h && on_border(a) && on_border(b) && pairs_.at(pair_key(a, b)) > 1) {
+        if (mesh_.twin(h) > h && !mesh_.gone(ClassifiedMesh::triangle_of(h)) && is_doubled(h)) {
             result.push_back(h);
         }
     }
@@ -90,9 +93,7 @@ bool MaxMinSwaps::legal(int h, double least) const {
     }
     // In the plane two vertices visible to each other across an edge are not joined elsewhere, but triangles can be
     // folded.
-    const int from_c = ClassifiedMesh::prev(h);
-    const int from_d = ClassifiedMesh::prev(g);
-    return on_border(vc) ? on_border(vd) || !mesh_.leads_to(from_d, vc) : !mesh_.leads_to(from_c, vd);
+    return may_be_doubled(vc, vd) || !mesh_.leads_to(ClassifiedMesh::prev(h), vd);
 }
 
 void MaxMinSwaps::swap(int h, std::vector<int>& touched) {
@@ -120,6 +121,14 @@ std::vector<int> MaxMinSwaps::replace(const std::vector<int>& removed, const std
     std::vector<int> indices = mesh_.replace(removed, added);
     book_inner_edges(indices, &MaxMinSwaps::remember);
     return indices;
+}
+
+std::array<int, 3> MaxMinSwaps::split_triangle(int triangle, int site) {
+    const std::array<int, 3> result = mesh_.split_triangle(triangle, site);
+    for (const int t : result) {
+        remember(mesh_.site(site).vertex, mesh_.vertex_of(3 * t));
+    }
+    return result;
 }
 
 int MaxMinSwaps::split_segment(int segment, int vertex, double t, const std::vector<int>& sites) {

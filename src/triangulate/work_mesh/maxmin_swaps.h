@@ -39,6 +39,8 @@ class MaxMinSwaps {
 
     /// Replaces triangles by others (see ClassifiedMesh::replace), and updates the table of joined pairs.
     std::vector<int> replace(const std::vector<int>& removed, const std::vector<std::array<int, 3>>& added);
+    /// Splits a triangle (see ClassifiedMesh::split_triangle), and updates the table of joined pairs.
+    std::array<int, 3> split_triangle(int triangle, int site);
     /// Splits a segment (see ClassifiedMesh::split_segment), and updates the table of joined pairs.
     int split_segment(int segment, int vertex, double t, const std::vector<int>& sites);
     /// Joins two segments (see ClassifiedMesh::join_segments), and updates the table of joined pairs.
@@ -49,22 +51,25 @@ class MaxMinSwaps {
                          const std::vector<int>& sites);
     /// Whether the vertex lies on a CAD edge or at a node.
     bool on_border(int vertex) const { return mesh_.vertex(vertex).entity[0] < 2; }
-    /// Whether both vertices lie on CAD edges, and an edge or a segment joins them already.
-    bool joined(int a, int b) const { return on_border(a) && on_border(b) && pairs_.count(pair_key(a, b)) > 0; }
+    /// Whether an edge or a segment joins the vertices already, one of which at least lies on a CAD edge.
+    bool joined(int a, int b) const { return may_be_doubled(a, b) && pairs_.count(pair_key(a, b)) > 0; }
 
+    /// Whether another edge joins the same vertices.
+    bool is_doubled(int h) const;
     /// Returns half-edges without a segment that join two vertices which another edge joins already.
     std::vector<int> doubled_edges() const;
-    /// To be called before and after a vertex is inserted on an edge or a segment between two border vertices.
-    void forget(int a, int b);
-    void remember(int a, int b);
 
   private:
+    // Two faces meet in vertices on CAD edges only, and so do the two sides of a face at its seam.
+    bool may_be_doubled(int a, int b) const { return on_border(a) || on_border(b); }
+    void forget(int a, int b);
+    void remember(int a, int b);
     bool legal(int h, double least) const;
     void book_inner_edges(const std::vector<int>& triangles, void (MaxMinSwaps::*book)(int, int));
 
     ClassifiedMesh& mesh_;
     std::vector<int> around_;  // buffer of restore_around, kept to reuse its memory
-    // Numbers of edges that join two vertices on CAD edges: only these can join the same pair on another face.
+    // Numbers of edges that join two vertices of which one at least lies on a CAD edge.
     KeyMap<int> pairs_;
     int doubled_ = 0;  // pairs that more than one edge joins
 };

@@ -130,16 +130,11 @@ class Shaker {
 
     void step() {
         const int h = pick(mesh_.half_edge_count());
-        switch (pick(4)) {
+        switch (pick(3)) {
             case 0:
                 split_triangle(h / 3);
                 break;
             case 1:
-                if (mesh_.twin(h) >= 0) {
-                    split_edge(h);
-                }
-                break;
-            case 2:
                 split_segment(pick(mesh_.segment_count()));
                 break;
             default:
@@ -153,11 +148,6 @@ class Shaker {
         const Vec2 uv = (uv_of(3 * t) + uv_of(3 * t + 1) + uv_of(3 * t + 2)) / 3.0;
         const Vec3 p = (mesh_.point_of(3 * t) + mesh_.point_of(3 * t + 1) + mesh_.point_of(3 * t + 2)) / 3.0;
         mesh_.split_triangle(t, mesh_.add_site({mesh_.add_vertex(p, {2, mesh_.face_of(t)}), uv, Vec3(0, 0, 1)}));
-    }
-
-    void split_edge(int h) {
-        const int vertex = mesh_.add_vertex(middle(h), {2, mesh_.face_of(h / 3)});
-        mesh_.split_edge(h, mesh_.add_site({vertex, middle_uv(h), Vec3(0, 0, 1)}));
     }
 
     int split_segment(int s) {
@@ -268,30 +258,6 @@ TEST(ClassifiedMesh, ReplacedTrianglesKeepTheRimAndCompactClosesTheGaps) {
         }
         expect_chains(mesh);
         expect_stars(mesh);
-    }
-}
-
-TEST(ClassifiedMesh, SplitEdgePutsTheSiteBetweenItsEnds) {
-    ClassifiedMesh mesh = samples::sheet(3, 2);
-    for (int h = 0; h < 12; ++h) {
-        if (mesh.twin(h) < 0) {
-            continue;
-        }
-        const std::set<int> around{mesh.site_of(h), mesh.site_of(ClassifiedMesh::next(h)),
-                                   mesh.site_of(ClassifiedMesh::prev(h)),
-                                   mesh.site_of(ClassifiedMesh::prev(mesh.twin(h)))};
-        const int site = mesh.add_site({mesh.add_vertex(Vec3(0.5, 0.5, 0), {2, 0})});
-        const std::array<int, 4> made = mesh.split_edge(h, site);
-        std::set<int> neighbours;
-        for (const int t : made) {
-            for (int k = 3 * t; k < 3 * t + 3; ++k) {
-                if (mesh.site_of(k) == site) {
-                    neighbours.insert(mesh.site_of(ClassifiedMesh::next(k)));
-                }
-            }
-        }
-        EXPECT_EQ(neighbours, around);
-        EXPECT_EQ(mesh.inconsistency(), "");
     }
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/work_mesh/maxmin_swaps.h"
 
+#include <array>
 #include <map>
+#include <tuple>
 
 #include "base/predicates.h"
 #include "triangulate/checks.h"
@@ -137,6 +139,72 @@ TEST(MaxMinSwaps, JoinsNoVerticesTwiceWhereTrianglesAreFolded) {
     maxmin.sweep(touched);
     EXPECT_EQ(mesh.inconsistency(), "");
     expect_no_doubled_edges(mesh);
+}
+
+/// A band around a seam, two triangles wide: vertices 0 and 1 of the seam have sites on both sides of it, and the inner
+/// vertex 2 is joined to each of them from both.
+struct BandAroundASeam {
+    ClassifiedMesh mesh;
+
+    BandAroundASeam() {
+        const std::array<int, 2> seam{mesh.add_vertex(Vec3(0, 0, 0), {0, 0}), mesh.add_vertex(Vec3(0, 1, 0), {0, 1})};
+        const int inner = mesh.add_vertex(Vec3(1, 0.5, 0), {2, 0});
+        for (const auto& [vertex, x, y] : {std::tuple(seam[0], 0.0, 0.0),
+                                           {seam[1], 0.0, 1.0},
+                                           {inner, 1.0, 0.5},
+                                           {seam[0], 2.0, 0.0},
+                                           {seam[1], 2.0, 1.0}}) {
+            mesh.add_site({vertex, Vec2(x, y), Vec3(0, 0, 1)});
+        }
+        const int left = mesh.add_triangle({1, 0, 2}, 0);
+        const int right = mesh.add_triangle({3, 4, 2}, 0);
+        const int below = mesh.add_triangle({0, 3, 2}, 0);
+        const int above = mesh.add_triangle({4, 1, 2}, 0);
+        mesh.link(3 * left + 1, 3 * below + 2);
+        mesh.link(3 * below + 1, 3 * right + 2);
+        mesh.link(3 * right + 1, 3 * above + 2);
+        mesh.link(3 * above + 1, 3 * left + 2);
+    }
+};
+
+TEST(MaxMinSwaps, SeesEdgesOnTheTwoSidesOfASeam) {
+    BandAroundASeam band;
+    MaxMinSwaps maxmin(band.mesh);
+    EXPECT_EQ(maxmin.doubled_edges().size(), 4u);
+    EXPECT_TRUE(maxmin.joined(0, 2));
+    const int site =
+        band.mesh.add_site({band.mesh.add_vertex(Vec3(0.3, 0.5, 0), {2, 0}), Vec2(0.3, 0.5), Vec3(0, 0, 1)});
+    maxmin.split_triangle(0, site);
+    EXPECT_TRUE(maxmin.joined(0, 3));
+    EXPECT_EQ(maxmin.doubled_edges().size(), 4u);
+}
+
+/// Triangles that are gone keep their links; counted, they made swaps illegal that are not.
+TEST(MaxMinSwaps, ForgetsTrianglesThatAreGoneWhereTheTableIsRebuilt) {
+    Pipeline pipeline(geometry::make_torus(5.0, 1.5));
+    pipeline.refine(28.0, Insertion::OffCentre);
+    ClassifiedMesh& mesh = pipeline.surface;
+    int inner = -1;  // half-edge from a vertex inside a face, next to a border
+    for (int h = 0; h < mesh.half_edge_count() && inner < 0; ++h) {
+        if (mesh.vertex(mesh.vertex_of(h)).entity[0] == 2 &&
+            mesh.vertex(mesh.vertex_of(ClassifiedMesh::next(h))).entity[0] < 2 && mesh.star(h).size() == 5) {
+            inner = h;
+        }
+    }
+    ASSERT_GE(inner, 0);
+    std::vector<int> removed;
+    std::vector<int> rim;
+    for (const int spoke : mesh.star(inner)) {
+        removed.push_back(ClassifiedMesh::triangle_of(spoke));
+        rim.push_back(mesh.site_of(ClassifiedMesh::next(spoke)));
+    }
+    const int gone = mesh.vertex_of(inner);
+    const int neighbour = mesh.vertex_of(ClassifiedMesh::next(inner));
+    ASSERT_TRUE(pipeline.maxmin.joined(gone, neighbour));
+    pipeline.maxmin.replace(removed, {{rim[0], rim[1], rim[2]}, {rim[0], rim[2], rim[3]}, {rim[0], rim[3], rim[4]}});
+    EXPECT_FALSE(pipeline.maxmin.joined(gone, neighbour));
+    pipeline.maxmin.rebuild();
+    EXPECT_FALSE(pipeline.maxmin.joined(gone, neighbour));
 }
 
 }  // namespace
