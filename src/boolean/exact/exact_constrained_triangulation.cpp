@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "base/error.h"
+#include "base/smallest_angle.h"
 
 namespace mq::boolean {
 
@@ -13,16 +14,6 @@ namespace {
 
 [[noreturn]] void inconsistent(const char* what) {
     throw TopologyError(std::string("the division of a plane is inconsistent: ") + what);
-}
-
-/// Squared sine of the smallest angle, which lies between the two longest sides. Unlike the cosine it tells small
-/// angles apart.
-double squared_sine_of_smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 u = b - a;
-    const Vec3 v = c - b;
-    const Vec3 w = a - c;
-    const double shortest = std::min({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
-    return u.cross(v).squaredNorm() * shortest / (u.squaredNorm() * v.squaredNorm() * w.squaredNorm());
 }
 
 }  // namespace

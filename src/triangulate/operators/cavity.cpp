@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/smallest_angle.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
@@ -40,7 +41,8 @@ double squared_sine_over(const Vec3& from, const Vec3& to, double length, const 
     const Vec3 a = from - apex;
     const Vec3 b = to - apex;
     const Vec3 area = a.cross(b);
-    return area.dot(normal) > 0.0 ? squared_sine_of_smallest(area, a.squaredNorm(), b.squaredNorm(), length) : -1.0;
+    return area.dot(normal) > 0.0 ? squared_sine_of_smallest_angle(area, a.squaredNorm(), b.squaredNorm(), length)
+                                  : -1.0;
 }
 
 double squared_sine_over(const ClassifiedMesh& mesh, const Cavity& disc, int side, const Vec3& apex) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/smallest_angle.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
@@ -19,7 +20,7 @@ double squared_sine(const ClassifiedMesh& mesh, const std::array<int, 3>& sites,
     if (!(area.dot(normal) > 0.0)) {
         return -1.0;
     }
-    return squared_sine_of_smallest(area, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm());
+    return squared_sine_of_smallest_angle(area, (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm());
 }
 
 Fan fan_from(const ClassifiedMesh& mesh, const RemovalCavity& cavity, int apex_site, double least_angle) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/angle.h"
+#include "base/smallest_angle.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
@@ -37,8 +38,8 @@ Vec3 doubled_area(const ClassifiedMesh& mesh, int triangle) {
 
 double squared_sine_of_smallest(const ClassifiedMesh& mesh, int triangle) {
     const int h = 3 * triangle;
-    return squared_sine_of_smallest(doubled_area(mesh, triangle), squared_length(mesh, h), squared_length(mesh, h + 1),
-                                    squared_length(mesh, h + 2));
+    return squared_sine_of_smallest_angle(doubled_area(mesh, triangle), squared_length(mesh, h),
+                                          squared_length(mesh, h + 1), squared_length(mesh, h + 2));
 }
 
 int narrow_corner_of(const ClassifiedMesh& mesh, int triangle) {

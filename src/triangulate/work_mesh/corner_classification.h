@@ -61,14 +61,7 @@ SmallestAngle smallest_angle(const ClassifiedMesh& mesh, int triangle);
 /// Returns the normal of a triangle, as long as twice its area.
 Vec3 doubled_area(const ClassifiedMesh& mesh, int triangle);
 
-/// Returns the squared sine of a triangle's smallest angle, which lies between the two longer sides, and is 60 degrees
-/// at most. Several times as fast as the angle, and sufficient for comparisons. 0 if two corners coincide.
-/// @param area  a normal as long as twice the area
-/// @param a, b, c  squared lengths of the sides
-inline double squared_sine_of_smallest(const Vec3& area, double a, double b, double c) {
-    const double product = a * b * c;
-    return product > 0.0 ? area.squaredNorm() * std::min({a, b, c}) / product : 0.0;
-}
+/// Returns the squared sine of a triangle's smallest angle, for comparisons (see base/smallest_angle.h).
 double squared_sine_of_smallest(const ClassifiedMesh& mesh, int triangle);
 /// Returns a squared sine beyond which the smallest angle exceeds `angle` (radians) despite rounding.
 inline double sine_squared_above(double angle) {
