@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/smallest_angle.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
@@ -119,7 +118,7 @@ std::optional<Cavity> disc_of(const ClassifiedMesh& mesh, std::vector<int> trian
 double smallest_angle(const ClassifiedMesh& mesh, const Cavity& disc) {
     double least = 1.0;
     for (const int t : disc.triangles) {
-        least = std::min(least, squared_sine_of_smallest(mesh, t));
+        least = std::min(least, squared_sine_of_smallest_angle(mesh, t));
     }
     return angle_of(least);
 }

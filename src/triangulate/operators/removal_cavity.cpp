@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/smallest_angle.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {

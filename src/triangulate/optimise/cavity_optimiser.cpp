@@ -98,7 +98,7 @@ void CavityOptimiser::want(double angle) {
 }
 
 void CavityOptimiser::push_if_bad(int triangle) {
-    if (squared_sine_of_smallest(work_.mesh, triangle) > surely_enough_) {
+    if (squared_sine_of_smallest_angle(work_.mesh, triangle) > surely_enough_) {
         return;
     }
     const double angle = smallest_angle(work_.mesh, triangle).angle;

@@ -50,7 +50,7 @@ void AngleRefinement::push_if_bad(int triangle) {
         queue_.push({aligned - 2.0, triangle, work_.mesh.stamp(triangle)});
         return;
     }
-    if (squared_sine_of_smallest(work_.mesh, triangle) > surely_enough_) {
+    if (squared_sine_of_smallest_angle(work_.mesh, triangle) > surely_enough_) {
         return;
     }
     const double angle = smallest_angle(work_.mesh, triangle).angle;

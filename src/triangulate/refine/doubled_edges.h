@@ -8,9 +8,9 @@
 
 namespace mq::triangulate {
 
-/// A mesh is a simplicial complex only if no two of its edges join the same vertices. Two faces can break this at the
-/// vertices of their borders, and a face with a seam at the two sides of its seam. Later operations keep it
-/// (MaxMinSwaps), except for the splits of segments.
+// A mesh is a simplicial complex only if no two of its edges join the same vertices. Two faces can break this at the
+// vertices of their borders, and a face with a seam at the two sides of its seam. Later operations keep it
+// (MaxMinSwaps), except for the splits of segments.
 
 /// Splits all segments that join the same nodes but the straightest of them. Changed triangles are appended to
 /// `touched`.

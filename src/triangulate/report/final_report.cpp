@@ -22,7 +22,7 @@ void report_exemptions(const Workspace& work, const Output& out, double bound, m
     for (std::size_t i = 0; i < out.source.size(); ++i) {
         pace.step();
         const int t = out.source[i];
-        if (squared_sine_of_smallest(work.mesh, t) > beyond) {
+        if (squared_sine_of_smallest_angle(work.mesh, t) > beyond) {
             continue;
         }
         const double angle = smallest_angle(work.mesh, t).angle / kDegree;

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "base/angle.h"
-#include "base/smallest_angle.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
@@ -36,7 +35,7 @@ Vec3 doubled_area(const ClassifiedMesh& mesh, int triangle) {
     return (mesh.point_of(3 * triangle + 1) - p).cross(mesh.point_of(3 * triangle + 2) - p);
 }
 
-double squared_sine_of_smallest(const ClassifiedMesh& mesh, int triangle) {
+double squared_sine_of_smallest_angle(const ClassifiedMesh& mesh, int triangle) {
     const int h = 3 * triangle;
     return squared_sine_of_smallest_angle(doubled_area(mesh, triangle), squared_length(mesh, h),
                                           squared_length(mesh, h + 1), squared_length(mesh, h + 2));

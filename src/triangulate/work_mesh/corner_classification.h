@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
+#include "base/smallest_angle.h"
 #include "triangulate/work_mesh/classified_mesh.h"
 
 namespace mq::triangulate {
@@ -61,8 +61,9 @@ SmallestAngle smallest_angle(const ClassifiedMesh& mesh, int triangle);
 /// Returns the normal of a triangle, as long as twice its area.
 Vec3 doubled_area(const ClassifiedMesh& mesh, int triangle);
 
-/// Returns the squared sine of a triangle's smallest angle, for comparisons (see base/smallest_angle.h).
-double squared_sine_of_smallest(const ClassifiedMesh& mesh, int triangle);
+using mq::squared_sine_of_smallest_angle;  // not hidden by the one of a triangle of the mesh
+/// Returns the squared sine of the smallest angle of a triangle of the mesh, for comparisons.
+double squared_sine_of_smallest_angle(const ClassifiedMesh& mesh, int triangle);
 /// Returns a squared sine beyond which the smallest angle exceeds `angle` (radians) despite rounding.
 inline double sine_squared_above(double angle) {
     constexpr double kRounding = 1.0 + 1e-9;  // Relative margin for rounding of the squared sine.
