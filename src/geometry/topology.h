@@ -91,7 +91,10 @@ struct Topology {
     std::vector<Face> faces;
     std::vector<EdgeUse> uses;
     std::vector<Volume> volumes;
-    Box box;                          ///< box of the whole model, mm; never smaller than the model
+    Box box;  ///< box of the whole model, mm; never smaller than the model
+    /// mm; edges shorter and faces thinner than this are not told apart where that is safe (degenerate_faces,
+    /// triangulate/initial/short_edges); 0: all are
+    double detail = 0.0;
     std::vector<std::string> faults;  ///< faults of the model by the kernel's own checks, naming entities
     /// By dimension, for the entities after the shape's own: the entity of the shape to which each belongs. A piece of
     /// an edge or a face belongs to the whole one, a crease to its face, the end of a crease to the edge or face on

@@ -59,17 +59,13 @@ std::string in_mm(double length) {
     return in_digits(length, 4) + " mm";
 }
 
-double chord_height(const TriangulateOptions& options, const Box& box) {
-    return options.chord_height > 0.0 ? options.chord_height : options.chord_height_relative * box.largest_side();
-}
-
 void check_against_part(const TriangulateOptions& options, const geometry::Topology& topology,
                         const SinglePrecisionGrid& grid) {
     const auto something = [](const geometry::Face& face) { return !face.no_area; };
     if (std::none_of(topology.faces.begin(), topology.faces.end(), something)) {
         throw InvalidInput(Message{phrases::kNoFaces});
     }
-    const double chord = chord_height(options, topology.box);
+    const double chord = options.chord_height_of(topology.box);
     if (chord > 0.0 && chord < 4.0 * grid.resolution()) {
         throw InvalidInput(Message::of(phrases::kFineChordHeight,
                                        {{"length", in_mm(chord)}, {"length2", in_mm(4.0 * grid.resolution())}}));
@@ -239,6 +235,20 @@ bool can_be_recalled(const TriangulateOptions& options) {
     return options.method == Method::Refine && options.keep_edges == KeepEdges::All;
 }
 
+// Names edges of the shape, or pieces of them, that are vertices of the mesh.
+std::string contracted_edges(const std::vector<int>& edges, const geometry::Topology& topology) {
+    // Edges named at most; the rest is counted.
+    constexpr std::size_t kNamed = 5;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(edges.size(), kNamed); ++i) {
+        text += (i > 0 ? ", " : "") + topology.name_of({1, edges[i]});
+    }
+    if (edges.size() > kNamed) {
+        text += " and " + std::to_string(edges.size() - kNamed) + " more";
+    }
+    return text + ": shorter than " + in_mm(topology.detail) + ", a tenth of what is asked for; a vertex in the mesh";
+}
+
 // Reports failures and fallbacks of the triangulation before refinement.
 void report_first(const SampledTriangulation& first, const geometry::Topology& topology,
                   const TriangulateOptions& options, mesh::MeshReport& report) {
@@ -250,6 +260,9 @@ void report_first(const SampledTriangulation& first, const geometry::Topology& t
         if (first.faces.chains.is_a_point(face)) {
             report.notes.push_back(topology.name_of({2, face}) + " is a point in single precision: left out");
         }
+    }
+    if (!first.faces.chains.contracted().empty()) {
+        report.notes.push_back(contracted_edges(first.faces.chains.contracted(), topology));
     }
     for (const auto& [face, why] : first.fallbacks) {
         report.fallback.emplace_back(topology.of_shape({2, face}).index, why);
@@ -400,7 +413,7 @@ Result triangulate(geometry::Engine& engine, const std::shared_ptr<geometry::Mod
     check_against_part(asked, session.topology(), grid);
     TriangulateOptions options = asked;
     options.local_sizes = sizes_of_pieces(asked.local_sizes, session.topology());
-    const double chord = chord_height(options, session.topology().box);
+    const double chord = options.chord_height_of(session.topology().box);
     const Task task{session, grid, options, chord, watched, costs};
     if (memory == nullptr) {
         return mesh_part(task, {}, nullptr, nullptr);

@@ -38,14 +38,14 @@ bool finite(const Query& query) {
 
 class ShapeModel final : public Model {
   public:
-    ShapeModel(const TopoDS_Shape& shape, Creases creases, const Progress* progress);
+    ShapeModel(const TopoDS_Shape& shape, Creases creases, const DetailSize& detail, const Progress* progress);
     Answer answer(const Query& query) noexcept override;
     void add_definition(Entity entity, Fingerprint& key) override;
     void add_definition_of_use(int use, Fingerprint& key) override;
 
   private:
-    void read_topology(const TopoDS_Shape& shape, Creases creases, std::vector<std::string>& failures,
-                       const Progress* progress);
+    void read_topology(const TopoDS_Shape& shape, Creases creases, const DetailSize& detail,
+                       std::vector<std::string>& failures, const Progress* progress);
     Answer dispatch(const Query& query);
     Answer on_edge(const Query& query);
     Answer on_face(const Query& query);
@@ -61,31 +61,33 @@ class ShapeModel final : public Model {
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
 };
 
-ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const Progress* progress) : definitions_(shape) {
+ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const DetailSize& detail, const Progress* progress)
+    : definitions_(shape) {
     place_ = definitions_.place();
     std::vector<std::string> failures;
-    read_topology(shape, creases, failures, progress);
+    read_topology(shape, creases, detail, failures, progress);
     topology_.faults.insert(topology_.faults.end(), failures.begin(), failures.end());
-    edges_.resize(live_.edges.size());
-    faces_.resize(live_.faces.size());
-    classifiers_.resize(live_.volumes.size());
-    const auto evaluator = [this](int index) -> FaceEvaluator& { return face(index); };
-    {
-        const OpenCascadeWait wait(progress, "measuring the size");
-        topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
-    }
     const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);
     topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());
 }
 
-void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, std::vector<std::string>& failures,
-                               const Progress* progress) {
+void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const DetailSize& detail,
+                               std::vector<std::string>& failures, const Progress* progress) {
     const OpenCascadeWait wait(progress, "reading the shape");
     const OrderedShape entities =
         creases == Creases::Cut ? cut_at_creases(shape, failures, progress) : ordered(shape, progress);
     check_cancelled(progress);
     topology_ = build_topology(entities, live_, progress);
     check_cancelled(progress);
+    edges_.resize(live_.edges.size());
+    faces_.resize(live_.faces.size());
+    classifiers_.resize(live_.volumes.size());
+    {
+        const OpenCascadeWait measuring(progress, "measuring the size");
+        const auto evaluator = [this](int index) -> FaceEvaluator& { return face(index); };
+        topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
+    }
+    topology_.detail = detail ? detail(topology_.box) : 0.0;
     sew_collapsed_pieces(entities, topology_, live_, progress);
     check_cancelled(progress);
 }
@@ -251,12 +253,13 @@ Answer ShapeModel::volume_contains(int index, const Vec3& point) {
 
 }  // namespace
 
-std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress, Creases creases) {
+std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress, Creases creases,
+                                        const DetailSize& detail) {
     if (shape.IsNull()) {
         throw InvalidInput("The shape is null. Recompute the object, or select one that has a shape.");
     }
     try {
-        auto model = std::make_shared<ShapeModel>(shape, creases, progress);
+        auto model = std::make_shared<ShapeModel>(shape, creases, detail, progress);
         if (model->topology().faces.empty()) {
             throw InvalidInput(std::string("The shape is a ") + TopAbs::ShapeTypeToString(shape.ShapeType()) +
                                " without faces. Select a part that has at least one face.");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "base/progress.h"
@@ -16,13 +17,16 @@ enum class Creases {
     Cut,   ///< they become edges, and the face is cut along them (Topology::parts_of)
 };
 
+/// Returns, for the box of a shape, the length below which its edges and faces are not told apart, mm.
+using DetailSize = std::function<double(const Box&)>;
+
 /// The live OpenCASCADE shape as a model. The shape is only read: neither its topology, nor its geometry, nor its
 /// display triangulation changes. Call it on the engine's thread (Engine::run).
 /// @throws InvalidInput for a null shape or one without faces, naming what was given.
 /// @throws GeometryError for a face without a surface, naming the face.
 /// @throws Cancelled when `progress` says so.
 std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress = nullptr,
-                                        Creases creases = Creases::Keep);
+                                        Creases creases = Creases::Keep, const DetailSize& detail = {});
 
 /// The version of OpenCASCADE used in this build, "7.6.3".
 const char* occt_version();

@@ -14,6 +14,10 @@ namespace {
 // number of node tolerances.
 constexpr std::array<double, 2> kHooks{8.0, 32.0};
 
+// Pieces around one face that a round halves at most. Where borders lie on each other all of their pieces cross,
+// however short they are: twenty rounds would make a million times as many.
+constexpr std::size_t kMostHalved = 4096;
+
 std::vector<int> faces_of(const geometry::Topology& topology, const std::set<int>& edges,
                           const std::function<bool(int)>& included) {
     std::set<int> faces;
@@ -80,7 +84,9 @@ void run_rounds(geometry::Session& session, InitialTriangulation& result, std::v
             progress.check();
             triangulate(open[i], shaping);
             const std::set<EdgeDiscretisation::PieceRef>& wished = result.faces[open[i]].marks;
-            marks.insert(wished.begin(), wished.end());
+            if (wished.size() <= kMostHalved) {
+                marks.insert(wished.begin(), wished.end());
+            }
             progress.advance((round + static_cast<double>(i) / static_cast<double>(open.size())) / (round + 2.0));
         }
         open = faces_of(session.topology(), result.chains.halve(session, marks), included);

@@ -9,6 +9,7 @@
 
 #include "base/angle.h"
 #include "base/disjoint_sets.h"
+#include "triangulate/initial/short_edges.h"
 #include "triangulate/initial/unresolved_ends.h"
 
 namespace mq::triangulate {
@@ -20,6 +21,9 @@ constexpr double kMaxTurn = 0.5236;  // Radians: largest angle between the tange
 constexpr int kMaxDepth = 14;
 // Largest fraction of an edge's length that the tolerance ball of a node may cover, however large its tolerance is.
 constexpr double kMostOfEdge = 0.1;
+// Radius of the ball around a node in distances of the edge's end from it, where nodes were contracted to one: the
+// first piece deviates from the edge by at most 1 / 8 in direction.
+constexpr double kJogs = 8.0;
 // Faces with a border shorter than this number of shortest sides count as a point: if one of their edges collapsed,
 // the others would coincide.
 constexpr double kShortBorder = 8.0;
@@ -61,6 +65,8 @@ EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SingleP
     sample(session);
     collapse_short_edges(topology);
     collapse_small_faces(session);
+    contract_details(topology);
+    place_nodes(topology);
     balls_.resize(chains_.size());
     std::vector<double> lengths;
     for (std::size_t e = 0; e < chains_.size(); ++e) {
@@ -70,7 +76,7 @@ EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SingleP
     for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
         suppress_near_nodes(topology, e, 1.0, points_[e]);
     }
-    place_nodes(topology);
+    place_points(topology);
     points_.clear();
 }
 
@@ -162,6 +168,19 @@ void EdgeDiscretisation::collapse_small_faces(geometry::Session& session) {
     }
 }
 
+void EdgeDiscretisation::contract_details(const geometry::Topology& topology) {
+    std::vector<std::vector<Vec3>> points = points_;
+    for (std::size_t e = 0; e < chains_.size(); ++e) {
+        if (chains_[e].collapsed) {
+            points[e].clear();
+        }
+    }
+    contracted_ = contractible_edges(topology, points, topology.detail);
+    for (const int e : contracted_) {
+        collapse(e, topology.edges[e]);
+    }
+}
+
 void EdgeDiscretisation::collapse(int edge, const geometry::Edge& data) {
     chains_[edge].collapsed = true;
     chains_[edge].t = {data.t0, data.t1};
@@ -181,8 +200,12 @@ bool EdgeDiscretisation::suppress_near_nodes(const geometry::Topology& topology,
     for (int end = 0; end < 2 && !chain.collapsed; ++end) {
         if (const int n = topology.edges[edge].nodes[end]; n >= 0) {
             Ball& ball = balls_[edge][end];
-            const double radius = std::max(tolerances * topology.nodes[n].tolerance, grid_.shortest_side());
-            ball = {topology.nodes[n].point, std::max({ball.radius, std::min(radius, most), unresolved(edge, end)})};
+            const Vec3& centre =
+                topology.nodes[static_cast<std::size_t>(vertices_[node_vertex_[n]].entity.index)].point;
+            const double jog = (centre - (end == 0 ? points.front() : points.back())).norm();
+            const double radius =
+                std::max({tolerances * topology.nodes[n].tolerance, grid_.shortest_side(), kJogs * jog});
+            ball = {centre, std::max({ball.radius, std::min(radius, most), unresolved(edge, end)})};
         }
         while (points.size() > 2 && at_node(edge, end, end == 0 ? points[1] : points[points.size() - 2])) {
             const auto beside = end == 0 ? 1 : static_cast<std::ptrdiff_t>(points.size()) - 2;
@@ -230,6 +253,9 @@ void EdgeDiscretisation::place_nodes(const geometry::Topology& topology) {
             node_vertex_[n] = node_vertex_[root];
         }
     }
+}
+
+void EdgeDiscretisation::place_points(const geometry::Topology& topology) {
     for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
         EdgePolyline& chain = chains_[e];
         const auto& nodes = topology.edges[e].nodes;

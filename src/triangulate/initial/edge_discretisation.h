@@ -30,6 +30,8 @@ class EdgeDiscretisation {
     /// Samples every edge so that its tangent turns by at most 30 degrees from vertex to vertex. No vertex is placed
     /// where the edge is still within the tolerance of the node at its end: modellers leave end artefacts there, and
     /// curves on faces that cross those of other edges.
+    /// Edges shorter than the detail of the topology are contracted to a vertex where that is safe
+    /// (contractible_edges).
     EdgeDiscretisation(geometry::Session& session, const SinglePrecisionGrid& grid);
 
     const std::vector<ChainVertex>& vertices() const { return vertices_; }
@@ -38,6 +40,9 @@ class EdgeDiscretisation {
     int vertex_of_node(int node) const { return node_vertex_[node]; }
     /// Whether the face is so small that all its edges are collapsed and there is nothing to mesh.
     bool is_a_point(int face) const { return small_faces_.count(face) > 0; }
+
+    /// The edges that were contracted because they are shorter than the detail of the topology.
+    const std::vector<int>& contracted() const { return contracted_; }
 
     using PieceRef = std::pair<int, int>;  ///< edge, index of the piece from t[i] to t[i + 1]
     /// Halves the marked pieces by arc length, except those that the grid cannot halve. @return the edges that
@@ -57,9 +62,11 @@ class EdgeDiscretisation {
 
   private:
     void place_nodes(const geometry::Topology& topology);
+    void place_points(const geometry::Topology& topology);
     void sample(geometry::Session& session);
     void collapse_short_edges(const geometry::Topology& topology);
     void collapse_small_faces(geometry::Session& session);
+    void contract_details(const geometry::Topology& topology);
     void collapse(int edge, const geometry::Edge& data);
     bool suppress_near_nodes(const geometry::Topology& topology, int edge, double tolerances,
                              std::vector<Vec3>& points);
@@ -70,6 +77,7 @@ class EdgeDiscretisation {
     std::vector<EdgePolyline> chains_;
     std::vector<int> node_vertex_;
     std::set<int> small_faces_;
+    std::vector<int> contracted_;
     std::vector<std::vector<Vec3>> points_;  // by edge, while sampling
     /// A ball around an end of an edge: points inside it are not distinguished from the node.
     struct Ball {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/work_mesh/options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -17,7 +18,35 @@ void check_length(const char* name, double value) {
     }
 }
 
+// Length below which an edge is a detail, as a fraction of the shape's size: at most, and where neither a tolerance nor
+// edge lengths are asked for.
+constexpr double kLargestDetail = 1e-4;
+constexpr double kDetailOfShape = 1e-5;
+// The same as a fraction of the tolerance, and of the edge lengths that are asked for.
+constexpr double kDetailOfWhatIsAsked = 0.1;
+
 }  // namespace
+
+double TriangulateOptions::chord_height_of(const Box& box) const {
+    return chord_height > 0.0 ? chord_height : chord_height_relative * box.largest_side();
+}
+
+// The mesh of the paper keeps all edges.
+double TriangulateOptions::detail_of(const Box& box) const {
+    if (insertion == Insertion::Paper) {
+        return 0.0;
+    }
+    std::vector<double> asked{chord_height_of(box), max_edge};
+    for (const LocalSize& size : local_sizes) {
+        asked.push_back(size.max_edge);
+    }
+    asked.erase(std::remove(asked.begin(), asked.end(), 0.0), asked.end());
+    if (asked.empty()) {
+        return kDetailOfShape * box.largest_side();
+    }
+    return std::min(kLargestDetail * box.largest_side(),
+                    kDetailOfWhatIsAsked * *std::min_element(asked.begin(), asked.end()));
+}
 
 void TriangulateOptions::validate() const {
     if (!(min_angle > 0.0 && min_angle <= 34.0)) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/vec.h"
 #include "triangulate/work_mesh/size_bounds.h"
 
 namespace mq::triangulate {
@@ -59,6 +60,11 @@ struct TriangulateOptions {
     /// Whether the bounds hold for the result, not only for the samples.
     bool keeps_bounds() const { return method == Method::Refine || polish; }
     std::size_t budget() const { return max_triangles > 0 ? max_triangles : 5'000'000; }
+    /// The tolerance of the chord height for a shape of this box, mm; 0: no bound.
+    double chord_height_of(const Box& box) const;
+    /// The length below which edges and faces of a shape of this box show neither at the tolerance nor at the sizes
+    /// that are asked for, mm.
+    double detail_of(const Box& box) const;
     /// Checks all options. @throws InvalidInput naming the option, its value and its range.
     void validate() const;
 };

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "base/angle.h"
 #include "base/disjoint_sets.h"
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/edge_evaluator.h"
@@ -29,11 +31,8 @@ class CollapsedPieces {
             Face& face = topology_.faces[static_cast<std::size_t>(f)];
             if (face.no_area && is_piece(f)) {
                 take_out(f);
-            } else if (!face.no_area && is_sliver(f)) {
-                face.no_area = true;
-                topology_.faults.push_back(topology_.name_of({2, f}) +
-                                           ": is no wider than the tolerance of its edges, which count as one");
-                take_out(f);
+            } else if (!face.no_area) {
+                look_for_sliver(f);
             }
         }
         join_folded_edges();
@@ -47,26 +46,193 @@ class CollapsedPieces {
   private:
     /// Intervals along each parameter of a face, at whose ends its distance from an edge is measured.
     static constexpr int kSamples = 8;
+    /// Radians: least angle between edges or faces that meet where a detail is not told apart, above the bounds of
+    /// angles that are usually asked for.
+    static constexpr double kLeastCorner = 30.0 * kDegree;
 
     Edge& edge(int e) { return topology_.edges[static_cast<std::size_t>(e)]; }
 
     bool is_piece(int face) const { return shape_.is_cut(topology_.of_shape({2, face}).index); }
 
-    /// Whether two edges bound the face, between the same nodes, and all of it lies within their tolerances of either.
-    bool is_sliver(int face) {
+    /// Two edges that bound a face, and those between their ends.
+    struct Sliver {
+        std::vector<int> uses;   // of both sides
+        std::vector<int> edges;  // both sides
+        std::vector<int> ends;   // edges shorter than the detail
+    };
+
+    void look_for_sliver(int face) {
+        Face& data = topology_.faces[static_cast<std::size_t>(face)];
+        const Sliver sliver = sides_of(face);
+        if (sliver.edges.size() != 2 || sliver.edges[0] == sliver.edges[1] || !is_side(sliver.edges[0]) ||
+            !is_side(sliver.edges[1])) {
+            return;
+        }
+        const double own = tolerance(sliver.edges[0]) + tolerance(sliver.edges[1]);
+        if (sliver.ends.empty() && is_within(face, sliver, own)) {
+            topology_.faults.push_back(topology_.name_of({2, face}) +
+                                       ": is no wider than the tolerance of its edges, which count as one");
+        } else if (topology_.detail > own && is_within(face, sliver, topology_.detail) && neighbours_open(sliver) &&
+                   ends_leave_corners(face, sliver)) {
+            topology_.faults.push_back(
+                topology_.name_of({2, face}) +
+                ": is thinner than a tenth of what is asked for, so that its edges count as one");
+        } else {
+            return;
+        }
+        data.no_area = true;
+        take_out(face, std::max(own, topology_.detail));
+    }
+
+    Sliver sides_of(int face) {
+        Sliver result;
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
-        if (data.loops.size() != 1 || data.loops.front().uses.size() != 2) {
+        // A sliver has two sides and as many ends at most, of a few edges each.
+        constexpr std::size_t kMost = 8;
+        if (data.loops.size() != 1 || data.loops.front().uses.size() > kMost) {
+            return result;
+        }
+        for (const int use : data.loops.front().uses) {
+            const int e = topology_.uses[static_cast<std::size_t>(use)].edge;
+            if (is_short(e)) {
+                result.ends.push_back(e);
+            } else {
+                result.uses.push_back(use);
+                result.edges.push_back(e);
+            }
+        }
+        return result;
+    }
+
+    /// Whether an edge between two nodes is shorter than the detail, and has a curve on all of its faces.
+    bool is_short(int e) {
+        if (edge(e).degenerate || !(topology_.detail > 0.0) || edge(e).nodes[0] < 0 || edge(e).nodes[1] < 0) {
             return false;
         }
-        const int a = topology_.uses[static_cast<std::size_t>(data.loops.front().uses[0])].edge;
-        const int b = topology_.uses[static_cast<std::size_t>(data.loops.front().uses[1])].edge;
-        if (a == b || !is_side(a) || !is_side(b)) {
+        const auto node = [&](int i) { return topology_.nodes[static_cast<std::size_t>(edge(e).nodes[i])].point; };
+        if ((node(0) - node(1)).norm() > topology_.detail) {
             return false;
         }
-        const auto [low_a, high_a] = std::minmax(edge(a).nodes[0], edge(a).nodes[1]);
-        const auto [low_b, high_b] = std::minmax(edge(b).nodes[0], edge(b).nodes[1]);
-        return low_a == low_b && high_a == high_b && run_alike(a, b) && run_alike(b, a) &&
-               lies_along(face, a, tolerance(a) + tolerance(b));
+        const EdgeEvaluator along = curve(e);
+        double length = 0.0;
+        for (int i = 1; i <= kSamples; ++i) {
+            length += (along.point(parameter(e, double(i) / kSamples)).point -
+                       along.point(parameter(e, double(i - 1) / kSamples)).point)
+                          .norm();
+        }
+        return length < topology_.detail && std::all_of(edge(e).uses.begin(), edge(e).uses.end(), [&](int use) {
+                   return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull();
+               });
+    }
+
+    /// Whether both sides run between the same ends, and all of the face lies within this distance of either.
+    bool is_within(int face, const Sliver& sliver, double distance) {
+        const int a = sliver.edges[0];
+        const int b = sliver.edges[1];
+        const std::optional<bool> alike = run_alike(a, b, distance);
+        if (!alike || !run_alike(b, a, distance)) {
+            return false;
+        }
+        for (int i = 0; i < 2; ++i) {
+            if (!meet(edge(a).nodes[i], edge(b).nodes[*alike ? i : 1 - i], sliver.ends)) {
+                return false;
+            }
+        }
+        const bool plane = std::string(topology_.faces[static_cast<std::size_t>(face)].surface) == "plane";
+        return plane || lies_along(face, a, distance);
+    }
+
+    /// Whether two nodes are one, or joined by one of the edges.
+    bool meet(int a, int b, const std::vector<int>& edges) {
+        return same_node(a, b) || std::any_of(edges.begin(), edges.end(), [&](int e) {
+                   const auto& nodes = edge(e).nodes;
+                   return (same_node(a, nodes[0]) && same_node(b, nodes[1])) ||
+                          (same_node(a, nodes[1]) && same_node(b, nodes[0]));
+               });
+    }
+
+    /// Whether the faces on the other sides of a sliver's edges do not lie on each other, as those of a thin plate.
+    bool neighbours_open(const Sliver& sliver) {
+        const double t = parameter(sliver.edges[0], 0.5);
+        const Vec3 middle = curve(sliver.edges[0]).point(t).point;
+        const Answer beside =
+            curve(sliver.edges[1])
+                .nearest(middle, parameter(sliver.edges[1], 0.5), edge(sliver.edges[1]).t0, edge(sliver.edges[1]).t1);
+        const std::optional<Vec3> first = into_neighbour(sliver.uses[0], t);
+        const std::optional<Vec3> second =
+            beside.found() ? into_neighbour(sliver.uses[1], beside.t) : std::optional<Vec3>();
+        return first && second && angle_between(*first, *second) >= kLeastCorner;
+    }
+
+    /// Whether the faces beyond the ends of a sliver keep a corner there, where they lose an edge.
+    bool ends_leave_corners(int face, const Sliver& sliver) {
+        return std::all_of(sliver.ends.begin(), sliver.ends.end(), [&](int e) {
+            return std::all_of(edge(e).uses.begin(), edge(e).uses.end(), [&](int use) {
+                return topology_.uses[static_cast<std::size_t>(use)].face == face || leaves_corner(use);
+            });
+        });
+    }
+
+    bool leaves_corner(int use) {
+        const int face = topology_.uses[static_cast<std::size_t>(use)].face;
+        for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
+            const auto at = std::find(loop.uses.begin(), loop.uses.end(), use);
+            if (at == loop.uses.end()) {
+                continue;
+            }
+            const auto n = loop.uses.size();
+            const auto i = static_cast<std::size_t>(at - loop.uses.begin());
+            const int before = loop.uses[(i + n - 1) % n];
+            const int after = loop.uses[(i + 1) % n];
+            if (n < 3 || before == after) {
+                return false;
+            }
+            const Vec3 corner = curve(topology_.uses[static_cast<std::size_t>(use)].edge)
+                                    .point(parameter(topology_.uses[static_cast<std::size_t>(use)].edge, 0.5))
+                                    .point;
+            return angle_between(point_along(before, false) - corner, point_along(after, true) - corner) >=
+                   kLeastCorner;
+        }
+        return false;
+    }
+
+    /// The point of a use's edge some details from its start or its end.
+    Vec3 point_along(int use, bool from_start) {
+        // Distance in lengths of detail, at which the ends of a short edge look like one.
+        constexpr double kReach = 8.0;
+        const EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
+        const bool ascending = data.forward == from_start;
+        const double from = ascending ? edge(data.edge).t0 : edge(data.edge).t1;
+        const double to = ascending ? edge(data.edge).t1 : edge(data.edge).t0;
+        const EdgeEvaluator along = curve(data.edge);
+        const Answer there = along.at_distance(from, to, kReach * topology_.detail);
+        return there.found() ? there.point : along.point(to).point;
+    }
+
+    /// The direction, across an edge at t, into the face on the other side of one of its two uses.
+    std::optional<Vec3> into_neighbour(int use, double t) {
+        const int e = topology_.uses[static_cast<std::size_t>(use)].edge;
+        const int other = edge(e).uses[0] == use ? edge(e).uses[1] : edge(e).uses[0];
+        const EdgeUse& data = topology_.uses[static_cast<std::size_t>(other)];
+        const PCurve& on_face = live_.uses[static_cast<std::size_t>(other)];
+        if (on_face.curve.IsNull()) {
+            return std::nullopt;
+        }
+        const double share = (t - edge(e).t0) / (edge(e).t1 - edge(e).t0);
+        const gp_Pnt2d uv = on_face.curve->Value(on_face.first + share * (on_face.last - on_face.first));
+        gp_Pnt point;
+        gp_Vec along_u;
+        gp_Vec along_v;
+        BRepAdaptor_Surface(live_.faces[static_cast<std::size_t>(data.face)], Standard_False)
+            .D1(uv.X(), uv.Y(), point, along_u, along_v);
+        // Part of the edge's range over which its direction is measured.
+        constexpr double kStep = 1e-3;
+        const EdgeEvaluator along = curve(e);
+        const Vec3 tangent =
+            along.point(parameter(e, share + kStep)).point - along.point(parameter(e, share - kStep)).point;
+        const Vec3 normal = to_vec(along_u.Crossed(along_v));
+        const Vec3 into = normal.cross(data.forward ? tangent : Vec3(-tangent));
+        return into.squaredNorm() > 0.0 ? std::optional<Vec3>(into) : std::nullopt;
     }
 
     /// Whether another face lies on the other side of an edge of a sliver.
@@ -92,7 +258,8 @@ class CollapsedPieces {
         return true;
     }
 
-    void take_out(int face) {
+    /// @param within  distance up to which two sides count as one; 0: twice their tolerances
+    void take_out(int face, double within = 0.0) {
         std::set<int> around;
         for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
             for (const int use : loop.uses) {
@@ -105,6 +272,9 @@ class CollapsedPieces {
             std::vector<int>& uses = edge(e).uses;
             const auto on_face = [&](int use) { return topology_.uses[static_cast<std::size_t>(use)].face == face; };
             uses.erase(std::remove_if(uses.begin(), uses.end(), on_face), uses.end());
+            if (is_short(e)) {
+                edge(e).degenerate = true;
+            }
             if (is_a_point(e)) {
                 unite(edge(e).nodes[0], edge(e).nodes[1]);
             } else {
@@ -112,7 +282,7 @@ class CollapsedPieces {
             }
         }
         if (sides.size() == 2) {
-            join(sides[0], sides[1]);
+            join(sides[0], sides[1], within);
         }
     }
 
@@ -144,7 +314,7 @@ class CollapsedPieces {
     }
 
     /// Whether t grows the same way on both edges; none where the edges do not coincide.
-    std::optional<bool> run_alike(int a, int b) {
+    std::optional<bool> run_alike(int a, int b, double within) {
         const EdgeEvaluator first = curve(a);
         const EdgeEvaluator second = curve(b);
         double before = 0.0;
@@ -152,7 +322,7 @@ class CollapsedPieces {
         for (int i = 0; i <= kSamples; ++i) {
             const Answer there = first.point(parameter(a, double(i) / kSamples));
             const Answer here = second.nearest(there.point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
-            if (!there.found() || !here.found() || here.distance > tolerance(a) + tolerance(b)) {
+            if (!there.found() || !here.found() || here.distance > within) {
                 return std::nullopt;
             }
             before = i == 1 ? here.t : before;
@@ -161,10 +331,23 @@ class CollapsedPieces {
         return after > before;
     }
 
-    /// Makes all uses of `b` uses of `a`.
-    void join(int a, int b) {
-        const std::optional<bool> alike = run_alike(a, b);
-        if (!alike || !run_alike(b, a)) {
+    /// The largest distance of samples of `a` from `b`, mm.
+    double distance_between(int a, int b) {
+        const EdgeEvaluator first = curve(a);
+        const EdgeEvaluator second = curve(b);
+        double largest = 0.0;
+        for (int i = 0; i <= kSamples; ++i) {
+            const Vec3 point = first.point(parameter(a, double(i) / kSamples)).point;
+            largest = std::max(largest, second.nearest(point, parameter(b, 0.5), edge(b).t0, edge(b).t1).distance);
+        }
+        return largest;
+    }
+
+    /// Makes all uses of `b` uses of `a`, if they are no farther apart than `within`, or than twice their tolerances.
+    void join(int a, int b, double within = 0.0) {
+        within = std::max(within, tolerance(a) + tolerance(b));
+        const std::optional<bool> alike = run_alike(a, b, within);
+        if (!alike || !run_alike(b, a, within)) {
             return;
         }
         unite(edge(a).nodes[0], edge(b).nodes[*alike ? 0 : 1]);
@@ -180,7 +363,7 @@ class CollapsedPieces {
             }
             edge(a).uses.push_back(u);
         }
-        edge(a).tolerance = std::max(edge(a).tolerance, edge(b).tolerance);
+        edge(a).tolerance = std::max({edge(a).tolerance, edge(b).tolerance, distance_between(a, b)});
         edge(b).uses.clear();
     }
 

@@ -68,6 +68,20 @@ TEST_F(FaceRounds, FacesThatWishNothingAreDoneOnce) {
     EXPECT_TRUE(result_.failures.empty());
 }
 
+/// As where two borders lie on each other: all their pieces cross, however short they are.
+TEST_F(FaceRounds, AFaceThatWishesForAllPiecesForEverIsGivenUp) {
+    const int edge = edge_of(0);
+    run({0}, any_face, [&](int f, bool) {
+        result_.faces[f].marks.clear();
+        for (std::size_t i = 0; f == 0 && i < pieces_of(edge); ++i) {
+            result_.faces[f].marks.insert({edge, static_cast<int>(i)});
+        }
+    });
+    EXPECT_LE(pieces_of(edge), 8192u);
+    ASSERT_EQ(result_.failures.size(), 1u);
+    EXPECT_EQ(result_.failures[0].first, 0);
+}
+
 TEST_F(FaceRounds, PiecesThatAreWishedForAreHalvedForAllFacesBesideThem) {
     const int edge = edge_of(0);
     const std::size_t before = pieces_of(edge);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "geometry/topology.h"
+
+namespace mq::triangulate {
+
+/// Returns the edges shorter than `detail` that can be contracted to one vertex, in ascending order of length. A
+/// triangulation with bounded angles is graded from its shortest edge outwards: an edge far below the distance that is
+/// asked for would cost triangles without end, and show nowhere.
+///
+/// An edge is left as it is where contracting it would damage a face: where its neighbours on a loop would meet at less
+/// than 30 degrees, as the long sides of a thin plate, or where another edge joins the same two nodes. The nodes that
+/// are contracted to one vertex lie within `detail` of each other (virtual topology: Sheffer, Blacker and Bercovier
+/// 1997, edge collapse).
+/// @param points  of every edge's polyline, mm; none for edges that are a vertex already
+/// @param detail  mm
+std::vector<int> contractible_edges(const geometry::Topology& topology, const std::vector<std::vector<Vec3>>& points,
+                                    double detail);
+
+}  // namespace mq::triangulate

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "triangulate/initial/short_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <BRepPrimAPI_MakeBox.hxx>
+
+#include "geometry/parts.h"
+#include "triangulate/checks.h"
+#include "triangulate/initial/initial_triangulation.h"
+
+namespace mq::triangulate {
+namespace {
+
+constexpr double kDetail = 1e-3;
+
+/// A square with one corner cut off at this distance.
+TopoDS_Face cut_square(double cut) {
+    return geometry::planar_face({geometry::line(0.0, 0.0, 10.0, 0.0), geometry::line(10.0, 0.0, 10.0, 10.0 - cut),
+                                  geometry::line(10.0, 10.0 - cut, 10.0 - cut, 10.0),
+                                  geometry::line(10.0 - cut, 10.0, 0.0, 10.0), geometry::line(0.0, 10.0, 0.0, 0.0)});
+}
+
+struct Detailed {
+    explicit Detailed(const TopoDS_Shape& shape)
+        : model(
+              geometry::make_shape_model(shape, nullptr, geometry::Creases::Keep, [](const Box&) { return kDetail; })),
+          session(engine, model),
+          grid(model->topology().box),
+          initial(triangulate_initially(session, grid, progress)) {}
+
+    geometry::Engine engine{geometry::Engine::Mode::Direct};
+    std::shared_ptr<geometry::Model> model;
+    geometry::Session session;
+    SinglePrecisionGrid grid;
+    Progress progress;
+    InitialTriangulation initial;
+};
+
+int faces_with_area(const geometry::Topology& topology) {
+    int count = 0;
+    for (const geometry::Face& face : topology.faces) {
+        count += face.no_area ? 0 : 1;
+    }
+    return count;
+}
+
+TEST(ShortEdges, AShortSideOfAFaceIsAVertex) {
+    const Detailed part(cut_square(0.5 * kDetail));
+    ASSERT_EQ(part.initial.chains.contracted().size(), 1u);
+    EXPECT_TRUE(part.initial.failures.empty());
+    std::set<int> used;
+    for (const auto& t : part.initial.faces.front().triangles) {
+        for (const int use : t) {
+            used.insert(part.initial.faces.front().sites[use].vertex);
+        }
+    }
+    EXPECT_EQ(used.size(), 4u);
+}
+
+TEST(ShortEdges, ALongerSideStays) {
+    EXPECT_TRUE(Detailed(cut_square(2.0 * kDetail)).initial.chains.contracted().empty());
+}
+
+TEST(ShortEdges, EveryEdgeStaysWithoutADetail) {
+    const auto model = geometry::make_shape_model(cut_square(0.5 * kDetail));
+    geometry::Engine engine{geometry::Engine::Mode::Direct};
+    geometry::Session session(engine, model);
+    const SinglePrecisionGrid grid(model->topology().box);
+    EXPECT_TRUE(EdgeDiscretisation(session, grid).contracted().empty());
+}
+
+/// The strip beside a short edge of the base is thinner than the detail along its whole length.
+TEST(ShortEdges, AThinFaceBetweenTwoOthersIsAnEdge) {
+    const Detailed part(geometry::extruded(cut_square(0.5 * kDetail), 5.0));
+    EXPECT_EQ(faces_with_area(part.model->topology()), 6);
+    EXPECT_TRUE(part.initial.failures.empty());
+    ASSERT_EQ(part.model->topology().faults.size(), 1u);
+    EXPECT_NE(part.model->topology().faults[0].find("is thinner than a tenth of what is asked for"), std::string::npos);
+}
+
+/// Its top and bottom would lie on each other.
+TEST(ShortEdges, AThinPlateStaysASolid) {
+    const Detailed part(BRepPrimAPI_MakeBox(10.0, 10.0, 0.5 * kDetail).Shape());
+    EXPECT_EQ(faces_with_area(part.model->topology()), 6);
+    EXPECT_TRUE(part.initial.chains.contracted().empty());
+    EXPECT_TRUE(part.model->topology().faults.empty());
+}
+
+TEST(ShortEdges, AThinRodStaysASolid) {
+    const Detailed part(BRepPrimAPI_MakeBox(10.0, 0.4 * kDetail, 0.5 * kDetail).Shape());
+    EXPECT_EQ(faces_with_area(part.model->topology()), 6);
+    EXPECT_TRUE(part.initial.chains.contracted().empty());
+}
+
+}  // namespace
+}  // namespace mq::triangulate
