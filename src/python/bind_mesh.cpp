@@ -216,6 +216,9 @@ void bind_measures(ReportClass& report) {
             "max_chord_point", [](const MeshReport& r) { return point(r.max_chord_point); },
             "float64 (3,): the point of that triangle where that is, with the mesh's origin")
         .def_readonly("chord_height_asked", &MeshReport::chord_height_asked, "mm; 0: none")
+        .def_readonly(
+            "detail", &MeshReport::detail,
+            "mm: shorter edges and thinner faces of the shape were not told apart where that is safe; 0: all were")
         .def_readonly("self_intersections", &MeshReport::self_intersections,
                       "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, "
                       "and of loose faces that cross; -1: not looked for")

@@ -27,6 +27,8 @@ import Part
 from test_cli import COMMAND, run
 
 from MeshQuality.batch import charts, cluster, command, freecad_pool, part, plan, report, table
+from MeshQuality.cli import worker
+from MeshQuality.cli.exit_status import DONE
 
 HAS_DASK = importlib.util.find_spec("distributed") is not None
 NEEDS_DASK = unittest.skipUnless(HAS_DASK, "python3-distributed is not installed")
@@ -483,10 +485,25 @@ class Report(unittest.TestCase):
         self.assertIn("3000 of 3000 parts", page)
         self.assertIn("<td>0.01</td>", page.partition("max. deviation relative to size, highest")[2])
 
+    def test_the_kind_of_a_failure_is_its_phrase(self):
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        kinds = []
+        for name in ("a", "b"):
+            path = os.path.join(folder, f"{name}.brep")
+            Part.makeLine(FreeCAD.Vector(), FreeCAD.Vector(len(name), 2, 3)).exportBrep(path)
+            result = worker.run({"command": "triangulate", "input": path, "options": {}, "output": None})
+            self.assertNotEqual(result["status"], DONE)
+            self.assertIn("kind", result, result)
+            kinds.append(result["kind"])
+        self.assertEqual(kinds[0], kinds[1])
+        self.assertIn("{", kinds[0])
+
     def test_failures_are_gathered_by_cause(self):
         findings = report.Findings("triangulate")
         for i in range(300):
-            findings.add(self.entry(i, 25.0, state="failed", error=f"Face{i} of '{i}.step' <fails>"))
+            findings.add(self.entry(i, 25.0, state="failed", error=f"Face{i} of '{i}.step' <fails>",
+                                    kind="{name} of '{name2}' <fails>"))
         findings.add(self.entry(301, 25.0, state="timeout", error="took more than 5 s"))
         page = report.page(self.PLAN, findings)
         self.assertIn("<td>failed</td><td>300</td><td>Face0 of &#x27;0.step&#x27; &lt;fails&gt;</td>", page)

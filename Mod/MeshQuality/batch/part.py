@@ -101,4 +101,5 @@ def _outcome(result, task):
         state = DISK
     elif state == "failed" and (result.get("limit") == "memory" or result["peak"] > 0.9 * task["bytes"]):
         state = "memory"
-    return {"state": state, **found, "error": result["text"]}
+    kind = {"kind": result["kind"]} if "kind" in result else {}
+    return {"state": state, **found, "error": result["text"], **kind}

@@ -2,7 +2,6 @@
 """report.html: what came of a batch, for people; one file that needs no other."""
 
 import html
-import re
 import urllib.parse
 from array import array
 from collections import Counter
@@ -98,7 +97,7 @@ class Findings:
         self.states[entry["state"]] += 1
         self.seconds += entry.get("seconds", 0.0)
         if entry["state"] != "done":
-            cause = self.causes.setdefault((entry["state"], kind_of(entry["error"])),
+            cause = self.causes.setdefault((entry["state"], entry.get("kind", entry["error"])),
                                            [0, entry["error"], []])
             cause[0] += 1
             if cause[0] <= SUCH_AS:
@@ -139,7 +138,7 @@ def can_show(entry, command):
     if not isinstance(entry.get("seconds", 0.0), (int, float)):
         return False
     if entry["state"] != "done":
-        return isinstance(entry.get("error"), str)
+        return isinstance(entry.get("error"), str) and isinstance(entry.get("kind", ""), str)
     report = entry.get("report")
     try:
         values = [figure.value(entry) for figure in figures_of(command)]
@@ -149,11 +148,6 @@ def can_show(entry, command):
         return False
     return all(value is None or isinstance(value, (int, float)) for value in values) \
         and all(isinstance(text, str) for text in texts)
-
-
-def kind_of(error):
-    """The error without what differs from part to part: numbers, and names in quotes."""
-    return re.sub(r"\d+(\.\d+)?(e-?\d+)?", "#", re.sub(r"'[^']*'", "'...'", error))
 
 
 def write(plan, ledger, total):

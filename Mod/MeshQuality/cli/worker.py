@@ -16,6 +16,7 @@ from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
 from MeshQuality.cli.parser import CURVED_SUFFIXES, FEM_SUFFIXES, MESH_SUFFIXES
 from MeshQuality.compat import extension
 from MeshQuality.core import convert, hidden_parts, verdict
+from MeshQuality.phrases import Text
 
 _STAGE = 39  # characters, in a line of 80
 _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
@@ -328,6 +329,13 @@ def quality(job):
         verdict.of_measured(mesh, report, shape is None or verdict.must_be_closed(shape))
 
 
+def _failure(status, error, **more):
+    """The result of a job that ended with this error. Its kind is what the error has in common with those of other parts."""
+    said = error.args[0] if error.args else None
+    kind = {"kind": said.phrase} if isinstance(said, Text) else {}
+    return {"status": status, "text": str(error), **kind, **more}
+
+
 def run(job):
     """The job's result as plain data; never raises."""
     _left_out.clear()
@@ -335,15 +343,13 @@ def run(job):
         report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
                                   "quality": quality}[job["command"]](job)
     except mq.InvalidInput as error:
-        return {"status": USAGE, "text": str(error)}
+        return _failure(USAGE, error)
     except files.DiskFull as error:
-        return {"status": FAILED, "text": str(error), "limit": "disk"}
+        return _failure(FAILED, error, limit="disk")
     except MemoryError as error:
         return {"status": FAILED, "text": f"there is not enough memory: {error or 'MemoryError'}", "limit": "memory"}
-    except mq.Error as error:
-        return {"status": FAILED, "text": str(error)}
-    except (ImportError, OSError) as error:  # the system's limits and disks; no traceback says more of these
-        return {"status": FAILED, "text": str(error)}
+    except (mq.Error, ImportError, OSError) as error:  # the system's limits and disks; no traceback says more of these
+        return _failure(FAILED, error)
     except Exception as error:  # noqa: BLE001 - whatever it is, the caller must hear of it
         traceback.print_exc()
         return {"status": FAILED, "text": f"{type(error).__name__}: {error}"}
