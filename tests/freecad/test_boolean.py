@@ -55,6 +55,8 @@ class Threads(unittest.TestCase):
         for threads in (-1, 1025, 1.5, True, "all"):
             with self.assertRaisesRegex(mq.InvalidInput, "threads"):
                 mq.boolean(box(0, 0, 0), box(0.5, 0.5, 0.5), "union", threads=threads)
+            with self.assertRaisesRegex(mq.InvalidInput, "threads"):
+                (mq.Solid(box(0, 0, 0)) | box(0.5, 0.5, 0.5)).evaluate(threads=threads)
 
 
 class ManyBoxes(unittest.TestCase):

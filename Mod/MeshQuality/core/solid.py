@@ -56,16 +56,17 @@ class Solid(metaclass=Public):
         counts = ((len(leaves), "source"), (sum(token < 0 for token in expression), "operation"))
         return f"<Solid: {', '.join(f'{count} {what}' + 's' * (count != 1) for count, what in counts)}>"
 
-    def evaluate(self, resolution=512, tolerance=None, progress=None):
+    def evaluate(self, resolution=512, tolerance=None, progress=None, threads=0):
         """The surface of the solid as a BooleanMesh; triangle_source counts the sources by their first place in
         the expression.
 
-        resolution, tolerance, progress   as `boolean` has them
+        resolution, tolerance, progress, threads   as `boolean` has them
 
         Raises as `boolean` does, and InvalidInput for an expression of more than 2,000,000 operands and operations.
         """
         values = options.check(options.BOOLEAN, {"operation": "union", "resolution": resolution,
                                                  "tolerance": tolerance, "method": "default"})
+        values["threads"] = options.THREADS.checked(threads)
         options.require_callable(progress)
         leaves, expression = self._in_postfix()
         values["operation"] = expression
