@@ -16,6 +16,48 @@ import MeshQuality as mq
 from MeshQuality.core import verdict
 
 
+class Details(unittest.TestCase):
+    """Edges and faces below what is asked for."""
+
+    @staticmethod
+    def cut_plate():
+        """A plate with one corner cut off at 0.0005 mm: its side there is as wide as that."""
+        corners = ((0, 0), (10, 0), (10, 9.9995), (9.9995, 10), (0, 10), (0, 0))
+        face = Part.Face(Part.makePolygon([FreeCAD.Vector(x, y, 0) for x, y in corners]))
+        return face.extrude(FreeCAD.Vector(0, 0, 3))
+
+    def test_a_thin_face_is_an_edge(self):
+        shape = self.cut_plate()
+        mesh = mq.triangulate(shape, chord_height=0.05)
+        self.assertTrue(mesh.report.closed and mesh.report.oriented)
+        self.assertLess(len(mesh.triangles), 1000)
+        self.assertAlmostEqual(mesh.report.volume, shape.Volume, places=2)
+        self.assertAlmostEqual(mesh.report.detail, 0.001, places=6)
+        self.assertTrue(any("is thinner than a tenth" in str(note) for note in mesh.report.notes), mesh.report.notes)
+
+    def test_a_finer_distance_keeps_it(self):
+        mesh = mq.triangulate(self.cut_plate(), chord_height=0.001)
+        self.assertEqual(len(set(mesh.triangle_face.tolist())), 7)
+        self.assertGreater(len(mesh.triangles), 10000)
+
+    def test_curving_follows(self):
+        shape = self.cut_plate()
+        for curved in (mq.curve(shape, order=2, chord_height=0.05, volume=True),
+                       mq.curve(mq.triangulate(shape, chord_height=0.05), order=3, shape=shape)):
+            self.assertEqual(curved.report.invalid, 0)
+
+    def test_loose_faces_are_joined(self):
+        box = Part.makeBox(10, 8, 6)
+        shape = box.cut(Part.makeSphere(4, FreeCAD.Vector(9, 7, 5)))
+        faces = [face.copy() for face in shape.Faces]
+        mesh = mq.triangulate(Part.Compound([face.reversed() if i % 3 == 0 else face
+                                             for i, face in enumerate(faces)]), chord_height=0.02)
+        self.assertTrue(mesh.report.closed and mesh.report.oriented, mesh.report)
+        self.assertEqual(mesh.report.self_intersections, 0)
+        self.assertLess(abs(abs(mesh.report.volume) / shape.Volume - 1.0), 0.01)
+        self.assertTrue(any("edges of loose faces were joined in" in str(note) for note in mesh.report.notes))
+
+
 class SimpleParts(unittest.TestCase):
     def check(self, shape, **options):
         mesh = mq.triangulate(shape, **options)

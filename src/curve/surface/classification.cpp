@@ -157,7 +157,7 @@ class Classifier {
                     ask_uv(use, edge.t0, node_vertex(edge, 0, at_node));
                     ask_uv(use, edge.t1, node_vertex(edge, 0, at_node));
                 }
-            } else {
+            } else if (!edge.uses.empty()) {  // others were joined with one that lies along them
                 follow_edge(static_cast<int>(e), sorted_along(static_cast<int>(e), on_edge[e]), at_node);
             }
         }

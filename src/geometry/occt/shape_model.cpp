@@ -19,6 +19,7 @@
 #include "geometry/occt/geometry_fingerprint.h"
 #include "geometry/occt/topology/creases.h"
 #include "geometry/occt/topology/degenerate_faces.h"
+#include "geometry/occt/topology/loose_faces.h"
 #include "geometry/occt/topology/shape_map.h"
 
 namespace mq::geometry {
@@ -89,6 +90,9 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     }
     topology_.detail = detail ? detail(topology_.box) : 0.0;
     sew_collapsed_pieces(entities, topology_, live_, progress);
+    join_loose_faces(topology_, live_, progress);
+    // Those that measured the size know the sides of faces before joining.
+    std::for_each(faces_.begin(), faces_.end(), [](auto& evaluator) { evaluator.reset(); });
     check_cancelled(progress);
 }
 

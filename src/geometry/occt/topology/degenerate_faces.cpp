@@ -2,7 +2,6 @@
 #include "geometry/occt/topology/degenerate_faces.h"
 
 #include <BRepAdaptor_Surface.hxx>
-#include <Precision.hxx>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,18 +11,18 @@
 #include <vector>
 
 #include "base/angle.h"
-#include "base/disjoint_sets.h"
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/edge_evaluator.h"
+#include "geometry/occt/topology/edge_joining.h"
 
 namespace mq::geometry {
 
 namespace {
 
-class CollapsedPieces {
+class CollapsedPieces : EdgeJoining {
   public:
     CollapsedPieces(const OrderedShape& shape, Topology& topology, ShapeMap& live, const Progress* progress)
-        : shape_(shape), topology_(topology), live_(live), progress_(progress), nodes_(topology.nodes.size()) {}
+        : EdgeJoining(topology, live), shape_(shape), progress_(progress) {}
 
     void run() {
         for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
@@ -36,21 +35,13 @@ class CollapsedPieces {
             }
         }
         join_folded_edges();
-        for (Edge& edge : topology_.edges) {
-            for (int& node : edge.nodes) {
-                node = node < 0 ? node : nodes_.find(node);
-            }
-        }
+        rename_nodes();
     }
 
   private:
-    /// Intervals along each parameter of a face, at whose ends its distance from an edge is measured.
-    static constexpr int kSamples = 8;
     /// Radians: least angle between edges or faces that meet where a detail is not told apart, above the bounds of
     /// angles that are usually asked for.
     static constexpr double kLeastCorner = 30.0 * kDegree;
-
-    Edge& edge(int e) { return topology_.edges[static_cast<std::size_t>(e)]; }
 
     bool is_piece(int face) const { return shape_.is_cut(topology_.of_shape({2, face}).index); }
 
@@ -158,9 +149,9 @@ class CollapsedPieces {
         const Answer beside =
             curve(sliver.edges[1])
                 .nearest(middle, parameter(sliver.edges[1], 0.5), edge(sliver.edges[1]).t0, edge(sliver.edges[1]).t1);
-        const std::optional<Vec3> first = into_neighbour(sliver.uses[0], t);
+        const std::optional<Vec3> first = into_face(beyond(sliver.uses[0]), t);
         const std::optional<Vec3> second =
-            beside.found() ? into_neighbour(sliver.uses[1], beside.t) : std::optional<Vec3>();
+            beside.found() ? into_face(beyond(sliver.uses[1]), beside.t) : std::optional<Vec3>();
         return first && second && angle_between(*first, *second) >= kLeastCorner;
     }
 
@@ -209,30 +200,10 @@ class CollapsedPieces {
         return there.found() ? there.point : along.point(to).point;
     }
 
-    /// The direction, across an edge at t, into the face on the other side of one of its two uses.
-    std::optional<Vec3> into_neighbour(int use, double t) {
-        const int e = topology_.uses[static_cast<std::size_t>(use)].edge;
-        const int other = edge(e).uses[0] == use ? edge(e).uses[1] : edge(e).uses[0];
-        const EdgeUse& data = topology_.uses[static_cast<std::size_t>(other)];
-        const PCurve& on_face = live_.uses[static_cast<std::size_t>(other)];
-        if (on_face.curve.IsNull()) {
-            return std::nullopt;
-        }
-        const double share = (t - edge(e).t0) / (edge(e).t1 - edge(e).t0);
-        const gp_Pnt2d uv = on_face.curve->Value(on_face.first + share * (on_face.last - on_face.first));
-        gp_Pnt point;
-        gp_Vec along_u;
-        gp_Vec along_v;
-        BRepAdaptor_Surface(live_.faces[static_cast<std::size_t>(data.face)], Standard_False)
-            .D1(uv.X(), uv.Y(), point, along_u, along_v);
-        // Part of the edge's range over which its direction is measured.
-        constexpr double kStep = 1e-3;
-        const EdgeEvaluator along = curve(e);
-        const Vec3 tangent =
-            along.point(parameter(e, share + kStep)).point - along.point(parameter(e, share - kStep)).point;
-        const Vec3 normal = to_vec(along_u.Crossed(along_v));
-        const Vec3 into = normal.cross(data.forward ? tangent : Vec3(-tangent));
-        return into.squaredNorm() > 0.0 ? std::optional<Vec3>(into) : std::nullopt;
+    /// The other use of the edge of one of its two uses.
+    int beyond(int use) {
+        const std::vector<int>& uses = edge(topology_.uses[static_cast<std::size_t>(use)].edge).uses;
+        return uses[0] == use ? uses[1] : uses[0];
     }
 
     /// Whether another face lies on the other side of an edge of a sliver.
@@ -286,19 +257,6 @@ class CollapsedPieces {
         }
     }
 
-    void unite(int a, int b) {
-        if (a >= 0 && b >= 0) {
-            nodes_.unite(a, b);
-        }
-    }
-    bool same_node(int a, int b) { return a >= 0 && b >= 0 && nodes_.find(a) == nodes_.find(b); }
-
-    double tolerance(int e) const {
-        return 2.0 * std::max(topology_.edges[static_cast<std::size_t>(e)].tolerance, Precision::Confusion());
-    }
-    EdgeEvaluator curve(int e) { return EdgeEvaluator(live_.edges[static_cast<std::size_t>(e)], edge(e)); }
-    double parameter(int e, double share) { return edge(e).t0 + share * (edge(e).t1 - edge(e).t0); }
-
     bool is_a_point(int e) {
         if (edge(e).degenerate) {
             return true;
@@ -311,60 +269,6 @@ class CollapsedPieces {
             }
         }
         return true;
-    }
-
-    /// Whether t grows the same way on both edges; none where the edges do not coincide.
-    std::optional<bool> run_alike(int a, int b, double within) {
-        const EdgeEvaluator first = curve(a);
-        const EdgeEvaluator second = curve(b);
-        double before = 0.0;
-        double after = 0.0;
-        for (int i = 0; i <= kSamples; ++i) {
-            const Answer there = first.point(parameter(a, double(i) / kSamples));
-            const Answer here = second.nearest(there.point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
-            if (!there.found() || !here.found() || here.distance > within) {
-                return std::nullopt;
-            }
-            before = i == 1 ? here.t : before;
-            after = i == kSamples - 1 ? here.t : after;
-        }
-        return after > before;
-    }
-
-    /// The largest distance of samples of `a` from `b`, mm.
-    double distance_between(int a, int b) {
-        const EdgeEvaluator first = curve(a);
-        const EdgeEvaluator second = curve(b);
-        double largest = 0.0;
-        for (int i = 0; i <= kSamples; ++i) {
-            const Vec3 point = first.point(parameter(a, double(i) / kSamples)).point;
-            largest = std::max(largest, second.nearest(point, parameter(b, 0.5), edge(b).t0, edge(b).t1).distance);
-        }
-        return largest;
-    }
-
-    /// Makes all uses of `b` uses of `a`, if they are no farther apart than `within`, or than twice their tolerances.
-    void join(int a, int b, double within = 0.0) {
-        within = std::max(within, tolerance(a) + tolerance(b));
-        const std::optional<bool> alike = run_alike(a, b, within);
-        if (!alike || !run_alike(b, a, within)) {
-            return;
-        }
-        unite(edge(a).nodes[0], edge(b).nodes[*alike ? 0 : 1]);
-        unite(edge(a).nodes[1], edge(b).nodes[*alike ? 1 : 0]);
-        for (const int u : edge(b).uses) {
-            EdgeUse& use = topology_.uses[static_cast<std::size_t>(u)];
-            PCurve& on_face = live_.uses[static_cast<std::size_t>(u)];
-            use.edge = a;
-            on_face.of_neighbour = true;
-            if (!*alike) {
-                use.forward = !use.forward;
-                std::swap(on_face.first, on_face.last);
-            }
-            edge(a).uses.push_back(u);
-        }
-        edge(a).tolerance = std::max({edge(a).tolerance, edge(b).tolerance, distance_between(a, b)});
-        edge(b).uses.clear();
     }
 
     void join_folded_edges() {
@@ -392,10 +296,7 @@ class CollapsedPieces {
     }
 
     const OrderedShape& shape_;
-    Topology& topology_;
-    ShapeMap& live_;
     const Progress* progress_;
-    DisjointSets<int> nodes_;
 };
 
 }  // namespace

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/topology/edge_joining.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <Precision.hxx>
+#include <algorithm>
+#include <utility>
+
+#include "geometry/occt/evaluation/conversion.h"
+
+namespace mq::geometry {
+
+std::optional<Vec3> EdgeJoining::into_face(int use, double t) const {
+    const EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
+    const PCurve& on_face = live_.uses[static_cast<std::size_t>(use)];
+    const int e = data.edge;
+    if (on_face.curve.IsNull()) {
+        return std::nullopt;
+    }
+    const double share = (t - edge(e).t0) / (edge(e).t1 - edge(e).t0);
+    const gp_Pnt2d uv = on_face.curve->Value(on_face.first + share * (on_face.last - on_face.first));
+    gp_Pnt point;
+    gp_Vec along_u;
+    gp_Vec along_v;
+    BRepAdaptor_Surface(live_.faces[static_cast<std::size_t>(data.face)], Standard_False)
+        .D1(uv.X(), uv.Y(), point, along_u, along_v);
+    // Part of the edge's range over which its direction is measured.
+    constexpr double kStep = 1e-3;
+    const EdgeEvaluator along = curve(e);
+    const Vec3 tangent =
+        along.point(parameter(e, share + kStep)).point - along.point(parameter(e, share - kStep)).point;
+    const Vec3 normal = to_vec(along_u.Crossed(along_v));
+    const Vec3 into = normal.cross(data.forward ? tangent : Vec3(-tangent));
+    return into.squaredNorm() > 0.0 ? std::optional<Vec3>(into) : std::nullopt;
+}
+
+void EdgeJoining::unite(int a, int b) {
+    if (a >= 0 && b >= 0) {
+        nodes_.unite(a, b);
+    }
+}
+
+double EdgeJoining::tolerance(int e) const {
+    return 2.0 * std::max(topology_.edges[static_cast<std::size_t>(e)].tolerance, Precision::Confusion());
+}
+
+std::optional<bool> EdgeJoining::run_alike(int a, int b, double within) const {
+    const EdgeEvaluator first = curve(a);
+    const EdgeEvaluator second = curve(b);
+    double before = 0.0;
+    double after = 0.0;
+    for (int i = 0; i <= kSamples; ++i) {
+        const Answer there = first.point(parameter(a, double(i) / kSamples));
+        const Answer here = second.nearest(there.point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
+        if (!there.found() || !here.found() || here.distance > within) {
+            return std::nullopt;
+        }
+        before = i == 1 ? here.t : before;
+        after = i == kSamples - 1 ? here.t : after;
+    }
+    return after > before;
+}
+
+double EdgeJoining::distance_between(int a, int b) const {
+    const EdgeEvaluator first = curve(a);
+    const EdgeEvaluator second = curve(b);
+    double largest = 0.0;
+    for (int i = 0; i <= kSamples; ++i) {
+        const Vec3 point = first.point(parameter(a, double(i) / kSamples)).point;
+        largest = std::max(largest, second.nearest(point, parameter(b, 0.5), edge(b).t0, edge(b).t1).distance);
+    }
+    return largest;
+}
+
+bool EdgeJoining::join(int a, int b, double within) {
+    within = std::max(within, tolerance(a) + tolerance(b));
+    const std::optional<bool> alike = run_alike(a, b, within);
+    if (!alike || !run_alike(b, a, within)) {
+        return false;
+    }
+    unite(edge(a).nodes[0], edge(b).nodes[*alike ? 0 : 1]);
+    unite(edge(a).nodes[1], edge(b).nodes[*alike ? 1 : 0]);
+    for (const int u : edge(b).uses) {
+        EdgeUse& use = topology_.uses[static_cast<std::size_t>(u)];
+        PCurve& on_face = live_.uses[static_cast<std::size_t>(u)];
+        use.edge = a;
+        on_face.of_neighbour = true;
+        if (!*alike) {
+            use.forward = !use.forward;
+            std::swap(on_face.first, on_face.last);
+        }
+        edge(a).uses.push_back(u);
+    }
+    edge(a).tolerance = std::max({edge(a).tolerance, edge(b).tolerance, distance_between(a, b)});
+    edge(b).uses.clear();
+    return true;
+}
+
+void EdgeJoining::rename_nodes() {
+    for (Edge& edge : topology_.edges) {
+        for (int& node : edge.nodes) {
+            node = node < 0 ? node : nodes_.find(node);
+        }
+    }
+}
+
+}  // namespace mq::geometry

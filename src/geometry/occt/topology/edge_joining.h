@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "base/disjoint_sets.h"
+#include "geometry/occt/evaluation/edge_evaluator.h"
+#include "geometry/occt/topology/shape_map.h"
+
+namespace mq::geometry {
+
+/// Makes one edge of two that lie along each other, and one node of several, in the topology of a shape: the shape
+/// itself does not change.
+class EdgeJoining {
+  public:
+    EdgeJoining(Topology& topology, ShapeMap& live) : topology_(topology), live_(live), nodes_(topology.nodes.size()) {}
+
+    /// Makes all uses of `b` uses of `a`, if they are no farther apart than `within`, or than twice their tolerances.
+    /// The tolerance of `a` becomes their distance, if that is larger.
+    /// @return whether they are one now
+    bool join(int a, int b, double within = 0.0);
+    /// Whether t grows the same way on both edges; none where samples of `a` lie farther than `within` from `b`, mm.
+    std::optional<bool> run_alike(int a, int b, double within) const;
+    /// The largest distance of samples of `a` from `b`, mm.
+    double distance_between(int a, int b) const;
+    /// The direction from the edge of a use, at its parameter t, into the face of the use; none where it has no curve.
+    std::optional<Vec3> into_face(int use, double t) const;
+
+    void unite(int a, int b);
+    bool same_node(int a, int b) { return a >= 0 && b >= 0 && nodes_.find(a) == nodes_.find(b); }
+    /// Gives the edges the nodes that stand for theirs.
+    void rename_nodes();
+
+  protected:
+    /// Intervals along an edge, and along each parameter of a face, at whose ends distances are measured.
+    static constexpr int kSamples = 8;
+
+    Edge& edge(int e) { return topology_.edges[static_cast<std::size_t>(e)]; }
+    const Edge& edge(int e) const { return topology_.edges[static_cast<std::size_t>(e)]; }
+    /// Twice the tolerance of an edge, mm.
+    double tolerance(int e) const;
+    EdgeEvaluator curve(int e) const { return EdgeEvaluator(live_.edges[static_cast<std::size_t>(e)], edge(e)); }
+    double parameter(int e, double share) const { return edge(e).t0 + share * (edge(e).t1 - edge(e).t0); }
+
+    Topology& topology_;
+    ShapeMap& live_;
+
+  private:
+    DisjointSets<int> nodes_;
+};
+
+}  // namespace mq::geometry

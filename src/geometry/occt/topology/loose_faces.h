@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "geometry/occt/topology/shape_map.h"
+
+namespace mq::geometry {
+
+/// Joins faces that belong to no shell, as those of most IGES files, along edges of theirs that bound one face each and
+/// lie within `topology.detail` of each other over their whole length; nearest pairs first. Faces that lie on each
+/// other beside the edge are not joined. Faces that are joined get one side: most keep theirs. `topology.faults` says
+/// how many edges were joined, and their largest distance. The shape itself does not change.
+/// @throws Cancelled
+void join_loose_faces(Topology& topology, ShapeMap& live, const Progress* progress);
+
+}  // namespace mq::geometry
