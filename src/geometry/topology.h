@@ -93,7 +93,7 @@ struct Topology {
     std::vector<Volume> volumes;
     Box box;  ///< box of the whole model, mm; never smaller than the model
     /// mm; edges shorter and faces thinner than this are not told apart where that is safe (degenerate_faces,
-    /// triangulate/initial/short_edges); 0: all are
+    /// triangulate/edges/short_edges); 0: all are
     double detail = 0.0;
     std::vector<std::string> faults;  ///< faults of the model by the kernel's own checks, naming entities
     /// By dimension, for the entities after the shape's own: the entity of the shape to which each belongs. A piece of

@@ -20,7 +20,8 @@ STAGES = {
     ],
     "mesh": [["mesh"], ["mesh/io", "mesh/intersection"], ["mesh/quality"]],
     "triangulate": [
-        ["triangulate/initial", "triangulate/work_mesh"],
+        ["triangulate/edges", "triangulate/work_mesh"],
+        ["triangulate/initial"],
         ["triangulate/measure", "triangulate/operators", "triangulate/spacing"],
         ["triangulate/front"],
         ["triangulate/sampling"],

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "triangulate/edges/edge_discretisation.h"
 #include "triangulate/initial/constrained_delaunay.h"
-#include "triangulate/initial/edge_discretisation.h"
 
 namespace mq::triangulate {
 

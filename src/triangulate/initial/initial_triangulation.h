@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "triangulate/initial/edge_discretisation.h"
+#include "triangulate/edges/edge_discretisation.h"
 #include "triangulate/initial/face_triangulator.h"
 
 namespace mq::triangulate {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/session.h"
-#include "triangulate/initial/edge_discretisation.h"
+#include "triangulate/edges/edge_discretisation.h"
 #include "triangulate/initial/face_boundary.h"
 
 namespace mq::triangulate {

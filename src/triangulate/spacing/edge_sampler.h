@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "triangulate/initial/edge_discretisation.h"
+#include "triangulate/edges/edge_discretisation.h"
 #include "triangulate/spacing/spacing_field.h"
 
 namespace mq::triangulate {

@@ -47,7 +47,7 @@ class CollapsedPieces : EdgeJoining {
 
     /// Two edges that bound a face, and those between their ends.
     struct Sliver {
-        std::vector<int> uses;   // of both sides
+        std::vector<int> uses;   // the uses of both sides
         std::vector<int> edges;  // both sides
         std::vector<int> ends;   // edges shorter than the detail
     };

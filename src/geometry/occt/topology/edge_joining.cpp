@@ -24,7 +24,7 @@ std::optional<Vec3> EdgeJoining::into_face(int use, double t) const {
     gp_Vec along_v;
     BRepAdaptor_Surface(live_.faces[static_cast<std::size_t>(data.face)], Standard_False)
         .D1(uv.X(), uv.Y(), point, along_u, along_v);
-    // Part of the edge's range over which its direction is measured.
+    // Fraction of the edge's range over which its direction is measured.
     constexpr double kStep = 1e-3;
     const EdgeEvaluator along = curve(e);
     const Vec3 tangent =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/initial/short_edges.h"
+#include "triangulate/edges/short_edges.h"
 
 #include <algorithm>
 #include <optional>

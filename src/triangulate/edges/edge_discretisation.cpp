@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/initial/edge_discretisation.h"
+#include "triangulate/edges/edge_discretisation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "base/angle.h"
 #include "base/disjoint_sets.h"
-#include "triangulate/initial/short_edges.h"
-#include "triangulate/initial/unresolved_ends.h"
+#include "triangulate/edges/short_edges.h"
+#include "triangulate/edges/unresolved_ends.h"
 
 namespace mq::triangulate {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/initial/edge_discretisation.h"
+#include "triangulate/edges/edge_discretisation.h"
 
 #include <BRep_Builder.hxx>
 #include <GC_MakeArcOfCircle.hxx>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "triangulate/initial/unresolved_ends.h"
+#include "triangulate/edges/unresolved_ends.h"
 
 #include <algorithm>
 #include <map>
