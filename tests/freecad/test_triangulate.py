@@ -3,6 +3,8 @@
 
 import gc
 import math
+import os
+import tempfile
 import time
 import unittest
 from concurrent.futures import ThreadPoolExecutor
@@ -45,6 +47,22 @@ class Details(unittest.TestCase):
         for curved in (mq.curve(shape, order=2, chord_height=0.05, volume=True),
                        mq.curve(mq.triangulate(shape, chord_height=0.05), order=3, shape=shape)):
             self.assertEqual(curved.report.invalid, 0)
+
+    def test_an_iges_file_is_watertight(self):
+        """Its reader leaves mirrored places whose factor is positive, and faces without a shell."""
+        plate = Part.makeBox(10, 8, 6).cut(Part.makeCylinder(2, 20, FreeCAD.Vector(5, 4, -5)))
+        shape = plate.makeFillet(0.7, plate.Edges[:4])
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "plate.igs")
+            shape.exportIges(path)
+            read = Part.Shape()
+            read.read(path)
+        self.assertFalse(read.Shells)
+        mesh = mq.triangulate(read, chord_height=0.02)
+        self.assertTrue(mesh.report.closed and mesh.report.oriented, mesh.report)
+        self.assertEqual(mesh.report.self_intersections, 0)
+        self.assertLessEqual(mesh.report.max_chord_height, 0.02)
+        self.assertLess(abs(mesh.report.volume / shape.Volume - 1.0), 0.01)
 
     def test_loose_faces_are_joined(self):
         box = Part.makeBox(10, 8, 6)

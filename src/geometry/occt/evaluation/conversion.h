@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <gp_Pnt.hxx>
+#include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
 
 #include "base/vec.h"
@@ -29,6 +30,12 @@ inline gp_Pnt to_pnt(const Vec3& p) {
 /// the value for a parabola.
 inline double rise_over_sample(double before, double middle, double after) {
     return std::max(0.0, 0.5 * (2.0 * middle - before - after));
+}
+
+/// Whether a transformation turns what it moves inside out. gp_Trsf::IsNegative asks for the sign of the factor only,
+/// which the IGES reader leaves positive where the matrix mirrors.
+inline bool mirrors(const gp_Trsf& transformation) {
+    return transformation.VectorialPart().Determinant() < 0.0;
 }
 
 }  // namespace mq::geometry

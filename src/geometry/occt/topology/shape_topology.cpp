@@ -263,7 +263,7 @@ void TopologyBuilder::add_face(int index) {
     data.surface = surface_name(adaptor.GetType());
     data.period = periods_of(adaptor, data.tolerance);
     // A mirror in the location reverses Su x Sv, compared with the surface's own.
-    data.reversed = (met.Orientation() == TopAbs_REVERSED) != face.Location().Transformation().IsNegative();
+    data.reversed = (met.Orientation() == TopAbs_REVERSED) != mirrors(face.Location().Transformation());
     BRepTools::UVBounds(face, data.low[0], data.high[0], data.low[1], data.high[1]);
     for (TopoDS_Iterator it(face); it.More(); it.Next()) {
         if (it.Value().ShapeType() == TopAbs_WIRE) {
