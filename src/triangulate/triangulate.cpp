@@ -16,6 +16,7 @@
 #include "base/predicates.h"
 #include "base/stopwatch.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "mesh/quality/exemptions.h"
 #include "triangulate/assemble.h"
 #include "triangulate/incremental/cache_restore.h"
 #include "triangulate/incremental/cache_store.h"
@@ -237,16 +238,12 @@ bool can_be_recalled(const TriangulateOptions& options) {
 
 // Names edges of the shape, or pieces of them, that are vertices of the mesh.
 std::string contracted_edges(const std::vector<int>& edges, const geometry::Topology& topology) {
-    // Edges named at most; the rest is counted.
-    constexpr std::size_t kNamed = 5;
-    std::string text;
-    for (std::size_t i = 0; i < std::min(edges.size(), kNamed); ++i) {
-        text += (i > 0 ? ", " : "") + topology.name_of({1, edges[i]});
+    std::vector<std::string> names;
+    for (const int e : edges) {
+        names.push_back(topology.name_of({1, e}));
     }
-    if (edges.size() > kNamed) {
-        text += " and " + std::to_string(edges.size() - kNamed) + " more";
-    }
-    return text + ": shorter than " + in_mm(topology.detail) + ", a tenth of what is asked for; a vertex in the mesh";
+    return mesh::list_of(names) + ": shorter than " + in_mm(topology.detail) +
+           ", which does not show at what is asked for: a vertex in the mesh";
 }
 
 // Reports failures and fallbacks of the triangulation before refinement.

@@ -41,7 +41,7 @@ Fingerprint like_nothing_else() {
 bool is_rigid(const gp_Trsf& trsf) {
     // Relative rounding of that factor.
     constexpr double kRounding = 1e-12;
-    return std::abs(trsf.ScaleFactor() - 1.0) < kRounding;
+    return std::abs(trsf.ScaleFactor() - 1.0) < kRounding && !mirrors(trsf);
 }
 
 }  // namespace

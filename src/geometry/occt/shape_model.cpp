@@ -74,25 +74,28 @@ ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const DetailS
 
 void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const DetailSize& detail,
                                std::vector<std::string>& failures, const Progress* progress) {
-    const OpenCascadeWait wait(progress, "reading the shape");
-    const OrderedShape entities =
-        creases == Creases::Cut ? cut_at_creases(shape, failures, progress) : ordered(shape, progress);
-    check_cancelled(progress);
-    topology_ = build_topology(entities, live_, progress);
+    OrderedShape entities;
+    {
+        const OpenCascadeWait wait(progress, "reading the shape");
+        entities = creases == Creases::Cut ? cut_at_creases(shape, failures, progress) : ordered(shape, progress);
+        check_cancelled(progress);
+        topology_ = build_topology(entities, live_, progress);
+    }
     check_cancelled(progress);
     edges_.resize(live_.edges.size());
     faces_.resize(live_.faces.size());
     classifiers_.resize(live_.volumes.size());
+    const auto evaluator = [this](int index) -> FaceEvaluator& { return face(index); };
     {
-        const OpenCascadeWait measuring(progress, "measuring the size");
-        const auto evaluator = [this](int index) -> FaceEvaluator& { return face(index); };
+        const OpenCascadeWait wait(progress, "measuring the size");
         topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
     }
     topology_.detail = detail ? detail(topology_.box) : 0.0;
+    const OpenCascadeWait wait(progress, "reading the shape");
     sew_collapsed_pieces(entities, topology_, live_, progress);
-    join_loose_faces(topology_, live_, progress);
-    // Those that measured the size know the sides of faces before joining.
-    std::for_each(faces_.begin(), faces_.end(), [](auto& evaluator) { evaluator.reset(); });
+    for (const int turned : join_loose_faces(topology_, live_, progress)) {
+        faces_[static_cast<std::size_t>(turned)].reset();  // it measured the size, and knows the side of before
+    }
     check_cancelled(progress);
 }
 
@@ -222,7 +225,10 @@ Answer ShapeModel::use_on_face(int index, double t) {
         const double tolerance =
             std::max(data.tolerance, topology_.faces[static_cast<std::size_t>(use.face)].tolerance);
         answer.distance = (answer.point - target).norm();
-        if (answer.distance > 10.0 * tolerance || pcurve.of_neighbour) {
+        // At a pole the nearest point may have any parameter along the collapsed side: that of the curve is the right
+        // one.
+        const bool near_neighbour = pcurve.of_neighbour && answer.status != Status::Singular;
+        if (answer.distance > 10.0 * tolerance || near_neighbour) {
             const Answer better = surface.nearest(target, answer.u, answer.v);
             if (better.found() && better.distance < answer.distance) {
                 answer = better;

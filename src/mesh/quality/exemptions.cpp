@@ -19,6 +19,8 @@ std::string without_number(const std::string& value) {
     return std::string(value.begin(), std::find_if(value.begin(), value.end(), is_digit)) + "#";
 }
 
+}  // namespace
+
 std::string list_of(const std::vector<std::string>& names) {
     // Names listed at most; a message should stay on a few lines.
     constexpr std::size_t kShown = 8;
@@ -28,8 +30,6 @@ std::string list_of(const std::vector<std::string>& names) {
     }
     return names.size() > kShown ? text + " and " + std::to_string(names.size() - kShown) + " more" : text;
 }
-
-}  // namespace
 
 void set_exempt(const TriangleMesh& mesh, std::vector<std::pair<std::int32_t, ExemptReason>> exempt,
                 MeshReport& report) {

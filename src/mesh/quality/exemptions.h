@@ -28,6 +28,9 @@ struct SameCause {
 /// The causes of all exemptions, most frequent first; equally frequent ones in the order in which they were met.
 std::vector<SameCause> exempt_causes(const MeshReport& report);
 
+/// Names with commas between them: the first eight, and the number of the others.
+std::string list_of(const std::vector<std::string>& names);
+
 /// A line or two for each cause; empty without exemptions.
 std::string exemptions_text(const MeshReport& report);
 

@@ -23,7 +23,7 @@ constexpr int kMaxDepth = 14;
 constexpr double kMostOfEdge = 0.1;
 // Radius of the ball around a node in distances of the edge's end from it, where nodes were contracted to one: the
 // first piece deviates from the edge by at most 1 / 8 in direction.
-constexpr double kJogs = 8.0;
+constexpr double kGaps = 8.0;
 // Faces with a border shorter than this number of shortest sides count as a point: if one of their edges collapsed,
 // the others would coincide.
 constexpr double kShortBorder = 8.0;
@@ -65,13 +65,17 @@ EdgeDiscretisation::EdgeDiscretisation(geometry::Session& session, const SingleP
     sample(session);
     collapse_short_edges(topology);
     collapse_small_faces(session);
-    contract_details(topology);
-    place_nodes(topology);
-    balls_.resize(chains_.size());
     std::vector<double> lengths;
     for (std::size_t e = 0; e < chains_.size(); ++e) {
         lengths.push_back(chains_[e].collapsed ? 0.0 : length_of(points_[e]));
     }
+    contracted_ = contractible_edges(topology, points_, lengths);
+    for (const int e : contracted_) {
+        collapse(e, topology.edges[e]);
+        lengths[static_cast<std::size_t>(e)] = 0.0;
+    }
+    place_nodes(topology);
+    balls_.resize(chains_.size());
     unresolved_ = unresolved_ends(session, grid, lengths);
     for (int e = 0; e < static_cast<int>(chains_.size()); ++e) {
         suppress_near_nodes(topology, e, 1.0, points_[e]);
@@ -168,19 +172,6 @@ void EdgeDiscretisation::collapse_small_faces(geometry::Session& session) {
     }
 }
 
-void EdgeDiscretisation::contract_details(const geometry::Topology& topology) {
-    std::vector<std::vector<Vec3>> points = points_;
-    for (std::size_t e = 0; e < chains_.size(); ++e) {
-        if (chains_[e].collapsed) {
-            points[e].clear();
-        }
-    }
-    contracted_ = contractible_edges(topology, points, topology.detail);
-    for (const int e : contracted_) {
-        collapse(e, topology.edges[e]);
-    }
-}
-
 void EdgeDiscretisation::collapse(int edge, const geometry::Edge& data) {
     chains_[edge].collapsed = true;
     chains_[edge].t = {data.t0, data.t1};
@@ -202,9 +193,9 @@ bool EdgeDiscretisation::suppress_near_nodes(const geometry::Topology& topology,
             Ball& ball = balls_[edge][end];
             const Vec3& centre =
                 topology.nodes[static_cast<std::size_t>(vertices_[node_vertex_[n]].entity.index)].point;
-            const double jog = (centre - (end == 0 ? points.front() : points.back())).norm();
+            const double gap = (centre - (end == 0 ? points.front() : points.back())).norm();
             const double radius =
-                std::max({tolerances * topology.nodes[n].tolerance, grid_.shortest_side(), kJogs * jog});
+                std::max({tolerances * topology.nodes[n].tolerance, grid_.shortest_side(), kGaps * gap});
             ball = {centre, std::max({ball.radius, std::min(radius, most), unresolved(edge, end)})};
         }
         while (points.size() > 2 && at_node(edge, end, end == 0 ? points[1] : points[points.size() - 2])) {

@@ -66,7 +66,6 @@ class EdgeDiscretisation {
     void sample(geometry::Session& session);
     void collapse_short_edges(const geometry::Topology& topology);
     void collapse_small_faces(geometry::Session& session);
-    void contract_details(const geometry::Topology& topology);
     void collapse(int edge, const geometry::Edge& data);
     bool suppress_near_nodes(const geometry::Topology& topology, int edge, double tolerances,
                              std::vector<Vec3>& points);

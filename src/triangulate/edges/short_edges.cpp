@@ -2,43 +2,27 @@
 #include "triangulate/edges/short_edges.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "base/angle.h"
 #include "base/disjoint_sets.h"
+#include "geometry/detail.h"
 
 namespace mq::triangulate {
 
 namespace {
 
-// Radians: least angle between the neighbours of a contracted edge. Above the bounds that are usually asked for, so
-// that no corner is made that cannot keep them.
-constexpr double kLeastCorner = 30.0 * kDegree;
-// Distance from a contracted edge at which its neighbours are compared, in lengths of detail.
-constexpr double kReach = 8.0;
-
-double length_of(const std::vector<Vec3>& points) {
-    double length = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        length += (points[i] - points[i - 1]).norm();
-    }
-    return length;
-}
-
 class ShortEdges {
   public:
-    ShortEdges(const geometry::Topology& topology, const std::vector<std::vector<Vec3>>& points, double detail)
-        : topology_(topology), points_(points), detail_(detail), places_(topology.nodes.size()) {
-        for (const std::vector<Vec3>& polyline : points) {
-            lengths_.push_back(length_of(polyline));
-        }
+    ShortEdges(const geometry::Topology& topology, const std::vector<std::vector<Vec3>>& points,
+               const std::vector<double>& lengths)
+        : topology_(topology), points_(points), lengths_(lengths), places_(topology.nodes.size()) {
         boxes_.resize(topology.nodes.size());
         for (std::size_t n = 0; n < boxes_.size(); ++n) {
             boxes_[n].add(topology.nodes[n].point);
         }
-        for (std::size_t e = 0; e < points.size(); ++e) {
-            if (points[e].empty()) {
+        for (int e = 0; e < static_cast<int>(lengths.size()); ++e) {
+            if (is_vertex(e)) {
                 unite_nodes(topology.edges[e]);
             }
         }
@@ -48,7 +32,7 @@ class ShortEdges {
         std::vector<std::pair<double, int>> order;
         for (int e = 0; e < static_cast<int>(lengths_.size()); ++e) {
             const geometry::Edge& edge = topology_.edges[e];
-            if (!points_[e].empty() && lengths_[e] < detail_ && edge.nodes[0] >= 0 && edge.nodes[1] >= 0) {
+            if (!is_vertex(e) && lengths_[e] < topology_.detail && edge.nodes[0] >= 0 && edge.nodes[1] >= 0) {
                 order.emplace_back(lengths_[e], e);
             }
         }
@@ -82,7 +66,7 @@ class ShortEdges {
         const int b = places_.find(edge.nodes[1]);
         Box both = boxes_[a];
         both.add(boxes_[b]);
-        if (a == b || (both.high - both.low).norm() > detail_) {
+        if (a == b || (both.high - both.low).norm() > topology_.detail) {
             return false;
         }
         return std::all_of(edge.uses.begin(), edge.uses.end(), [&](int use) { return leaves_corner(use); });
@@ -106,7 +90,7 @@ class ShortEdges {
             const Vec3 corner =
                 0.5 * (points_[topology_.uses[use].edge].front() + points_[topology_.uses[use].edge].back());
             return angle_between(point_along(before, false) - corner, point_along(after, true) - corner) >=
-                   kLeastCorner;
+                   geometry::DetailCorners::kLeast;
         }
         return false;
     }
@@ -132,12 +116,13 @@ class ShortEdges {
         return ends(use) == ends(other);
     }
 
-    // The point of a use's polyline at kReach details from its first or last end, or its other end if it is shorter.
+    // The point of a use's polyline at DetailCorners::kReach details from its first or last end, or its other end if it
+    // is shorter.
     Vec3 point_along(int use, bool from_start) const {
         const std::vector<Vec3>& points = points_[topology_.uses[use].edge];
         const bool ascending = topology_.uses[use].forward == from_start;
         const int n = static_cast<int>(points.size());
-        double rest = kReach * detail_;
+        double rest = geometry::DetailCorners::kReach * topology_.detail;
         for (int k = 1; k < n; ++k) {
             const Vec3& p = points[ascending ? k - 1 : n - k];
             const Vec3& q = points[ascending ? k : n - 1 - k];
@@ -152,18 +137,17 @@ class ShortEdges {
 
     const geometry::Topology& topology_;
     const std::vector<std::vector<Vec3>>& points_;
-    double detail_;
-    DisjointSets<int> places_;
-    std::vector<Box> boxes_;       // by node; of all nodes at one place at its root
     std::vector<double> lengths_;  // by edge, mm; 0: it is a vertex
+    DisjointSets<int> places_;
+    std::vector<Box> boxes_;  // by node; of all nodes at one place at its root
     std::vector<int> contracted_;
 };
 
 }  // namespace
 
 std::vector<int> contractible_edges(const geometry::Topology& topology, const std::vector<std::vector<Vec3>>& points,
-                                    double detail) {
-    return ShortEdges(topology, points, detail).run();
+                                    const std::vector<double>& lengths) {
+    return ShortEdges(topology, points, lengths).run();
 }
 
 }  // namespace mq::triangulate

@@ -7,17 +7,17 @@
 
 namespace mq::triangulate {
 
-/// Returns the edges shorter than `detail` that can be contracted to one vertex, in ascending order of length. A
-/// triangulation with bounded angles is graded from its shortest edge outwards: an edge far below the distance that is
-/// asked for would cost triangles without end, and show nowhere.
+/// Returns the edges shorter than the detail of the topology that can be contracted to one vertex, in ascending order
+/// of length. A triangulation with bounded angles is graded from its shortest edge outwards: an edge far below the
+/// distance that is asked for would cost triangles without end, and show nowhere.
 ///
 /// An edge is left as it is where contracting it would damage a face: where its neighbours on a loop would meet at less
 /// than 30 degrees, as the long sides of a thin plate, or where another edge joins the same two nodes. The nodes that
-/// are contracted to one vertex lie within `detail` of each other (virtual topology: Sheffer, Blacker and Bercovier
+/// are contracted to one vertex lie within the detail of each other (virtual topology: Sheffer, Blacker and Bercovier
 /// 1997, edge collapse).
-/// @param points  of every edge's polyline, mm; none for edges that are a vertex already
-/// @param detail  mm
+/// @param points  of every edge's polyline, mm
+/// @param lengths  of the polylines, mm; 0: the edge is a vertex already
 std::vector<int> contractible_edges(const geometry::Topology& topology, const std::vector<std::vector<Vec3>>& points,
-                                    double detail);
+                                    const std::vector<double>& lengths);
 
 }  // namespace mq::triangulate

@@ -42,6 +42,7 @@ FaceEvaluator::FaceEvaluator(const TopoDS_Face& shape, const Face& data)
     location_ = location.Transformation();
     inverse_ = location_.Inverted();
     located_ = !location.IsIdentity();
+    mirrored_ = located_ && mirrors(location_);
     set_bounds(data);
     set_search_box();
     if (surface_.GetType() == GeomAbs_BSplineSurface) {
@@ -305,7 +306,7 @@ void FaceEvaluator::set_normal(double u, double v, const SurfacePoint& s, Answer
         return;
     }
     // A vector product changes its sign in a mirror: M a x M b = det(M) / scale * M (a x b).
-    const double mirror = mirrors(location_) ? -1.0 : 1.0;
+    const double mirror = mirrored_ ? -1.0 : 1.0;
     const gp_Vec turned = gp_Vec(n->x(), n->y(), n->z()).Transformed(location_);
     answer.normal = sign_ * mirror * to_vec(turned).normalized();
 }
@@ -373,7 +374,7 @@ Answer FaceEvaluator::curvatures(double u, double v) const {
         answer.normal = Vec3::Zero();
         return answer;
     }
-    const double mirror = located_ && mirrors(location_) ? -1.0 : 1.0;
+    const double mirror = mirrored_ ? -1.0 : 1.0;
     const double scale = located_ ? std::abs(location_.ScaleFactor()) : 1.0;
     const double e = s.su.squaredNorm();
     const double f = s.su.dot(s.sv);

@@ -91,7 +91,8 @@ class FaceEvaluator {
     gp_Trsf location_;
     gp_Trsf inverse_;
     bool located_ = false;
-    double sign_ = 1.0;  ///< sign of the outward normal along Su x Sv
+    bool mirrored_ = false;  ///< whether the location turns the surface inside out
+    double sign_ = 1.0;      ///< sign of the outward normal along Su x Sv
     double tolerance_;
     std::array<double, 2> period_;
     ParameterBox natural_;  ///< bounds of the surface

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "base/angle.h"
+#include "base/message.h"
+#include "geometry/detail.h"
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/edge_evaluator.h"
 #include "geometry/occt/topology/edge_joining.h"
@@ -31,7 +33,7 @@ class CollapsedPieces : EdgeJoining {
             if (face.no_area && is_piece(f)) {
                 take_out(f);
             } else if (!face.no_area) {
-                look_for_sliver(f);
+                collapse_if_sliver(f);
             }
         }
         join_folded_edges();
@@ -39,10 +41,6 @@ class CollapsedPieces : EdgeJoining {
     }
 
   private:
-    /// Radians: least angle between edges or faces that meet where a detail is not told apart, above the bounds of
-    /// angles that are usually asked for.
-    static constexpr double kLeastCorner = 30.0 * kDegree;
-
     bool is_piece(int face) const { return shape_.is_cut(topology_.of_shape({2, face}).index); }
 
     /// Two edges that bound a face, and those between their ends.
@@ -52,7 +50,7 @@ class CollapsedPieces : EdgeJoining {
         std::vector<int> ends;   // edges shorter than the detail
     };
 
-    void look_for_sliver(int face) {
+    void collapse_if_sliver(int face) {
         Face& data = topology_.faces[static_cast<std::size_t>(face)];
         const Sliver sliver = sides_of(face);
         if (sliver.edges.size() != 2 || sliver.edges[0] == sliver.edges[1] || !is_side(sliver.edges[0]) ||
@@ -65,20 +63,20 @@ class CollapsedPieces : EdgeJoining {
                                        ": is no wider than the tolerance of its edges, which count as one");
         } else if (topology_.detail > own && is_within(face, sliver, topology_.detail) && neighbours_open(sliver) &&
                    ends_leave_corners(face, sliver)) {
-            topology_.faults.push_back(
-                topology_.name_of({2, face}) +
-                ": is thinner than a tenth of what is asked for, so that its edges count as one");
+            topology_.faults.push_back(topology_.name_of({2, face}) + ": is thinner than " +
+                                       in_digits(topology_.detail, 4) +
+                                       " mm, which does not show at what is asked for: its edges count as one");
         } else {
             return;
         }
         data.no_area = true;
-        take_out(face, std::max(own, topology_.detail));
+        take_out(face, topology_.detail);
     }
 
     Sliver sides_of(int face) {
         Sliver result;
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
-        // A sliver has two sides and as many ends at most, of a few edges each.
+        // Edges around a sliver at most: two sides, and three short ones at either end.
         constexpr std::size_t kMost = 8;
         if (data.loops.size() != 1 || data.loops.front().uses.size() > kMost) {
             return result;
@@ -120,12 +118,12 @@ class CollapsedPieces : EdgeJoining {
     bool is_within(int face, const Sliver& sliver, double distance) {
         const int a = sliver.edges[0];
         const int b = sliver.edges[1];
-        const std::optional<bool> alike = run_alike(a, b, distance);
-        if (!alike || !run_alike(b, a, distance)) {
+        const std::optional<Alignment> along = alignment(a, b, distance);
+        if (!along || !alignment(b, a, distance)) {
             return false;
         }
         for (int i = 0; i < 2; ++i) {
-            if (!meet(edge(a).nodes[i], edge(b).nodes[*alike ? i : 1 - i], sliver.ends)) {
+            if (!meet(edge(a).nodes[i], edge(b).nodes[along->same_way ? i : 1 - i], sliver.ends)) {
                 return false;
             }
         }
@@ -144,15 +142,8 @@ class CollapsedPieces : EdgeJoining {
 
     /// Whether the faces on the other sides of a sliver's edges do not lie on each other, as those of a thin plate.
     bool neighbours_open(const Sliver& sliver) {
-        const double t = parameter(sliver.edges[0], 0.5);
-        const Vec3 middle = curve(sliver.edges[0]).point(t).point;
-        const Answer beside =
-            curve(sliver.edges[1])
-                .nearest(middle, parameter(sliver.edges[1], 0.5), edge(sliver.edges[1]).t0, edge(sliver.edges[1]).t1);
-        const std::optional<Vec3> first = into_face(beyond(sliver.uses[0]), t);
-        const std::optional<Vec3> second =
-            beside.found() ? into_face(beyond(sliver.uses[1]), beside.t) : std::optional<Vec3>();
-        return first && second && angle_between(*first, *second) >= kLeastCorner;
+        const std::optional<double> angle = dihedral_angle(opposite_use(sliver.uses[0]), opposite_use(sliver.uses[1]));
+        return angle && *angle >= DetailCorners::kLeast;
     }
 
     /// Whether the faces beyond the ends of a sliver keep a corner there, where they lose an edge.
@@ -182,26 +173,25 @@ class CollapsedPieces : EdgeJoining {
                                     .point(parameter(topology_.uses[static_cast<std::size_t>(use)].edge, 0.5))
                                     .point;
             return angle_between(point_along(before, false) - corner, point_along(after, true) - corner) >=
-                   kLeastCorner;
+                   DetailCorners::kLeast;
         }
         return false;
     }
 
-    /// The point of a use's edge some details from its start or its end.
+    /// The point of a use's edge at DetailCorners::kReach details from its start or its end, or its other end if it is
+    /// shorter.
     Vec3 point_along(int use, bool from_start) {
-        // Distance in lengths of detail, at which the ends of a short edge look like one.
-        constexpr double kReach = 8.0;
         const EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
         const bool ascending = data.forward == from_start;
         const double from = ascending ? edge(data.edge).t0 : edge(data.edge).t1;
         const double to = ascending ? edge(data.edge).t1 : edge(data.edge).t0;
         const EdgeEvaluator along = curve(data.edge);
-        const Answer there = along.at_distance(from, to, kReach * topology_.detail);
+        const Answer there = along.at_distance(from, to, DetailCorners::kReach * topology_.detail);
         return there.found() ? there.point : along.point(to).point;
     }
 
     /// The other use of the edge of one of its two uses.
-    int beyond(int use) {
+    int opposite_use(int use) {
         const std::vector<int>& uses = edge(topology_.uses[static_cast<std::size_t>(use)].edge).uses;
         return uses[0] == use ? uses[1] : uses[0];
     }

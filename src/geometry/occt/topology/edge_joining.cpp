@@ -6,11 +6,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/angle.h"
 #include "geometry/occt/evaluation/conversion.h"
 
 namespace mq::geometry {
 
-std::optional<Vec3> EdgeJoining::into_face(int use, double t) const {
+std::optional<double> EdgeJoining::dihedral_angle(int use, int other) const {
+    const int a = topology_.uses[static_cast<std::size_t>(use)].edge;
+    const int b = topology_.uses[static_cast<std::size_t>(other)].edge;
+    const double t = parameter(a, 0.5);
+    const Answer there = curve(b).nearest(curve(a).point(t).point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
+    const std::optional<Vec3> first = conormal(use, t);
+    const std::optional<Vec3> second = there.found() ? conormal(other, there.t) : std::optional<Vec3>();
+    return first && second ? std::optional<double>(angle_between(*first, *second)) : std::nullopt;
+}
+
+// The direction from the edge of a use, at its parameter t, into the face of the use; none where it has no curve.
+std::optional<Vec3> EdgeJoining::conormal(int use, double t) const {
     const EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
     const PCurve& on_face = live_.uses[static_cast<std::size_t>(use)];
     const int e = data.edge;
@@ -44,11 +56,12 @@ double EdgeJoining::tolerance(int e) const {
     return 2.0 * std::max(topology_.edges[static_cast<std::size_t>(e)].tolerance, Precision::Confusion());
 }
 
-std::optional<bool> EdgeJoining::run_alike(int a, int b, double within) const {
+std::optional<EdgeJoining::Alignment> EdgeJoining::alignment(int a, int b, double within) const {
     const EdgeEvaluator first = curve(a);
     const EdgeEvaluator second = curve(b);
     double before = 0.0;
     double after = 0.0;
+    double largest = 0.0;
     for (int i = 0; i <= kSamples; ++i) {
         const Answer there = first.point(parameter(a, double(i) / kSamples));
         const Answer here = second.nearest(there.point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
@@ -57,41 +70,31 @@ std::optional<bool> EdgeJoining::run_alike(int a, int b, double within) const {
         }
         before = i == 1 ? here.t : before;
         after = i == kSamples - 1 ? here.t : after;
+        largest = std::max(largest, here.distance);
     }
-    return after > before;
-}
-
-double EdgeJoining::distance_between(int a, int b) const {
-    const EdgeEvaluator first = curve(a);
-    const EdgeEvaluator second = curve(b);
-    double largest = 0.0;
-    for (int i = 0; i <= kSamples; ++i) {
-        const Vec3 point = first.point(parameter(a, double(i) / kSamples)).point;
-        largest = std::max(largest, second.nearest(point, parameter(b, 0.5), edge(b).t0, edge(b).t1).distance);
-    }
-    return largest;
+    return Alignment{after > before, largest};
 }
 
 bool EdgeJoining::join(int a, int b, double within) {
     within = std::max(within, tolerance(a) + tolerance(b));
-    const std::optional<bool> alike = run_alike(a, b, within);
-    if (!alike || !run_alike(b, a, within)) {
+    const std::optional<Alignment> along = alignment(a, b, within);
+    if (!along || !alignment(b, a, within)) {
         return false;
     }
-    unite(edge(a).nodes[0], edge(b).nodes[*alike ? 0 : 1]);
-    unite(edge(a).nodes[1], edge(b).nodes[*alike ? 1 : 0]);
+    unite(edge(a).nodes[0], edge(b).nodes[along->same_way ? 0 : 1]);
+    unite(edge(a).nodes[1], edge(b).nodes[along->same_way ? 1 : 0]);
     for (const int u : edge(b).uses) {
         EdgeUse& use = topology_.uses[static_cast<std::size_t>(u)];
         PCurve& on_face = live_.uses[static_cast<std::size_t>(u)];
         use.edge = a;
         on_face.of_neighbour = true;
-        if (!*alike) {
+        if (!along->same_way) {
             use.forward = !use.forward;
             std::swap(on_face.first, on_face.last);
         }
         edge(a).uses.push_back(u);
     }
-    edge(a).tolerance = std::max({edge(a).tolerance, edge(b).tolerance, distance_between(a, b)});
+    edge(a).tolerance = std::max({edge(a).tolerance, edge(b).tolerance, along->distance});
     edge(b).uses.clear();
     return true;
 }

@@ -14,18 +14,22 @@ namespace mq::geometry {
 /// itself does not change.
 class EdgeJoining {
   public:
+    struct Alignment {
+        bool same_way;    ///< whether t grows the same way on both edges
+        double distance;  ///< the largest of the samples of the first from the second, mm
+    };
+
     EdgeJoining(Topology& topology, ShapeMap& live) : topology_(topology), live_(live), nodes_(topology.nodes.size()) {}
 
     /// Makes all uses of `b` uses of `a`, if they are no farther apart than `within`, or than twice their tolerances.
     /// The tolerance of `a` becomes their distance, if that is larger.
     /// @return whether they are one now
     bool join(int a, int b, double within = 0.0);
-    /// Whether t grows the same way on both edges; none where samples of `a` lie farther than `within` from `b`, mm.
-    std::optional<bool> run_alike(int a, int b, double within) const;
-    /// The largest distance of samples of `a` from `b`, mm.
-    double distance_between(int a, int b) const;
-    /// The direction from the edge of a use, at its parameter t, into the face of the use; none where it has no curve.
-    std::optional<Vec3> into_face(int use, double t) const;
+    /// How `a` lies along `b`; none where a sample of `a` is farther than `within` from `b`, mm.
+    std::optional<Alignment> alignment(int a, int b, double within) const;
+    /// Radians: the angle between the faces of two uses in the middle of their edges, which lie along each other; 0:
+    /// the faces lie on each other there. None where a use has no curve on its face.
+    std::optional<double> dihedral_angle(int use, int other) const;
 
     void unite(int a, int b);
     bool same_node(int a, int b) { return a >= 0 && b >= 0 && nodes_.find(a) == nodes_.find(b); }
@@ -47,6 +51,8 @@ class EdgeJoining {
     ShapeMap& live_;
 
   private:
+    std::optional<Vec3> conormal(int use, double t) const;
+
     DisjointSets<int> nodes_;
 };
 

@@ -31,7 +31,8 @@ class LooseFaces : EdgeJoining {
         }
     }
 
-    void run() {
+    /// @return the faces that were turned
+    std::vector<int> run() {
         std::vector<Pair> pairs = near_pairs();
         std::sort(pairs.begin(), pairs.end());
         int joined = 0;
@@ -43,15 +44,15 @@ class LooseFaces : EdgeJoining {
                 largest = std::max(largest, pair.distance);
             }
         }
-        if (joined > 0) {
-            rename_nodes();
-            orient();
-            std::array<char, 120> text;
-            std::snprintf(text.data(), text.size(),
-                          "edges of loose faces were joined in %d pair%s, at most %.2g mm apart", joined,
-                          joined == 1 ? "" : "s", largest);
-            topology_.faults.emplace_back(text.data());
+        if (joined == 0) {
+            return {};
         }
+        rename_nodes();
+        std::array<char, 120> text;
+        std::snprintf(text.data(), text.size(), "edges of loose faces were joined in %d pair%s, at most %.2g mm apart",
+                      joined, joined == 1 ? "" : "s", largest);
+        topology_.faults.emplace_back(text.data());
+        return orient();
     }
 
   private:
@@ -71,7 +72,8 @@ class LooseFaces : EdgeJoining {
         const Edge& data = edge(e);
         return data.uses.size() == 1 && !data.degenerate && data.nodes[0] >= 0 && data.nodes[1] >= 0 &&
                !topology_.uses[static_cast<std::size_t>(data.uses.front())].internal &&
-               loose_[static_cast<std::size_t>(face_of(e))] != 0;
+               loose_[static_cast<std::size_t>(face_of(e))] != 0 &&
+               !topology_.faces[static_cast<std::size_t>(face_of(e))].no_area;
     }
 
     const Vec3& end_of(int e, int i) const {
@@ -96,8 +98,8 @@ class LooseFaces : EdgeJoining {
                 continue;
             }
             for (const int a : beside(b, by_end)) {
-                if (lie_along(a, b)) {
-                    result.push_back({std::max(distance_between(a, b), distance_between(b, a)), a, b});
+                if (const std::optional<double> distance = distance_along(a, b)) {
+                    result.push_back({*distance, a, b});
                 }
             }
             by_end[cell_of(end_of(b, 0))].push_back(b);
@@ -121,46 +123,51 @@ class LooseFaces : EdgeJoining {
         return found;
     }
 
-    bool lie_along(int a, int b) const {
-        const std::optional<bool> alike = run_alike(a, b, topology_.detail);
-        if (!alike || !run_alike(b, a, topology_.detail)) {
-            return false;
+    /// The distance of two edges that lie along each other, mm; none for others, and where their faces lie on each
+    /// other.
+    std::optional<double> distance_along(int a, int b) const {
+        const std::optional<Alignment> first = alignment(a, b, topology_.detail);
+        const std::optional<Alignment> second = first ? alignment(b, a, topology_.detail) : std::nullopt;
+        if (!second) {
+            return std::nullopt;
         }
         for (int i = 0; i < 2; ++i) {
-            if ((end_of(a, i) - end_of(b, *alike ? i : 1 - i)).norm() > topology_.detail) {
-                return false;
+            if ((end_of(a, i) - end_of(b, first->same_way ? i : 1 - i)).norm() > topology_.detail) {
+                return std::nullopt;
             }
         }
         // Radians: least angle between faces that are joined; those of copies lie on each other.
         constexpr double kLeast = 2.0 * kDegree;
-        const double t = parameter(a, 0.5);
-        const Answer there = curve(b).nearest(curve(a).point(t).point, parameter(b, 0.5), edge(b).t0, edge(b).t1);
-        const std::optional<Vec3> first = into_face(edge(a).uses.front(), t);
-        const std::optional<Vec3> second =
-            there.found() ? into_face(edge(b).uses.front(), there.t) : std::optional<Vec3>();
-        return first && second && angle_between(*first, *second) >= kLeast;
+        const std::optional<double> angle = dihedral_angle(edge(a).uses.front(), edge(b).uses.front());
+        return angle && *angle >= kLeast ? std::optional<double>(std::max(first->distance, second->distance))
+                                         : std::nullopt;
     }
 
     /// Turns faces so that those that are joined show the same side, and most stay as they are.
-    void orient() {
+    std::vector<int> orient() {
+        std::vector<int> result;
         std::vector<int> turned(topology_.faces.size(), -1);
         for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
             if (loose_[static_cast<std::size_t>(f)] == 0 || turned[static_cast<std::size_t>(f)] >= 0) {
                 continue;
             }
-            const std::vector<int> group = spread(f, turned);
+            const std::vector<int> group = connected_faces(f, turned);
             const auto count = std::count_if(group.begin(), group.end(),
                                              [&](int g) { return turned[static_cast<std::size_t>(g)] == 1; });
             const int turn = 2 * static_cast<std::size_t>(count) > group.size() ? 0 : 1;
             for (const int g : group) {
-                Face& face = topology_.faces[static_cast<std::size_t>(g)];
-                face.reversed = face.reversed != (turned[static_cast<std::size_t>(g)] == turn);
+                if (turned[static_cast<std::size_t>(g)] == turn) {
+                    Face& face = topology_.faces[static_cast<std::size_t>(g)];
+                    face.reversed = !face.reversed;
+                    result.push_back(g);
+                }
             }
         }
+        return result;
     }
 
     /// The faces that are joined to one, with 0 or 1 in `turned`: whether they are to be turned as that stays.
-    std::vector<int> spread(int face, std::vector<int>& turned) const {
+    std::vector<int> connected_faces(int face, std::vector<int>& turned) const {
         std::vector<int> group{face};
         turned[static_cast<std::size_t>(face)] = 0;
         for (std::size_t i = 0; i < group.size(); ++i) {
@@ -199,10 +206,8 @@ class LooseFaces : EdgeJoining {
 
 }  // namespace
 
-void join_loose_faces(Topology& topology, ShapeMap& live, const Progress* progress) {
-    if (topology.detail > 0.0) {
-        LooseFaces(topology, live, progress).run();
-    }
+std::vector<int> join_loose_faces(Topology& topology, ShapeMap& live, const Progress* progress) {
+    return topology.detail > 0.0 ? LooseFaces(topology, live, progress).run() : std::vector<int>();
 }
 
 }  // namespace mq::geometry

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <vector>
+
 #include "geometry/occt/topology/shape_map.h"
 
 namespace mq::geometry {
@@ -9,7 +11,8 @@ namespace mq::geometry {
 /// lie within `topology.detail` of each other over their whole length; nearest pairs first. Faces that lie on each
 /// other beside the edge are not joined. Faces that are joined get one side: most keep theirs. `topology.faults` says
 /// how many edges were joined, and their largest distance. The shape itself does not change.
+/// @return the faces that were turned
 /// @throws Cancelled
-void join_loose_faces(Topology& topology, ShapeMap& live, const Progress* progress);
+std::vector<int> join_loose_faces(Topology& topology, ShapeMap& live, const Progress* progress);
 
 }  // namespace mq::geometry

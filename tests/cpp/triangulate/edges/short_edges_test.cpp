@@ -76,7 +76,9 @@ TEST(ShortEdges, AThinFaceBetweenTwoOthersIsAnEdge) {
     EXPECT_EQ(faces_with_area(part.model->topology()), 6);
     EXPECT_TRUE(part.initial.failures.empty());
     ASSERT_EQ(part.model->topology().faults.size(), 1u);
-    EXPECT_NE(part.model->topology().faults[0].find("is thinner than a tenth of what is asked for"), std::string::npos);
+    EXPECT_NE(
+        part.model->topology().faults[0].find("is thinner than 0.001 mm, which does not show at what is asked for"),
+        std::string::npos);
 }
 
 /// Its top and bottom would lie on each other.
