@@ -46,6 +46,13 @@ std::optional<std::array<int, 2>> add_nondegenerate(const std::vector<std::array
         }
         join(links, a, b);
     }
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (const Link& link : links[t]) {
+            if (!dropped[t] && link.half_edge < 0 && result.borders[link.border].index < 0) {
+                return std::array<int, 2>{link.border, link.border};
+            }
+        }
+    }
     std::vector<int> number(triangles.size(), -1);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         if (!dropped[t]) {

@@ -35,7 +35,6 @@ constexpr int kMaxRounds = 40;  // Bounds the rounds of refinement. Tuned on the
 // (u, v) only, or lie beyond chords of the border. Tuned on the corpus.
 constexpr int kPatience = 16;
 constexpr int kMaxSites = 40000;  // Vertices on one face, which bounds memory on faulty surfaces.
-constexpr const char* kClosesOnItself = "it closes on itself at a collapsed edge";  // The reason of such a failure.
 
 class FaceMesher {
   public:
@@ -74,7 +73,6 @@ class FaceMesher {
     bool insert_midpoints(const std::set<std::array<int, 2>>& sides);
     void assemble();
     Link link_of(int h, const std::vector<int>& number) const;
-    bool bounded_by_collapsed_pieces() const;
     bool close(const std::vector<Corners>& triangles, std::vector<std::array<Link, 3>> links);
 
     const VertexUse& site_at(int corner_vertex) const { return result_.sites[site_of_[corner_vertex]]; }
@@ -568,29 +566,16 @@ void FaceMesher::assemble() {
 // @return whether the face has a triangulation
 bool FaceMesher::close(const std::vector<Corners>& triangles, std::vector<std::array<Link, 3>> links) {
     const auto closing = add_nondegenerate(triangles, std::move(links), result_);
-    if (!closing && !bounded_by_collapsed_pieces()) {
-        return true;
-    }
     if (!closing) {
-        result_.failure = kClosesOnItself;
-        return false;
+        return true;
     }
     for (const int piece : *closing) {
         mark_piece(piece);
     }
     if (result_.marks.empty()) {
-        result_.failure = kClosesOnItself;
+        result_.failure = "it closes on itself at a collapsed edge";
     }
     return false;
-}
-
-// A collapsed piece is one vertex: no side of a triangle with three vertices lies on it, unless the border is wrong.
-bool FaceMesher::bounded_by_collapsed_pieces() const {
-    return std::any_of(result_.links.begin(), result_.links.end(), [&](const std::array<Link, 3>& sides) {
-        return std::any_of(sides.begin(), sides.end(), [&](const Link& link) {
-            return link.half_edge < 0 && result_.borders[link.border].index < 0;
-        });
-    });
 }
 
 }  // namespace
