@@ -307,6 +307,9 @@ TRIANGULATE = (
            rare=True, unset="5 million", help="Stop at this number; the mesh is then incomplete"),
     Option("allow_missing_faces", bool, False, title="Skip faces that fail", rare=True,
            help="Mesh the other faces where some fail; the report names those that were skipped"),
+    Option("sew", bool, True, title="Join loose faces", rare=True,
+           help="Join faces that belong to no shell, as those of most IGES files, where their borders lie "
+                "together; the report says how far apart they were"),
     Option("connectivity", str, "pseudo-delaunay", choices=CONNECTIVITIES, group="Sampling",
            title="Connect samples", rare=True, only_with=_SAMPLED,
            choice_titles=("in space", "in face parameters"),

@@ -95,6 +95,7 @@ struct Topology {
     /// mm; edges shorter and faces thinner than this are not told apart where that is safe (degenerate_faces,
     /// triangulate/edges/short_edges); 0: all are
     double detail = 0.0;
+    bool sewn = false;                ///< faces without a shell are joined where borders lie together within `detail`
     std::vector<std::string> faults;  ///< faults of the model by the kernel's own checks, naming entities
     /// By dimension, for the entities after the shape's own: the entity of the shape to which each belongs. A piece of
     /// an edge or a face belongs to the whole one, a crease to its face, the end of a crease to the edge or face on

@@ -219,6 +219,8 @@ void bind_measures(ReportClass& report) {
         .def_readonly(
             "detail", &MeshReport::detail,
             "mm: shorter edges and thinner faces of the shape were not told apart where that is safe; 0: all were")
+        .def_readonly("sewn", &MeshReport::sewn,
+                      "whether faces without a shell were joined where their borders lie together within `detail`")
         .def_readonly("self_intersections", &MeshReport::self_intersections,
                       "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, "
                       "and of loose faces that cross; -1: not looked for")

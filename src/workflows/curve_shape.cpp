@@ -80,10 +80,10 @@ CurvedMesh best_of_attempts(geometry::Engine& engine, const std::shared_ptr<geom
 }
 
 std::shared_ptr<geometry::Model> model_of(geometry::Engine& engine, const TopoDS_Shape& shape,
-                                          geometry::Creases creases, const geometry::DetailSize& detail,
+                                          geometry::Creases creases, const geometry::VirtualTopology& join,
                                           Progress& progress) {
     std::shared_ptr<geometry::Model> model;
-    engine.run([&] { model = geometry::make_shape_model(shape, &progress, creases, detail); }, &progress);
+    engine.run([&] { model = geometry::make_shape_model(shape, &progress, creases, join); }, &progress);
     return model;
 }
 
@@ -99,8 +99,8 @@ CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, cons
     straight.validate();
     const Stopwatch watch_all;
     progress.stage("reading the shape", 0.0, 0.0);
-    const auto model = model_of(
-        engine, shape, geometry::Creases::Cut, [&](const Box& box) { return straight.detail_of(box); }, progress);
+    const auto model = model_of(engine, shape, geometry::Creases::Cut,
+                                {[&](const Box& box) { return straight.detail_of(box); }, straight.sew}, progress);
     CurvedMesh mesh = best_of_attempts(engine, model, straight, options, progress);
     measure_volume(mesh, engine, shape, progress);
     mesh.report.cpu_seconds = watch_all.cpu();
@@ -111,9 +111,8 @@ CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, co
                          const curve::CurveOptions& options, Progress& progress) {
     options.validate();
     const bool pieces = !surface.mesh.triangle_piece.empty();
-    const auto model = model_of(
-        engine, shape, pieces ? geometry::Creases::Cut : geometry::Creases::Keep,
-        [&](const Box&) { return surface.report.detail; }, progress);
+    const auto model = model_of(engine, shape, pieces ? geometry::Creases::Cut : geometry::Creases::Keep,
+                                {[&](const Box&) { return surface.report.detail; }, surface.report.sewn}, progress);
     CurvedMesh mesh = curve::curve(engine, model, surface.mesh, options, &progress);
     mesh.straight = surface.mesh;
     mesh.report.straight = surface.report;

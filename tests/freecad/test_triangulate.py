@@ -59,7 +59,51 @@ class Details(unittest.TestCase):
         mesh = mq.triangulate(Part.Compound(faces + other), chord_height=0.02)
         self.assertTrue(mesh.report.closed and mesh.report.oriented, mesh.report)
         self.assertEqual(mesh.report.self_intersections, 0)
-        self.assertLess(abs(abs(mesh.report.volume) / (15.0 * np.pi) - 1.0), 0.01)
+        self.assertLess(abs(mesh.report.volume / (15.0 * np.pi) - 1.0), 0.01)
+
+    def loose(self, *solids):
+        return [face.copy() for solid in solids for face in solid.Faces]
+
+    def test_loose_faces_show_their_outside(self):
+        faces = self.loose(Part.makeBox(10, 8, 6), Part.makeCylinder(2, 5, FreeCAD.Vector(20, 0, 0)))
+        mesh = mq.triangulate(Part.Compound([face.reversed() for face in faces]), chord_height=0.02)
+        self.assertTrue(mesh.report.closed and mesh.report.oriented, mesh.report)
+        self.assertLess(abs(mesh.report.volume / (480.0 + 20.0 * np.pi) - 1.0), 0.01)
+
+    def test_a_void_of_loose_faces_stays_a_void(self):
+        inner = Part.makeBox(4, 4, 3, FreeCAD.Vector(3, 2, 1))
+        core = Part.makeBox(1, 1, 1, FreeCAD.Vector(4, 3, 2))
+        faces = self.loose(inner, Part.makeBox(10, 8, 6), core)
+        mesh = mq.triangulate(Part.Compound(faces), chord_height=0.02)
+        self.assertTrue(mesh.report.closed and mesh.report.oriented, mesh.report)
+        self.assertAlmostEqual(mesh.report.volume, 480.0 - 48.0 + 1.0, places=3)
+
+    def test_loose_faces_are_joined_along_parts_of_edges(self):
+        """One face has a whole edge or circle where its neighbours have several that end elsewhere."""
+        lower = Part.makeBox(10, 8, 6)
+        left = Part.makeBox(4, 8, 2, FreeCAD.Vector(0, 0, 6))
+        right = Part.makeBox(6, 8, 2, FreeCAD.Vector(4, 0, 6))
+        tower = Part.makeCylinder(2, 3, FreeCAD.Vector(5, 4, 8))
+        tower.rotate(FreeCAD.Vector(5, 4, 8), FreeCAD.Vector(0, 0, 1), 50)  # the seam meets no vertex of the plate
+        plate = Part.Face([Part.Wire(Part.makePolygon([FreeCAD.Vector(x, y, 8) for x, y in (
+            (0, 0), (10, 0), (10, 8), (0, 8), (0, 0))])), Part.Wire([Part.makeCircle(
+                2, FreeCAD.Vector(5, 4, 8), FreeCAD.Vector(0, 0, 1), a, a + 120) for a in (0, 120, 240)])])
+        plate.validate()
+        faces = [face for face in self.loose(lower) if abs(face.CenterOfMass.z - 6) > 1e-6]
+        for side in self.loose(left, right):
+            where = side.CenterOfMass
+            if abs(where.z - 6) > 1e-6 and abs(where.z - 8) > 1e-6 and abs(where.x - 4) > 1e-6:
+                faces.append(side)
+        faces += [plate] + [face for face in self.loose(tower) if abs(face.CenterOfMass.z - 8) > 1e-6]
+        mesh = mq.triangulate(Part.Compound(faces), chord_height=0.02)
+        self.assertTrue(mesh.report.closed and mesh.report.oriented and mesh.report.manifold, mesh.report)
+        self.assertEqual(mesh.report.self_intersections, 0)
+        self.assertLess(abs(mesh.report.volume / (640.0 + 12.0 * np.pi) - 1.0), 0.001)
+        self.assertGreaterEqual(mesh.report.min_angle_unexempted, 25.0)
+        self.assertEqual(mq.curve(mesh, order=2, shape=Part.Compound(faces)).report.invalid, 0)
+        apart = mq.triangulate(Part.Compound(faces), chord_height=0.02, sew=False)
+        self.assertFalse(apart.report.closed or apart.report.sewn)
+        self.assertEqual(mq.curve(apart, order=2, shape=Part.Compound(faces)).report.invalid, 0)
 
     def test_an_iges_file_is_watertight(self):
         """Its reader leaves mirrored places whose factor is positive, and faces without a shell."""

@@ -15,7 +15,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0,
-                cache=None):
+                cache=None, sew=True):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -42,6 +42,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than
                            this all along
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
+    sew                    join faces that belong to no shell where their borders lie together within a tenth
+                           of the distance or length asked for; the shape does not change
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
                            the faces' parameters ("parametric")
@@ -60,7 +62,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
         "connectivity": connectivity, "refine_samples": refine_samples, "seed": seed,
         "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth_rate": growth_rate,
-        "keep_edges": keep_edges, "feature_angle": feature_angle,
+        "keep_edges": keep_edges, "feature_angle": feature_angle, "sew": sew,
     })
     options.require_callable(progress)
     live_shape = convert.shape_of(shape)

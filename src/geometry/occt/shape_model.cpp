@@ -39,13 +39,13 @@ bool finite(const Query& query) {
 
 class ShapeModel final : public Model {
   public:
-    ShapeModel(const TopoDS_Shape& shape, Creases creases, const DetailSize& detail, const Progress* progress);
+    ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, const Progress* progress);
     Answer answer(const Query& query) noexcept override;
     void add_definition(Entity entity, Fingerprint& key) override;
     void add_definition_of_use(int use, Fingerprint& key) override;
 
   private:
-    void read_topology(const TopoDS_Shape& shape, Creases creases, const DetailSize& detail,
+    void read_topology(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join,
                        std::vector<std::string>& failures, const Progress* progress);
     Answer dispatch(const Query& query);
     Answer on_edge(const Query& query);
@@ -62,17 +62,18 @@ class ShapeModel final : public Model {
     std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> classifiers_;
 };
 
-ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const DetailSize& detail, const Progress* progress)
+ShapeModel::ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join,
+                       const Progress* progress)
     : definitions_(shape) {
     place_ = definitions_.place();
     std::vector<std::string> failures;
-    read_topology(shape, creases, detail, failures, progress);
+    read_topology(shape, creases, join, failures, progress);
     topology_.faults.insert(topology_.faults.end(), failures.begin(), failures.end());
     const std::vector<std::string> faults = kernel_faults(shape, live_, topology_, progress);
     topology_.faults.insert(topology_.faults.end(), faults.begin(), faults.end());
 }
 
-void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const DetailSize& detail,
+void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join,
                                std::vector<std::string>& failures, const Progress* progress) {
     OrderedShape entities;
     {
@@ -90,11 +91,15 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
         const OpenCascadeWait wait(progress, "measuring the size");
         topology_.box = bounding_box(shape, live_, topology_, evaluator, progress);
     }
-    topology_.detail = detail ? detail(topology_.box) : 0.0;
+    topology_.detail = join.detail ? join.detail(topology_.box) : 0.0;
     const OpenCascadeWait wait(progress, "reading the shape");
     sew_collapsed_pieces(entities, topology_, live_, progress);
-    for (const int turned : join_loose_faces(topology_, live_, progress)) {
-        faces_[static_cast<std::size_t>(turned)].reset();  // it measured the size, and knows the side of before
+    topology_.sewn = join.sew && topology_.detail > 0.0;
+    if (topology_.sewn) {
+        for (const int turned : join_loose_faces(topology_, live_, progress)) {
+            faces_[static_cast<std::size_t>(turned)].reset();  // it measured the size, and knows the side of before
+        }
+        edges_.resize(live_.edges.size());
     }
     check_cancelled(progress);
 }
@@ -264,12 +269,12 @@ Answer ShapeModel::volume_contains(int index, const Vec3& point) {
 }  // namespace
 
 std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress, Creases creases,
-                                        const DetailSize& detail) {
+                                        const VirtualTopology& join) {
     if (shape.IsNull()) {
         throw InvalidInput("The shape is null. Recompute the object, or select one that has a shape.");
     }
     try {
-        auto model = std::make_shared<ShapeModel>(shape, creases, detail, progress);
+        auto model = std::make_shared<ShapeModel>(shape, creases, join, progress);
         if (model->topology().faces.empty()) {
             throw InvalidInput(std::string("The shape is a ") + TopAbs::ShapeTypeToString(shape.ShapeType()) +
                                " without faces. Select a part that has at least one face.");

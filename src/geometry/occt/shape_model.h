@@ -17,8 +17,14 @@ enum class Creases {
     Cut,   ///< they become edges, and the face is cut along them (Topology::parts_of)
 };
 
-/// Returns, for the box of a shape, the length below which its edges and faces are not told apart, mm.
-using DetailSize = std::function<double(const Box&)>;
+/// What is made one in the topology of a shape where its entities lie together. The shape itself stays as it is.
+struct VirtualTopology {
+    /// Returns, for the box of a shape, the length below which its edges and faces are not told apart, mm; 0 or no
+    /// function: all are.
+    std::function<double(const Box&)> detail;
+    /// Whether faces without a shell are joined where their borders lie together within that length.
+    bool sew = true;
+};
 
 /// The live OpenCASCADE shape as a model. The shape is only read: neither its topology, nor its geometry, nor its
 /// display triangulation changes. Call it on the engine's thread (Engine::run).
@@ -26,7 +32,7 @@ using DetailSize = std::function<double(const Box&)>;
 /// @throws GeometryError for a face without a surface, naming the face.
 /// @throws Cancelled when `progress` says so.
 std::shared_ptr<Model> make_shape_model(const TopoDS_Shape& shape, const Progress* progress = nullptr,
-                                        Creases creases = Creases::Keep, const DetailSize& detail = {});
+                                        Creases creases = Creases::Keep, const VirtualTopology& join = {});
 
 /// The version of OpenCASCADE used in this build, "7.6.3".
 const char* occt_version();

@@ -53,6 +53,7 @@ struct MeshReport {
     Vec3 max_chord_point = Vec3::Zero();   ///< point of the mesh with the largest distance, in the model's frame
     double chord_height_asked = 0.0;       ///< requested limit of the distance; 0: none
     double detail = 0.0;  ///< shorter CAD edges and thinner CAD faces were not told apart where that is safe, mm
+    bool sewn = false;    ///< CAD faces without a shell were joined where their borders lie together within `detail`
     /// Pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, and of loose faces
     /// that cross; -1: not searched.
     std::int64_t self_intersections = -1;

@@ -121,6 +121,7 @@ mesh::MeshReport final_report(Workspace& work, MeasurementCache& findings, const
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
     report.chord_height_asked = chord;
     report.detail = work.session.topology().detail;
+    report.sewn = work.session.topology().sewn;
     report_exemptions(work, out, report.min_angle_asked, report);
     report_spanning(work, out, report);
     report.notes = work.session.topology().faults;

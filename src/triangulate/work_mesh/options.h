@@ -50,6 +50,7 @@ struct TriangulateOptions {
     double feature_angle = 10.0;       ///< degrees, 0 < a <= 40; an edge is smooth if the faces' normals differ by less
     std::size_t max_triangles = 0;     ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the other faces of a shape if some fail, and name those in the report
+    bool sew = true;                   ///< join faces without a shell where their borders lie together
     Method method = Method::Refine;
 
     // For the sampling methods only:

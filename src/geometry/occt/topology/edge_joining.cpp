@@ -99,6 +99,43 @@ bool EdgeJoining::join(int a, int b, double within) {
     return true;
 }
 
+int EdgeJoining::divide(int e, double t, int node) {
+    const int second = static_cast<int>(topology_.edges.size());
+    topology_.parts_of[1].push_back(topology_.of_shape({1, e}));
+    live_.edges.push_back(live_.edges[static_cast<std::size_t>(e)]);
+    Edge tail = edge(e);
+    tail.t0 = t;
+    tail.nodes[0] = node;
+    tail.uses.clear();
+    const double share = (t - edge(e).t0) / (edge(e).t1 - edge(e).t0);
+    edge(e).t1 = t;
+    edge(e).nodes[1] = node;
+    topology_.edges.push_back(tail);
+    for (const int use : edge(e).uses) {
+        divide_use(use, second, share);
+    }
+    return second;
+}
+
+// The use keeps the first part of its edge, up to this share of its range; the second part gets a use of its own.
+void EdgeJoining::divide_use(int use, int second, double share) {
+    const int added = static_cast<int>(topology_.uses.size());
+    EdgeUse data = topology_.uses[static_cast<std::size_t>(use)];
+    data.edge = second;
+    topology_.uses.push_back(data);
+    edge(second).uses.push_back(added);
+    PCurve& first_part = live_.uses[static_cast<std::size_t>(use)];
+    PCurve second_part = first_part;
+    first_part.last = second_part.first = first_part.first + share * (first_part.last - first_part.first);
+    live_.uses.push_back(second_part);
+    for (Loop& loop : topology_.faces[static_cast<std::size_t>(data.face)].loops) {
+        const auto at = std::find(loop.uses.begin(), loop.uses.end(), use);
+        if (at != loop.uses.end()) {
+            loop.uses.insert(data.forward ? at + 1 : at, added);
+        }
+    }
+}
+
 void EdgeJoining::rename_nodes() {
     for (Edge& edge : topology_.edges) {
         for (int& node : edge.nodes) {

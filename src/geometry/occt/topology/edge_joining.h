@@ -31,6 +31,9 @@ class EdgeJoining {
     /// the faces lie on each other there. None where a use has no curve on its face.
     std::optional<double> dihedral_angle(int use, int other) const;
 
+    /// Divides an edge at its parameter `t`, where it gets the node: the edge keeps the first part.
+    /// @return the second part, a new edge (Topology::parts_of)
+    int divide(int e, double t, int node);
     void unite(int a, int b);
     bool same_node(int a, int b) { return a >= 0 && b >= 0 && nodes_.find(a) == nodes_.find(b); }
     /// Gives the edges the nodes that stand for theirs.
@@ -52,6 +55,7 @@ class EdgeJoining {
 
   private:
     std::optional<Vec3> conormal(int use, double t) const;
+    void divide_use(int use, int second, double share);
 
     DisjointSets<int> nodes_;
 };

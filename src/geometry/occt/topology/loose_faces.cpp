@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/topology/loose_faces.h"
 
+#include <BRepBndLib.hxx>
+#include <Bnd_Box.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +16,9 @@
 #include <vector>
 
 #include "base/angle.h"
+#include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/topology/edge_joining.h"
+#include "geometry/occt/topology/face_orientation.h"
 
 namespace mq::geometry {
 
@@ -33,26 +37,19 @@ class LooseFaces : EdgeJoining {
 
     /// @return the faces that were turned
     std::vector<int> run() {
-        std::vector<Pair> pairs = near_pairs();
-        std::sort(pairs.begin(), pairs.end());
-        int joined = 0;
-        double largest = 0.0;
-        for (const Pair& pair : pairs) {
-            check_cancelled(progress_);
-            if (is_free(pair.a) && is_free(pair.b) && join(pair.a, pair.b, topology_.detail)) {
-                ++joined;
-                largest = std::max(largest, pair.distance);
-            }
+        join_pairs();
+        if (divide_at_ends()) {
+            join_pairs();
         }
-        if (joined == 0) {
-            return {};
+        if (joined_ > 0) {
+            rename_nodes();
+            std::array<char, 120> text;
+            std::snprintf(text.data(), text.size(),
+                          "edges of loose faces were joined in %d pair%s, at most %.2g mm apart", joined_,
+                          joined_ == 1 ? "" : "s", largest_);
+            topology_.faults.emplace_back(text.data());
         }
-        rename_nodes();
-        std::array<char, 120> text;
-        std::snprintf(text.data(), text.size(), "edges of loose faces were joined in %d pair%s, at most %.2g mm apart",
-                      joined, joined == 1 ? "" : "s", largest);
-        topology_.faults.emplace_back(text.data());
-        return orient();
+        return orient_loose_faces(topology_, live_, loose_, progress_);
     }
 
   private:
@@ -65,6 +62,18 @@ class LooseFaces : EdgeJoining {
         }
     };
     using Cell = std::array<std::int64_t, 3>;
+
+    void join_pairs() {
+        std::vector<Pair> pairs = near_pairs();
+        std::sort(pairs.begin(), pairs.end());
+        for (const Pair& pair : pairs) {
+            check_cancelled(progress_);
+            if (is_free(pair.a) && is_free(pair.b) && join(pair.a, pair.b, topology_.detail)) {
+                ++joined_;
+                largest_ = std::max(largest_, pair.distance);
+            }
+        }
+    }
 
     int face_of(int e) const { return topology_.uses[static_cast<std::size_t>(edge(e).uses.front())].face; }
 
@@ -143,71 +152,90 @@ class LooseFaces : EdgeJoining {
                                          : std::nullopt;
     }
 
-    /// Turns faces so that those that are joined show the same side, and most stay as they are.
-    std::vector<int> orient() {
-        std::vector<int> result;
-        std::vector<int> turned(topology_.faces.size(), -1);
-        for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
-            if (loose_[static_cast<std::size_t>(f)] == 0 || turned[static_cast<std::size_t>(f)] >= 0) {
-                continue;
+    /// Divides free edges where free edges that run along them end.
+    /// @return whether there are any
+    bool divide_at_ends() {
+        std::vector<int> free;
+        std::vector<Bnd_Box> boxes;
+        for (int e = 0; e < static_cast<int>(topology_.edges.size()); ++e) {
+            if (is_free(e)) {
+                free.push_back(e);
+                boxes.emplace_back();
+                BRepBndLib::Add(live_.edges[static_cast<std::size_t>(e)], boxes.back());
+                boxes.back().Enlarge(topology_.detail);
             }
-            const std::vector<int> group = connected_faces(f, turned);
-            const auto count = std::count_if(group.begin(), group.end(),
-                                             [&](int g) { return turned[static_cast<std::size_t>(g)] == 1; });
-            const int turn = 2 * static_cast<std::size_t>(count) > group.size() ? 0 : 1;
-            for (const int g : group) {
-                if (turned[static_cast<std::size_t>(g)] == turn) {
-                    Face& face = topology_.faces[static_cast<std::size_t>(g)];
-                    face.reversed = !face.reversed;
-                    result.push_back(g);
+        }
+        bool divided = false;
+        for (std::size_t k = 0; k < free.size(); ++k) {
+            check_cancelled(progress_);
+            std::vector<Division> divisions;
+            for (const int other : free) {
+                for (std::size_t end = 0; end < 2; ++end) {
+                    if (other != free[k] && !boxes[k].IsOut(to_pnt(end_of(other, static_cast<int>(end))))) {
+                        add_division(free[k], other, end, divisions);
+                    }
                 }
             }
+            divided = divide(free[k], divisions) || divided;
         }
-        return result;
+        return divided;
     }
 
-    /// The faces that are joined to one, with 0 or 1 in `turned`: whether they are to be turned as that stays.
-    std::vector<int> connected_faces(int face, std::vector<int>& turned) const {
-        std::vector<int> group{face};
-        turned[static_cast<std::size_t>(face)] = 0;
-        for (std::size_t i = 0; i < group.size(); ++i) {
-            for (const Loop& loop : topology_.faces[static_cast<std::size_t>(group[i])].loops) {
-                for (const int use : loop.uses) {
-                    add_neighbour(use, group, turned);
-                }
-            }
-        }
-        return group;
-    }
+    struct Division {
+        double t;
+        int node;
+    };
 
-    void add_neighbour(int use, std::vector<int>& group, std::vector<int>& turned) const {
-        const EdgeUse& own = topology_.uses[static_cast<std::size_t>(use)];
-        const std::vector<int>& uses = edge(own.edge).uses;
-        if (uses.size() != 2 || edge(own.edge).degenerate) {
-            return;
-        }
-        const EdgeUse& other = topology_.uses[static_cast<std::size_t>(uses[0] == use ? uses[1] : uses[0])];
-        const auto f = static_cast<std::size_t>(other.face);
-        if (loose_[f] == 0 || turned[f] >= 0) {
-            return;
-        }
-        const auto runs = [&](const EdgeUse& u) {
-            return u.forward != topology_.faces[static_cast<std::size_t>(u.face)].reversed;
+    /// Notes where an end of another edge meets the inside of this one, if the two run along each other there.
+    void add_division(int e, int other, std::size_t end, std::vector<Division>& divisions) const {
+        const double near = topology_.detail;
+        const EdgeEvaluator along = curve(e);
+        const Answer foot =
+            along.nearest(end_of(other, static_cast<int>(end)), parameter(e, 0.5), edge(e).t0, edge(e).t1);
+        const auto from_ends = [&](const Vec3& p) {
+            return std::min((p - along.point(edge(e).t0).point).norm(), (p - along.point(edge(e).t1).point).norm());
         };
-        const bool against = runs(own) == runs(other);
-        turned[f] =
-            against ? 1 - turned[static_cast<std::size_t>(own.face)] : turned[static_cast<std::size_t>(own.face)];
-        group.push_back(other.face);
+        if (!foot.found() || foot.distance > near || from_ends(foot.point) <= 2.0 * near) {
+            return;
+        }
+        // Distance from the end at which the other edge has to lie along this one, in lengths of detail.
+        constexpr double kAlong = 8.0;
+        const EdgeEvaluator beside = curve(other);
+        const double t0 = end == 0 ? edge(other).t0 : edge(other).t1;
+        const double t1 = end == 0 ? edge(other).t1 : edge(other).t0;
+        const Answer onward = beside.at_distance(t0, t1, kAlong * near);
+        const Answer there =
+            along.nearest(onward.found() ? onward.point : beside.point(t1).point, foot.t, edge(e).t0, edge(e).t1);
+        if (there.found() && there.distance <= near) {
+            divisions.push_back({foot.t, edge(other).nodes[end]});
+        }
+    }
+
+    bool divide(int e, std::vector<Division>& divisions) {
+        std::sort(divisions.begin(), divisions.end(),
+                  [](const Division& a, const Division& b) { return std::tie(b.t, b.node) < std::tie(a.t, a.node); });
+        const EdgeEvaluator along = curve(e);
+        std::optional<Vec3> last;
+        for (const Division& division : divisions) {
+            const Vec3 point = along.point(division.t).point;
+            if (!last || (point - *last).norm() > 2.0 * topology_.detail) {
+                EdgeJoining::divide(e, division.t, division.node);
+                last = point;
+            }
+        }
+        return !divisions.empty();
     }
 
     const Progress* progress_;
     std::vector<char> loose_;  // by face: whether it belongs to no shell
+    int joined_ = 0;
+    double largest_ = 0.0;  // distance of the edges that were joined, mm
 };
 
 }  // namespace
 
 std::vector<int> join_loose_faces(Topology& topology, ShapeMap& live, const Progress* progress) {
-    return topology.detail > 0.0 ? LooseFaces(topology, live, progress).run() : std::vector<int>();
+    return LooseFaces(topology, live, progress).run();
 }
 
 }  // namespace mq::geometry

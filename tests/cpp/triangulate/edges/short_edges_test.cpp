@@ -23,8 +23,8 @@ TopoDS_Face cut_square(double cut) {
 
 struct Detailed {
     explicit Detailed(const TopoDS_Shape& shape)
-        : model(
-              geometry::make_shape_model(shape, nullptr, geometry::Creases::Keep, [](const Box&) { return kDetail; })),
+        : model(geometry::make_shape_model(shape, nullptr, geometry::Creases::Keep,
+                                           {[](const Box&) { return kDetail; }})),
           session(engine, model),
           grid(model->topology().box),
           initial(triangulate_initially(session, grid, progress)) {}

@@ -30,7 +30,7 @@ TopoDS_Compound loose(const TopoDS_Shape& shape, double apart = 0.0) {
 }
 
 std::shared_ptr<Model> model_of(const TopoDS_Shape& shape, double detail = kDetail) {
-    return make_shape_model(shape, nullptr, Creases::Keep, [detail](const Box&) { return detail; });
+    return make_shape_model(shape, nullptr, Creases::Keep, {[detail](const Box&) { return detail; }});
 }
 
 int count_edges(const Topology& topology, std::size_t uses) {

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/topology/face_orientation.h"
+
+#include <BRepBndLib.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepGProp_Domain.hxx>
+#include <BRepGProp_Face.hxx>
+#include <BRepGProp_Vinert.hxx>
+#include <BRep_Builder.hxx>
+#include <Bnd_Box.hxx>
+#include <Precision.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <algorithm>
+#include <cstddef>
+
+#include "geometry/occt/evaluation/conversion.h"
+#include "geometry/occt/evaluation/edge_evaluator.h"
+
+namespace mq::geometry {
+
+namespace {
+
+class FaceOrientation {
+  public:
+    FaceOrientation(Topology& topology, const ShapeMap& live, const std::vector<char>& loose, const Progress* progress)
+        : topology_(topology), live_(live), loose_(loose), turned_(topology.faces.size(), -1), progress_(progress) {}
+
+    std::vector<int> run() {
+        std::vector<Set> sets;
+        for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
+            if (loose_[static_cast<std::size_t>(f)] != 0 && turned_[static_cast<std::size_t>(f)] < 0) {
+                sets.push_back(connected_to(f));
+            }
+        }
+        sets.erase(std::remove_if(sets.begin(), sets.end(), [](const Set& set) { return set.faces.size() < 2; }),
+                   sets.end());
+        for (Set& set : sets) {
+            measure(set);
+        }
+        std::vector<int> result;
+        for (const Set& set : sets) {
+            const int turn = side_to_turn(set, sets);
+            for (const int f : set.faces) {
+                if (turned_[static_cast<std::size_t>(f)] == turn) {
+                    result.push_back(f);
+                }
+            }
+        }
+        for (const int f : result) {
+            Face& face = topology_.faces[static_cast<std::size_t>(f)];
+            face.reversed = !face.reversed;
+        }
+        return result;
+    }
+
+  private:
+    struct Set {
+        std::vector<int> faces;
+        bool closed = true;
+        double volume = 0.0;  ///< of a closed set, mm^3, if its faces with 1 in `turned_` turn; negative: inside out
+        Bnd_Box box;
+    };
+
+    /// The faces that share edges with one, directly or through others. `turned_` becomes 0 or 1: those with the one
+    /// have to be turned if those with the other stay.
+    Set connected_to(int face) {
+        Set set;
+        set.faces.push_back(face);
+        turned_[static_cast<std::size_t>(face)] = 0;
+        for (std::size_t i = 0; i < set.faces.size(); ++i) {
+            for (const Loop& loop : topology_.faces[static_cast<std::size_t>(set.faces[i])].loops) {
+                for (const int use : loop.uses) {
+                    add_neighbour(use, set);
+                }
+            }
+        }
+        return set;
+    }
+
+    void add_neighbour(int use, Set& set) {
+        const EdgeUse& own = topology_.uses[static_cast<std::size_t>(use)];
+        const Edge& edge = topology_.edges[static_cast<std::size_t>(own.edge)];
+        if (edge.degenerate || own.internal) {
+            return;
+        }
+        if (edge.uses.size() != 2) {
+            set.closed = false;
+            return;
+        }
+        const EdgeUse& other =
+            topology_.uses[static_cast<std::size_t>(edge.uses[0] == use ? edge.uses[1] : edge.uses[0])];
+        const auto f = static_cast<std::size_t>(other.face);
+        if (loose_[f] == 0 || turned_[f] >= 0) {
+            return;
+        }
+        const auto runs = [&](const EdgeUse& u) {
+            return u.forward != topology_.faces[static_cast<std::size_t>(u.face)].reversed;
+        };
+        const int as_own = turned_[static_cast<std::size_t>(own.face)];
+        turned_[f] = runs(own) == runs(other) ? 1 - as_own : as_own;
+        set.faces.push_back(other.face);
+    }
+
+    /// 0 or 1: the faces with this in `turned_` are to be turned.
+    int side_to_turn(const Set& set, const std::vector<Set>& sets) {
+        if (!set.closed) {
+            const auto ones = std::count_if(set.faces.begin(), set.faces.end(),
+                                            [&](int f) { return turned_[static_cast<std::size_t>(f)] == 1; });
+            return 2 * static_cast<std::size_t>(ones) > set.faces.size() ? 0 : 1;
+        }
+        const auto around = std::count_if(sets.begin(), sets.end(), [&](const Set& other) {
+            return &other != &set && other.closed && is_inside(set, other);
+        });
+        return (set.volume > 0.0) == (around % 2 == 0) ? 1 : 0;
+    }
+
+    bool reversed_if_ones_turn(std::size_t face) const {
+        return topology_.faces[face].reversed != (turned_[face] == 1);
+    }
+
+    void measure(Set& set) const {
+        for (const int f : set.faces) {
+            check_cancelled(progress_);
+            const auto i = static_cast<std::size_t>(f);
+            BRepBndLib::Add(live_.faces[i], set.box);
+            if (set.closed) {
+                BRepGProp_Face surface(live_.faces[i]);
+                BRepGProp_Domain domain(live_.faces[i]);
+                const double of_face = BRepGProp_Vinert(surface, domain, to_pnt(topology_.box.low)).Mass();
+                set.volume += reversed_if_ones_turn(i) ? -of_face : of_face;
+            }
+        }
+    }
+
+    /// Whether the first vertex of one set lies inside another, closed one.
+    bool is_inside(const Set& set, const Set& other) const {
+        check_cancelled(progress_);
+        const int use = topology_.faces[static_cast<std::size_t>(set.faces.front())].loops.front().uses.front();
+        const int edge = topology_.uses[static_cast<std::size_t>(use)].edge;
+        const EdgeEvaluator curve(live_.edges[static_cast<std::size_t>(edge)],
+                                  topology_.edges[static_cast<std::size_t>(edge)]);
+        const gp_Pnt point = to_pnt(curve.point(topology_.edges[static_cast<std::size_t>(edge)].t0).point);
+        if (other.box.IsOut(point)) {
+            return false;
+        }
+        const BRep_Builder builder;
+        TopoDS_Shell shell;
+        builder.MakeShell(shell);
+        for (const int f : other.faces) {
+            const auto i = static_cast<std::size_t>(f);
+            const TopoDS_Face& face = live_.faces[i];
+            // Topology sees through a mirror in the place of a face, an orientation does not.
+            const bool reversed =
+                (reversed_if_ones_turn(i) != (other.volume < 0.0)) != mirrors(face.Location().Transformation());
+            builder.Add(shell, face.Oriented(reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
+        }
+        TopoDS_Solid solid;
+        builder.MakeSolid(solid);
+        builder.Add(solid, shell);
+        BRepClass3d_SolidClassifier classifier(solid);
+        classifier.Perform(point, Precision::Confusion());
+        return classifier.State() == TopAbs_IN;
+    }
+
+    Topology& topology_;
+    const ShapeMap& live_;
+    const std::vector<char>& loose_;
+    std::vector<int> turned_;  // by face; -1: in no set yet
+    const Progress* progress_;
+};
+
+}  // namespace
+
+std::vector<int> orient_loose_faces(Topology& topology, const ShapeMap& live, const std::vector<char>& loose,
+                                    const Progress* progress) {
+    return FaceOrientation(topology, live, loose, progress).run();
+}
+
+}  // namespace mq::geometry
