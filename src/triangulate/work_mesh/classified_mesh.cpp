@@ -188,6 +188,7 @@ std::vector<int> ClassifiedMesh::replace(const std::vector<int>& removed,
             const Side side(c[k], c[(k + 1) % 3]);
             if (const auto found = rim.find(side); found != rim.end()) {
                 put(h, found->second);
+                rim.erase(found);
             } else if (const auto other = open.find({side.second, side.first}); other != open.end()) {
                 link(h, other->second);
                 open.erase(other);
@@ -196,7 +197,7 @@ std::vector<int> ClassifiedMesh::replace(const std::vector<int>& removed,
             }
         }
     }
-    link_by_vertices(open);
+    link_by_vertices(open, rim);
     for (std::size_t i = added.size(); i < removed.size(); ++i) {
         face_[removed[i]] = -1;
         ++stamp_[removed[i]];
@@ -211,11 +212,23 @@ void ClassifiedMesh::become(const ClassifiedMesh& other) {
     numbers_ = numbers;
 }
 
-// Links half-edges by the vertices that they join. Where a side of the parameter domain is a point in space, the two
-// sides of an edge there end at different sites of one vertex.
-void ClassifiedMesh::link_by_vertices(const std::map<std::pair<int, int>, int>& open) {
+// Links half-edges by the vertices that they join: to what is left of the rim, and to each other. Where a side of the
+// parameter domain is a point in space, and along a dissolved seam, a vertex has several sites: the two sides of an
+// edge end at different ones, and swaps across the edge exchange them.
+void ClassifiedMesh::link_by_vertices(const std::map<std::pair<int, int>, int>& open,
+                                      const std::map<std::pair<int, int>, Link>& rim) {
+    std::map<std::pair<int, int>, Link> by_vertices;
+    for (const auto& [side, link] : rim) {
+        by_vertices.emplace(std::pair(sites_[side.first].vertex, sites_[side.second].vertex), link);
+    }
     std::map<std::pair<int, int>, int> others;
     for (const auto& [side, h] : open) {
+        const auto on_rim = by_vertices.find({vertex_of(h), vertex_of(next(h))});
+        if (on_rim != by_vertices.end()) {
+            put(h, on_rim->second);
+            by_vertices.erase(on_rim);
+            continue;
+        }
         const auto other = others.find({vertex_of(next(h)), vertex_of(h)});
         if (other != others.end()) {
             link(h, other->second);

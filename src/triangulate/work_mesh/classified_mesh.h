@@ -168,7 +168,8 @@ class ClassifiedMesh {
     void put(int h, const Link& link);
     void set_corners(int triangle, int a, int b, int c);
     void drop_last_triangle();
-    void link_by_vertices(const std::map<std::pair<int, int>, int>& open);
+    void link_by_vertices(const std::map<std::pair<int, int>, int>& open,
+                          const std::map<std::pair<int, int>, Link>& rim);
 
     std::vector<Vertex> vertices_;
     std::vector<VertexUse> sites_;
