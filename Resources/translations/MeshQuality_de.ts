@@ -375,6 +375,10 @@
         <source>What a failure in Status is made of, by which the window translates it</source>
         <translation>Woraus ein Fehler in Status besteht; danach übersetzt ihn das Fenster</translation>
     </message>
+    <message>
+        <source>Join faces that belong to no shell, as those of most IGES files, where their borders lie together; the report says how far apart they were</source>
+        <translation>Flächen ohne Hülle, wie die der meisten IGES-Dateien, verbinden, wo ihre Ränder aufeinanderliegen; der Bericht sagt, wie weit sie auseinanderlagen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1797,6 +1801,14 @@
     <message>
         <source>{solid}: {phrase} ({value})</source>
         <translation>{solid}: {phrase} ({value})</translation>
+    </message>
+    <message>
+        <source>Join faces that belong to no shell, as those of most IGES files, where their borders lie together; the report says how far apart they were</source>
+        <translation>Flächen ohne Hülle, wie die der meisten IGES-Dateien, verbinden, wo ihre Ränder aufeinanderliegen; der Bericht sagt, wie weit sie auseinanderlagen</translation>
+    </message>
+    <message>
+        <source>Join loose faces</source>
+        <translation>Lose Flächen verbinden</translation>
     </message>
 </context>
 <context>

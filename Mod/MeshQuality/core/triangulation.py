@@ -14,8 +14,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
                 progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
-                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0,
-                cache=None, sew=True):
+                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -42,8 +41,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     feature_angle          degrees, at most 40: an edge is smooth where the surface turns by less than
                            this all along
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
-    sew                    join faces that belong to no shell where their borders lie together within a tenth
-                           of the distance or length asked for; the shape does not change
+    sew                    join faces without a shell, within a tenth of the distance or length asked for
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
                            the faces' parameters ("parametric")

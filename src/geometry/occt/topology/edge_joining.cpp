@@ -117,7 +117,7 @@ int EdgeJoining::divide(int e, double t, int node) {
     return second;
 }
 
-// The use keeps the first part of its edge, up to this share of its range; the second part gets a use of its own.
+// The use keeps the first piece of its edge, up to this share of its range; the second piece gets a use of its own.
 void EdgeJoining::divide_use(int use, int second, double share) {
     const int added = static_cast<int>(topology_.uses.size());
     EdgeUse data = topology_.uses[static_cast<std::size_t>(use)];

@@ -31,8 +31,8 @@ class EdgeJoining {
     /// the faces lie on each other there. None where a use has no curve on its face.
     std::optional<double> dihedral_angle(int use, int other) const;
 
-    /// Divides an edge at its parameter `t`, where it gets the node: the edge keeps the first part.
-    /// @return the second part, a new edge (Topology::parts_of)
+    /// Divides an edge at its parameter `t`, where it gets the node: the edge keeps the first piece.
+    /// @return the second piece, a new edge (Topology::parts_of)
     int divide(int e, double t, int node);
     void unite(int a, int b);
     bool same_node(int a, int b) { return a >= 0 && b >= 0 && nodes_.find(a) == nodes_.find(b); }

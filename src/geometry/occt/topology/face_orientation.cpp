@@ -58,7 +58,8 @@ class FaceOrientation {
     struct Set {
         std::vector<int> faces;
         bool closed = true;
-        double volume = 0.0;  ///< of a closed set, mm^3, if its faces with 1 in `turned_` turn; negative: inside out
+        double volume =
+            0.0;  ///< mm^3, if the set is closed and its faces with 1 in `turned_` turn; negative: inside out
         Bnd_Box box;
     };
 
