@@ -29,10 +29,9 @@ class CollapsedPieces : EdgeJoining {
     void run() {
         for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
             check_cancelled(progress_);
-            Face& face = topology_.faces[static_cast<std::size_t>(f)];
-            if (face.no_area && is_piece(f)) {
+            if (topology_.faces[static_cast<std::size_t>(f)].no_area && is_piece(f)) {
                 take_out(f);
-            } else if (!face.no_area) {
+            } else {
                 collapse_if_sliver(f);
             }
         }

@@ -156,27 +156,33 @@ class LooseFaces : EdgeJoining {
     /// @return whether there are any
     bool divide_at_ends() {
         std::vector<int> free;
-        std::vector<Bnd_Box> boxes;
+        std::multimap<double, std::pair<int, std::size_t>>
+            ends;  // by x: an edge, and 0 for its first end, 1 for its last
         for (int e = 0; e < static_cast<int>(topology_.edges.size()); ++e) {
             if (is_free(e)) {
                 free.push_back(e);
-                boxes.emplace_back();
-                BRepBndLib::Add(live_.edges[static_cast<std::size_t>(e)], boxes.back());
-                boxes.back().Enlarge(topology_.detail);
+                ends.emplace(end_of(e, 0).x(), std::pair(e, 0));
+                ends.emplace(end_of(e, 1).x(), std::pair(e, 1));
+            }
+        }
+        // All divisions are found before the first one is made, since it takes an end away from its edge.
+        std::vector<std::vector<Division>> divisions(free.size());
+        for (std::size_t k = 0; k < free.size(); ++k) {
+            check_cancelled(progress_);
+            Bnd_Box box;
+            BRepBndLib::Add(live_.edges[static_cast<std::size_t>(free[k])], box);
+            box.Enlarge(topology_.detail);
+            const auto last = box.IsVoid() ? ends.begin() : ends.upper_bound(box.CornerMax().X());
+            for (auto end = box.IsVoid() ? last : ends.lower_bound(box.CornerMin().X()); end != last; ++end) {
+                const auto [other, i] = end->second;
+                if (other != free[k] && !box.IsOut(to_pnt(end_of(other, static_cast<int>(i))))) {
+                    add_division(free[k], other, i, divisions[k]);
+                }
             }
         }
         bool divided = false;
         for (std::size_t k = 0; k < free.size(); ++k) {
-            check_cancelled(progress_);
-            std::vector<Division> divisions;
-            for (const int other : free) {
-                for (std::size_t end = 0; end < 2; ++end) {
-                    if (other != free[k] && !boxes[k].IsOut(to_pnt(end_of(other, static_cast<int>(end))))) {
-                        add_division(free[k], other, end, divisions);
-                    }
-                }
-            }
-            divided = divide(free[k], divisions) || divided;
+            divided = divide(free[k], divisions[k]) || divided;
         }
         return divided;
     }

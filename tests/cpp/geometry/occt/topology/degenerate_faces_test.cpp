@@ -2,8 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <BRepBuilderAPI_MakeVertex.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom2d_Line.hxx>
 #include <Geom_BezierCurve.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <utility>
 
 #include "geometry/parts.h"
 #include "triangulate/initial/initial_triangulation.h"
@@ -66,6 +71,41 @@ TEST(CollapsedPieces, SliversWithinTheToleranceOfTheirEdgesAreOneEdge) {
     EXPECT_FALSE(initial.faces[0].triangles.empty());
     EXPECT_TRUE(initial.faces[1].triangles.empty());
     EXPECT_FALSE(initial.faces[2].triangles.empty());
+}
+
+/// Surfaces that are a curve, which translators write between two copies of one edge.
+TEST(CollapsedPieces, SidesOfAFaceWithoutAreaAreOneEdge) {
+    const TopoDS_Vertex start = BRepBuilderAPI_MakeVertex(gp_Pnt(0.0, 0.0, 0.0)).Vertex();
+    const TopoDS_Vertex end = BRepBuilderAPI_MakeVertex(gp_Pnt(1.0, 0.0, 0.0)).Vertex();
+    const TopoDS_Edge lower = BRepBuilderAPI_MakeEdge(start, end).Edge();
+    const TopoDS_Edge upper = BRepBuilderAPI_MakeEdge(start, end).Edge();
+    TColgp_Array2OfPnt poles(1, 2, 1, 2);
+    for (int row = 1; row <= 2; ++row) {
+        poles.SetValue(1, row, gp_Pnt(0.0, 0.0, 0.0));
+        poles.SetValue(2, row, gp_Pnt(1.0, 0.0, 0.0));
+    }
+    const Handle(Geom_Surface) surface = new Geom_BezierSurface(poles);
+    BRep_Builder builder;
+    TopoDS_Face collapsed;
+    builder.MakeFace(collapsed, surface, 1e-7);
+    TopoDS_Wire wire;
+    builder.MakeWire(wire);
+    for (const auto& [edge, v] : {std::pair(lower, 0.0), std::pair(upper, 1.0)}) {
+        const Handle(Geom2d_Line) along = new Geom2d_Line(gp_Pnt2d(0.0, v), gp_Dir2d(1.0, 0.0));
+        builder.UpdateEdge(edge, along, collapsed, 1e-7);
+        builder.Add(wire, edge.Oriented(v > 0.0 ? TopAbs_REVERSED : TopAbs_FORWARD));
+    }
+    builder.Add(collapsed, wire);
+    TopoDS_Shell shell;
+    builder.MakeShell(shell);
+    builder.Add(shell, planar_face({lower, Slivered::side(end, 1.0, -1.0), line(1.0, -1.0, 0.0, -1.0),
+                                    Slivered::side(start, 0.0, -1.0)}));
+    builder.Add(shell, collapsed);
+    builder.Add(shell, planar_face({upper, Slivered::side(start, 0.0, 1.0), line(0.0, 1.0, 1.0, 1.0),
+                                    Slivered::side(end, 1.0, 1.0)}));
+    const auto model = make_shape_model(shell);
+    EXPECT_TRUE(model->topology().faces[1].no_area);
+    EXPECT_EQ(shared_edges(model->topology()), 1);
 }
 
 /// Points of the joined edge, seen from either side, lie beside each other.

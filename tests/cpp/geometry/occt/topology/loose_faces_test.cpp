@@ -79,6 +79,59 @@ TEST(LooseFaces, FartherApartThanTheDetailStayLoose) {
     EXPECT_EQ(count_edges(model_of(loose(box), 0.0)->topology(), 2), 0);
 }
 
+/// A square beside two that share its side: the pieces are named after the whole edge, and its curve on the face goes
+/// with them.
+TEST(LooseFaces, EdgesAreDividedWhereTheirNeighboursEnd) {
+    const auto rectangle = [](double x0, double x1, double y0, double y1) {
+        return planar_face({line(x0, y0, x1, y0), line(x1, y0, x1, y1), line(x1, y1, x0, y1), line(x0, y1, x0, y0)});
+    };
+    BRep_Builder builder;
+    TopoDS_Compound faces;
+    builder.MakeCompound(faces);
+    builder.Add(faces, rectangle(0.0, 1.0, 0.0, 1.0));
+    builder.Add(faces, rectangle(1.0, 2.0, -0.5, 0.3));
+    builder.Add(faces, rectangle(1.0, 2.0, 0.3, 1.2).Reversed());
+    const auto model = model_of(faces);
+    const Topology& topology = model->topology();
+    EXPECT_EQ(count_edges(topology, 2), 3);  // two pieces of the side, and the edge between the two squares beside it
+    EXPECT_TRUE(oriented(topology));
+    const std::size_t own = topology.own_count(1);
+    EXPECT_EQ(own, 12u);
+    EXPECT_EQ(topology.edges.size(), own + 3);  // the side at 0.3, its neighbours at its ends
+    for (const Edge& edge : topology.edges) {
+        for (const int use : edge.uses) {
+            const Answer on_edge =
+                model->answer(Query::edge_point(topology.uses[static_cast<std::size_t>(use)].edge, edge.t0));
+            const Answer on_face = model->answer(Query::use_on_face(use, edge.t0));
+            ASSERT_TRUE(on_edge.found() && on_face.found());
+            EXPECT_LT((on_edge.point - on_face.point).norm(), 1e-9);
+        }
+    }
+    for (std::size_t e = own; e < topology.edges.size(); ++e) {
+        EXPECT_LT(static_cast<std::size_t>(topology.of_shape({1, static_cast<int>(e)}).index), own);
+    }
+}
+
+TEST(LooseFaces, OfAClosedSetShowTheirOutside) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0.0, 0.0, 0.0), 1.0, 2.0, 3.0).Shape();
+    BRep_Builder builder;
+    TopoDS_Compound both;
+    builder.MakeCompound(both);
+    for (const TopoDS_Shape& part : {box, BRepPrimAPI_MakeBox(gp_Pnt(0.2, 0.2, 0.2), 0.5, 0.5, 0.5).Shape()}) {
+        for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next()) {
+            builder.Add(both, BRepBuilderAPI_Copy(it.Current()).Shape().Reversed());
+        }
+    }
+    const auto model = model_of(both);
+    for (std::size_t f = 0; f < 12; ++f) {
+        const Face& face = model->topology().faces[f];
+        const Answer middle = model->answer(Query::face_point(static_cast<int>(f), 0.5 * (face.low[0] + face.high[0]),
+                                                              0.5 * (face.low[1] + face.high[1])));
+        const Vec3 centre = f < 6 ? Vec3(0.5, 1.0, 1.5) : Vec3(0.45, 0.45, 0.45);
+        EXPECT_EQ((middle.point - centre).dot(middle.normal) > 0.0, f < 6) << f;  // the inner box is a void
+    }
+}
+
 TEST(LooseFaces, ThatLieOnEachOtherAreNotJoined) {
     const TopoDS_Face face =
         planar_face({line(0.0, 0.0, 1.0, 0.0), line(1.0, 0.0, 0.0, 1.0), line(0.0, 1.0, 0.0, 0.0)});
