@@ -261,6 +261,32 @@ TEST(ClassifiedMesh, ReplacedTrianglesKeepTheRimAndCompactClosesTheGaps) {
     }
 }
 
+/// A vertex of a seam has a site on either side, which swaps across the dissolved seam exchange: what is put back is
+/// found by its vertices then.
+TEST(ClassifiedMesh, SwapsAcrossADissolvedSeamCanBeUndone) {
+    const ClassifiedMesh tube = samples::tube(4, 2);
+    int seams = 0;
+    for (int s = 0; s < tube.segment_count(); ++s) {
+        if (tube.segment(s).uses.size() != 2) {
+            continue;
+        }
+        ++seams;
+        ClassifiedMesh mesh = tube;
+        const int h = mesh.segment(s).uses[0].half_edge;
+        mesh.dissolve(s);
+        std::vector<int> both{ClassifiedMesh::triangle_of(h), ClassifiedMesh::triangle_of(mesh.twin(h))};
+        std::vector<std::array<int, 3>> before;
+        for (const int t : both) {
+            before.push_back({mesh.site_of(3 * t), mesh.site_of(3 * t + 1), mesh.site_of(3 * t + 2)});
+        }
+        mesh.swap(h);
+        EXPECT_EQ(mesh.inconsistency(), "");
+        mesh.replace(both, before);
+        EXPECT_EQ(mesh.inconsistency(), "");
+    }
+    EXPECT_GT(seams, 0);
+}
+
 TEST(ClassifiedMesh, SplitSegmentSplitsItForEveryUse) {
     for (const Sample& sample : all_samples()) {
         SCOPED_TRACE(sample.name);
