@@ -38,6 +38,16 @@ class Details(unittest.TestCase):
         text = "mm, which does not show at what is asked for: its edges count as one"
         self.assertTrue(any(text in str(note) for note in mesh.report.notes), mesh.report.notes)
 
+    def test_short_edges_side_by_side_are_one_vertex(self):
+        points = [(0, 0), (10, 0), (10, 7.9994), (9.9998, 7.9998), (9.9994, 8), (0, 8), (0, 0)]
+        plate = Part.Face(Part.makePolygon([FreeCAD.Vector(x, y, 0) for x, y in points]))
+        for shape in (plate, plate.extrude(FreeCAD.Vector(0, 0, 3))):
+            mesh = mq.triangulate(shape, chord_height=0.02)
+            self.assertEqual(mesh.report.closed, shape is not plate)
+            self.assertTrue(mesh.report.manifold)
+            self.assertLess(len(mesh.triangles), 100)
+            self.assertEqual(len(mesh.report.exempt), 0)
+
     def test_a_finer_distance_keeps_it(self):
         mesh = mq.triangulate(self.cut_plate(), chord_height=0.001)
         self.assertEqual(len(set(mesh.triangle_face.tolist())), 7)

@@ -108,6 +108,7 @@ std::vector<int> divide_degenerate_sides(geometry::Session& session, int face, F
         pieces.push_back(rest);
     }
     border.pieces = std::move(pieces);
+    border.find_collapsed_runs();
     std::vector<int> stands_for(border.sites.size());
     std::iota(stands_for.begin(), stands_for.end(), 0);
     for (const auto& [site, one] : apex_of) {

@@ -17,15 +17,15 @@ void join(std::vector<std::array<Link, 3>>& links, const Link& a, const Link& b)
     }
 }
 
-// Returns the last side of the triangle that is one vertex in space; -1: none.
-int collapsed_side(const std::array<int, 3>& triangle, const std::vector<VertexUse>& sites) {
-    int side = -1;
+// Returns the sides of the triangle that are one vertex in space: none, one or all.
+std::vector<int> collapsed_sides(const std::array<int, 3>& triangle, const std::vector<VertexUse>& sites) {
+    std::vector<int> result;
     for (int i = 0; i < 3; ++i) {
         if (same_vertex(sites[triangle[i]], sites[triangle[(i + 1) % 3]])) {
-            side = i;
+            result.push_back(i);
         }
     }
-    return side;
+    return result;
 }
 
 }  // namespace
@@ -34,13 +34,13 @@ std::optional<std::array<int, 2>> add_nondegenerate(const std::vector<std::array
                                                     std::vector<std::array<Link, 3>> links, FaceMesh& result) {
     std::vector<char> dropped(triangles.size(), 0);
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        const int side = collapsed_side(triangles[t], result.sites);
-        if (side < 0) {
-            continue;
+        const std::vector<int> collapsed = collapsed_sides(triangles[t], result.sites);
+        dropped[t] = collapsed.empty() ? 0 : 1;
+        if (collapsed.size() != 1) {
+            continue;  // the triangles beside one that is all one vertex are dropped, too: nothing is to be joined
         }
-        const Link a = links[t][(side + 1) % 3];
-        const Link b = links[t][(side + 2) % 3];
-        dropped[t] = 1;
+        const Link a = links[t][(collapsed.front() + 1) % 3];
+        const Link b = links[t][(collapsed.front() + 2) % 3];
         if (a.half_edge < 0 && b.half_edge < 0) {
             return std::array<int, 2>{a.border, b.border};
         }

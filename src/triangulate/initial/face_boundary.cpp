@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/disjoint_sets.h"
+
 namespace mq::triangulate {
 
 namespace {
@@ -185,6 +187,17 @@ void bridge_gaps(FaceBoundary& border) {
 }
 
 }  // namespace
+
+void FaceBoundary::find_collapsed_runs() {
+    DisjointSets<int> runs(sites.size());
+    for (const Piece& piece : pieces) {
+        if (piece.collapsed() && same_vertex(sites[piece.from], sites[piece.to])) {
+            runs.unite(piece.from, piece.to);
+        }
+    }
+    int count = 0;
+    collapsed_run = runs.number(count);
+}
 
 FaceBoundary face_boundary(geometry::Session& session, const EdgeDiscretisation& chains,
                            const SinglePrecisionGrid& grid, int face, std::string& failure) {

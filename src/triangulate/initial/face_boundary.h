@@ -21,12 +21,20 @@ struct FaceBoundary {
     };
     std::vector<FaceMesh::VertexUse> sites;
     std::vector<Piece> pieces;
-    Vec2 scale = Vec2::Ones();  ///< mm per unit of u and of v, on average
+    std::vector<int> collapsed_run;  ///< by site: the same number for those that collapsed pieces join
+    Vec2 scale = Vec2::Ones();       ///< mm per unit of u and of v, on average
     bool plane = false;
     double deviation = 0.0;  ///< largest distance between an edge's own curve and its curve on the face, mm
 
     Vec2 scaled(const Vec2& uv) const { return uv.cwiseProduct(scale); }
     Vec2 unscaled(const Vec2& xy) const { return xy.cwiseQuotient(scale); }
+    /// Sets `collapsed_run`.
+    void find_collapsed_runs();
+    /// Whether collapsed pieces join two sites, directly or through others.
+    bool joined_by_collapsed(int a, int b) const {
+        const auto count = static_cast<int>(collapsed_run.size());
+        return a < count && b < count && collapsed_run[a] == collapsed_run[b];
+    }
 };
 
 /// Collects the loops of a face over the chains. Pieces share a site where they meet in one vertex at one (u, v). On

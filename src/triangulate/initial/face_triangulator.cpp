@@ -388,10 +388,10 @@ Fault FaceMesher::fault(int t, const geometry::Answer& at_centroid) const {
     for (int i = 0; i < 3; ++i) {
         longest = std::max(longest, (s[(i + 1) % 3]->point - s[i]->point).norm());
         if (same_vertex(*s[i], *s[(i + 1) % 3])) {
-            // A collapsed side at a pole is dropped later. Elsewhere such a triangle meets one vertex twice around the
-            // face.
-            const int label = tri_->label(3 * t + i);
-            return label >= 0 && border_.pieces[label].collapsed() ? Fault::None : Fault::ChordDeviation;
+            // A side at a pole or along short edges is dropped later. Any other meets one vertex twice around the face.
+            const int from = site_of_[tri_->corner(3 * t + i)];
+            const int to = site_of_[tri_->corner(3 * t + (i + 1) % 3)];
+            return border_.joined_by_collapsed(from, to) ? Fault::None : Fault::ChordDeviation;
         }
     }
     if (border_.plane || longest < smallest_) {

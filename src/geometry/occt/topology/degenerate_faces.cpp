@@ -92,27 +92,6 @@ class CollapsedPieces : EdgeJoining {
         return result;
     }
 
-    /// Whether an edge between two nodes is shorter than the detail, and has a curve on all of its faces.
-    bool is_short(int e) {
-        if (edge(e).degenerate || !(topology_.detail > 0.0) || edge(e).nodes[0] < 0 || edge(e).nodes[1] < 0) {
-            return false;
-        }
-        const auto node = [&](int i) { return topology_.nodes[static_cast<std::size_t>(edge(e).nodes[i])].point; };
-        if ((node(0) - node(1)).norm() > topology_.detail) {
-            return false;
-        }
-        const EdgeEvaluator along = curve(e);
-        double length = 0.0;
-        for (int i = 1; i <= kSamples; ++i) {
-            length += (along.point(parameter(e, double(i) / kSamples)).point -
-                       along.point(parameter(e, double(i - 1) / kSamples)).point)
-                          .norm();
-        }
-        return length < topology_.detail && std::all_of(edge(e).uses.begin(), edge(e).uses.end(), [&](int use) {
-                   return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull();
-               });
-    }
-
     /// Whether both sides run between the same ends, and all of the face lies within this distance of either.
     bool is_within(int face, const Sliver& sliver, double distance) {
         const int a = sliver.edges[0];

@@ -56,6 +56,26 @@ double EdgeJoining::tolerance(int e) const {
     return 2.0 * std::max(topology_.edges[static_cast<std::size_t>(e)].tolerance, Precision::Confusion());
 }
 
+bool EdgeJoining::is_short(int e) const {
+    if (edge(e).degenerate || !(topology_.detail > 0.0) || edge(e).nodes[0] < 0 || edge(e).nodes[1] < 0) {
+        return false;
+    }
+    const auto node = [&](int i) { return topology_.nodes[static_cast<std::size_t>(edge(e).nodes[i])].point; };
+    if ((node(0) - node(1)).norm() > topology_.detail) {
+        return false;
+    }
+    const EdgeEvaluator along = curve(e);
+    double length = 0.0;
+    for (int i = 1; i <= kSamples; ++i) {
+        length += (along.point(parameter(e, double(i) / kSamples)).point -
+                   along.point(parameter(e, double(i - 1) / kSamples)).point)
+                      .norm();
+    }
+    return length < topology_.detail && std::all_of(edge(e).uses.begin(), edge(e).uses.end(), [&](int use) {
+               return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull();
+           });
+}
+
 std::optional<EdgeJoining::Alignment> EdgeJoining::alignment(int a, int b, double within) const {
     const EdgeEvaluator first = curve(a);
     const EdgeEvaluator second = curve(b);

@@ -47,6 +47,8 @@ class EdgeJoining {
     const Edge& edge(int e) const { return topology_.edges[static_cast<std::size_t>(e)]; }
     /// Twice the tolerance of an edge, mm.
     double tolerance(int e) const;
+    /// Whether an edge between two nodes is shorter than the detail, and has a curve on all of its faces.
+    bool is_short(int e) const;
     EdgeEvaluator curve(int e) const { return EdgeEvaluator(live_.edges[static_cast<std::size_t>(e)], edge(e)); }
     double parameter(int e, double share) const { return edge(e).t0 + share * (edge(e).t1 - edge(e).t0); }
 

@@ -77,12 +77,13 @@ class LooseFaces : EdgeJoining {
 
     int face_of(int e) const { return topology_.uses[static_cast<std::size_t>(edge(e).uses.front())].face; }
 
+    /// Whether an edge bounds one loose face. One shorter than the detail is no more than a vertex, beside any other.
     bool is_free(int e) const {
         const Edge& data = edge(e);
         return data.uses.size() == 1 && !data.degenerate && data.nodes[0] >= 0 && data.nodes[1] >= 0 &&
                !topology_.uses[static_cast<std::size_t>(data.uses.front())].internal &&
                loose_[static_cast<std::size_t>(face_of(e))] != 0 &&
-               !topology_.faces[static_cast<std::size_t>(face_of(e))].no_area;
+               !topology_.faces[static_cast<std::size_t>(face_of(e))].no_area && !is_short(e);
     }
 
     const Vec3& end_of(int e, int i) const {
