@@ -236,7 +236,7 @@ def _faulty(findings):
     if not findings.faulty:
         return ""
     return (f"<h2>Meshes that are not closed, not oriented or not manifold "
-            f"({findings.faulty_count})</h2><p>Open shells and loose faces have open meshes.</p>"
+            f"({findings.faulty_count})</h2><p>Shells and sets of loose faces that are open have open meshes.</p>"
             + _table(["part", ""], sorted(findings.faulty, key=lambda row: (row[1] == _OPEN, row)))
             + _more(findings.faulty_count))
 

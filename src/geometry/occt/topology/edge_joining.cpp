@@ -64,16 +64,9 @@ bool EdgeJoining::is_short(int e) const {
     if ((node(0) - node(1)).norm() > topology_.detail) {
         return false;
     }
-    const EdgeEvaluator along = curve(e);
-    double length = 0.0;
-    for (int i = 1; i <= kSamples; ++i) {
-        length += (along.point(parameter(e, double(i) / kSamples)).point -
-                   along.point(parameter(e, double(i - 1) / kSamples)).point)
-                      .norm();
-    }
-    return length < topology_.detail && std::all_of(edge(e).uses.begin(), edge(e).uses.end(), [&](int use) {
-               return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull();
-           });
+    return curve(e).length(edge(e).t0, edge(e).t1).distance < topology_.detail &&
+           std::all_of(edge(e).uses.begin(), edge(e).uses.end(),
+                       [&](int use) { return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull(); });
 }
 
 std::optional<EdgeJoining::Alignment> EdgeJoining::alignment(int a, int b, double within) const {

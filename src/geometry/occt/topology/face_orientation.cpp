@@ -57,9 +57,10 @@ class FaceOrientation {
   private:
     struct Set {
         std::vector<int> faces;
+        int edge = -1;  ///< that two of the faces share
         bool closed = true;
-        double volume =
-            0.0;  ///< mm^3, if the set is closed and its faces with 1 in `turned_` turn; negative: inside out
+        /// Volume of a closed set if its faces with 1 in `turned_` turn, mm^3; negative: it is inside out.
+        double volume = 0.0;
         Bnd_Box box;
     };
 
@@ -100,6 +101,7 @@ class FaceOrientation {
         };
         const int as_own = turned_[static_cast<std::size_t>(own.face)];
         turned_[f] = runs(own) == runs(other) ? 1 - as_own : as_own;
+        set.edge = own.edge;
         set.faces.push_back(other.face);
     }
 
@@ -134,14 +136,12 @@ class FaceOrientation {
         }
     }
 
-    /// Whether the first vertex of one set lies inside another, closed one.
+    /// Whether a point of one set lies inside another, closed one.
     bool is_inside(const Set& set, const Set& other) const {
         check_cancelled(progress_);
-        const int use = topology_.faces[static_cast<std::size_t>(set.faces.front())].loops.front().uses.front();
-        const int edge = topology_.uses[static_cast<std::size_t>(use)].edge;
-        const EdgeEvaluator curve(live_.edges[static_cast<std::size_t>(edge)],
-                                  topology_.edges[static_cast<std::size_t>(edge)]);
-        const gp_Pnt point = to_pnt(curve.point(topology_.edges[static_cast<std::size_t>(edge)].t0).point);
+        const Edge& edge = topology_.edges[static_cast<std::size_t>(set.edge)];
+        const EdgeEvaluator curve(live_.edges[static_cast<std::size_t>(set.edge)], edge);
+        const gp_Pnt point = to_pnt(curve.point(edge.t0).point);
         if (other.box.IsOut(point)) {
             return false;
         }
@@ -150,11 +150,8 @@ class FaceOrientation {
         builder.MakeShell(shell);
         for (const int f : other.faces) {
             const auto i = static_cast<std::size_t>(f);
-            const TopoDS_Face& face = live_.faces[i];
-            // Topology sees through a mirror in the place of a face, an orientation does not.
-            const bool reversed =
-                (reversed_if_ones_turn(i) != (other.volume < 0.0)) != mirrors(face.Location().Transformation());
-            builder.Add(shell, face.Oriented(reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
+            const bool reversed = reversed_if_ones_turn(i) != (other.volume < 0.0);
+            builder.Add(shell, live_.faces[i].Oriented(reversed ? TopAbs_REVERSED : TopAbs_FORWARD));
         }
         TopoDS_Solid solid;
         builder.MakeSolid(solid);

@@ -5,6 +5,7 @@
 
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
@@ -112,23 +113,43 @@ TEST(LooseFaces, EdgesAreDividedWhereTheirNeighboursEnd) {
     }
 }
 
-TEST(LooseFaces, OfAClosedSetShowTheirOutside) {
+/// Whether the outward normal in the middle of a face points away from this point.
+bool looks_away(Model& model, int face, const Vec3& point) {
+    const Face& data = model.topology().faces[static_cast<std::size_t>(face)];
+    const Answer middle =
+        model.answer(Query::face_point(face, 0.5 * (data.low[0] + data.high[0]), 0.5 * (data.low[1] + data.high[1])));
+    EXPECT_TRUE(middle.found());
+    return (middle.point - point).dot(middle.normal) > 0.0;
+}
+
+TEST(LooseFaces, OfClosedSetsShowTheirOutsideAndVoidsTheirInside) {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(gp_Pnt(0.0, 0.0, 0.0), 1.0, 2.0, 3.0).Shape();
-    BRep_Builder builder;
-    TopoDS_Compound both;
-    builder.MakeCompound(both);
-    for (const TopoDS_Shape& part : {box, BRepPrimAPI_MakeBox(gp_Pnt(0.2, 0.2, 0.2), 0.5, 0.5, 0.5).Shape()}) {
-        for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next()) {
-            builder.Add(both, BRepBuilderAPI_Copy(it.Current()).Shape().Reversed());
+    const gp_Ax2 at(gp_Pnt(0.5, 1.0, 0.5), gp_Dir(0.0, 0.0, 1.0));
+    const TopoDS_Shape cone = BRepPrimAPI_MakeCone(at, 0.4, 0.0, 1.2).Shape();
+    const TopoDS_Shape inverted_cone = BRepPrimAPI_MakeCone(at, 0.0, 0.4, 1.2).Shape();
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(0.2, 0.2, 0.2), 0.5, 0.5, 0.5).Shape();
+    gp_Trsf mirror;
+    mirror.SetMirror(gp_Ax2(gp_Pnt(0.5, 1.0, 1.5), gp_Dir(1.0, 0.0, 0.0)));
+    for (const TopoDS_Shape& inner : {block, cone, inverted_cone}) {
+        for (const bool in_mirror : {false, true}) {
+            SCOPED_TRACE(in_mirror);
+            BRep_Builder builder;
+            TopoDS_Compound both;
+            builder.MakeCompound(both);
+            for (const TopoDS_Shape& part : {box, inner}) {
+                for (TopExp_Explorer it(part, TopAbs_FACE); it.More(); it.Next()) {
+                    const TopoDS_Shape face = BRepBuilderAPI_Copy(it.Current()).Shape().Reversed();
+                    builder.Add(both, in_mirror ? face.Located(TopLoc_Location(mirror), Standard_False) : face);
+                }
+            }
+            const auto model = model_of(both);
+            const Vec3 centre(in_mirror ? 0.55 : 0.45, inner.IsSame(block) ? 0.45 : 1.0,
+                              inner.IsSame(block) ? 0.45 : 1.1);
+            const int faces = static_cast<int>(model->topology().faces.size());
+            for (int f = 0; f < faces; ++f) {
+                EXPECT_EQ(looks_away(*model, f, f < 6 ? Vec3(0.5, 1.0, 1.5) : centre), f < 6) << f;
+            }
         }
-    }
-    const auto model = model_of(both);
-    for (std::size_t f = 0; f < 12; ++f) {
-        const Face& face = model->topology().faces[f];
-        const Answer middle = model->answer(Query::face_point(static_cast<int>(f), 0.5 * (face.low[0] + face.high[0]),
-                                                              0.5 * (face.low[1] + face.high[1])));
-        const Vec3 centre = f < 6 ? Vec3(0.5, 1.0, 1.5) : Vec3(0.45, 0.45, 0.45);
-        EXPECT_EQ((middle.point - centre).dot(middle.normal) > 0.0, f < 6) << f;  // the inner box is a void
     }
 }
 
