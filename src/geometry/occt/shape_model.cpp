@@ -20,6 +20,7 @@
 #include "geometry/occt/topology/creases.h"
 #include "geometry/occt/topology/degenerate_faces.h"
 #include "geometry/occt/topology/loose_faces.h"
+#include "geometry/occt/topology/spikes.h"
 #include "geometry/occt/topology/shape_map.h"
 
 namespace mq::geometry {
@@ -94,6 +95,7 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     topology_.detail = join.detail ? join.detail(topology_.box) : 0.0;
     const OpenCascadeWait wait(progress, "reading the shape");
     sew_collapsed_pieces(entities, topology_, live_, progress);
+    remove_spikes(topology_, live_, progress);
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {
         for (const int turned : join_loose_faces(topology_, live_, progress)) {

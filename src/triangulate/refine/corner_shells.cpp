@@ -23,7 +23,6 @@ constexpr double kOfWholeEdge = 0.6;  // For an edge that is a single piece. Tun
 // that passes by, both on a face beside the node: entities that are merely close in space, such as nodes of separate
 // bodies, do not restrict it. Tuned on the corpus.
 constexpr double kRoom = 0.9;
-constexpr double kBesideNode = 3.0;  // In distances to an edge that passes by the node. Tuned on the corpus.
 // Least distance of an edge from the middle of an innermost piece, in lengths of the piece: the radius is halved until
 // it is reached. Tuned on the corpus.
 constexpr double kBesideEdge = 0.3;
@@ -105,7 +104,7 @@ class RoomSearch {
                 continue;
             }
             const auto room_at = [&](const Vec3& q) { return distance_to_segment(q, end_of(s, 0), end_of(s, 1)); };
-            radius = std::min(radius, kBesideNode * room_at(p));
+            radius = std::min(radius, kRoom * room_at(p));
             for (const Vec3& d : around.directions) {
                 for (int n = 0; n < kMaxHalvings && room_at(p + 0.5 * radius * d) < kBesideEdge * radius; ++n) {
                     radius *= 0.5;

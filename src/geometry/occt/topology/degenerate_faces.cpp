@@ -133,53 +133,6 @@ class CollapsedPieces : EdgeJoining {
         });
     }
 
-    bool leaves_corner(int use) {
-        const int face = topology_.uses[static_cast<std::size_t>(use)].face;
-        for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
-            const auto at = std::find(loop.uses.begin(), loop.uses.end(), use);
-            if (at == loop.uses.end()) {
-                continue;
-            }
-            const auto n = loop.uses.size();
-            const auto i = static_cast<std::size_t>(at - loop.uses.begin());
-            const int before = loop.uses[(i + n - 1) % n];
-            const int after = loop.uses[(i + 1) % n];
-            if (n < 3 || before == after) {
-                return false;
-            }
-            const Vec3 corner = curve(topology_.uses[static_cast<std::size_t>(use)].edge)
-                                    .point(parameter(topology_.uses[static_cast<std::size_t>(use)].edge, 0.5))
-                                    .point;
-            return angle_between(point_along(before, false) - corner, point_along(after, true) - corner) >=
-                   DetailCorners::kLeast;
-        }
-        return false;
-    }
-
-    /// The point of a use's edge at DetailCorners::kReach details from its start or its end, or its other end if it is
-    /// shorter.
-    Vec3 point_along(int use, bool from_start) {
-        const EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
-        const bool ascending = data.forward == from_start;
-        const double from = ascending ? edge(data.edge).t0 : edge(data.edge).t1;
-        const double to = ascending ? edge(data.edge).t1 : edge(data.edge).t0;
-        const EdgeEvaluator along = curve(data.edge);
-        const Answer there = along.at_distance(from, to, DetailCorners::kReach * topology_.detail);
-        return there.found() ? there.point : along.point(to).point;
-    }
-
-    /// The other use of the edge of one of its two uses.
-    int opposite_use(int use) {
-        const std::vector<int>& uses = edge(topology_.uses[static_cast<std::size_t>(use)].edge).uses;
-        return uses[0] == use ? uses[1] : uses[0];
-    }
-
-    /// Whether another face lies on the other side of an edge of a sliver.
-    bool is_side(int e) {
-        return !edge(e).degenerate && edge(e).uses.size() == 2 && edge(e).nodes[0] >= 0 && edge(e).nodes[1] >= 0 &&
-               edge(e).nodes[0] != edge(e).nodes[1];
-    }
-
     bool lies_along(int face, int e, double within) {
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
         const EdgeEvaluator along = curve(e);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/angle.h"
+#include "geometry/detail.h"
 #include "geometry/occt/evaluation/conversion.h"
 
 namespace mq::geometry {
@@ -21,7 +22,6 @@ std::optional<double> EdgeJoining::dihedral_angle(int use, int other) const {
     return first && second ? std::optional<double>(angle_between(*first, *second)) : std::nullopt;
 }
 
-// The direction from the edge of a use, at its parameter t, into the face of the use; none where it has no curve.
 std::optional<Vec3> EdgeJoining::conormal(int use, double t) const {
     const EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
     const PCurve& on_face = live_.uses[static_cast<std::size_t>(use)];
@@ -67,6 +67,49 @@ bool EdgeJoining::is_short(int e) const {
     return curve(e).length(edge(e).t0, edge(e).t1).distance < topology_.detail &&
            std::all_of(edge(e).uses.begin(), edge(e).uses.end(),
                        [&](int use) { return !live_.uses[static_cast<std::size_t>(use)].curve.IsNull(); });
+}
+
+bool EdgeJoining::leaves_corner(int use) const {
+    const int face = topology_.uses[static_cast<std::size_t>(use)].face;
+    for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
+        const auto at = std::find(loop.uses.begin(), loop.uses.end(), use);
+        if (at == loop.uses.end()) {
+            continue;
+        }
+        const auto n = loop.uses.size();
+        const auto i = static_cast<std::size_t>(at - loop.uses.begin());
+        const int before = loop.uses[(i + n - 1) % n];
+        const int after = loop.uses[(i + 1) % n];
+        if (n < 3 || before == after) {
+            return false;
+        }
+        const Vec3 corner = curve(topology_.uses[static_cast<std::size_t>(use)].edge)
+                                .point(parameter(topology_.uses[static_cast<std::size_t>(use)].edge, 0.5))
+                                .point;
+        return angle_between(point_along(before, false) - corner, point_along(after, true) - corner) >=
+               DetailCorners::kLeast;
+    }
+    return false;
+}
+
+Vec3 EdgeJoining::point_along(int use, bool from_start) const {
+    const EdgeUse& data = topology_.uses[static_cast<std::size_t>(use)];
+    const bool ascending = data.forward == from_start;
+    const double from = ascending ? edge(data.edge).t0 : edge(data.edge).t1;
+    const double to = ascending ? edge(data.edge).t1 : edge(data.edge).t0;
+    const EdgeEvaluator along = curve(data.edge);
+    const Answer there = along.at_distance(from, to, DetailCorners::kReach * topology_.detail);
+    return there.found() ? there.point : along.point(to).point;
+}
+
+int EdgeJoining::opposite_use(int use) const {
+    const std::vector<int>& uses = edge(topology_.uses[static_cast<std::size_t>(use)].edge).uses;
+    return uses[0] == use ? uses[1] : uses[0];
+}
+
+bool EdgeJoining::is_side(int e) const {
+    return !edge(e).degenerate && edge(e).uses.size() == 2 && edge(e).nodes[0] >= 0 && edge(e).nodes[1] >= 0 &&
+           edge(e).nodes[0] != edge(e).nodes[1];
 }
 
 std::optional<EdgeJoining::Alignment> EdgeJoining::alignment(int a, int b, double within) const {

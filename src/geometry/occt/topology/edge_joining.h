@@ -49,14 +49,24 @@ class EdgeJoining {
     double tolerance(int e) const;
     /// Whether an edge between two nodes is shorter than the detail, and has a curve on all of its faces.
     bool is_short(int e) const;
+    /// Whether another face lies on the other side of an edge between two nodes.
+    bool is_side(int e) const;
+    /// Whether the neighbours of a use on its loop make a corner of DetailCorners::kLeast where its edge is a point.
+    bool leaves_corner(int use) const;
+    /// The point of a use's edge at DetailCorners::kReach details from its start or its end, or its other end if it is
+    /// shorter.
+    Vec3 point_along(int use, bool from_start) const;
+    /// The other use of the edge of one of its two uses.
+    int opposite_use(int use) const;
     EdgeEvaluator curve(int e) const { return EdgeEvaluator(live_.edges[static_cast<std::size_t>(e)], edge(e)); }
     double parameter(int e, double share) const { return edge(e).t0 + share * (edge(e).t1 - edge(e).t0); }
+    /// The direction from the edge of a use, at its parameter t, into the face of the use; none where it has no curve.
+    std::optional<Vec3> conormal(int use, double t) const;
 
     Topology& topology_;
     ShapeMap& live_;
 
   private:
-    std::optional<Vec3> conormal(int use, double t) const;
     void divide_use(int use, int second, double share);
 
     DisjointSets<int> nodes_;

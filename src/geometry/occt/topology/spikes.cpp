@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "geometry/occt/topology/spikes.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "base/angle.h"
+#include "base/message.h"
+#include "geometry/detail.h"
+#include "geometry/occt/topology/edge_joining.h"
+
+namespace mq::geometry {
+
+namespace {
+
+class Spikes : EdgeJoining {
+  public:
+    Spikes(Topology& topology, ShapeMap& live, const Progress* progress)
+        : EdgeJoining(topology, live), progress_(progress) {}
+
+    void run() {
+        for (Face& face : topology_.faces) {
+            check_cancelled(progress_);
+            for (Loop& loop : face.loops) {
+                while (remove_one(loop)) {
+                }
+            }
+        }
+        rename_nodes();
+    }
+
+  private:
+    /// Two neighbours on a loop, seen from the longer one; edges shorter than the detail may lie between them.
+    struct Sides {
+        int longer;             // uses
+        int shorter;            //
+        int beyond;             // the use after the shorter one, away from the tip
+        std::vector<int> tips;  // uses of the short edges
+        bool ascending;         // whether the loop walks the longer one first
+    };
+    struct Spike {
+        Sides sides;
+        int node;       // at the far end of the shorter edge
+        double t;       // parameter of the longer edge there
+        double within;  // largest distance that counts, mm
+    };
+
+    const EdgeUse& use_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)]; }
+    int edge_of(int use) const { return use_of(use).edge; }
+
+    bool remove_one(Loop& loop) {
+        const std::size_t n = loop.uses.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            Sides sides{loop.uses[i], -1, -1, {}, true};
+            std::size_t k = i + 1;
+            for (; k < i + n && is_short(edge_of(loop.uses[k % n])); ++k) {
+                sides.tips.push_back(loop.uses[k % n]);
+            }
+            if (n < sides.tips.size() + 3 || is_short(edge_of(sides.longer))) {
+                continue;
+            }
+            sides.shorter = loop.uses[k % n];
+            sides.beyond = loop.uses[(k + 1) % n];
+            const Sides other{sides.shorter, sides.longer, loop.uses[(i + n - 1) % n], sides.tips, false};
+            for (const Sides& both : {sides, other}) {
+                const std::optional<Spike> spike = spike_between(both);
+                if (spike && take_off(loop, *spike)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    std::optional<Spike> spike_between(const Sides& sides) const {
+        const int a = edge_of(sides.longer);
+        const int b = edge_of(sides.shorter);
+        if (!parts_two_faces(sides.longer) || !parts_two_faces(sides.shorter) || a == b || !leave_together(sides)) {
+            return std::nullopt;
+        }
+        const double own = tolerance(a) + tolerance(b);
+        const double within = std::max(own, topology_.detail);
+        const std::optional<Alignment> along = alignment(b, a, within);
+        if (!along) {
+            return std::nullopt;
+        }
+        const int node = edge(b).nodes[use_of(sides.shorter).forward == sides.ascending ? 1 : 0];
+        const Vec3& end = topology_.nodes[static_cast<std::size_t>(node)].point;
+        const Answer foot = curve(a).nearest(end, parameter(a, 0.5), edge(a).t0, edge(a).t1);
+        if (!foot.found() || !is_inside(a, foot, within) || !opens(sides, foot)) {
+            return std::nullopt;
+        }
+        const bool same = sides.tips.empty() && along->distance <= own;
+        if (!same && !(others_open(sides) && std::all_of(sides.tips.begin(), sides.tips.end(), [&](int tip) {
+                return leaves_corner_beside(tip);
+            }))) {
+            return std::nullopt;
+        }
+        return Spike{sides, node, foot.t, within};
+    }
+
+    /// Whether the edge of a use bounds another face, too.
+    bool parts_two_faces(int use) const {
+        return is_side(edge_of(use)) && use_of(opposite_use(use)).face != use_of(use).face;
+    }
+
+    /// Whether both edges leave the tip in about the same direction.
+    bool leave_together(const Sides& sides) const {
+        // Fraction of the edges' ranges over which their directions are measured, and the largest angle between those.
+        constexpr double kStep = 0.01;
+        constexpr double kMost = 45.0 * kDegree;
+        return angle_between(direction_at(sides.longer, !sides.ascending, kStep),
+                             direction_at(sides.shorter, sides.ascending, kStep)) < kMost;
+    }
+
+    /// From an end of a use into its edge: from its start, or back from its end.
+    Vec3 direction_at(int use, bool from_start, double step) const {
+        const EdgeEvaluator along = curve(edge_of(use));
+        const double end = use_of(use).forward == from_start ? 0.0 : 1.0;
+        const double beside = end + (end > 0.0 ? -step : step);
+        return along.point(parameter(edge_of(use), beside)).point - along.point(parameter(edge_of(use), end)).point;
+    }
+
+    /// Whether a point of an edge is farther than this from both of its nodes.
+    bool is_inside(int e, const Answer& there, double within) const {
+        return std::all_of(edge(e).nodes.begin(), edge(e).nodes.end(), [&](int node) {
+            return (topology_.nodes[static_cast<std::size_t>(node)].point - there.point).norm() > within;
+        });
+    }
+
+    /// Whether the border leaves the longer edge at the end of the shorter one into the face, by DetailCorners::kLeast
+    /// or more. Around a slit, which the border passes on its other side, it leaves away from the face.
+    bool opens(const Sides& sides, const Answer& foot) const {
+        const std::optional<Vec3> into = conormal(sides.longer, foot.t);
+        const Vec3 leaving = point_along(sides.beyond, sides.ascending) - foot.point;
+        return into && angle_between(*into, leaving) <= 0.5 * M_PI - DetailCorners::kLeast;
+    }
+
+    /// Whether the faces on the other sides do not lie on each other, as those of a thin plate.
+    bool others_open(const Sides& sides) const {
+        const std::optional<double> angle = dihedral_angle(opposite_use(sides.shorter), opposite_use(sides.longer));
+        return angle && *angle >= DetailCorners::kLeast;
+    }
+
+    /// Whether the faces beyond the tip keep a corner where they lose its edge.
+    bool leaves_corner_beside(int tip) const {
+        const std::vector<int>& uses = edge(edge_of(tip)).uses;
+        return std::all_of(uses.begin(), uses.end(), [&](int use) { return use == tip || leaves_corner(use); });
+    }
+
+    bool take_off(Loop& loop, const Spike& spike) {
+        const int a = edge_of(spike.sides.longer);
+        const int b = edge_of(spike.sides.shorter);
+        const int face = use_of(spike.sides.longer).face;
+        const bool tip_is_last = use_of(spike.sides.longer).forward == spike.sides.ascending;
+        const int second = divide(a, spike.t, spike.node);
+        const int piece = tip_is_last ? second : a;
+        if (!alignment(piece, b, spike.within) || !alignment(b, piece, spike.within)) {
+            return false;
+        }
+        topology_.faults.push_back(topology_.name_of({2, face}) + ": has a spike between " +
+                                   topology_.name_of({1, a}) + " and " + topology_.name_of({1, b}) +
+                                   " that is no wider than " + in_digits(spike.within, 4) + " mm: it is left out");
+        for (const int tip : spike.sides.tips) {
+            Edge& end = edge(edge_of(tip));
+            end.degenerate = true;
+            unite(end.nodes[0], end.nodes[1]);
+            drop(loop, tip);
+        }
+        drop(loop, use_on(piece, face));
+        drop(loop, spike.sides.shorter);
+        join(piece, b, spike.within);
+        return true;
+    }
+
+    int use_on(int e, int face) const {
+        const std::vector<int>& uses = edge(e).uses;
+        return *std::find_if(uses.begin(), uses.end(), [&](int use) { return use_of(use).face == face; });
+    }
+
+    void drop(Loop& loop, int use) {
+        std::vector<int>& uses = edge(edge_of(use)).uses;
+        uses.erase(std::remove(uses.begin(), uses.end(), use), uses.end());
+        loop.uses.erase(std::remove(loop.uses.begin(), loop.uses.end(), use), loop.uses.end());
+    }
+
+    const Progress* progress_;
+};
+
+}  // namespace
+
+void remove_spikes(Topology& topology, ShapeMap& live, const Progress* progress) {
+    Spikes(topology, live, progress).run();
+}
+
+}  // namespace mq::geometry
