@@ -20,8 +20,8 @@
 #include "geometry/occt/topology/creases.h"
 #include "geometry/occt/topology/degenerate_faces.h"
 #include "geometry/occt/topology/loose_faces.h"
-#include "geometry/occt/topology/spikes.h"
 #include "geometry/occt/topology/shape_map.h"
+#include "geometry/occt/topology/spikes.h"
 
 namespace mq::geometry {
 

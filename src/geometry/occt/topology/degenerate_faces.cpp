@@ -3,7 +3,9 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,10 +29,14 @@ class CollapsedPieces : EdgeJoining {
         : EdgeJoining(topology, live), shape_(shape), progress_(progress) {}
 
     void run() {
+        find_thin_faces();
         for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
             check_cancelled(progress_);
             if (topology_.faces[static_cast<std::size_t>(f)].no_area && is_piece(f)) {
-                take_out(f);
+                const std::vector<int> sides = take_out(f);
+                if (sides.size() == 2) {
+                    join(sides[0], sides[1]);
+                }
             } else {
                 collapse_if_sliver(f);
             }
@@ -42,26 +48,60 @@ class CollapsedPieces : EdgeJoining {
   private:
     bool is_piece(int face) const { return shape_.is_cut(topology_.of_shape({2, face}).index); }
 
-    /// Two edges that bound a face, and those between their ends.
+    using Pair = std::array<int, 2>;
+
+    /// Edges that bound a face in pairs that run along each other, and those between the ends of the pairs.
     struct Sliver {
-        std::vector<int> uses;   // the uses of both sides
-        std::vector<int> edges;  // both sides
-        std::vector<int> ends;   // edges shorter than the detail
+        std::vector<int> uses;    // of both sides, around the face
+        std::vector<Pair> pairs;  // uses that lie across from each other
+        std::vector<int> ends;    // edges shorter than the detail
     };
+
+    /// Sets the faces that are thinner than the detail and leave corners at their ends, or others of these faces there.
+    void find_thin_faces() {
+        if (!(topology_.detail > 0.0)) {
+            return;
+        }
+        std::map<int, Sliver> thin;
+        for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
+            check_cancelled(progress_);
+            Sliver sliver = sides_of(f);
+            if (has_sides(sliver) && find_pairs(f, sliver, topology_.detail) && neighbours_open(sliver)) {
+                thin_.insert(f);
+                thin.emplace(f, std::move(sliver));
+            }
+        }
+        for (std::size_t before = thin_.size() + 1; thin_.size() < before;) {
+            before = thin_.size();
+            for (const auto& [f, sliver] : thin) {
+                if (thin_.count(f) > 0 && !ends_leave_corners(sliver)) {
+                    thin_.erase(f);
+                }
+            }
+        }
+    }
+
+    bool has_sides(const Sliver& sliver) const {
+        return !sliver.uses.empty() && sliver.uses.size() % 2 == 0 &&
+               std::all_of(sliver.uses.begin(), sliver.uses.end(), [&](int use) { return is_side(edge_of(use)); });
+    }
 
     void collapse_if_sliver(int face) {
         Face& data = topology_.faces[static_cast<std::size_t>(face)];
-        const Sliver sliver = sides_of(face);
-        if (sliver.edges.size() != 2 || sliver.edges[0] == sliver.edges[1] || !is_side(sliver.edges[0]) ||
-            !is_side(sliver.edges[1])) {
+        Sliver sliver = sides_of(face);
+        if (!has_sides(sliver)) {
             return;
         }
-        const double own = tolerance(sliver.edges[0]) + tolerance(sliver.edges[1]);
-        if (sliver.ends.empty() && is_within(face, sliver, own)) {
+        std::vector<double> tolerances;
+        for (const int use : sliver.uses) {
+            tolerances.push_back(tolerance(edge_of(use)));
+        }
+        std::sort(tolerances.begin(), tolerances.end());
+        const double own = tolerances[0] + tolerances[1];
+        if (sliver.ends.empty() && find_pairs(face, sliver, own)) {
             topology_.faults.push_back(topology_.name_of({2, face}) +
                                        ": is no wider than the tolerance of its edges, which count as one");
-        } else if (topology_.detail > own && is_within(face, sliver, topology_.detail) && neighbours_open(sliver) &&
-                   ends_leave_corners(face, sliver)) {
+        } else if (thin_.count(face) > 0 && find_pairs(face, sliver, topology_.detail)) {
             topology_.faults.push_back(topology_.name_of({2, face}) + ": is thinner than " +
                                        in_digits(topology_.detail, 4) +
                                        " mm, which does not show at what is asked for: its edges count as one");
@@ -69,49 +109,72 @@ class CollapsedPieces : EdgeJoining {
             return;
         }
         data.no_area = true;
-        take_out(face, topology_.detail);
+        std::vector<Pair> edges;
+        for (const Pair& pair : sliver.pairs) {
+            edges.push_back({edge_of(pair[0]), edge_of(pair[1])});
+        }
+        take_out(face);
+        for (const Pair& pair : edges) {
+            join(pair[0], pair[1], topology_.detail);
+        }
     }
+
+    int edge_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)].edge; }
 
     Sliver sides_of(int face) {
         Sliver result;
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
-        // Edges around a sliver at most: two sides, and three short ones at either end.
-        constexpr std::size_t kMost = 8;
+        // Edges around a sliver at most: the cost grows with its square.
+        constexpr std::size_t kMost = 12;
         if (data.loops.size() != 1 || data.loops.front().uses.size() > kMost) {
             return result;
         }
         for (const int use : data.loops.front().uses) {
-            const int e = topology_.uses[static_cast<std::size_t>(use)].edge;
-            if (is_short(e)) {
-                result.ends.push_back(e);
+            if (is_short(edge_of(use))) {
+                result.ends.push_back(edge_of(use));
             } else {
                 result.uses.push_back(use);
-                result.edges.push_back(e);
             }
         }
         return result;
     }
 
-    /// Whether both sides run between the same ends, and all of the face lies within this distance of either.
-    bool is_within(int face, const Sliver& sliver, double distance) {
-        const int a = sliver.edges[0];
-        const int b = sliver.edges[1];
-        const std::optional<Alignment> along = alignment(a, b, distance);
+    /// Sets the pairs, if there is a place from which the border runs along itself in both directions, and all of the
+    /// face lies within this distance of it.
+    bool find_pairs(int face, Sliver& sliver, double distance) {
+        const std::size_t n = sliver.uses.size();
+        for (std::size_t tip = 0; tip < n / 2; ++tip) {
+            sliver.pairs.clear();
+            for (std::size_t k = 0; k < n / 2; ++k) {
+                const Pair pair{sliver.uses[(tip + k) % n], sliver.uses[(tip + n - 1 - k) % n]};
+                if (!run_along(edge_of(pair[0]), edge_of(pair[1]), sliver.ends, distance)) {
+                    break;
+                }
+                sliver.pairs.push_back(pair);
+            }
+            if (sliver.pairs.size() == n / 2) {
+                const bool plane = std::string(topology_.faces[static_cast<std::size_t>(face)].surface) == "plane";
+                return plane || lies_along(face, sliver, distance);
+            }
+        }
+        return false;
+    }
+
+    /// Whether two edges lie along each other between the same ends.
+    bool run_along(int a, int b, const std::vector<int>& between, double distance) {
+        const std::optional<Alignment> along = a != b ? alignment(a, b, distance) : std::nullopt;
         if (!along || !alignment(b, a, distance)) {
             return false;
         }
-        for (int i = 0; i < 2; ++i) {
-            if (!meet(edge(a).nodes[i], edge(b).nodes[along->same_way ? i : 1 - i], sliver.ends)) {
-                return false;
-            }
-        }
-        const bool plane = std::string(topology_.faces[static_cast<std::size_t>(face)].surface) == "plane";
-        return plane || lies_along(face, a, distance);
+        return meet(edge(a).nodes[0], edge(b).nodes[along->same_way ? 0 : 1], between) &&
+               meet(edge(a).nodes[1], edge(b).nodes[along->same_way ? 1 : 0], between);
     }
 
-    /// Whether two nodes are one, or joined by one of the edges.
+    /// Whether two nodes are one, joined by one of the edges, or closer to each other than the detail.
     bool meet(int a, int b, const std::vector<int>& edges) {
-        return same_node(a, b) || std::any_of(edges.begin(), edges.end(), [&](int e) {
+        const auto point = [&](int n) { return topology_.nodes[static_cast<std::size_t>(n)].point; };
+        return same_node(a, b) || (point(a) - point(b)).norm() < topology_.detail ||
+               std::any_of(edges.begin(), edges.end(), [&](int e) {
                    const auto& nodes = edge(e).nodes;
                    return (same_node(a, nodes[0]) && same_node(b, nodes[1])) ||
                           (same_node(a, nodes[1]) && same_node(b, nodes[0]));
@@ -120,29 +183,33 @@ class CollapsedPieces : EdgeJoining {
 
     /// Whether the faces on the other sides of a sliver's edges do not lie on each other, as those of a thin plate.
     bool neighbours_open(const Sliver& sliver) {
-        const std::optional<double> angle = dihedral_angle(opposite_use(sliver.uses[0]), opposite_use(sliver.uses[1]));
-        return angle && *angle >= DetailCorners::kLeast;
+        return std::all_of(sliver.pairs.begin(), sliver.pairs.end(), [&](const Pair& pair) {
+            const std::optional<double> angle = dihedral_angle(opposite_use(pair[0]), opposite_use(pair[1]));
+            return angle && *angle >= DetailCorners::kLeast;
+        });
     }
 
-    /// Whether the faces beyond the ends of a sliver keep a corner there, where they lose an edge.
-    bool ends_leave_corners(int face, const Sliver& sliver) {
+    /// Whether the faces beyond the ends of a sliver keep a corner there, where they lose an edge, or are thin, too.
+    bool ends_leave_corners(const Sliver& sliver) {
         return std::all_of(sliver.ends.begin(), sliver.ends.end(), [&](int e) {
             return std::all_of(edge(e).uses.begin(), edge(e).uses.end(), [&](int use) {
-                return topology_.uses[static_cast<std::size_t>(use)].face == face || leaves_corner(use);
+                return thin_.count(topology_.uses[static_cast<std::size_t>(use)].face) > 0 || leaves_corner(use);
             });
         });
     }
 
-    bool lies_along(int face, int e, double within) {
+    bool lies_along(int face, const Sliver& sliver, double within) {
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
-        const EdgeEvaluator along = curve(e);
         const BRepAdaptor_Surface surface(live_.faces[static_cast<std::size_t>(face)], Standard_False);
         for (int i = 0; i <= kSamples; ++i) {
             for (int k = 0; k <= kSamples; ++k) {
                 const Vec3 p = to_vec(surface.Value(data.low[0] + (data.high[0] - data.low[0]) * i / kSamples,
                                                     data.low[1] + (data.high[1] - data.low[1]) * k / kSamples));
-                const Answer foot = along.nearest(p, parameter(e, 0.5), edge(e).t0, edge(e).t1);
-                if (!foot.found() || foot.distance > within) {
+                if (std::none_of(sliver.pairs.begin(), sliver.pairs.end(), [&](const Pair& pair) {
+                        const int e = edge_of(pair[0]);
+                        const Answer foot = curve(e).nearest(p, parameter(e, 0.5), edge(e).t0, edge(e).t1);
+                        return foot.found() && foot.distance <= within;
+                    })) {
                     return false;
                 }
             }
@@ -150,12 +217,13 @@ class CollapsedPieces : EdgeJoining {
         return true;
     }
 
-    /// @param within  distance up to which two sides count as one; 0: twice their tolerances
-    void take_out(int face, double within = 0.0) {
+    /// Takes the face off its edges, and makes those one place that are a point.
+    /// @return the other edges
+    std::vector<int> take_out(int face) {
         std::set<int> around;
         for (const Loop& loop : topology_.faces[static_cast<std::size_t>(face)].loops) {
             for (const int use : loop.uses) {
-                around.insert(topology_.uses[static_cast<std::size_t>(use)].edge);
+                around.insert(edge_of(use));
             }
         }
         topology_.faces[static_cast<std::size_t>(face)].loops.clear();
@@ -173,9 +241,7 @@ class CollapsedPieces : EdgeJoining {
                 sides.push_back(e);
             }
         }
-        if (sides.size() == 2) {
-            join(sides[0], sides[1], within);
-        }
+        return sides;
     }
 
     bool is_a_point(int e) {
@@ -218,6 +284,7 @@ class CollapsedPieces : EdgeJoining {
 
     const OrderedShape& shape_;
     const Progress* progress_;
+    std::set<int> thin_;
 };
 
 }  // namespace

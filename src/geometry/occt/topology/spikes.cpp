@@ -92,9 +92,8 @@ class Spikes : EdgeJoining {
             return std::nullopt;
         }
         const bool same = sides.tips.empty() && along->distance <= own;
-        if (!same && !(others_open(sides) && std::all_of(sides.tips.begin(), sides.tips.end(), [&](int tip) {
-                return leaves_corner_beside(tip);
-            }))) {
+        if (!same && !(others_open(sides) && std::all_of(sides.tips.begin(), sides.tips.end(),
+                                                         [&](int tip) { return leaves_corner_beside(tip); }))) {
             return std::nullopt;
         }
         return Spike{sides, node, foot.t, within};
@@ -159,9 +158,9 @@ class Spikes : EdgeJoining {
         if (!alignment(piece, b, spike.within) || !alignment(b, piece, spike.within)) {
             return false;
         }
-        topology_.faults.push_back(topology_.name_of({2, face}) + ": has a spike between " +
-                                   topology_.name_of({1, a}) + " and " + topology_.name_of({1, b}) +
-                                   " that is no wider than " + in_digits(spike.within, 4) + " mm: it is left out");
+        topology_.faults.push_back(topology_.name_of({2, face}) + ": has a spike between " + topology_.name_of({1, a}) +
+                                   " and " + topology_.name_of({1, b}) + " that is no wider than " +
+                                   in_digits(spike.within, 4) + " mm: it is left out");
         for (const int tip : spike.sides.tips) {
             Edge& end = edge(edge_of(tip));
             end.degenerate = true;
