@@ -52,9 +52,9 @@ class CollapsedPieces : EdgeJoining {
 
     /// Edges that bound a face in pairs that run along each other, and those between the ends of the pairs.
     struct Sliver {
-        std::vector<int> uses;    // of both sides, around the face
+        std::vector<int> uses;    // both sides, around the face
         std::vector<Pair> pairs;  // uses that lie across from each other
-        std::vector<int> ends;    // edges shorter than the detail
+        std::vector<int> ends;    // edges shorter than the detail, and points
     };
 
     /// Sets the faces that are thinner than the detail and leave corners at their ends, or others of these faces there.
@@ -130,7 +130,7 @@ class CollapsedPieces : EdgeJoining {
             return result;
         }
         for (const int use : data.loops.front().uses) {
-            if (is_short(edge_of(use))) {
+            if (edge(edge_of(use)).degenerate || is_short(edge_of(use))) {
                 result.ends.push_back(edge_of(use));
             } else {
                 result.uses.push_back(use);
@@ -147,7 +147,7 @@ class CollapsedPieces : EdgeJoining {
             sliver.pairs.clear();
             for (std::size_t k = 0; k < n / 2; ++k) {
                 const Pair pair{sliver.uses[(tip + k) % n], sliver.uses[(tip + n - 1 - k) % n]};
-                if (!run_along(edge_of(pair[0]), edge_of(pair[1]), sliver.ends, distance)) {
+                if (!coincide(edge_of(pair[0]), edge_of(pair[1]), sliver.ends, distance)) {
                     break;
                 }
                 sliver.pairs.push_back(pair);
@@ -160,8 +160,8 @@ class CollapsedPieces : EdgeJoining {
         return false;
     }
 
-    /// Whether two edges lie along each other between the same ends.
-    bool run_along(int a, int b, const std::vector<int>& between, double distance) {
+    /// Whether two edges lie within a distance of each other, mm, between the same ends.
+    bool coincide(int a, int b, const std::vector<int>& between, double distance) {
         const std::optional<Alignment> along = a != b ? alignment(a, b, distance) : std::nullopt;
         if (!along || !alignment(b, a, distance)) {
             return false;

@@ -8,6 +8,7 @@
 #include <Geom_BezierSurface.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <memory>
 #include <utility>
 
 #include "geometry/parts.h"
@@ -128,6 +129,73 @@ TEST(CollapsedPieces, WiderSliversStayFaces) {
         EXPECT_FALSE(model->topology().faces[1].no_area);
         EXPECT_EQ(shared_edges(model->topology()), 2);
     }
+}
+
+TopoDS_Vertex vertex(double x, double y, double z) {
+    return BRepBuilderAPI_MakeVertex(gp_Pnt(x, y, z)).Vertex();
+}
+
+TopoDS_Edge between(const TopoDS_Vertex& from, const TopoDS_Vertex& to) {
+    return BRepBuilderAPI_MakeEdge(from, to).Edge();
+}
+
+std::shared_ptr<Model> with_detail(const TopoDS_Shape& shape, double detail) {
+    return make_shape_model(shape, nullptr, Creases::Keep, {[=](const Box&) { return detail; }, true});
+}
+
+/// A strip of 0.001 mm around a corner of a square, whose sides have two edges each.
+TEST(CollapsedPieces, SliversBetweenSeveralEdgesAreThoseEdges) {
+    constexpr double kWidth = 1e-3;
+    const TopoDS_Vertex a[3] = {vertex(0.0, 0.0, 0.0), vertex(1.0, 0.0, 0.0), vertex(1.0, 1.0, 0.0)};
+    const TopoDS_Vertex b[3] = {vertex(0.0, kWidth, 0.0), vertex(1.0 - kWidth, kWidth, 0.0),
+                                vertex(1.0 - kWidth, 1.0, 0.0)};
+    const TopoDS_Vertex outside[3] = {vertex(2.0, 1.0, 0.0), vertex(2.0, -1.0, 0.0), vertex(0.0, -1.0, 0.0)};
+    const TopoDS_Vertex inside = vertex(0.0, 1.0, 0.0);
+    const TopoDS_Edge outer[2] = {between(a[0], a[1]), between(a[1], a[2])};
+    const TopoDS_Edge inner[2] = {between(b[0], b[1]), between(b[1], b[2])};
+    TopoDS_Shell shell;
+    BRep_Builder builder;
+    builder.MakeShell(shell);
+    builder.Add(shell, planar_face({outer[0], outer[1], between(a[2], outside[0]), between(outside[0], outside[1]),
+                                    between(outside[1], outside[2]), between(outside[2], a[0])}));
+    builder.Add(shell, planar_face({outer[0], outer[1], between(a[2], b[2]), inner[1], inner[0], between(b[0], a[0])}));
+    builder.Add(shell, planar_face({inner[0], inner[1], between(b[2], inside), between(inside, b[0])}));
+    const auto model = with_detail(shell, 5.0 * kWidth);
+    EXPECT_TRUE(model->topology().faces[1].no_area);
+    EXPECT_EQ(shared_edges(model->topology()), 2);
+    const auto fine = with_detail(shell, 0.5 * kWidth);
+    EXPECT_FALSE(fine->topology().faces[1].no_area);
+}
+
+/// Two strips at a right angle: each has no corner beside the edge where the other one ends.
+TEST(CollapsedPieces, SliversThatEndAtEachOtherAreEdges) {
+    constexpr double kWidth = 1e-3;
+    TopoDS_Vertex low[2] = {vertex(0.0, 0.0, 0.0), vertex(0.0, kWidth, 0.0)};
+    TopoDS_Vertex middle[2] = {vertex(1.0, 0.0, 0.0), vertex(1.0, kWidth, 0.0)};
+    TopoDS_Vertex high[2] = {vertex(1.0, 0.0, 1.0), vertex(1.0, kWidth, 1.0)};
+    TopoDS_Edge flat[2];
+    TopoDS_Edge steep[2];
+    TopoDS_Shell shell;
+    BRep_Builder builder;
+    builder.MakeShell(shell);
+    for (int i = 0; i < 2; ++i) {
+        const double y = i == 0 ? -1.0 : 1.0;
+        flat[i] = between(low[i], middle[i]);
+        steep[i] = between(middle[i], high[i]);
+        const TopoDS_Vertex far[4] = {vertex(1.0, y, 0.0), vertex(0.0, y, 0.0), vertex(1.0, y, 1.0),
+                                      vertex(1.0, y, 0.0)};
+        builder.Add(shell, planar_face({flat[i], between(middle[i], far[0]), between(far[0], far[1]),
+                                        between(far[1], low[i])}));
+        builder.Add(shell, planar_face({steep[i], between(high[i], far[2]), between(far[2], far[3]),
+                                        between(far[3], middle[i])}));
+    }
+    const TopoDS_Edge shared = between(middle[0], middle[1]);
+    builder.Add(shell, planar_face({flat[0], shared, flat[1], between(low[1], low[0])}));
+    builder.Add(shell, planar_face({steep[0], between(high[0], high[1]), steep[1], shared}));
+    const auto model = with_detail(shell, 5.0 * kWidth);
+    EXPECT_TRUE(model->topology().faces[4].no_area);
+    EXPECT_TRUE(model->topology().faces[5].no_area);
+    EXPECT_EQ(shared_edges(model->topology()), 2);
 }
 
 }  // namespace
