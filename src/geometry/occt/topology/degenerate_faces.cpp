@@ -119,8 +119,6 @@ class CollapsedPieces : EdgeJoining {
         }
     }
 
-    int edge_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)].edge; }
-
     Sliver sides_of(int face) {
         Sliver result;
         const Face& data = topology_.faces[static_cast<std::size_t>(face)];
@@ -183,10 +181,8 @@ class CollapsedPieces : EdgeJoining {
 
     /// Whether the faces on the other sides of a sliver's edges do not lie on each other, as those of a thin plate.
     bool neighbours_open(const Sliver& sliver) {
-        return std::all_of(sliver.pairs.begin(), sliver.pairs.end(), [&](const Pair& pair) {
-            const std::optional<double> angle = dihedral_angle(opposite_use(pair[0]), opposite_use(pair[1]));
-            return angle && *angle >= DetailCorners::kLeast;
-        });
+        return std::all_of(sliver.pairs.begin(), sliver.pairs.end(),
+                           [&](const Pair& pair) { return others_open(pair[0], pair[1]); });
     }
 
     /// Whether the faces beyond the ends of a sliver keep a corner there, where they lose an edge, or are thin, too.

@@ -102,6 +102,11 @@ Vec3 EdgeJoining::point_along(int use, bool from_start) const {
     return there.found() ? there.point : along.point(to).point;
 }
 
+bool EdgeJoining::others_open(int use, int other) const {
+    const std::optional<double> angle = dihedral_angle(opposite_use(use), opposite_use(other));
+    return angle && *angle >= DetailCorners::kLeast;
+}
+
 int EdgeJoining::opposite_use(int use) const {
     const std::vector<int>& uses = edge(topology_.uses[static_cast<std::size_t>(use)].edge).uses;
     return uses[0] == use ? uses[1] : uses[0];

@@ -45,6 +45,7 @@ class EdgeJoining {
 
     Edge& edge(int e) { return topology_.edges[static_cast<std::size_t>(e)]; }
     const Edge& edge(int e) const { return topology_.edges[static_cast<std::size_t>(e)]; }
+    int edge_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)].edge; }
     /// Twice the tolerance of an edge, mm.
     double tolerance(int e) const;
     /// Whether an edge between two nodes is shorter than the detail, and has a curve on all of its faces.
@@ -56,6 +57,9 @@ class EdgeJoining {
     /// The point of a use's edge at DetailCorners::kReach details from its start or its end, or its other end if it is
     /// shorter.
     Vec3 point_along(int use, bool from_start) const;
+    /// Whether the faces on the other sides of two uses, whose edges lie along each other, meet at
+    /// DetailCorners::kLeast or more, unlike those of a thin plate.
+    bool others_open(int use, int other) const;
     /// The other use of the edge of one of its two uses.
     int opposite_use(int use) const;
     EdgeEvaluator curve(int e) const { return EdgeEvaluator(live_.edges[static_cast<std::size_t>(e)], edge(e)); }

@@ -33,8 +33,8 @@ class Spikes : EdgeJoining {
   private:
     /// Two neighbours on a loop, seen from the longer one; edges shorter than the detail may lie between them.
     struct Sides {
-        int longer;             // uses
-        int shorter;            //
+        int longer;             // use of the edge that goes on beyond the spike
+        int shorter;            // use of the edge that ends there
         int beyond;             // the use after the shorter one, away from the tip
         std::vector<int> tips;  // uses of the short edges
         bool ascending;         // whether the loop walks the longer one first
@@ -47,7 +47,6 @@ class Spikes : EdgeJoining {
     };
 
     const EdgeUse& use_of(int use) const { return topology_.uses[static_cast<std::size_t>(use)]; }
-    int edge_of(int use) const { return use_of(use).edge; }
 
     bool remove_one(Loop& loop) {
         const std::size_t n = loop.uses.size();
@@ -92,8 +91,9 @@ class Spikes : EdgeJoining {
             return std::nullopt;
         }
         const bool same = sides.tips.empty() && along->distance <= own;
-        if (!same && !(others_open(sides) && std::all_of(sides.tips.begin(), sides.tips.end(),
-                                                         [&](int tip) { return leaves_corner_beside(tip); }))) {
+        if (!same &&
+            !(others_open(sides.shorter, sides.longer) &&
+              std::all_of(sides.tips.begin(), sides.tips.end(), [&](int tip) { return leaves_corner_beside(tip); }))) {
             return std::nullopt;
         }
         return Spike{sides, node, foot.t, within};
@@ -134,12 +134,6 @@ class Spikes : EdgeJoining {
         const std::optional<Vec3> into = conormal(sides.longer, foot.t);
         const Vec3 leaving = point_along(sides.beyond, sides.ascending) - foot.point;
         return into && angle_between(*into, leaving) <= 0.5 * M_PI - DetailCorners::kLeast;
-    }
-
-    /// Whether the faces on the other sides do not lie on each other, as those of a thin plate.
-    bool others_open(const Sides& sides) const {
-        const std::optional<double> angle = dihedral_angle(opposite_use(sides.shorter), opposite_use(sides.longer));
-        return angle && *angle >= DetailCorners::kLeast;
     }
 
     /// Whether the faces beyond the tip keep a corner where they lose its edge.
