@@ -56,15 +56,21 @@ class RoomSearch {
         const Vec3& p = mesh_.vertex(node).point;
         double radius = 1e300;
         Around around;
+        const bool any = std::any_of(pieces.begin(), pieces.end(), [&](int s) { return is_narrow(node, s); });
         for (const int s : pieces) {
             const auto& ends = mesh_.segment(s).vertices;
             const bool whole = mesh_.vertex(ends[0]).entity[0] == 0 && mesh_.vertex(ends[1]).entity[0] == 0;
-            radius = std::min(radius, (whole ? kOfWholeEdge : kOfPiece) * (end_of(s, 1) - end_of(s, 0)).norm());
+            const bool counts = !any || is_narrow(node, s);
+            if (counts) {
+                radius = std::min(radius, (whole ? kOfWholeEdge : kOfPiece) * (end_of(s, 1) - end_of(s, 0)).norm());
+            }
             if (mesh_.segment(s).uses.empty()) {
                 continue;
             }
             around.edges.insert(mesh_.segment(s).edge);
-            around.directions.push_back((end_of(s, ends[0] == node ? 1 : 0) - p).normalized());
+            if (counts) {
+                around.directions.push_back((end_of(s, ends[0] == node ? 1 : 0) - p).normalized());
+            }
             for (const ClassifiedMesh::SegmentUse& use : mesh_.segment(s).uses) {
                 around.faces.insert(face_of(use));
             }
@@ -80,6 +86,11 @@ class RoomSearch {
         std::set<int> faces;
         std::vector<Vec3> directions;  // unit vectors along its pieces
     };
+
+    bool is_narrow(int node, int segment) const {
+        const int end = mesh_.segment(segment).vertices[0] == node ? 0 : 1;
+        return narrowest_corner(mesh_, segment, end).angle < kNarrowCorner;
+    }
 
     const Vec3& end_of(int segment, int end) const { return mesh_.vertex(mesh_.segment(segment).vertices[end]).point; }
 

@@ -12,7 +12,8 @@ namespace mq::triangulate {
 constexpr double kNarrowed = 1.08;
 
 /// Returns the angle, radians, between the CAD edges of two segments at a vertex where both end; no value if one has
-/// no direction there.
+/// no direction there. Where the curves end beside the vertex, within its tolerance, it is the least that their chords
+/// may enclose for that.
 std::optional<double> angle_between_edges(const Workspace& work, int a, int b, int vertex);
 
 }  // namespace mq::triangulate
