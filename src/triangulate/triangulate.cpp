@@ -26,6 +26,7 @@
 #include "triangulate/refine/angle_refinement.h"
 #include "triangulate/refine/chord_refinement.h"
 #include "triangulate/refine/doubled_edges.h"
+#include "triangulate/refine/encroaching_vertices.h"
 #include "triangulate/refine/intersection_refinement.h"
 #include "triangulate/report/final_report.h"
 #include "triangulate/report/manifold_output.h"
@@ -143,12 +144,12 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     const int first = work.mesh.vertex_count();
     SegmentSplitter segments(work, options.insertion != Insertion::Paper);
     std::vector<int> touched;
+    remove_encroaching_vertices(work);
     use_interior_normals(work);
     separate_doubled_segments(work, segments, touched);
-    const double from = first_share(options);
-    const double middle = from + 0.34 * (0.9 - from);
+    const double middle = first_share(options) + 0.34 * (0.9 - first_share(options));
     const Sizing sizing = sizing_of(options, chord, work.session.topology());
-    work.progress.stage("refining angles", from, sizing.any() ? middle : 0.8);
+    work.progress.stage("refining angles", first_share(options), sizing.any() ? middle : 0.8);
     AngleRefinement refiner(work, segments, options.min_angle, options.insertion, chord);
     refiner.run();
     clock.end("angles");

@@ -67,4 +67,15 @@ std::vector<std::pair<int, int>> close_gaps(Workspace& work) {
     return moved;
 }
 
+void close_gaps(Workspace& work, std::vector<int>& touched) {
+    touched.erase(std::remove_if(touched.begin(), touched.end(), [&](int t) { return work.mesh.gone(t); }),
+                  touched.end());
+    const auto moved = close_gaps(work);
+    const int count = work.mesh.triangle_count();
+    touched.erase(std::remove_if(touched.begin(), touched.end(), [&](int t) { return t >= count; }), touched.end());
+    for (const auto& [from, to] : moved) {
+        touched.push_back(to);
+    }
+}
+
 }  // namespace mq::triangulate

@@ -228,14 +228,14 @@ bool ChordRefinement::run() {
     changed_ = false;
     for (int round = 0; round < kMaxRounds && !work_.over_budget(); ++round) {
         work_.progress.check();
-        const int before = work_.mesh.triangle_count();
+        const int before = work_.mesh.vertex_count();
         const std::vector<Violation> found = violations();
         work_.progress.check();
         if (found.empty()) {
             break;
         }
         split(found);
-        if (work_.mesh.triangle_count() == before) {
+        if (work_.mesh.vertex_count() == before) {
             break;
         }
         changed_ = true;

@@ -13,12 +13,14 @@ namespace mq::triangulate {
 
 namespace {
 
-// Radius of the innermost shell, in lengths of the edges' first pieces; an edge that is a single piece has a corner at
-// its other end, too. It is as large as possible: tangent edges separate with their distance from the node, and the
-// larger their distance at the end of the innermost piece, the longer may be the pieces beyond it, and the smaller is
-// the ratio of both lengths.
+// Radius of the innermost shell, in lengths of the first pieces of the edges that enclose a small input angle, or of
+// all edges where there is none; an edge that is a single piece has a corner at its other end, too. It is as large as
+// possible: tangent edges separate with their distance from the node, and the larger their distance at the end of the
+// innermost piece, the longer may be the pieces beyond it, and the smaller is the ratio of both lengths.
 constexpr double kOfPiece = 1.01;
 constexpr double kOfWholeEdge = 0.6;  // For an edge that is a single piece. Tuned on the corpus.
+// The same for an edge between two nodes with small input angles of which it is no side. Tuned on the corpus.
+constexpr double kBetweenTwo = 0.75;
 // Largest radius in distances from the node to the nearest vertex that does not belong to the corner, and to an edge
 // that passes by, both on a face beside the node: entities that are merely close in space, such as nodes of separate
 // bodies, do not restrict it. Tuned on the corpus.
@@ -48,27 +50,28 @@ std::vector<mesh::Triangle> borders_of(const ClassifiedMesh& mesh) {
 
 class RoomSearch {
   public:
-    explicit RoomSearch(const ClassifiedMesh& mesh)
-        : mesh_(mesh), points_(points_of(mesh)), borders_(borders_of(mesh)), tree_(points_, borders_) {}
+    // @param narrow  the vertices of nodes with a small input angle
+    RoomSearch(const ClassifiedMesh& mesh, const std::set<int>& narrow)
+        : mesh_(mesh),
+          narrow_(narrow),
+          points_(points_of(mesh)),
+          borders_(borders_of(mesh)),
+          tree_(points_, borders_) {}
 
     // Returns the radius of the innermost shell, mm. @param pieces  the segments that leave the node, ascending.
     double innermost(int node, const std::vector<int>& pieces) const {
         const Vec3& p = mesh_.vertex(node).point;
         double radius = 1e300;
         Around around;
-        const bool any = std::any_of(pieces.begin(), pieces.end(), [&](int s) { return is_narrow(node, s); });
         for (const int s : pieces) {
             const auto& ends = mesh_.segment(s).vertices;
-            const bool whole = mesh_.vertex(ends[0]).entity[0] == 0 && mesh_.vertex(ends[1]).entity[0] == 0;
-            const bool counts = !any || is_narrow(node, s);
-            if (counts) {
-                radius = std::min(radius, (whole ? kOfWholeEdge : kOfPiece) * (end_of(s, 1) - end_of(s, 0)).norm());
-            }
+            const bool narrow = narrow_.count(node) == 0 || is_narrow(node, s);
+            radius = std::min(radius, share_of_piece(s, narrow) * (end_of(s, 1) - end_of(s, 0)).norm());
             if (mesh_.segment(s).uses.empty()) {
                 continue;
             }
             around.edges.insert(mesh_.segment(s).edge);
-            if (counts) {
+            if (narrow) {
                 around.directions.push_back((end_of(s, ends[0] == node ? 1 : 0) - p).normalized());
             }
             for (const ClassifiedMesh::SegmentUse& use : mesh_.segment(s).uses) {
@@ -86,6 +89,17 @@ class RoomSearch {
         std::set<int> faces;
         std::vector<Vec3> directions;  // unit vectors along its pieces
     };
+
+    // Returns the largest radius in lengths of a first piece. Edges beside the small input angles limit it by their
+    // far nodes alone (clear_of_vertices), unless those have shells, too.
+    double share_of_piece(int segment, bool narrow) const {
+        const auto& ends = mesh_.segment(segment).vertices;
+        if (narrow) {
+            const bool whole = mesh_.vertex(ends[0]).entity[0] == 0 && mesh_.vertex(ends[1]).entity[0] == 0;
+            return whole ? kOfWholeEdge : kOfPiece;
+        }
+        return narrow_.count(ends[0]) > 0 && narrow_.count(ends[1]) > 0 ? kBetweenTwo : 1e300;
+    }
 
     bool is_narrow(int node, int segment) const {
         const int end = mesh_.segment(segment).vertices[0] == node ? 0 : 1;
@@ -146,6 +160,7 @@ class RoomSearch {
     }
 
     const ClassifiedMesh& mesh_;
+    const std::set<int>& narrow_;
     std::vector<Vec3> points_;
     std::vector<mesh::Triangle> borders_;
     mesh::AabbTree tree_;
@@ -172,7 +187,7 @@ CornerShells measure_room(const ClassifiedMesh& mesh) {
     CornerShells room{std::vector<double>(static_cast<std::size_t>(mesh.vertex_count()), 0.0),
                       {narrow.begin(), narrow.end()}};
     if (!pieces.empty()) {
-        const RoomSearch search(mesh);
+        const RoomSearch search(mesh, narrow);
         for (const auto& [node, segments] : pieces) {
             room.innermost[static_cast<std::size_t>(node)] = search.innermost(node, segments);
         }

@@ -119,7 +119,7 @@ void IntersectionRefinement::request(const Crossing& crossing, std::vector<SideT
 
 bool IntersectionRefinement::split(const std::vector<SideToSplit>& sides) {
     std::vector<int> touched;
-    const int before = work_.mesh.triangle_count();
+    const int before = work_.mesh.vertex_count();
     std::vector<Candidate> candidates;
     for (const SideToSplit& side : sides) {
         candidates.push_back(edge_middle_site(work_.mesh, side.half_edge));
@@ -137,7 +137,7 @@ bool IntersectionRefinement::split(const std::vector<SideToSplit>& sides) {
         }
     }
     segments_.run(touched);
-    return work_.mesh.triangle_count() > before;
+    return work_.mesh.vertex_count() > before;
 }
 
 bool IntersectionRefinement::run() {

@@ -7,7 +7,9 @@
 
 #include "base/predicates.h"
 #include "triangulate/operators/border_normals.h"
+#include "triangulate/operators/cavity_replacement.h"
 #include "triangulate/operators/vertex_insertion.h"
+#include "triangulate/refine/encroaching_vertices.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/surface_alignment.h"
 
@@ -158,9 +160,14 @@ void SegmentSplitter::run(std::vector<int>& touched) {
         for (const int s : now) {
             waiting_[s] = 0;
         }
-        const std::size_t before = touched.size();
-        split_batch(now, touched);
-        request_encroached_around(std::vector<int>(touched.begin() + before, touched.end()));
+        std::vector<int> changed;
+        split_batch(now, changed);
+        touched.insert(touched.end(), changed.begin(), changed.end());
+        if (work_.mesh.used_triangle_count() < work_.mesh.triangle_count()) {
+            close_gaps(work_, touched);
+            changed = touched;
+        }
+        request_encroached_around(changed);
     }
 }
 
@@ -220,6 +227,7 @@ void SegmentSplitter::split_batch(const std::vector<int>& segments, std::vector<
         next += uses;
     }
     for (const int s : halves) {  // only after the loop, since their mates may have been among these segments
+        remove_encroaching_vertices(work_, s, touched);
         enforce_equal_shells(s);
     }
 }

@@ -294,6 +294,7 @@ std::vector<std::pair<int, int>> ClassifiedMesh::compact() {
             corner_[3 * hole + k] = corner_[3 * last + k];
             put(3 * hole + k, take(3 * last + k));
         }
+        ++stamp_[last];
         moved.emplace_back(last, hole);
         drop_last_triangle();
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "triangulate/refine/corner_shells.h"
 
+#include <map>
+
 #include "triangulate/checks.h"
 
 /// Input angles smaller than any bound: refinement terminates, and only triangles in these corners are below the
@@ -89,6 +91,22 @@ TEST(Cusp, EndsWithABoundedNumberOfTriangles) {
             for (const auto& [t, why] : result.report.exempt) {
                 EXPECT_EQ(why.cause, Cause::NarrowCorner) << text_of(why);
             }
+        }
+    }
+}
+
+/// On the narrow side of a thin plate the innermost pieces of a cusp may be about as long as the plate is thick,
+/// however short the edges across it are.
+TEST(Cusp, OfAThinPlateHasLongPieces) {
+    const std::map<double, std::size_t> most = {{0.1, 3400}, {0.2, 1800}, {0.4, 800}};  // triangles by thickness
+    for (const auto& [thickness, triangles] : most) {
+        SCOPED_TRACE(thickness);
+        const Result result = mesh_of(geometry::make_shape_model(geometry::extruded(geometry::cusp(), thickness)));
+        expect_sound(result, 2, true);
+        expect_angles(result, 25.0);
+        EXPECT_LT(result.mesh.triangles.size(), triangles);
+        for (const auto& [t, why] : result.report.exempt) {
+            EXPECT_EQ(why.cause, Cause::NarrowCorner) << text_of(why);
         }
     }
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "triangulate/work_mesh/workspace.h"
+
+namespace mq::triangulate {
+
+/// Removes vertices inside faces that encroach upon a segment, where the triangles without them follow the surface
+/// (Chew 1993 does so whenever a segment is split): a vertex near the chord, or between it and its curve, would be
+/// arbitrarily close to the pieces of the segment, and the mesh be graded from there. Refinement puts none there.
+/// Appends changed triangles to `touched`. May leave unused triangle indices: see close_gaps.
+void remove_encroaching_vertices(Workspace& work, int segment, std::vector<int>& touched);
+
+/// The same for all segments of the initial triangulation. Leaves no unused triangle indices.
+void remove_encroaching_vertices(Workspace& work);
+
+}  // namespace mq::triangulate
