@@ -21,10 +21,12 @@ constexpr double kOfPiece = 1.01;
 constexpr double kOfWholeEdge = 0.6;  // For an edge that is a single piece. Tuned on the corpus.
 // The same for an edge between two nodes with small input angles of which it is no side. Tuned on the corpus.
 constexpr double kBetweenTwo = 0.75;
-// Largest radius in distances from the node to the nearest vertex that does not belong to the corner, and to an edge
-// that passes by, both on a face beside the node: entities that are merely close in space, such as nodes of separate
-// bodies, do not restrict it. Tuned on the corpus.
+// Largest radius in distances from the node to the nearest vertex that does not belong to the corner, on a face beside
+// the node: entities that are merely close in space, such as nodes of separate bodies, do not restrict it. Tuned on the
+// corpus.
 constexpr double kRoom = 0.9;
+// The same to an edge that passes by. Tuned on the parts to develop on.
+constexpr double kPassing = 1.2;
 // Least distance of an edge from the middle of an innermost piece, in lengths of the piece: the radius is halved until
 // it is reached. Tuned on the corpus.
 constexpr double kBesideEdge = 0.3;
@@ -129,7 +131,7 @@ class RoomSearch {
                 continue;
             }
             const auto room_at = [&](const Vec3& q) { return distance_to_segment(q, end_of(s, 0), end_of(s, 1)); };
-            radius = std::min(radius, kRoom * room_at(p));
+            radius = std::min(radius, kPassing * room_at(p));
             for (const Vec3& d : around.directions) {
                 for (int n = 0; n < kMaxHalvings && room_at(p + 0.5 * radius * d) < kBesideEdge * radius; ++n) {
                     radius *= 0.5;
