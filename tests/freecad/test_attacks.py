@@ -98,7 +98,7 @@ class RefusedAtOnce(unittest.TestCase):
         matrix = FreeCAD.Matrix()
         matrix.scale(20, 0.05, -1)
         report = mq.triangulate(blade.transformGeometry(matrix)).report
-        self.assertGreater(len(report.exempt), 1000)
+        self.assertGreater(len(report.exempt), 500)  # or the case shows nothing
         self.assertLess(report.queries, 15 * report.triangles)
 
     def test_distances_to_a_surface_of_many_spans(self):
