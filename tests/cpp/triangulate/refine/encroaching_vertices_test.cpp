@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <set>
+#include <vector>
+
 #include "base/predicates.h"
 #include "triangulate/checks.h"
+#include "triangulate/operators/cavity_replacement.h"
 
 namespace mq::triangulate {
 namespace {
@@ -39,6 +44,28 @@ TEST(EncroachingVertices, AreRemovedFromTheInitialTriangulation) {
         EXPECT_TRUE(pipeline.maxmin.doubled_edges().empty());
     }
     EXPECT_LT(after, before / 2);
+}
+
+/// Removals leave unused indices, into which the last triangles move: a list of all triangles must still name each.
+TEST(EncroachingVertices, ListsOfTrianglesFollowThoseThatMove) {
+    std::size_t unused = 0;
+    for (const geometry::Part& part : geometry::all_parts()) {
+        SCOPED_TRACE(part.name);
+        Pipeline pipeline(part.model);
+        const ClassifiedMesh& mesh = pipeline.surface;
+        std::vector<int> touched(static_cast<std::size_t>(mesh.triangle_count()));
+        std::iota(touched.begin(), touched.end(), 0);
+        for (int s = 0; s < mesh.segment_count(); ++s) {
+            remove_encroaching_vertices(pipeline.work, s, touched);
+        }
+        unused += static_cast<std::size_t>(mesh.triangle_count() - mesh.used_triangle_count());
+        close_gaps(pipeline.work, touched);
+        const std::set<int> named(touched.begin(), touched.end());
+        EXPECT_EQ(named.size(), static_cast<std::size_t>(mesh.triangle_count()));
+        EXPECT_EQ(*named.rbegin(), mesh.triangle_count() - 1);
+        EXPECT_EQ(mesh.inconsistency(), "");
+    }
+    EXPECT_GT(unused, 0u);
 }
 
 }  // namespace
