@@ -71,6 +71,25 @@ class Curve(helpers.DocumentTest):
             self.assertEqual(any(" mm from the edges or faces at it" in note for note in report.notes),
                              tolerance > 0.1, report.notes)
 
+    def test_a_face_that_is_no_surface_is_curved_once(self):
+        """An edge passes a pole within its tolerance, so that the border of the sphere crosses itself there. Finer
+        straight meshes had the same faults: it took more than eight minutes."""
+        vector = FreeCAD.Vector
+        shape = Part.makeTorus(6.904106579070936, 2.6846184789235075,
+                               vector(1.539621748422821, -2.0005066543523506, -1.1986734052493118))
+        shape = shape.fuse(Part.makeCone(5.040417438873876, 2.4530821666853564, 5.3380489538378,
+                                         vector(2.0633736270267553, -1.3518398557275502, -2.924825234366649)))
+        shape = shape.fuse(Part.makeSphere(3.0448445275314255,
+                                           vector(-1.8059738289441531, 2.295044007007795, -1.978543863553714)))
+        stages = []
+        report = mq.curve(shape, order=2, chord_height_relative=0.05,
+                          progress=lambda _, stage: stages.append(stage) or True).report
+        straight = mq.triangulate(shape, min_angle=20, chord_height_relative=0.05).report
+        self.assertEqual(straight.oriented, report.invalid == 0, f"{straight}{report}")
+        runs = sum(1 for i, stage in enumerate(stages) if stage == "classifying" and stages[i - 1] != stage)
+        self.assertLessEqual(runs, 1 if report.invalid else 4, stages)
+        self.assertEqual(any("finer one was not tried" in note for note in report.notes), report.invalid > 0)
+
     def test_what_has_no_volume_has_no_volume_error(self):
         report = mq.curve(Part.makePlane(10, 10)).report
         self.assertEqual((report.volume, report.cad_volume, report.volume_error), (0.0, 0.0, -1.0))

@@ -175,10 +175,10 @@ class BestTriangulation {
             candidates.push_back(surface.add_triangle(corners, face()));
         }
         editor_.placement.place(candidates);
-        for (std::size_t i = 0; i < slots.size(); ++i) {
+        for (std::size_t i = slots.size(); i-- > 0;) {
             quality_[slots[i]] = editor_.triangle(candidates[i]).quality;
             surface.shapes.forget_face(editor_.triangle(candidates[i]).corners);
-            surface.remove_triangle(candidates[i]);
+            surface.withdraw_triangle();
         }
         for (const auto& [a, b] : fresh) {
             surface.shapes.forget_edge(a, b);

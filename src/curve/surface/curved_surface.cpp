@@ -32,6 +32,11 @@ void CurvedSurface::remove_triangle(int triangle) {
     }
 }
 
+void CurvedSurface::withdraw_triangle() {
+    remove_triangle(static_cast<int>(triangles.size()) - 1);
+    triangles.pop_back();
+}
+
 void CurvedSurface::revive_triangle(int triangle) {
     SurfaceTriangle& t = triangles[static_cast<std::size_t>(triangle)];
     t.alive = true;

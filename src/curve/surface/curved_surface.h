@@ -53,6 +53,8 @@ class CurvedSurface {
 
     int add_triangle(const std::array<int, 3>& corners, int face);
     void remove_triangle(int triangle);
+    /// Takes back the last call of `add_triangle` that was not taken back.
+    void withdraw_triangle();
     void revive_triangle(int triangle);
     /// Living triangles with both vertices.
     std::vector<int> triangles_of_edge(int a, int b) const;

@@ -151,9 +151,9 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
 
 void SurfaceEditor::take_back(const std::vector<int>& removed, const std::vector<int>& added,
                               const std::vector<std::pair<int, int>>& fresh_edges) {
-    for (const int t : added) {
-        surface.shapes.forget_face(triangle(t).corners);
-        surface.remove_triangle(t);
+    for (auto t = added.rbegin(); t != added.rend(); ++t) {
+        surface.shapes.forget_face(triangle(*t).corners);
+        surface.withdraw_triangle();
     }
     for (const int t : removed) {
         surface.revive_triangle(t);

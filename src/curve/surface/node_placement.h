@@ -81,9 +81,16 @@ class Placement {
         }
         void close(std::vector<Vec3>& inner_nodes) const;
     };
-    bool has_gap(const SurfaceTriangle& triangle, const std::array<Vec2, 3>& uv);
-    Gaps gaps(int a, int b, const geometry::Query& at_a, const geometry::Query& at_b);
-    Gaps inner_gaps(const InnerEdge& edge, bool project);
+    /// A mesh edge with the queries of the CAD points at its ends.
+    struct Ends {
+        int a;
+        int b;
+        geometry::Query at_a;
+        geometry::Query at_b;
+    };
+    std::vector<Gaps> gaps(const std::vector<Ends>& edges);
+    Ends ends_of(const InnerEdge& edge, bool project) const;
+    std::vector<bool> have_gaps(const std::vector<int>& triangles, const std::vector<std::array<Vec2, 3>>& uv);
     const Vec3& point(int v) const { return surface_.shapes.vertices[static_cast<std::size_t>(v)].point; }
     geometry::Query node_query(const InnerEdge& edge, double s, bool project) const;
     void space_evenly(std::vector<InnerEdge>& edges);

@@ -38,15 +38,33 @@ void Placement::Gaps::close(std::vector<Vec3>& inner_nodes) const {
     }
 }
 
-/// @param at_a, at_b the queries of the CAD points at the ends.
-Placement::Gaps Placement::gaps(int a, int b, const Query& at_a, const Query& at_b) {
-    const auto gap_at = [&](int v, const Query& at) -> Vec3 {
-        const Answer answer = surface_.off_cad.count(v) > 0 ? session_.ask(at) : Answer();
+/// One batch for all of them: each query by itself would cost a change of thread.
+std::vector<Placement::Gaps> Placement::gaps(const std::vector<Ends>& edges) {
+    const auto off = [&](int v) { return surface_.off_cad.count(v) > 0; };
+    std::vector<Query> batch;
+    for (const Ends& ends : edges) {
+        if (off(ends.a)) {
+            batch.push_back(ends.at_a);
+        }
+        if (off(ends.b)) {
+            batch.push_back(ends.at_b);
+        }
+    }
+    const auto answers = batch.empty() ? std::vector<Answer>() : session_.ask(std::move(batch));
+    std::size_t next = 0;
+    const auto gap_at = [&](int v) -> Vec3 {
+        const Answer answer = off(v) ? answers[next++] : Answer();
         return answer.found() ? Vec3(point(v) - answer.point) : Vec3::Zero();
     };
-    Gaps found{gap_at(a, at_a), gap_at(b, at_b)};
-    found.none = std::max(found.at_a.norm(), found.at_b.norm()) <= kGap * (point(b) - point(a)).norm();
-    return found;
+    std::vector<Gaps> result;
+    for (const Ends& ends : edges) {
+        Gaps found;
+        found.at_a = gap_at(ends.a);
+        found.at_b = gap_at(ends.b);
+        found.none = std::max(found.at_a.norm(), found.at_b.norm()) <= kGap * (point(ends.b) - point(ends.a)).norm();
+        result.push_back(found);
+    }
+    return result;
 }
 
 bool Placement::may_be_off_cad(int vertex) const {
@@ -134,18 +152,23 @@ void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
         }
         at = session_.ask(points);
     }
+    std::vector<Ends> ends;
+    for (const EdgeTask& task : tasks) {
+        const Segment& s = *surface_.segment(task.a, task.b);
+        ends.push_back({task.a, task.b, Query::edge_point(s.edge, s.t_low), Query::edge_point(s.edge, s.t_high)});
+    }
+    const std::vector<Gaps> open = gaps(ends);
     std::vector<Vec3> nodes;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
+        const std::size_t which = i / static_cast<std::size_t>(q - 1);
         if (!at[i].found()) {
             throw GeometryError("no point on " + session_.topology().name_of({1, points[i].index}) + " at parameter " +
                                 std::to_string(points[i].t) + ": repair the edge");
         }
         nodes.push_back(at[i].point);
         if (nodes.size() == static_cast<std::size_t>(q - 1)) {
-            const Segment& s = *surface_.segment(task.a, task.b);
-            gaps(task.a, task.b, Query::edge_point(s.edge, s.t_low), Query::edge_point(s.edge, s.t_high)).close(nodes);
-            set_edge_nodes(task.a, task.b, nodes);
+            open[which].close(nodes);
+            set_edge_nodes(tasks[which].a, tasks[which].b, nodes);
             nodes.clear();
         }
     }
@@ -171,14 +194,15 @@ Query Placement::node_query(const InnerEdge& edge, double s, bool project) const
                    : Query::face_point(edge.task.face, uv.x(), uv.y());
 }
 
-Placement::Gaps Placement::inner_gaps(const InnerEdge& edge, bool project) {
-    return gaps(edge.task.a, edge.task.b, node_query(edge, 0.0, project), node_query(edge, 1.0, project));
+Placement::Ends Placement::ends_of(const InnerEdge& edge, bool project) const {
+    return {edge.task.a, edge.task.b, node_query(edge, 0.0, project), node_query(edge, 1.0, project)};
 }
 
 void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
     const int q = surface_.shapes.order();
     std::vector<InnerEdge> edges;
     std::vector<Query> batch;
+    std::vector<Ends> ends;
     for (const EdgeTask& task : tasks) {
         InnerEdge edge{task, *surface_.uv_of(task.a, task.face), Vec2::Zero(), true, {}, {}};
         edge.to = unwrapped(task.b, task.face, edge.from);
@@ -189,11 +213,15 @@ void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
             batch.push_back(node_query(edge, edge.s.back(), true));
             batch.push_back(node_query(edge, edge.s.back(), false));
         }
+        ends.push_back(ends_of(edge, true));
+        ends.push_back(ends_of(edge, false));
         edges.push_back(std::move(edge));
     }
     const auto answers = session_.ask(std::move(batch));
+    const std::vector<Gaps> open = gaps(ends);  // of each edge by projection and by parameters
     std::size_t next = 0;
-    for (InnerEdge& edge : edges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        InnerEdge& edge = edges[i];
         std::array<std::vector<Vec3>, 2> ways;
         std::array<bool, 2> found{true, true};
         for (int k = 1; k < q; ++k) {
@@ -204,18 +232,17 @@ void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
         }
         const Vec3& a = point(edge.task.a);
         const Vec3& b = point(edge.task.b);
-        std::array<Gaps, 2> open;
         for (std::size_t way = 0; way < 2; ++way) {
-            open[way] = inner_gaps(edge, way == 0);
-            open[way].close(ways[way]);
+            open[2 * i + way].close(ways[way]);
         }
         if (!found[0] && !found[1]) {
             throw GeometryError("no points of " + session_.topology().name_of({2, edge.task.face}) +
                                 " for a mesh edge on it");
         }
         edge.project = found[0] && (!found[1] || unevenness(a, ways[0], b) <= unevenness(a, ways[1], b) * (1.0 + 1e-6));
-        edge.nodes = ways[edge.project ? 0 : 1];
-        edge.gaps = open[edge.project ? 0 : 1];
+        const std::size_t chosen = edge.project ? 0 : 1;
+        edge.nodes = ways[chosen];
+        edge.gaps = open[2 * i + chosen];
     }
     for (int round = 0; round < kEvenRounds && q > 2; ++round) {
         space_evenly(edges);
@@ -280,7 +307,7 @@ void Placement::set_warped(int a, int b, double by, int degree) {
         }
         nodes.push_back(answer.point);
     }
-    gaps(a, b, Query::edge_point(segment.edge, t_a), Query::edge_point(segment.edge, t_b)).close(nodes);
+    gaps({{a, b, Query::edge_point(segment.edge, t_a), Query::edge_point(segment.edge, t_b)}}).front().close(nodes);
     // The polynomial of the lower degree at the nodes of the mesh's order.
     nodes.insert(nodes.begin(), surface_.shapes.vertices[static_cast<std::size_t>(a)].point);
     nodes.push_back(surface_.shapes.vertices[static_cast<std::size_t>(b)].point);
@@ -322,7 +349,7 @@ bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
             }
             nodes[i] = answers[i].point;
         }
-        inner_gaps({{a, b, face}, from, to, true, {}, {}, {}}, true).close(nodes);
+        gaps({ends_of({{a, b, face}, from, to, true, {}, {}, {}}, true)}).front().close(nodes);
     }
     set_edge_nodes(a, b, nodes);
     return true;
