@@ -103,52 +103,45 @@ std::array<Vec2, 3> Placement::corner_uv(const SurfaceTriangle& triangle) const 
     return uv;
 }
 
-/// Whether corners of each triangle deviate from its face, or from the points of their (u, v).
-std::vector<bool> Placement::have_gaps(const std::vector<int>& triangles, const std::vector<std::array<Vec2, 3>>& uv) {
+/// The curved triangles whose corners lie on their faces at their (u, v). The others are blended from their edges: in a
+/// plane these lie in it, and at a gap they leave the face.
+std::vector<Placement::FaceTask> Placement::triangles_on_faces(const std::vector<int>& triangles) {
+    std::vector<FaceTask> curved;
     std::vector<Ends> sides;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(triangles[i])];
-        const auto corner = [&](std::size_t k) { return Query::face_point(triangle.face, uv[i][k].x(), uv[i][k].y()); };
+    for (const int t : triangles) {
+        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+        if (planar(triangle.face)) {
+            continue;
+        }
+        surface_.shapes.forget_face(triangle.corners);
+        curved.push_back({t, corner_uv(triangle)});
+        const std::array<Vec2, 3>& uv = curved.back().uv;
+        const auto corner = [&](std::size_t k) { return Query::face_point(triangle.face, uv[k].x(), uv[k].y()); };
         for (std::size_t k = 0; k < 3; ++k) {
             const std::size_t next = (k + 1) % 3;
             sides.push_back({triangle.corners[k], triangle.corners[next], corner(k), corner(next)});
         }
     }
-    const std::vector<Gaps> found = gaps(sides);
-    std::vector<bool> result(triangles.size(), false);
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        result[i / 3] = result[i / 3] || !found[i].none;
+    const std::vector<Gaps> open = gaps(sides);
+    std::vector<FaceTask> result;
+    for (std::size_t i = 0; i < curved.size(); ++i) {
+        if (open[3 * i].none && open[3 * i + 1].none && open[3 * i + 2].none) {
+            result.push_back(curved[i]);
+        }
     }
     return result;
 }
 
 void Placement::place_faces(const std::vector<int>& triangles, bool by_parameters) {
     const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
-    std::vector<int> curved;
-    std::vector<std::array<Vec2, 3>> corners;
-    for (const int t : triangles) {
-        const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
-        if (!planar(triangle.face)) {  // a face blended from its edges lies in the plane
-            surface_.shapes.forget_face(triangle.corners);
-            curved.push_back(t);
-            corners.push_back(corner_uv(triangle));
-        }
-    }
-    const std::vector<bool> gap = have_gaps(curved, corners);
+    const std::vector<FaceTask> tasks = triangles_on_faces(triangles);
     std::vector<Query> batch;
     std::vector<std::vector<Vec3>> all;
-    std::vector<int> tasks;
-    for (std::size_t j = 0; j < curved.size(); ++j) {
-        if (gap[j]) {
-            continue;  // the face is blended from its edges, which leave the CAD face
-        }
-        const int t = curved[j];
+    for (const auto& [t, uv] : tasks) {
         const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
-        const std::array<Vec2, 3>& uv = corners[j];
         std::vector<Vec3> control;
         surface_.shapes.triangle(triangle.corners, control);
         all.push_back(bezier_to_nodes(lattice, control));
-        tasks.push_back(t);
         for (int i = 0; i < lattice.size(); ++i) {
             if (lattice.carriers(i) < 3) {
                 continue;
@@ -180,7 +173,7 @@ void Placement::place_faces(const std::vector<int>& triangles, bool by_parameter
                 inner.push_back(control[static_cast<std::size_t>(i)]);
             }
         }
-        surface_.shapes.set_face(surface_.triangles[static_cast<std::size_t>(tasks[k])].corners, inner);
+        surface_.shapes.set_face(surface_.triangles[static_cast<std::size_t>(tasks[k].triangle)].corners, inner);
     }
 }
 

@@ -90,7 +90,13 @@ class Placement {
     };
     std::vector<Gaps> gaps(const std::vector<Ends>& edges);
     Ends ends_of(const InnerEdge& edge, bool project) const;
-    std::vector<bool> have_gaps(const std::vector<int>& triangles, const std::vector<std::array<Vec2, 3>>& uv);
+    /// A triangle with the (u, v) of its corners on its face.
+    struct FaceTask {
+        int triangle;
+        std::array<Vec2, 3> uv;
+    };
+    std::vector<FaceTask> triangles_on_faces(const std::vector<int>& triangles);
+    std::vector<Gaps> segment_gaps(const std::vector<EdgeTask>& tasks);
     const Vec3& point(int v) const { return surface_.shapes.vertices[static_cast<std::size_t>(v)].point; }
     geometry::Query node_query(const InnerEdge& edge, double s, bool project) const;
     void space_evenly(std::vector<InnerEdge>& edges);

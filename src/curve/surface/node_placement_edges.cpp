@@ -112,6 +112,15 @@ void Placement::set_edge_nodes(int a, int b, const std::vector<Vec3>& nodes) {
     surface_.shapes.set_edge(a, b, {control.begin() + 1, control.end() - 1});
 }
 
+std::vector<Placement::Gaps> Placement::segment_gaps(const std::vector<EdgeTask>& tasks) {
+    std::vector<Ends> ends;
+    for (const EdgeTask& task : tasks) {
+        const Segment& s = *surface_.segment(task.a, task.b);
+        ends.push_back({task.a, task.b, Query::edge_point(s.edge, s.t_low), Query::edge_point(s.edge, s.t_high)});
+    }
+    return gaps(ends);
+}
+
 void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
     const int q = surface_.shapes.order();
     std::vector<Query> points;
@@ -152,12 +161,7 @@ void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
         }
         at = session_.ask(points);
     }
-    std::vector<Ends> ends;
-    for (const EdgeTask& task : tasks) {
-        const Segment& s = *surface_.segment(task.a, task.b);
-        ends.push_back({task.a, task.b, Query::edge_point(s.edge, s.t_low), Query::edge_point(s.edge, s.t_high)});
-    }
-    const std::vector<Gaps> open = gaps(ends);
+    const std::vector<Gaps> open = segment_gaps(tasks);
     std::vector<Vec3> nodes;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t which = i / static_cast<std::size_t>(q - 1);
@@ -218,7 +222,7 @@ void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
         edges.push_back(std::move(edge));
     }
     const auto answers = session_.ask(std::move(batch));
-    const std::vector<Gaps> open = gaps(ends);  // of each edge by projection and by parameters
+    const std::vector<Gaps> open = gaps(ends);
     std::size_t next = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         InnerEdge& edge = edges[i];
