@@ -312,6 +312,15 @@ class Exemptions(unittest.TestCase):
         self.assertIn(f"{count} triangles below the limit, same cause", str(report))
 
 
+    def test_a_wall_of_a_micrometre_is_refined_to_its_thickness(self):
+        """Triangles between its edges are crowded until the edges have been divided: 292 of 76,502 missed the bound."""
+        box = Part.makeBox(8, 10, 5)
+        pocket = Part.makeBox(9, 6, 4, FreeCAD.Vector(0.251, 5, 2))
+        report = mq.triangulate(box.makeFillet(0.25, box.Edges).cut(pocket), min_angle=29.7, chord_height=0.05).report
+        self.assertEqual((len(report.exempt), report.self_intersections), (0, 0), str(report))
+        self.assertTrue(report.closed and report.manifold)
+        self.assertLess(report.triangles, 120000)
+
     def test_pieces_that_only_touch_do_not_narrow_each_others_corners(self):
         lens = Part.Face(Part.Wire([Part.Arc(*(FreeCAD.Vector(*p) for p in points)).toShape()
                                     for points in (((0, 0, 0), (10, 3, 0), (20, 0, 0)),

@@ -17,9 +17,10 @@ constexpr std::size_t kBetweenLooks = 32;
 constexpr std::size_t kLooked = 32;  // Divisor of the number of exempt triangles; see above.
 constexpr double kRise = 2.0;        // Factor by which a floor is raised.
 
-bool for_want_of_room(Cause cause) {
-    return cause == Cause::Resolution || cause == Cause::FaceFloorRaised || cause == Cause::Crowded ||
-           cause == Cause::Fold;
+// Triangles that are crowded or would fold are none of these: along a narrow face many of them are given up until its
+// borders have been divided, and are good afterwards.
+bool for_want_of_resolution(Cause cause) {
+    return cause == Cause::Resolution || cause == Cause::FaceFloorRaised;
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ void FaceSizeFloors::look(std::size_t added) {
     added_ = 0;
     std::map<int, std::size_t> given_up;
     for (const auto& [triangle, exemption] : work_.exempt) {
-        if (for_want_of_room(exemption.cause) && work_.exemption_of(triangle) != nullptr) {
+        if (for_want_of_resolution(exemption.cause) && work_.exemption_of(triangle) != nullptr) {
             ++given_up[work_.mesh.face_of(triangle)];
         }
     }

@@ -13,7 +13,7 @@ namespace mq::triangulate {
 ///
 /// Where a surface has a singular point inside a face, or a face is narrower than the resolution of single precision,
 /// no triangulation has good angles: triangles become exempt at the resolution, and their neighbourhood is refined to
-/// their size, which takes millions of triangles. So the more triangles of a face are exempt for lack of room, the
+/// their size, which takes millions of triangles. So the more triangles of a face are exempt at the resolution, the
 /// larger is the least distance on it.
 class FaceSizeFloors {
   public:

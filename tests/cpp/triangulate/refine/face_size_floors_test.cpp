@@ -29,11 +29,14 @@ TEST(FaceSizeFloors, RiseWithTheTrianglesThatAreGivenUp) {
     EXPECT_EQ(floors.of(0), lowest) << "tips have as many";
     give_up(100, 300, Cause::NarrowCorner);
     EXPECT_EQ(floors.of(0), lowest) << "these angles belong to the part";
-    give_up(100, 200, Cause::Resolution);
+    give_up(100, 250, Cause::Resolution);
     EXPECT_EQ(floors.of(0), 2.0 * lowest);
-    give_up(0, 200, Cause::Resolution);
+    give_up(100, 250, Cause::Resolution);
     EXPECT_EQ(floors.of(0), 2.0 * lowest) << "the same ones again";
-    give_up(200, 300, Cause::Fold);
+    give_up(250, 400, Cause::Fold);
+    give_up(400, pipeline.surface.triangle_count(), Cause::Crowded);
+    EXPECT_EQ(floors.of(0), 2.0 * lowest) << "a narrow face has many of these until its border is divided";
+    give_up(250, 350, Cause::Resolution);
     EXPECT_EQ(floors.of(0), 4.0 * lowest);
     EXPECT_EQ(floors.of(1), lowest);
 }
