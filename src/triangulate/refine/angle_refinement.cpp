@@ -21,7 +21,8 @@ constexpr std::size_t kMinRound = 32;    // Least number of sites in a round. Tu
 constexpr std::size_t kPartOfQueue = 8;  // Divisor of the queue's length. Tuned on the corpus.
 constexpr int kMaxRetries = 6;           // Times that exempt triangles are tried again. Tuned on the corpus.
 // Insertions closer than the triangle's shortest edge in the ancestry of a vertex; see crowded(). Tuned on the corpus:
-// at 0 four parts of 497 more miss the bound, at 6 rods of 50 diameters do, at 24 or without a limit some triangles more.
+// at 0 four parts of 497 more miss the bound, at 6 rods of 50 diameters do, at 24 or without a limit some triangles
+// more.
 constexpr int kMaxShrinks = 8;
 // Least distance of such an insertion as a fraction of the shortest edge. Tuned on the corpus.
 constexpr double kMaxShrink = 0.5;
