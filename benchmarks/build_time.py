@@ -32,7 +32,7 @@ def group_of(path):
 def command_of(entry):
     """The compiler's command without ccache, to /dev/null."""
     words = shlex.split(entry["command"])
-    words = words[1:] if words[0].endswith("ccache") else words
+    words = words[next((i + 1 for i, word in enumerate(words) if word.endswith("ccache")), 0):]
     words[words.index("-o") + 1] = "/dev/null"
     return words
 

@@ -12,6 +12,7 @@
 #include "curve/bezier/validity.h"
 #include "curve/curve.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "paths.h"
 #include "triangulate/triangulate.h"
 
 /// Makes curved meshes, and checks the properties of every one, measured from its nodes alone.
@@ -19,7 +20,7 @@ namespace mq::curve {
 
 /// Sets the program for fillings; call it before anything is filled.
 inline void use_fill_program() {
-    set_fill_program(MESHQUALITY_FILL_PROGRAM);
+    set_fill_program(fill_program());
 }
 
 inline CurvedMesh curved(const std::shared_ptr<geometry::Model>& model, const CurveOptions& options,

@@ -26,6 +26,7 @@
 #include "geometry/analytic/analytic_model.h"
 #include "geometry/occt/brep_text.h"
 #include "geometry/shapes.h"
+#include "paths.h"
 
 /// The shapes on which triangulations are tested.
 namespace mq::geometry {
@@ -162,7 +163,7 @@ inline TopoDS_Shape scaled(const TopoDS_Shape& shape, double factor) {
 
 /// A shape that a modeler made and wrote, from the folder beside this header.
 inline TopoDS_Shape stored(const std::string& name) {
-    std::ifstream file(std::string(MESHQUALITY_STORED_PARTS "/") + name + ".brep");
+    std::ifstream file(stored_parts() + "/" + name + ".brep");
     EXPECT_TRUE(file) << name;
     std::ostringstream text;
     text << file.rdbuf();

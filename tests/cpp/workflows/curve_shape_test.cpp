@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "paths.h"
 #include "workflows/triangulate_shape.h"
 
 namespace mq::workflows {
@@ -16,7 +17,7 @@ namespace {
 
 class Curving : public testing::Test {
   protected:
-    static void SetUpTestSuite() { curve::set_fill_program(MESHQUALITY_FILL_PROGRAM); }
+    static void SetUpTestSuite() { curve::set_fill_program(fill_program()); }
 
     geometry::Engine engine{geometry::Engine::Mode::Direct};
     Progress progress;

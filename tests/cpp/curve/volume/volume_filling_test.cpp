@@ -15,6 +15,7 @@
 #include "curve/checks.h"
 #include "curve/placed_surface.h"
 #include "geometry/occt/shape_model.h"
+#include "paths.h"
 
 namespace mq::curve {
 namespace {
@@ -148,8 +149,8 @@ TEST_F(BestFilling, BesideFoldedTrianglesAnotherIsTried) {
 class FillsOnce {
   public:
     FillsOnce() {
-        std::ofstream(path_) << "#!/bin/sh\n[ -e \"$0.used\" ] && exit 1\n: >\"$0.used\"\nexec '"
-                             << MESHQUALITY_FILL_PROGRAM << "'\n";
+        std::ofstream(path_) << "#!/bin/sh\n[ -e \"$0.used\" ] && exit 1\n: >\"$0.used\"\nexec '" << fill_program()
+                             << "'\n";
         chmod(path_.c_str(), 0755);
         set_fill_program(path_);
     }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/child_process.h"
+#include "paths.h"
 
 namespace mq::curve {
 namespace {
@@ -16,7 +17,7 @@ struct Cube {
         for (int i = 0; i < 8; ++i) {
             points.emplace_back(i & 1, (i >> 1) & 1, (i >> 2) & 1);
         }
-        set_fill_program(MESHQUALITY_FILL_PROGRAM);
+        set_fill_program(fill_program());
     }
 };
 

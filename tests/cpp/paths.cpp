@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "paths.h"
+
+namespace mq {
+
+std::string stored_parts() {
+    return MESHQUALITY_STORED_PARTS;
+}
+
+std::string fill_program() {
+    return MESHQUALITY_FILL_PROGRAM;
+}
+
+}  // namespace mq
