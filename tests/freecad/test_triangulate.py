@@ -312,6 +312,13 @@ class Exemptions(unittest.TestCase):
         self.assertIn(f"{count} triangles below the limit, same cause", str(report))
 
 
+    def test_faces_that_touch_along_an_edge_do_not_cross(self):
+        """Splitting the triangles of both faces led to the same crossings at half the size, down to single precision."""
+        ball = Part.makeSphere(5, FreeCAD.Vector(), FreeCAD.Vector(-1, 0, 0), -90, 90, 360)
+        for chord_height in (0.4, 0.28):
+            report = mq.triangulate(Part.makeCylinder(5, 5).cut(ball), chord_height=chord_height).report
+            self.assertEqual((report.self_intersections, len(report.exempt)), (0, 0), str(report))
+
     def test_a_wall_of_a_micrometre_is_refined_to_its_thickness(self):
         """Triangles between its edges are crowded until the edges have been divided: 292 of 76,502 missed the bound."""
         box = Part.makeBox(8, 10, 5)

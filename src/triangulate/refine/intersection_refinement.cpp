@@ -14,9 +14,6 @@ using geometry::Query;
 
 // Depth of a crossing in heights of both triangles over their surfaces: deeper crossings are not caused by chords.
 constexpr double kDeeper = 2.0;
-// The triangle whose side is higher over its surface is split, and the other one if its height is at least this
-// fraction. Tuned on the corpus.
-constexpr double kAsHigh = 0.5;
 // Sides with a smaller height over the surface, in resolutions of single precision, count as exact.
 constexpr double kExact = 4.0;
 
@@ -107,11 +104,14 @@ std::map<int, IntersectionRefinement::Side> IntersectionRefinement::highest_side
     return result;
 }
 
+// The side that is higher over its surface, or both if they are equally high. Where two faces touch along an edge,
+// their first rows of triangles are apart only while neither is much coarser: if both were split, they would cross as
+// before at half the size.
 void IntersectionRefinement::request(const Crossing& crossing, std::vector<SideToSplit>& sides) const {
     const double higher = std::max(crossing.sides[0].height, crossing.sides[1].height);
     for (int i = 0; i < 2; ++i) {
         const Side& side = crossing.sides[i];
-        if (side.height >= kAsHigh * higher && side.height > kExact * work_.grid.resolution()) {
+        if (side.height >= higher && side.height > kExact * work_.grid.resolution()) {
             sides.push_back({side.half_edge, work_.mesh.stamp(crossing.pair[i])});
         }
     }
