@@ -39,10 +39,10 @@ void refine_for_validity(triangulate::TriangulateOptions& options) {
     }
 }
 
-/// Whether triangles lie on one another or run against each other, as where the border of a CAD face crosses itself: a
-/// finer straight mesh has the same faults, and curving cannot repair them.
-bool is_no_surface(const mesh::MeshReport& straight) {
-    return straight.misoriented_edges > 0 || straight.duplicate_triangles > 0;
+/// Whether triangles lie on one another, as where the border of a CAD face crosses itself. Finer straight meshes lie on
+/// themselves there, too, and curving cannot repair it.
+bool lies_on_itself(const mesh::MeshReport& straight) {
+    return !straight.oriented || straight.duplicate_triangles > 0;
 }
 
 /// @param asked the deviation that was requested of the first straight mesh, mm; taken from the first one
@@ -72,7 +72,7 @@ CurvedMesh best_of_attempts(geometry::Engine& engine, const std::shared_ptr<geom
             if (!best || mesh.report.invalid < best->report.invalid) {
                 best = std::move(mesh);
             }
-            if (best->report.invalid > 0 && is_no_surface(best->report.straight)) {
+            if (best->report.invalid > 0 && lies_on_itself(best->report.straight)) {
                 best->report.notes.push_back(
                     "the straight mesh has triangles on one another: a finer one was not tried");
                 return std::move(*best);

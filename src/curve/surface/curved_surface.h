@@ -31,7 +31,8 @@ struct BoundarySide {
 };
 
 /// The curved surface mesh of a model: triangles classified on CAD faces, each CAD face meshed once, also where two
-/// volumes share it. Triangles and vertices are only added or marked dead, so that indices stay.
+/// volumes share it. Triangles and vertices are added or marked dead, so that indices stay; only the last triangles can
+/// be withdrawn.
 class CurvedSurface {
   public:
     explicit CurvedSurface(int order) : shapes(order) {}

@@ -113,7 +113,6 @@ std::vector<Placement::FaceTask> Placement::triangles_on_faces(const std::vector
         if (planar(triangle.face)) {
             continue;
         }
-        surface_.shapes.forget_face(triangle.corners);
         curved.push_back({t, corner_uv(triangle)});
         const std::array<Vec2, 3>& uv = curved.back().uv;
         const auto corner = [&](std::size_t k) { return Query::face_point(triangle.face, uv[k].x(), uv[k].y()); };
@@ -134,6 +133,9 @@ std::vector<Placement::FaceTask> Placement::triangles_on_faces(const std::vector
 
 void Placement::place_faces(const std::vector<int>& triangles, bool by_parameters) {
     const Lattice& lattice = Lattice::of(2, surface_.shapes.order());
+    for (const int t : triangles) {
+        surface_.shapes.forget_face(surface_.triangles[static_cast<std::size_t>(t)].corners);
+    }
     const std::vector<FaceTask> tasks = triangles_on_faces(triangles);
     std::vector<Query> batch;
     std::vector<std::vector<Vec3>> all;

@@ -18,7 +18,7 @@ enum class ExemptCause {
     InfeasibleCorner,  ///< edges meet at an angle beside which no triangulation reaches the bound
     SharpEdges,        ///< the angle lies between two sharp edges of a mesh without CAD
     Resolution,        ///< a further vertex would be closer to others than the resolution of single precision
-    FaceFloorRaised,   ///< too many exempt triangles on the face lack room, so that it is refined no finer
+    FaceFloorRaised,   ///< too many triangles of the face are exempt at the resolution, so that it is refined no finer
     MinEdge,           ///< a further vertex would make an edge shorter than min_edge
     Crowded,  ///< a further vertex would be closer to another one than the length of the triangle's shortest edge
     Fold,     ///< a further vertex would fold the mesh over the surface
