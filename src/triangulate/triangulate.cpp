@@ -28,6 +28,7 @@
 #include "triangulate/refine/doubled_edges.h"
 #include "triangulate/refine/encroaching_vertices.h"
 #include "triangulate/refine/intersection_refinement.h"
+#include "triangulate/refine/tuning.h"
 #include "triangulate/report/final_report.h"
 #include "triangulate/report/manifold_output.h"
 #include "triangulate/report/stage_meshes.h"
@@ -40,15 +41,6 @@ namespace mq::triangulate {
 
 namespace {
 
-// Bounds the rounds of chord refinement: each may split a single edge, whose swaps create the next edge beyond the
-// tolerance.
-constexpr int kMaxChordRounds = 60;
-constexpr int kMaxCrossingRounds = 24;  // Bounds the rounds of splitting triangles that cross. Tuned on the corpus.
-constexpr int kMaxDoubledRounds = 4;    // Bounds the rounds of separating doubled edges. Tuned on the corpus.
-
-// Size below which details of normals are ignored, as a fraction of the shape's size; limited by the tolerance. Tuned
-// on the corpus.
-constexpr double kUnseen = 1e-3;
 // Fraction of the whole work, for the progress.
 constexpr double kFirstShare = 0.15;
 
@@ -133,7 +125,7 @@ std::string release_smooth_edges(Workspace& work, const TriangulateOptions& opti
 
 void refine_where_faces_cross(Workspace& work, IntersectionRefinement& crossings,
                               const std::function<void()>& refine_again) {
-    for (int round = 0; round < kMaxCrossingRounds && split_crossings(work, crossings); ++round) {
+    for (int round = 0; round < RefinementTuning::kMaxCrossingRounds && split_crossings(work, crossings); ++round) {
         refine_again();
     }
 }
@@ -155,9 +147,9 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     clock.end("angles");
     ChordRefinement chords(work, segments, findings.chords, sizing);
     const auto refine_chords = [&] {
-        for (int round = 0; sizing.any() && round < kMaxChordRounds && chords.run(); ++round) {
+        for (int round = 0; sizing.any() && round < RefinementTuning::kMaxChordRounds && chords.run(); ++round) {
             refiner.run();
-            work.progress.advance((round + 1.0) / kMaxChordRounds);
+            work.progress.advance((round + 1.0) / RefinementTuning::kMaxChordRounds);
         }
     };
     const auto refine_again = [&] {
@@ -168,7 +160,8 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     refine_chords();
     // Splitting a segment between triangles with the same third corner on two faces doubles the edge to that corner.
     const auto separate_doubled = [&] {
-        for (int round = 0; round < kMaxDoubledRounds && separate_doubled_edges(work, touched); ++round) {
+        for (int round = 0; round < RefinementTuning::kMaxDoubledRounds && separate_doubled_edges(work, touched);
+             ++round) {
             refine_again();
         }
     };
@@ -336,7 +329,7 @@ Workspace workspace_of(const Task& task, const EdgeDiscretisation& chains, Class
     }
     work.floor = task.grid.shortest_side();
     work.min_edge = task.options.min_edge;
-    work.unseen = kUnseen * task.session.topology().box.largest_side();
+    work.unseen = RefinementTuning::kSmallestDetail * task.session.topology().box.largest_side();
     if (task.chord > 0.0) {
         work.unseen = std::min(work.unseen, task.chord);
     }

@@ -10,23 +10,12 @@
 #include "base/angle.h"
 #include "base/disjoint_sets.h"
 #include "triangulate/edges/short_edges.h"
+#include "triangulate/edges/tuning.h"
 #include "triangulate/edges/unresolved_ends.h"
 
 namespace mq::triangulate {
 
 namespace {
-
-constexpr double kMaxTurn = 0.5236;  // Radians: largest angle between the tangents along one piece (30 degrees).
-// Bounds the halvings of one interval, since at a kink the tangent turns equally however short the interval is.
-constexpr int kMaxDepth = 14;
-// Largest fraction of an edge's length that the tolerance ball of a node may cover, however large its tolerance is.
-constexpr double kMostOfEdge = 0.1;
-// Radius of the ball around a node in distances of the edge's end from it, where nodes were contracted to one: the
-// first piece deviates from the edge by at most 1 / 8 in direction.
-constexpr double kGaps = 8.0;
-// Faces with a border shorter than this number of shortest sides count as a point: if one of their edges collapsed,
-// the others would coincide.
-constexpr double kShortBorder = 8.0;
 
 struct Interval {
     int edge;
@@ -35,7 +24,7 @@ struct Interval {
     int depth;
 };
 
-// Whether the tangent turns by more than kMaxTurn between the five equidistant samples of an interval.
+// Whether the tangent turns by more than EdgeTuning::kMaxTurn between the five equidistant samples of an interval.
 bool turns_too_much(const geometry::Answer* samples) {
     double worst = 0.0;
     for (int i = 0; i < 5; ++i) {
@@ -45,7 +34,7 @@ bool turns_too_much(const geometry::Answer* samples) {
             }
         }
     }
-    return worst > kMaxTurn;
+    return worst > EdgeTuning::kMaxTurn;
 }
 
 double length_of(const std::vector<Vec3>& points) {
@@ -116,7 +105,7 @@ void EdgeDiscretisation::sample(geometry::Session& session) {
                 (samples[4].point - samples[0].point).norm() + (samples[2].point - samples[0].point).norm();
             found[piece.edge][piece.from] = samples[0].point;
             found[piece.edge][piece.to] = samples[4].point;
-            if (piece.depth < kMaxDepth && chord > grid_.shortest_side() && turns_too_much(samples)) {
+            if (piece.depth < EdgeTuning::kMaxDepth && chord > grid_.shortest_side() && turns_too_much(samples)) {
                 const double middle = 0.5 * (piece.from + piece.to);
                 next.push_back({piece.edge, piece.from, middle, piece.depth + 1});
                 next.push_back({piece.edge, middle, piece.to, piece.depth + 1});
@@ -159,7 +148,7 @@ void EdgeDiscretisation::collapse_small_faces(geometry::Session& session) {
         const double border = std::accumulate(edges.begin(), edges.end(), 0.0,
                                               [&](double sum, int e) { return sum + length_of(points_[e]); });
         const auto sampled = std::find_if(edges.begin(), edges.end(), [&](int e) { return !points_[e].empty(); });
-        if (sampled == edges.end() || border >= kShortBorder * grid_.shortest_side()) {
+        if (sampled == edges.end() || border >= EdgeTuning::kShortBorder * grid_.shortest_side()) {
             continue;
         }
         // A short border alone is not enough: it may be the hole of a sphere.
@@ -186,7 +175,7 @@ bool EdgeDiscretisation::at_node(int edge, int end, const Vec3& point) const {
 bool EdgeDiscretisation::suppress_near_nodes(const geometry::Topology& topology, int edge, double tolerances,
                                              std::vector<Vec3>& points) {
     EdgePolyline& chain = chains_[edge];
-    const double most = kMostOfEdge * length_of(points);
+    const double most = EdgeTuning::kMostOfEdge * length_of(points);
     bool changed = false;
     for (int end = 0; end < 2 && !chain.collapsed; ++end) {
         if (const int n = topology.edges[edge].nodes[end]; n >= 0) {
@@ -195,7 +184,7 @@ bool EdgeDiscretisation::suppress_near_nodes(const geometry::Topology& topology,
                 topology.nodes[static_cast<std::size_t>(vertices_[node_vertex_[n]].entity.index)].point;
             const double gap = (centre - (end == 0 ? points.front() : points.back())).norm();
             const double radius =
-                std::max({tolerances * topology.nodes[n].tolerance, grid_.shortest_side(), kGaps * gap});
+                std::max({tolerances * topology.nodes[n].tolerance, grid_.shortest_side(), EdgeTuning::kGaps * gap});
             ball = {centre, std::max({ball.radius, std::min(radius, most), unresolved(edge, end)})};
         }
         while (points.size() > 2 && at_node(edge, end, end == 0 ? points[1] : points[points.size() - 2])) {

@@ -6,15 +6,12 @@
 #include <utility>
 
 #include "base/angle.h"
+#include "triangulate/edges/tuning.h"
 
 namespace mq::triangulate {
 
 namespace {
 
-constexpr double kApart = 0.5236;  // Radians: edges at larger angles are told apart at once (30 degrees).
-// Fraction of the shorter of two edges along which these may be too close together to be told apart: edges that stay so
-// for longer bound a sliver, which has no other end to it. Tuned on the parts to develop on.
-constexpr double kMostUnresolved = 0.02;
 constexpr int kDeviationSamples = 16;  // Pieces of an edge, at whose ends it is compared with its curves on faces.
 
 // Two edges where a face has a corner: each by its index, its end there, and how far along it is looked.
@@ -42,7 +39,7 @@ std::vector<FaceCorner> corners_of_faces(const geometry::Topology& topology) {
     return corners;
 }
 
-// Keeps the corners whose edges leave the node at less than kApart.
+// Keeps the corners whose edges leave the node at less than EdgeTuning::kApart.
 void keep_narrow(geometry::Session& session, std::vector<FaceCorner>& corners) {
     const geometry::Topology& topology = session.topology();
     geometry::Engine::Batch batch;
@@ -57,7 +54,7 @@ void keep_narrow(geometry::Session& session, std::vector<FaceCorner>& corners) {
     const auto wide = [&](const FaceCorner& corner) {
         const Vec3 a = (corner.end[0] == corner.end[1] ? 1.0 : -1.0) * at[0].normal;
         const bool known = at[0].found() && at[1].found();
-        const bool apart = known && angle_between(a, at[1].normal) > kApart;
+        const bool apart = known && angle_between(a, at[1].normal) > EdgeTuning::kApart;
         at += 2;
         return apart;
     };
@@ -105,7 +102,7 @@ geometry::Engine::Batch places(const geometry::Topology& topology, const std::ve
                                std::vector<FaceCorner>& corners) {
     geometry::Engine::Batch batch;
     for (FaceCorner& corner : corners) {
-        const double reach = kMostUnresolved * std::min(lengths[corner.edge[0]], lengths[corner.edge[1]]);
+        const double reach = EdgeTuning::kMostUnresolved * std::min(lengths[corner.edge[0]], lengths[corner.edge[1]]);
         for (double distance = reach; distance > shortest; distance *= 0.5) {
             corner.distances.push_back(distance);
             for (int k = 0; k < 2; ++k) {

@@ -6,15 +6,9 @@
 
 #include "base/angle.h"
 #include "base/disjoint_sets.h"
+#include "triangulate/front/tuning.h"
 
 namespace mq::triangulate {
-
-namespace {
-
-// Radians: below this angle two edges of the border count as tangent (a cusp). Tuned on the corpus.
-constexpr double kCusp = 1e-3;
-
-}  // namespace
 
 FrontBorder::FrontBorder(const FaceBoundary& border, bool reversed) : border_(border) {
     merge(reversed);
@@ -71,7 +65,7 @@ void FrontBorder::check_angles() {
         }
         const Vec3 in = border_.sites[before_[s][0]].point - border_.sites[s].point;
         const Vec3 out = border_.sites[after_[s][0]].point - border_.sites[s].point;
-        if (angle_between(in, out) < kCusp) {
+        if (angle_between(in, out) < FrontTuning::kCusp) {
             failure_ = "two edges of its border meet at an angle of zero";
         }
     }

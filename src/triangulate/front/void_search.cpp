@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triangulate/front/tuning.h"
+
 namespace mq::triangulate {
 
 namespace {
 
 // Height of a triangle over its longest side: below it the triangle has no area within rounding.
 constexpr double kFlat = 1e-9;
-constexpr int kTries = 4;     // Darts in each generation of fragments before these are halved. Tuned on the corpus.
 constexpr unsigned kAll = 7;  // bit mask of all three corners
 
 int longest_side(const Triangle2& t) {
@@ -180,7 +181,7 @@ std::optional<Vec2> GapSearch::find(double least, std::mt19937_64& random) {
     // Halving bisects areas, so that all fragments of one generation have equal area.
     std::vector<Fragment> fragments{whole_};
     while (!fragments.empty()) {
-        for (int i = 0; i < kTries; ++i) {
+        for (int i = 0; i < FrontTuning::kDarts; ++i) {
             const Vec2 p = dart(fragments[random() % fragments.size()], random);
             if (free(p)) {
                 const double b = p.y() / whole_[2].y();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "triangulate/incremental/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
@@ -15,12 +16,6 @@ using geometry::Topology;
 // Allowed distance, in resolutions, between a vertex and the surface point at its (u, v): one rounding to the grid and
 // one projection, each with a reserve.
 constexpr double kOffSurface = 4.0;
-// Largest ratio between the cached and the present chord tolerance at which a cached mesh is reused. Tuned on the
-// corpus.
-constexpr double kMuchTheSame = 1.25;
-// An edge counts as over-refined if its vertices outnumber the min_sample_count it had in any run by this factor. Tuned
-// on the corpus.
-constexpr double kGrowth = 1.25;
 constexpr std::size_t kMany = static_cast<std::size_t>(-1);  // No count yet: larger than any number of samples.
 
 double shortest_side(const FaceMesh& mesh) {
@@ -66,7 +61,7 @@ CacheRestore::CacheRestore(geometry::Session& session, const SinglePrecisionGrid
 
 // Whether a cached face is neither too fine nor too coarse for the chord tolerance (mm).
 bool CacheRestore::fine_enough(const CachedFace& face, double chord) const {
-    return std::max(chord, face.chord) <= kMuchTheSame * std::min(chord, face.chord) &&
+    return std::max(chord, face.chord) <= IncrementalTuning::kMuchTheSame * std::min(chord, face.chord) &&
            (grid_.resolution() <= run_->resolution || shortest_side(face.mesh) >= grid_.shortest_side());
 }
 
@@ -113,7 +108,8 @@ bool CacheRestore::made_fine_by_changes(int face) const {
         const std::vector<int>& around = topology.edges[e].uses;
         const bool changes =
             std::any_of(around.begin(), around.end(), [&](int u) { return faces_[topology.uses[u].face] == nullptr; });
-        if (changes && static_cast<double>(faces_[face]->parameters[k].size()) > kGrowth * fewest_[e]) {
+        if (changes &&
+            static_cast<double>(faces_[face]->parameters[k].size()) > IncrementalTuning::kOverRefined * fewest_[e]) {
             return true;
         }
     }

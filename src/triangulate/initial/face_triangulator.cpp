@@ -13,6 +13,7 @@
 #include "triangulate/initial/inverted_loops.h"
 #include "triangulate/initial/surface_flips.h"
 #include "triangulate/initial/triangle_fidelity.h"
+#include "triangulate/initial/tuning.h"
 
 namespace mq::triangulate {
 
@@ -22,19 +23,6 @@ using VertexUse = FaceMesh::VertexUse;
 using Link = FaceMesh::Link;
 using Fault = TriangleFault;
 using Corners = std::array<int, 3>;
-
-constexpr double kMinDeviations = 20.0;  // Shortest side that is refined, in border deviations. Tuned on the corpus.
-constexpr double kMinHeights = 3.0;      // smallest height and spacing, in border deviations. Tuned on the corpus.
-constexpr double kTurnThatCounts = 10.0 * kDegree;  // Radians: smallest turn that selects a side. Tuned on the corpus.
-constexpr double kMinPart = 1e-4;    // Smallest triangle to be refined, in sizes of the domain. Tuned on the corpus.
-constexpr double kMuchLonger = 1.5;  // Ratio of lengths: only the longer piece is halved. Tuned on the corpus.
-// Largest number of halvings that lead to a vertex: at a kink the normal turns equally however short the sides become.
-constexpr int kMaxLevel = 8;
-constexpr int kMaxRounds = 40;  // Bounds the rounds of refinement. Tuned on the corpus.
-// Rounds after which flips in space begin: triangles whose normal still deviates are slivers, which are Delaunay in
-// (u, v) only, or lie beyond chords of the border. Tuned on the corpus.
-constexpr int kPatience = 16;
-constexpr int kMaxSites = 40000;  // Vertices on one face, which bounds memory on faulty surfaces.
 
 class FaceMesher {
   public:
@@ -57,7 +45,7 @@ class FaceMesher {
     void mark_crossing(int piece, int other);
     void mark_around(int planar_vertex);
     double length_of(int piece) const;
-    bool much_longer(int a, int b) const { return length_of(a) > kMuchLonger * length_of(b); }
+    bool much_longer(int a, int b) const { return length_of(a) > InitialTuning::kMuchLonger * length_of(b); }
     bool request_halving(int piece);
     void find_inside();
     void insert_inside(const VertexUse& site);
@@ -121,8 +109,8 @@ FaceMesh FaceMesher::run() {
     insert_inner();
     check_loops();
     reject_useless_halving();
-    for (int round = 0; round < kMaxRounds && result_.marks.empty(); ++round) {
-        late_ = round >= kPatience;
+    for (int round = 0; round < InitialTuning::kMaxFaceRounds && result_.marks.empty(); ++round) {
+        late_ = round >= InitialTuning::kPatience;
         if (!border_.plane && (late_ || !inner_.empty())) {
             const bool reversed = session_.topology().faces[face_].reversed;
             SurfaceFlips{*tri_, result_.sites, site_of_, inside_, reversed, kCosMaxTurn, !inner_.empty()}.run();
@@ -183,7 +171,7 @@ bool FaceMesher::request_halving(int piece) {
         return false;
     }
     const double length = length_of(piece);
-    if (length <= kMinDeviations * border_.deviation || length <= 2.0 * reach()) {
+    if (length <= InitialTuning::kMinDeviations * border_.deviation || length <= 2.0 * reach()) {
         return false;
     }
     mark_piece(piece);
@@ -212,7 +200,8 @@ bool FaceMesher::insert_border() {
     }
     tri_ = std::make_unique<ConstrainedDelaunay>(low, high);
     level_.assign(result_.sites.size(), 0);
-    smallest_ = std::max({2.0 * reach(), kMinDeviations * border_.deviation, kMinPart * (high - low).norm()});
+    smallest_ = std::max({2.0 * reach(), InitialTuning::kMinDeviations * border_.deviation,
+                          InitialTuning::kMinPart * (high - low).norm()});
     site_of_.assign(ConstrainedDelaunay::kFrame, -1);
     for (int s = 0; s < static_cast<int>(result_.sites.size()); ++s) {
         session_.check();
@@ -398,7 +387,8 @@ Fault FaceMesher::fault(int t, const geometry::Answer& at_centroid) const {
         return Fault::None;
     }
     return fault_of({s, at_centroid.point - grid_.origin(), at_centroid.normal,
-                     session_.topology().faces[face_].reversed, kMinHeights * border_.deviation, reach()});
+                     session_.topology().faces[face_].reversed, InitialTuning::kMinHeights * border_.deviation,
+                     reach()});
 }
 
 // Returns the side along which the normal turns most; or, where the turn is small and the triangle too thin for its
@@ -415,7 +405,7 @@ int FaceMesher::side_to_split(int t, Fault fault) const {
         length[i] = (tri_->point(tri_->corner(next)) - tri_->point(tri_->corner(h))).norm();
     }
     const int most = static_cast<int>(std::max_element(turn, turn + 3) - turn);
-    if (fault == Fault::NormalDeviation && turn[most] > kTurnThatCounts) {
+    if (fault == Fault::NormalDeviation && turn[most] > InitialTuning::kTurnThatCounts) {
         return most;
     }
     for (int i = 0; i < 3; ++i) {
@@ -434,7 +424,7 @@ void FaceMesher::ask_to_split(int t, Fault fault, std::set<std::array<int, 2>>& 
     for (const int side : {h, ConstrainedDelaunay::next(h), ConstrainedDelaunay::prev(h)}) {
         const int a = tri_->corner(side);
         const int b = tri_->corner(ConstrainedDelaunay::next(side));
-        if (tri_->label(side) < 0 && std::max(level(a), level(b)) < kMaxLevel) {
+        if (tri_->label(side) < 0 && std::max(level(a), level(b)) < InitialTuning::kMaxLevel) {
             sides.insert({std::min(a, b), std::max(a, b)});
             return;
         }
@@ -480,7 +470,7 @@ bool FaceMesher::crowds(int a, int b, const Vec3& p) const {
     if (h < 0) {
         return true;  // an earlier insertion flipped the side
     }
-    const double least = std::max(reach(), kMinHeights * border_.deviation);
+    const double least = std::max(reach(), InitialTuning::kMinHeights * border_.deviation);
     for (const int corner :
          {a, b, tri_->corner(ConstrainedDelaunay::prev(h)), tri_->corner(ConstrainedDelaunay::prev(tri_->twin(h)))}) {
         if (corner >= ConstrainedDelaunay::kFrame && (site_at(corner).point - p).norm() < least) {
@@ -491,7 +481,7 @@ bool FaceMesher::crowds(int a, int b, const Vec3& p) const {
 }
 
 bool FaceMesher::insert_midpoints(const std::set<std::array<int, 2>>& sides) {
-    if (sides.empty() || tri_->vertex_count() > kMaxSites + static_cast<int>(inner_.size())) {
+    if (sides.empty() || tri_->vertex_count() > InitialTuning::kMaxSitesOfFace + static_cast<int>(inner_.size())) {
         return false;
     }
     geometry::Engine::Batch batch;

@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triangulate/initial/tuning.h"
+
 namespace mq::triangulate {
 
 namespace {
 
 constexpr int kSamples = 4;  // samples in each piece; a quarter of a piece is nearly straight
-// Isoperimetric ratio 4 pi area / length^2: loops above it are not inverted by chords of pieces that turn by 45
-// degrees.
-constexpr double kNarrow = 0.3;
 // Area over length^2, within rounding: coinciding chords, or curves that enclose no area.
 constexpr double kNothing = 1e-9;
 
@@ -25,7 +24,8 @@ struct Outline {
     double length = 0.0;
 
     bool narrow() const {
-        return 4.0 * M_PI * std::abs(area) < kNarrow * length * length && std::abs(area) > kNothing * length * length;
+        return 4.0 * M_PI * std::abs(area) < InitialTuning::kNarrowLoop * length * length &&
+               std::abs(area) > kNothing * length * length;
     }
 };
 

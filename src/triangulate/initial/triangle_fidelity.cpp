@@ -3,15 +3,9 @@
 
 #include <algorithm>
 
+#include "triangulate/initial/tuning.h"
+
 namespace mq::triangulate {
-
-namespace {
-
-// Largest chord error as a fraction of a triangle's height: beyond it, triangles of a slender body cut through its
-// other side.
-constexpr double kMaxSag = 0.5;
-
-}  // namespace
 
 TriangleFault fault_of(const TriangleOnFace& triangle) {
     const auto& s = triangle.corners;
@@ -42,7 +36,7 @@ TriangleFault fault_of(const TriangleOnFace& triangle) {
         sag = std::max(sag, std::abs(triangle.surface_normal.dot(away)));
     }
     const bool upside_down = (singular ? worst : best) < 0.0;  // the triangle lies beyond such a chord
-    if (upside_down || (!singular && sag > kMaxSag * height && sag > triangle.sag_that_counts)) {
+    if (upside_down || (!singular && sag > InitialTuning::kMaxSag * height && sag > triangle.sag_that_counts)) {
         return TriangleFault::ChordDeviation;
     }
     return worst < (singular ? kCosMaxTurnAtApex : kCosMaxTurn) ? TriangleFault::NormalDeviation : TriangleFault::None;

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triangulate/measure/tuning.h"
+
 namespace mq::triangulate {
 
 namespace {
-
-// Largest number of steps from the triangle that has a point's parameters to the one under the point. Tuned on the
-// corpus.
-constexpr int kMostSteps = 8;
 
 struct Projection {
     std::array<double, 3> weights{};  // barycentric
@@ -47,7 +45,7 @@ void for_each_cad_sample_over(Workspace& work, int triangle,
     work.span_points.inside(mesh.face_of(triangle), {uv(0), uv(1), uv(2)}, [&](const Vec3& p) {
         std::optional<Projection> projection = project(mesh, p, triangle);
         int under = triangle;
-        for (int step = 0; step < kMostSteps && projection && !projection->inside(); ++step) {
+        for (int step = 0; step < MeasureTuning::kMaxSteps && projection && !projection->inside(); ++step) {
             const int side = 3 * under + (static_cast<int>(projection->lowest()) + 1) % 3;
             if (mesh.twin(side) < 0) {
                 break;

@@ -7,6 +7,7 @@
 
 #include "triangulate/measure/backward_distance.h"
 #include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/measure/tuning.h"
 
 namespace mq::triangulate {
 
@@ -16,24 +17,9 @@ using geometry::Answer;
 using geometry::Query;
 using geometry::Session;
 
-// Fraction of the tolerance: if this distance is expected away from the middle, it is measured there too. Tuned on the
-// corpus.
-constexpr double kWorthAsking = 0.8;
-// Fraction of the tolerance: a curve with this chord error is also measured beside its farthest point, at these
-// fractions of its length. Tuned on the corpus.
-constexpr double kWorthAskingCurve = 0.6;
-constexpr std::initializer_list<double> kBesideCurve{-0.15, 0.15};  // Fractions of a segment's length; see above.
-// A CAD edge can deviate from its face by more than the tolerance. A distance counts as avoidable only if the share
-// not caused by the edge exceeds this fraction of the tolerance: otherwise triangles would shrink without limit there.
-// Tuned on the corpus.
-constexpr double kAvoidable = 0.25;
-// Fraction of the tolerance: an edge or triangle this close to it may exceed it beside the farthest place found. It is
-// measured again beside that place, at these fractions of an edge, and of the distance to each corner. Tuned on the
-// corpus.
-constexpr double kClose = 0.95;
-constexpr std::initializer_list<double> kBesideClose{-0.05, 0.05};  // Fractions of a segment's length; see above.
-constexpr double kAside = 0.06;                                     // Fraction of an inner edge's length; see above.
-constexpr double kAsideOfPeak = 0.1;  // Fraction of the distance from the peak to a corner; see above.
+// Fractions of a segment's length at which a curve is measured beside its farthest point.
+constexpr std::initializer_list<double> kBesideCurve{-0.15, 0.15};
+constexpr std::initializer_list<double> kBesideClose{-0.05, 0.05};  // The same where it is close to the tolerance.
 
 void take_into(Distance& result, double distance, const Vec3& point, bool avoidable) {
     if (distance >= result.distance) {
@@ -70,7 +56,7 @@ class ProjectionBatch {
             Distance& result = results_[asked_[i].piece];
             if (answers[i].found()) {
                 take_into(result, answers[i].distance, asked_[i].point,
-                          answers[i].distance - asked_[i].unavoidable > kAvoidable * tolerance_);
+                          answers[i].distance - asked_[i].unavoidable > MeasureTuning::kAvoidable * tolerance_);
             }
             see(asked_[i].piece, asked_[i].point, answers[i]);
         }
@@ -95,7 +81,7 @@ class ProjectionBatch {
 };
 
 bool close(const Distance& measured, double tolerance) {
-    return measured.distance > kClose * tolerance && measured.distance <= tolerance;
+    return measured.distance > MeasureTuning::kClose * tolerance && measured.distance <= tolerance;
 }
 
 // Interpolates between ends that deviate from the face by a and b, mm. If both are below the tolerance, no deviation
@@ -205,13 +191,13 @@ std::vector<Distance> ChordErrorCache::of_segments(const std::vector<int>& segme
             const ClassifiedMesh::Segment& s = mesh.segment(segments[i]);
             const BackwardDistance back = backward_distance(work_, s.edge, {mesh.vertex(s.vertices[0]).point, s.t[0]},
                                                             {mesh.vertex(s.vertices[1]).point, s.t[1]});
-            take_into(results[i], back.distance, back.nearest, back.distance > kAvoidable * tolerance);
+            take_into(results[i], back.distance, back.nearest, back.distance > MeasureTuning::kAvoidable * tolerance);
         }
-        add_beside(i, kWorthAskingCurve, kBesideCurve);
+        add_beside(i, MeasureTuning::kWorthAskingCurve, kBesideCurve);
     }
     questions.ask(ignore);
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        add_beside(i, kClose, kBesideClose);
+        add_beside(i, MeasureTuning::kClose, kBesideClose);
     }
     questions.ask(ignore);
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -255,7 +241,7 @@ std::vector<Distance> ChordErrorCache::of_edges(const std::vector<int>& half_edg
             continue;
         }
         const EdgePeak peak = edge_peak(mesh, half_edges[i]);
-        if (peak.at != 0.5 && peak.height > kWorthAsking * tolerance) {
+        if (peak.at != 0.5 && peak.height > MeasureTuning::kWorthAsking * tolerance) {
             add(i, peak.at);
         }
         if (questions.full()) {
@@ -267,8 +253,8 @@ std::vector<Distance> ChordErrorCache::of_edges(const std::vector<int>& half_edg
         if (!settled(half_edges[i], tolerance) && close(results[i], tolerance)) {
             const int h = half_edges[i];
             const double farthest = part_of_the_way(mesh.point_of(h), mesh.point_of(mesh.next(h)), results[i]);
-            add(i, farthest - kAside);
-            add(i, farthest + kAside);
+            add(i, farthest - MeasureTuning::kAside);
+            add(i, farthest + MeasureTuning::kAside);
         }
         if (questions.full()) {
             questions.ask(remember);
@@ -393,8 +379,8 @@ std::vector<Distance> ChordErrorCache::of_triangles(const std::vector<int>& tria
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const int h = 3 * triangles[i];
         const TriangleHeights over = heights(h);
-        peaks.push_back(over.bound() > kWorthAsking * tolerance ? triangle_peak(over) : TrianglePeak{});
-        if (peaks[i].height > kWorthAsking * tolerance) {
+        peaks.push_back(over.bound() > MeasureTuning::kWorthAsking * tolerance ? triangle_peak(over) : TrianglePeak{});
+        if (peaks[i].height > MeasureTuning::kWorthAsking * tolerance) {
             add(i, peaks[i].weights);
         }
     }
@@ -406,9 +392,9 @@ std::vector<Distance> ChordErrorCache::of_triangles(const std::vector<int>& tria
         for (std::size_t corner = 0; corner < 3; ++corner) {
             std::array<double, 3> weights = peaks[i].weights;
             for (double& w : weights) {
-                w *= 1.0 - kAsideOfPeak;
+                w *= 1.0 - MeasureTuning::kAsideOfPeak;
             }
-            weights[corner] += kAsideOfPeak;
+            weights[corner] += MeasureTuning::kAsideOfPeak;
             add(i, weights);
         }
     }
@@ -431,7 +417,7 @@ void ChordErrorCache::see_way_back(int triangle, double tolerance, Distance& res
             farthest = std::max(farthest, off);
         }
         unavoidable = farthest > tolerance ? unavoidable : 0.0;
-        take_into(result, p.distance, p.below, p.distance - unavoidable > kAvoidable * tolerance);
+        take_into(result, p.distance, p.below, p.distance - unavoidable > MeasureTuning::kAvoidable * tolerance);
     });
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triangulate/measure/tuning.h"
+
 namespace mq::triangulate {
 
 namespace {
@@ -29,15 +31,13 @@ Cubic cubic_between(const ClassifiedMesh::VertexUse& from, const ClassifiedMesh:
     return {length, slope, last_slope};
 }
 
-// Denominator of the barycentric lattice of places examined in a triangle, except its sides. Tuned on the corpus.
-constexpr int kParts = 8;
-constexpr double kPart = 1.0 / kParts;  // Step of the lattice, as a barycentric weight.
+const double kPart = 1.0 / MeasureTuning::kLattice;  // Step of the lattice, as a barycentric weight.
 
 TrianglePeak highest_of_lattice(const TriangleHeights& heights) {
     constexpr double kThird = 1.0 / 3.0;  // Barycentric weight of the centroid.
     TrianglePeak peak{{kThird, kThird, kThird}, 0.0};
-    for (int i = 1; i < kParts - 1; ++i) {
-        for (int j = 1; i + j < kParts; ++j) {
+    for (int i = 1; i < MeasureTuning::kLattice - 1; ++i) {
+        for (int j = 1; i + j < MeasureTuning::kLattice; ++j) {
             const std::array<double, 3> weights{kPart * i, kPart * j, 1.0 - kPart * (i + j)};
             const double height = std::abs(heights.at(weights));
             if (height > peak.height) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "base/tuning.h"
 #include "triangulate/work_mesh/workspace.h"
 
 /// Adds closest-point queries for edges and triangles that are not in the mesh yet, to measure their distance from the
@@ -8,8 +9,8 @@
 namespace mq::triangulate {
 
 /// Fraction of the tolerance that new pieces must keep: between the measured points the distance may be slightly
-/// larger. Tuned on the corpus.
-constexpr double kNear = 0.94;
+/// larger.
+MESHQUALITY_TUNED(double, kNear, 0.94);
 
 /// Adds the query for the point of an edge on a face at a fraction of its length from a to b.
 void add_edge_probe(const Workspace& work, int face, const ClassifiedMesh::VertexUse& a,

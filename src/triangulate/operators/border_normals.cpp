@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "triangulate/operators/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/surface_alignment.h"
 
@@ -11,10 +12,6 @@ namespace mq::triangulate {
 namespace {
 
 using geometry::Query;
-
-// Largest step inwards as a fraction of the distance to the centroid or the opposite corner: details as large as a
-// triangle are to be meshed.
-constexpr double kPartOfWay = 0.5;
 
 // Whether the corner's normal deviates by almost a right angle from that of the triangle or of another corner.
 bool disagrees(const ClassifiedMesh& mesh, int h) {
@@ -51,7 +48,7 @@ std::optional<Vec3> interior_normal(const Workspace& work, int face, const Class
     if (!(length > 0.0) || !(site.normal.squaredNorm() > 0.0)) {
         return std::nullopt;
     }
-    const double part = std::min(kPartOfWay, work.unseen / length);
+    const double part = std::min(OperatorTuning::kPartOfWay, work.unseen / length);
     const Vec2 uv = site.uv + part * way.uv_step;
     const geometry::Answer there =
         work.session.ask(Query::face_nearest(face, work.grid.to_part(site.point + part * way.step), uv.x(), uv.y()));

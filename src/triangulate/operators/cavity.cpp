@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triangulate/operators/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
@@ -11,16 +12,11 @@ namespace mq::triangulate {
 
 namespace {
 
-// Steps of the pattern search for an apex: the step length shrinks from a quarter of the cavity's reach to about
-// 1e-4 of it, in four directions that rotate by the golden angle from step to step, so that the search does not stop
-// at ridges.
-constexpr int kSearchSteps = 14;
-constexpr double kShrink = 0.58;    // Ratio of successive step lengths, which gives the range above.
+// Ratio of successive step lengths of the pattern search: they shrink from a quarter of the cavity's reach to about
+// 1e-4 of it, in four directions that rotate by the golden angle from step to step, so that the search does not stop at
+// ridges.
+constexpr double kShrink = 0.58;
 constexpr double kTurn = 2.399963;  // Radians: the golden angle.
-constexpr int kMovesPerStep = 3;    // Moves before the step length shrinks. Tuned on the corpus.
-// Steps after which the search stops if the angle is below kHopeless of the requested angle. Tuned on the corpus.
-constexpr int kScouting = 5;
-constexpr double kHopeless = 0.6;  // Fraction of the requested angle. Tuned on the corpus.
 
 bool contains(const std::vector<int>& all, int one) {
     return std::find(all.begin(), all.end(), one) != all.end();
@@ -262,15 +258,16 @@ Apex rough_apex(Rim& rim) {
 
 // The apexes whose fan reaches a given angle form a convex region, so that the search may start anywhere in it.
 Vec3 best_apex(Rim& rim, double at_least) {
-    const double hopeless = std::pow(std::sin(kHopeless * at_least), 2);
+    const double hopeless = std::pow(std::sin(OperatorTuning::kHopeless * at_least), 2);
     const Vec3 x = rim.normal().unitOrthogonal();
     const Vec3 y = rim.normal().cross(x).normalized();
     Apex best = rough_apex(rim);
     double step = 0.25 * rim.reach();
-    for (int n = 0; n < kSearchSteps && (n < kScouting || best.squared_sine > hopeless); ++n, step *= kShrink) {
+    for (int n = 0; n < OperatorTuning::kSearchSteps && (n < OperatorTuning::kScouting || best.squared_sine > hopeless);
+         ++n, step *= kShrink) {
         const Vec3 first = step * (std::cos(n * kTurn) * x + std::sin(n * kTurn) * y);
         const Vec3 second = step * (std::cos(n * kTurn) * y - std::sin(n * kTurn) * x);
-        for (int moves = 0; moves < kMovesPerStep; ++moves) {
+        for (int moves = 0; moves < OperatorTuning::kMovesPerStep; ++moves) {
             const Vec3 from = best.point;
             bool better = false;
             for (const Vec3& way : {first, second, Vec3(-first), Vec3(-second)}) {

@@ -5,14 +5,12 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "triangulate/operators/tuning.h"
 
 namespace mq::triangulate {
 
 namespace {
 
-// On saddles the angles around an apex exceed 360 degrees in total: only this fraction of the required sum is
-// demanded. Tuned on the corpus.
-constexpr double kBent = 0.8;
 // The distance of apexes from the planes of sides is estimated from the other corners: this factor is the safety
 // margin.
 constexpr double kEstimated = 0.95;
@@ -68,7 +66,7 @@ FanFeasibility::FanFeasibility(const ClassifiedMesh& mesh, const Cavity& disc, d
 }
 
 bool FanFeasibility::allow_inner_apex() const {
-    return narrow_.empty() && kBent * static_cast<double>(angles_.size()) * angle_ <= 2.0 * M_PI;
+    return narrow_.empty() && OperatorTuning::kSaddle * static_cast<double>(angles_.size()) * angle_ <= 2.0 * M_PI;
 }
 
 bool FanFeasibility::allow_apex(std::size_t k) const {

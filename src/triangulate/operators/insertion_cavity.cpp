@@ -3,14 +3,12 @@
 
 #include <algorithm>
 
+#include "triangulate/operators/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
 
 namespace {
-
-// Largest size of a cavity: a new vertex that needs more is refused. Tuned on the corpus.
-constexpr std::size_t kMaxTriangles = 40;
 
 bool aligned(const ClassifiedMesh& mesh, int side, const Corner& p, double least) {
     const double a =
@@ -47,7 +45,7 @@ InsertionCavity grow_cavity(const ClassifiedMesh& mesh, int half_edge, bool spli
         }
         const int apex = mesh.vertex_of(ClassifiedMesh::prev(g));
         // An apex that was met before would be enclosed: the cavity would close around it.
-        if (c.triangles.size() >= kMaxTriangles ||
+        if (c.triangles.size() >= OperatorTuning::kMaxCavity ||
             (!split && narrow_corner_of(mesh, ClassifiedMesh::triangle_of(g)) >= 0) ||
             std::find(vertices.begin(), vertices.end(), apex) != vertices.end()) {
             return c;

@@ -6,6 +6,7 @@
 
 #include "base/predicates.h"
 #include "triangulate/operators/insertion_cavity.h"
+#include "triangulate/operators/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
@@ -16,14 +17,7 @@ namespace {
 using geometry::Answer;
 using geometry::Query;
 
-// Factor by which the new triangle's angle on the shortest edge exceeds the bound, as a margin for rounding.
-constexpr double kOffCentreSlack = 1.05;
-// Largest distance between the off-centre and the surface, as a fraction of its distance from the edge: beyond it the
-// planar construction does not apply. Tuned on the corpus.
-constexpr double kMaxLift = 0.5;
 constexpr int kMaxWalk = 100;  // Steps of a walk, which could cycle on a curved mesh.
-// Triangles visited around a new vertex, which bounds its cost. Tuned on the corpus.
-constexpr std::size_t kMaxVisit = 400;
 
 struct Weights {
     double w[3];
@@ -131,10 +125,10 @@ Candidate off_centre_site(const ClassifiedMesh& mesh, int triangle, double angle
     const double half = 0.5 * along.norm();
     const double offset = along.dot(c - a) / along.squaredNorm() * along.norm() - half;
     const double centre = (height * height + offset * offset - half * half) / (2.0 * height);
-    const double off_centre = half / std::tan(0.5 * kOffCentreSlack * angle);
+    const double off_centre = half / std::tan(0.5 * OperatorTuning::kOffCentreSlack * angle);
     const double way = std::min(centre, off_centre);
     result.point += up * (way / height);
-    result.reach = kMaxLift * way;
+    result.reach = OperatorTuning::kMaxOffCentreLift * way;
     result.uv_is_near = false;
     return result;
 }
@@ -209,7 +203,7 @@ Surroundings look_around(const ClassifiedMesh& mesh, int triangle, const Vec3& p
     Surroundings result;
     std::vector<int> queue{triangle};
     queue.reserve(32);
-    for (std::size_t i = 0; i < queue.size() && queue.size() < kMaxVisit; ++i) {
+    for (std::size_t i = 0; i < queue.size() && queue.size() < OperatorTuning::kMaxVisit; ++i) {
         for (int h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
             const int s = mesh.segment_of(h);
             result.nearest = std::min(result.nearest, (mesh.point_of(h) - p).norm());

@@ -11,6 +11,7 @@
 #include "triangulate/measure/distance_probes.h"
 #include "triangulate/operators/cavity_replacement.h"
 #include "triangulate/operators/fan_feasibility.h"
+#include "triangulate/optimise/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
@@ -19,41 +20,8 @@ namespace {
 
 using geometry::Query;
 
-// Least gain of a change: a fraction of the angle deficit, so that sequences of ever smaller changes end, and an angle
-// in radians. Tuned on the corpus.
-constexpr double kGainOfMissing = 0.05;
-constexpr double kGain = 1e-6;  // Radians; see above.
-// Radians: the target lies above the bound by this margin, since the fraction of the deficit would approach the bound
-// itself without reaching it.
-constexpr double kMargin = 0.002 * kDegree;
-constexpr std::size_t kMaxTried = 6;  // Fans tried for one cavity size. Tuned on the corpus.
-// Attempts for each triangle that is bad at first. Their total is limited by kAttempts plus one attempt for every
-// kTrianglesPerAttempt triangles, so that shapes full of needles end in reasonable time. Tuned on the corpus.
-constexpr std::size_t kAttemptsEach = 40;
-constexpr std::size_t kAttempts = 2000;          // Attempts for the whole mesh. Tuned on the corpus.
-constexpr std::size_t kTrianglesPerAttempt = 4;  // Divisor of the number of triangles. Tuned on the corpus.
-// Attempts of all steps together, perturbations included: kLeastOfAll, and kOfAllEach for each triangle of the mesh.
-constexpr std::size_t kLeastOfAll = 20'000;
-constexpr std::size_t kOfAllEach = 50;  // Attempts for each triangle. A crank arm at 30 degrees needs 27.
-// Triangles that may be added to a cavity, each across its worst side. Tuned on the corpus.
-constexpr int kMaxGrowth = 3;
-// Radians: triangles beside bad ones are improved by this angle beyond the bound, in at most kMaxRounds rounds. Tuned
-// on the corpus.
-constexpr double kRoom = 3.0 * kDegree;
-constexpr int kMaxRounds = 6;  // Bounds the rounds. Tuned on the corpus.
-// Largest fraction of the deficit left after a round that lets another one follow. Tuned on the corpus.
-constexpr double kLeftAfterRound = 0.95;
-constexpr int kMostWorse = 2;  // successive rounds that may increase the deficit: a later one may still reduce it
-// Largest distance between an apex and its projection, as a fraction of the cavity's size, so that other sheets of the
-// surface are excluded.
-constexpr double kMaxLift = 0.5;
-constexpr std::size_t kMostFound = 200'000;  // cached cavities, which bounds memory
-// Largest cavity: a fan with more triangles has small angles in any case, and where a surface has a singular point,
-// thousands of triangles meet in a vertex.
-constexpr std::size_t kMostTriangles = 64;
-
 void add_disc(const ClassifiedMesh& mesh, std::vector<int> triangles, std::vector<Cavity>& discs) {
-    if (triangles.empty() || triangles.size() > kMostTriangles) {
+    if (triangles.empty() || triangles.size() > OptimisationTuning::kMaxDisc) {
         return;
     }
     if (auto disc = disc_of(mesh, std::move(triangles))) {
@@ -70,7 +38,7 @@ CavityOptimiser::CavityOptimiser(Workspace& work, double min_angle_degrees, cons
       slider_(work, sizing),
       undo_(work),
       attempts_of_all_(attempts) {
-    want(bound_ + kMargin);
+    want(bound_ + OptimisationTuning::kTargetMargin);
 }
 
 // Whether the shape itself has the angle, or an earlier run could not improve the triangle.
@@ -81,7 +49,8 @@ bool CavityOptimiser::hopeless(int triangle) const {
 }
 
 double CavityOptimiser::enough_after(double before) const {
-    return before + kGain + kGainOfMissing * std::max(0.0, wanted_ - before);
+    return before + OptimisationTuning::kLeastGain +
+           OptimisationTuning::kGainOfDeficit * std::max(0.0, wanted_ - before);
 }
 
 // Whether the triangle lies at a tip as small as the resolution, which is tried only once.
@@ -141,14 +110,15 @@ bool CavityOptimiser::run(const std::vector<SearchNeighbourhood>& escapes, doubl
     bool changed = false;
     int worse = 0;
     double left = missing_before;
-    for (int round = 0; round < kMaxRounds && left > 0.0; ++round) {
+    for (int round = 0; round < OptimisationTuning::kMaxOptimiserRounds && left > 0.0; ++round) {
         changed = (round > 0 && over_improve_neighbours_and_retry()) || changed;
         for (const SearchNeighbourhood kinds : escapes) {
             changed = perturb_all(kinds) || changed;
         }
         const double now = missing();
         worse = now > left ? worse + 1 : 0;
-        if (worse == kMostWorse || (worse == 0 && now > kLeftAfterRound * left)) {
+        if (worse == OptimisationTuning::kMaxWorseRounds ||
+            (worse == 0 && now > OptimisationTuning::kLeftAfterRound * left)) {
             break;
         }
         left = std::min(left, now);
@@ -166,8 +136,9 @@ double CavityOptimiser::missing() const {
 bool CavityOptimiser::process_queue() {
     bool changed = false;
     const std::size_t most =
-        std::min(kAttemptsEach * queue_.size(),
-                 kAttempts + static_cast<std::size_t>(work_.mesh.triangle_count()) / kTrianglesPerAttempt);
+        std::min(OptimisationTuning::kAttemptsEach * queue_.size(),
+                 OptimisationTuning::kAttempts +
+                     static_cast<std::size_t>(work_.mesh.triangle_count()) / OptimisationTuning::kTrianglesPerAttempt);
     for (std::size_t attempts = 0;
          !queue_.empty() && attempts < most && attempts_of_all_ > 0 && !work_.over_budget();) {
         work_.progress.check();
@@ -216,10 +187,10 @@ void CavityOptimiser::over_improve_neighbours() {
         }
     }
     near_.assign(vertices.begin(), vertices.end());
-    want(bound_ + kRoom);
+    want(bound_ + OptimisationTuning::kRoomBesideBad);
     push_all();
     process_queue();
-    want(bound_ + kMargin);
+    want(bound_ + OptimisationTuning::kTargetMargin);
     near_.clear();
 }
 
@@ -228,15 +199,15 @@ std::vector<Cavity> CavityOptimiser::discs_around(int triangle) const {
     std::vector<Cavity> discs;
     std::vector<int> with_neighbours{triangle};
     for (int h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-        add_disc(mesh, triangles_around(mesh, h, kMostTriangles), discs);
+        add_disc(mesh, triangles_around(mesh, h, OptimisationTuning::kMaxDisc), discs);
         const int g = mesh.twin(h);
         if (g < 0) {
             continue;
         }
         with_neighbours.push_back(ClassifiedMesh::triangle_of(g));
         add_disc(mesh, {triangle, ClassifiedMesh::triangle_of(g)}, discs);
-        std::vector<int> both = triangles_around(mesh, h, kMostTriangles);
-        const std::vector<int> other = triangles_around(mesh, ClassifiedMesh::next(h), kMostTriangles);
+        std::vector<int> both = triangles_around(mesh, h, OptimisationTuning::kMaxDisc);
+        const std::vector<int> other = triangles_around(mesh, ClassifiedMesh::next(h), OptimisationTuning::kMaxDisc);
         if (!both.empty() && !other.empty()) {
             both.insert(both.end(), other.begin(), other.end());
             add_disc(mesh, std::move(both), discs);
@@ -248,7 +219,7 @@ std::vector<Cavity> CavityOptimiser::discs_around(int triangle) const {
 
 // Most cavities occur again, beside another bad triangle or in another trial.
 const CavityOptimiser::CavityCandidates& CavityOptimiser::fans_of(const Cavity& disc) {
-    if (found_.size() > kMostFound) {
+    if (found_.size() > OptimisationTuning::kMaxCached) {
         found_.clear();
     }
     const auto [place, fresh] = found_.try_emplace(state_key(work_.mesh, disc.triangles));
@@ -318,7 +289,7 @@ bool CavityOptimiser::mend(int triangle) {
         return exhausted_.count(keys.back()) > 0;
     };
     discs.erase(std::remove_if(discs.begin(), discs.end(), known), discs.end());
-    for (int growth = 0; growth <= kMaxGrowth; ++growth) {
+    for (int growth = 0; growth <= OptimisationTuning::kMaxGrowth; ++growth) {
         std::stable_sort(discs.begin(), discs.end(), smaller);
         std::vector<int> worst_sides;
         for (auto disc = discs.begin(); disc != discs.end(); ++disc) {
@@ -328,7 +299,7 @@ bool CavityOptimiser::mend(int triangle) {
                 return true;
             }
         }
-        if (growth < kMaxGrowth) {
+        if (growth < OptimisationTuning::kMaxGrowth) {
             discs = grown(discs, worst_sides);
         }
     }
@@ -349,7 +320,7 @@ bool CavityOptimiser::try_best(std::vector<Retriangulation>& proposals, double a
         return first != second ? first > second : a.disc.triangles.size() < b.disc.triangles.size();
     });
     std::size_t tried = 0;
-    while (tried < proposals.size() && tried < kMaxTried && proposals[tried].angle >= at_least) {
+    while (tried < proposals.size() && tried < OptimisationTuning::kMaxFans && proposals[tried].angle >= at_least) {
         if (apply(proposals[tried])) {
             return true;
         }
@@ -425,7 +396,8 @@ std::optional<SurfacePoint> CavityOptimiser::apex_near(const Cavity& disc, const
     candidate.reach = 0.0;
     for (const int side : disc.rim) {
         candidate.uv += mesh.site(mesh.site_of(side)).uv / static_cast<double>(disc.rim.size());
-        candidate.reach = std::max(candidate.reach, kMaxLift * (mesh.point_of(side) - p).norm());
+        candidate.reach =
+            std::max(candidate.reach, OptimisationTuning::kMaxApexLift * (mesh.point_of(side) - p).norm());
     }
     return surface_points(work_, {candidate}).front();
 }
@@ -535,7 +507,7 @@ bool mend_by_escapes(Workspace& work, double min_angle_degrees, const Sizing& si
 }  // namespace
 
 bool mend(Workspace& work, double min_angle_degrees, const Sizing& sizing) {
-    std::size_t attempts = kLeastOfAll + kOfAllEach * work.triangles();
+    std::size_t attempts = OptimisationTuning::kLeastOfAll + OptimisationTuning::kOfAllEach * work.triangles();
     CavityOptimiser mender(work, min_angle_degrees, sizing, attempts);
     bool changed = mender.improve_once();
     const double missing = mender.missing();

@@ -13,6 +13,7 @@
 #include "triangulate/operators/edit_transaction.h"
 #include "triangulate/operators/vertex_insertion.h"
 #include "triangulate/optimise/edge_vertex_relocation.h"
+#include "triangulate/optimise/tuning.h"
 #include "triangulate/work_mesh/element_marks.h"
 #include "triangulate/work_mesh/size_bounds.h"
 
@@ -106,9 +107,6 @@ class CavityOptimiser {
     std::vector<int> replace(const Cavity& disc, int apex_site);
     bool slide(int triangle);
 
-    /// Fraction of the bound that angles must keep during a perturbation of a disc, a segment, or a vertex's position.
-    /// Tuned on the corpus.
-    static constexpr double kLeastOfKick = 0.2;
     struct Perturbation {
         Retriangulation fan;
         int segment = -1;

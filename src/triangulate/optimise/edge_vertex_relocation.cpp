@@ -9,6 +9,7 @@
 #include "triangulate/measure/backward_distance.h"
 #include "triangulate/measure/distance_probes.h"
 #include "triangulate/operators/cavity_replacement.h"
+#include "triangulate/optimise/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/incident_segments.h"
 
@@ -18,13 +19,7 @@ namespace {
 
 using geometry::Query;
 
-// Steps as fractions of the distance to the next vertex in either direction; then finer steps around the best of
-// these. Tuned on the corpus.
-constexpr std::array<double, 8> kSteps{-0.6, -0.45, -0.3, -0.15, 0.15, 0.3, 0.45, 0.6};
-// Fractions of the same distance. Tuned on the corpus.
-constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
-constexpr std::size_t kMaxTried = 3;  // Positions tried for one vertex. Tuned on the corpus.
-constexpr double kFar = 1e300;        // Distance in mm of a point without projection: larger than any tolerance.
+constexpr double kFar = 1e300;  // Distance in mm of a point without projection: larger than any tolerance.
 
 // Returns the half-edge at an input angle of the shape below the bound, or -1.
 int forced_corner_of(const ClassifiedMesh& mesh, int triangle, double bound) {
@@ -126,7 +121,7 @@ std::vector<EdgeVertexRelocation::Place> EdgeVertexRelocation::places_for(const 
     const auto at = [&](double step) { return t + step * (step < 0.0 ? back : on); };
     std::vector<double> parameters;
     const double shorter = std::abs(back) < std::abs(on) ? back : on;
-    for (const double step : kSteps) {
+    for (const double step : OptimisationTuning::kSteps) {
         parameters.push_back(at(step));
         // Innermost pieces at small input angles are far longer than the next ones.
         parameters.push_back(t + step * shorter);
@@ -137,7 +132,7 @@ std::vector<EdgeVertexRelocation::Place> EdgeVertexRelocation::places_for(const 
     }
     const double best = (coarse.front().t - t) / ((coarse.front().t - t) * on > 0.0 ? on : back);
     parameters = {coarse.front().t};
-    for (const double step : kFineSteps) {
+    for (const double step : OptimisationTuning::kFineSteps) {
         parameters.push_back(at(best + step));
     }
     return places_for(bead, parameters, at_least);
@@ -321,7 +316,7 @@ std::vector<int> EdgeVertexRelocation::improve(int triangle, double bound, const
         }
         const Angles now = angles_with(*bead, work_.mesh.vertex(work_.mesh.vertex_of(h)).point);
         std::vector<Place> places = places_for(*bead, {enough(now.beside), std::min(now.in_corners, bound)});
-        places.resize(std::min(places.size(), kMaxTried));
+        places.resize(std::min(places.size(), OptimisationTuning::kMaxPositions));
         if (std::any_of(places.begin(), places.end(),
                         [&](const Place& place) { return put(*bead, place, bound, undo); })) {
             return triangles_around(*bead);

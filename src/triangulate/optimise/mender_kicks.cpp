@@ -7,24 +7,13 @@
 #include "triangulate/operators/cavity_replacement.h"
 #include "triangulate/operators/vertex_insertion.h"
 #include "triangulate/optimise/cavity_optimiser.h"
+#include "triangulate/optimise/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
 
-namespace {
-
 using geometry::Query;
-
-// Fractions of a segment's parameter range at which it is split on trial, and the number of segments tried for a
-// triangle. Tuned on the corpus.
-constexpr std::array<double, 3> kFractions{0.5, 0.36, 0.64};
-constexpr std::size_t kMostSegments = 8;  // Segments tried for one triangle. Tuned on the corpus.
-// Steps of vertices along their CAD edges, as fractions of the distance to the next vertex in either direction. Tuned
-// on the corpus.
-constexpr std::array<double, 4> kMoves{-0.3, -0.15, 0.15, 0.3};
-
-}  // namespace
 
 // Returns the segments around a triangle, the longest first.
 std::vector<int> CavityOptimiser::segments_around(int triangle) const {
@@ -42,7 +31,7 @@ std::vector<int> CavityOptimiser::segments_around(int triangle) const {
     std::vector<int> segments(found.begin(), found.end());
     const auto length = [&](int s) { return side_length(mesh, mesh.segment(s).uses.front().half_edge); };
     std::stable_sort(segments.begin(), segments.end(), [&](int a, int b) { return length(a) > length(b); });
-    segments.resize(std::min(segments.size(), kMostSegments));
+    segments.resize(std::min(segments.size(), OptimisationTuning::kMaxSegments));
     return segments;
 }
 
@@ -84,7 +73,7 @@ void CavityOptimiser::add_splits(int triangle, std::vector<Perturbation>& kicks)
         if (!can_be_split(segment)) {
             continue;
         }
-        for (const double fraction : kFractions) {
+        for (const double fraction : OptimisationTuning::kSplitFractions) {
             Perturbation kick{{}, segment, fraction};
             kick.fan.angle = angle_of_halves(segment, fraction);
             kicks.push_back(kick);
@@ -103,9 +92,9 @@ void CavityOptimiser::add_moves(int triangle, std::vector<Perturbation>& kicks) 
         }
     }
     for (const int v : vertices) {
-        for (const double step : kMoves) {
+        for (const double step : OptimisationTuning::kMoves) {
             const std::optional<double> angle = slider_.angle_after(v, step, bound_);
-            if (angle && *angle > kLeastOfKick * bound_) {
+            if (angle && *angle > OptimisationTuning::kLeastOfPerturbation * bound_) {
                 Perturbation kick;
                 kick.fan.angle = *angle;
                 kick.vertex = v;

@@ -10,19 +10,13 @@
 #include "base/angle.h"
 #include "triangulate/operators/cavity_replacement.h"
 #include "triangulate/optimise/cavity_optimiser.h"
+#include "triangulate/optimise/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
 
 namespace {
 
-// Limits of the perturbation search. `kMaxKicks`: perturbations tried for a triangle; `kMaxKicksInside`: as second
-// ones. `kAttemptsAfterKick`: local repairs of each kind after a perturbation. A perturbation is kept only if the
-// total angle deficit falls to `kLeftAfterKick` of its former value. Tuned on the corpus.
-constexpr std::size_t kMaxKicks = 60;
-constexpr std::size_t kMaxKicksInside = 12;  // Perturbations tried as second ones. Tuned on the corpus.
-constexpr int kAttemptsAfterKick = 150;      // Local repairs after a perturbation. Tuned on the corpus.
-constexpr double kLeftAfterKick = 0.95;      // Fraction of the former angle deficit. Tuned on the corpus.
 // Alignment (a cosine) that is allowed until the repair: at the apex of a slender cone a triangle that replaces two
 // spans half of it until its corners have moved.
 constexpr double kAlignedForNow = -0.1;
@@ -33,12 +27,6 @@ struct Limits {
     std::size_t attempts;
     std::size_t most_left;
 };
-constexpr Limits kOne{1, 20000, 200};       // Limits for single perturbations. Tuned on the corpus.
-constexpr Limits kTwoInARow{2, 40000, 60};  // Limits for two successive perturbations. Tuned on the corpus.
-// A second perturbation is tried if the deficit after the first is at most this multiple of the former one plus
-// kPromisingMore. Tuned on the corpus.
-constexpr double kPromising = 3.0;
-constexpr double kPromisingMore = 10.0 * kDegree;  // Radians. Tuned on the corpus.
 
 void rename(Cavity& disc, const std::map<int, int>& moved) {
     const auto now = [&](int t) {
@@ -70,7 +58,10 @@ std::vector<double> angles_now(const ClassifiedMesh& mesh, const EditTransaction
 
 // Perturbs at all remaining triangles, the smallest deficit first, since it is the easiest to remove.
 bool CavityOptimiser::perturb_all(SearchNeighbourhood kinds) {
-    const Limits limits = kinds == SearchNeighbourhood::TwoInARow ? kTwoInARow : kOne;
+    const Limits limits =
+        kinds == SearchNeighbourhood::TwoInARow
+            ? Limits{2, OptimisationTuning::kSecondSearchAttempts, OptimisationTuning::kMostLeftForSecond}
+            : Limits{1, OptimisationTuning::kSearchAttempts, OptimisationTuning::kMostLeft};
     kinds_ = kinds;
     bool changed = false;
     tried_to_escape_.clear();
@@ -117,7 +108,8 @@ bool CavityOptimiser::budget_spent() const {
 // Tries up to `depth` successive perturbations. On success the transactions remain open.
 bool CavityOptimiser::escape(int triangle, std::size_t depth) {
     std::vector<Perturbation> tries = kicks(triangle);
-    tries.resize(std::min(tries.size(), undo_.empty() ? kMaxKicks : kMaxKicksInside));
+    tries.resize(std::min(tries.size(), undo_.empty() ? OptimisationTuning::kMaxPerturbations
+                                                      : OptimisationTuning::kMaxSecondPerturbations));
     for (auto kick = tries.begin(); kick != tries.end() && !budget_spent(); ++kick) {
         work_.progress.check();
         undo_.begin();
@@ -161,13 +153,14 @@ bool CavityOptimiser::better() const {
     const std::set<int>& now = undo_.first().now();
     const double least = std::min(kAlignedSwap, undo_.first().alignment_before());
     return *std::min_element(after.begin(), after.end()) >= *std::min_element(before.begin(), before.end()) &&
-           missing_of(after, bound_) < kLeftAfterKick * missing_of(before, bound_) &&
+           missing_of(after, bound_) < OptimisationTuning::kLeftAfterPerturbation * missing_of(before, bound_) &&
            std::all_of(now.begin(), now.end(), [&](int t) { return alignment(work_.mesh, t) >= least; });
 }
 
 bool CavityOptimiser::worth_another_step() const {
     return missing_of(angles_now(work_.mesh, undo_.first()), bound_) <
-           kPromising * missing_of(undo_.first().angles_before(), bound_) + kPromisingMore;
+           OptimisationTuning::kPromising * missing_of(undo_.first().angles_before(), bound_) +
+               OptimisationTuning::kPromisingMore;
 }
 
 int CavityOptimiser::worst_now() const {
@@ -229,7 +222,7 @@ std::vector<CavityOptimiser::Perturbation> CavityOptimiser::kicks(int triangle) 
 
 void CavityOptimiser::add_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const {
     const ClassifiedMesh& mesh = work_.mesh;
-    const double least = kLeastOfKick * bound_;
+    const double least = OptimisationTuning::kLeastOfPerturbation * bound_;
     const auto keep = [&](int apex_site, const Vec3& apex) {
         const double angle = fan_angle(mesh, disc, apex, apex_site);
         if (angle > least) {
@@ -246,7 +239,7 @@ void CavityOptimiser::add_fans(const Cavity& disc, std::vector<Perturbation>& ki
 }
 
 void CavityOptimiser::add_eared_fans(const Cavity& disc, std::vector<Perturbation>& kicks) const {
-    const double least = kLeastOfKick * bound_;
+    const double least = OptimisationTuning::kLeastOfPerturbation * bound_;
     for (const EaredFan& fan : eared_fans(work_.mesh, disc, least)) {
         if (fan.angle > least) {
             kicks.push_back({{disc, -1, fan.apex, fan.angle, -M_PI, fan.ear_site}});
@@ -305,7 +298,7 @@ bool CavityOptimiser::reopens_ear(const Cavity& disc, int apex_site, int ear) co
 // Repairs what a perturbation has made worse, by one kind of change.
 void CavityOptimiser::follow(const std::function<bool(int)>& change) {
     TriangleMarks tried;
-    for (int n = 0; n < kAttemptsAfterKick && !queue_.empty() && !budget_spent(); ++n) {
+    for (int n = 0; n < OptimisationTuning::kAttemptsAfter && !queue_.empty() && !budget_spent(); ++n) {
         const QueuedTriangle bad = queue_.top();
         queue_.pop();
         --attempts_left_;

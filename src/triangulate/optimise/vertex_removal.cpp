@@ -10,6 +10,7 @@
 #include "triangulate/measure/deviation_estimate.h"
 #include "triangulate/measure/distance_probes.h"
 #include "triangulate/operators/cavity_replacement.h"
+#include "triangulate/optimise/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/incident_segments.h"
 
@@ -17,15 +18,7 @@ namespace mq::triangulate {
 
 namespace {
 
-// Factor by which new angles exceed the bound, as a margin for later changes. Tuned on the corpus.
-constexpr double kMargin = 1.04;
-// Fraction of the tolerance. A vertex is kept if the chord error of an edge at it exceeds this: without the vertex
-// edges become about twice as long, and their chord errors four times as large. Tuned on the corpus.
-constexpr double kFlat = 0.6;
-constexpr double kExact = 2.0;     // resolutions of the grid: rounding of vertices on plane faces
-constexpr int kMaxRounds = 12;     // Rounds of removal, each of vertices that do not touch. Tuned on the corpus.
-constexpr double kGain = 1.1;      // least factor by which angles below the bound must grow. Tuned on the corpus.
-constexpr double kNoNeedle = 0.1;  // smallest angle that may replace a smaller one, as a fraction of the bound
+constexpr double kExact = 2.0;  // resolutions of the grid: rounding of vertices on plane faces
 
 }  // namespace
 
@@ -34,7 +27,7 @@ VertexRemoval::VertexRemoval(Workspace& work, const ChordErrorCache& measure, do
     : work_(work),
       measure_(measure),
       bound_(min_angle_degrees * kDegree),
-      least_angle_(kMargin * bound_),
+      least_angle_(OptimisationTuning::kRemovalMargin * bound_),
       sizing_(sizing),
       first_vertex_(first_vertex),
       most_spokes_(static_cast<int>(M_PI / least_angle_)) {}
@@ -55,7 +48,8 @@ bool VertexRemoval::is_candidate(int vertex) const {
         return false;
     }
     const auto flat = [&](int spoke) {
-        return !(sizing_.tolerance > 0.0) || measure_.distance_known(spoke) <= kFlat * sizing_.tolerance;
+        return !(sizing_.tolerance > 0.0) ||
+               measure_.distance_known(spoke) <= OptimisationTuning::kRemovalFlat * sizing_.tolerance;
     };
     if (on_edge(vertex)) {
         const std::vector<int> star = work_.mesh.star(h);
@@ -112,7 +106,8 @@ double VertexRemoval::least_angle(const RemovalCavity& cavity) const {
     for (const int t : cavity.triangles) {
         const Exemption* exemption = work_.exemption_of(t);
         if (exemption != nullptr && exemption->cause != Cause::NarrowCorner) {
-            least = std::min(least, std::max(kGain * smallest_angle(work_.mesh, t).angle, kNoNeedle * bound_));
+            least = std::min(least, std::max(OptimisationTuning::kRemovalGain * smallest_angle(work_.mesh, t).angle,
+                                             OptimisationTuning::kNoNeedle * bound_));
         }
     }
     return least;
@@ -348,7 +343,7 @@ bool VertexRemoval::run() {
         candidates.push_back(v);
     }
     bool changed = false;
-    for (int round = 0; round < kMaxRounds && !candidates.empty(); ++round) {
+    for (int round = 0; round < OptimisationTuning::kMaxRemovalRounds && !candidates.empty(); ++round) {
         work_.progress.check();
         const std::vector<RemovalPlan> found = plans(candidates);
         const std::vector<char> good = within_tolerance(found);

@@ -5,35 +5,13 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/edges_angle.h"
 #include "triangulate/work_mesh/surface_alignment.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
-
-namespace {
-
-// Sites projected in one round: between kMinRound and kMaxRound, a fraction of the queue, so that the worst triangles
-// still come first. Tuned on the corpus.
-constexpr std::size_t kMaxRound = 512;
-constexpr std::size_t kMinRound = 32;    // Least number of sites in a round. Tuned on the corpus.
-constexpr std::size_t kPartOfQueue = 8;  // Divisor of the queue's length. Tuned on the corpus.
-constexpr int kMaxRetries = 6;           // Times that exempt triangles are tried again. Tuned on the corpus.
-// Insertions closer than the triangle's shortest edge in the ancestry of a vertex; see crowded(). Tuned on the corpus:
-// at 0 four parts of 497 more miss the bound, at 6 rods of 50 diameters do, at 24 or without a limit some triangles
-// more.
-constexpr int kMaxShrinks = 8;
-// Least distance of such an insertion as a fraction of the shortest edge. Tuned on the corpus.
-constexpr double kMaxShrink = 0.5;
-// Number of times the edges at one vertex are halved because the angle between their chords is smaller than theirs.
-// Tuned on the corpus.
-constexpr int kMaxSharpened = 16;
-// Fraction of the shape's size: at the tip of a wing the normal turns within the resolution, and triangles below this
-// size are not refined only because their normal deviates.
-constexpr double kMinTurned = 1e-3;
-
-}  // namespace
 
 AngleRefinement::AngleRefinement(Workspace& work, SegmentSplitter& segments, double min_angle_degrees,
                                  Insertion insertion, double chord_height)
@@ -94,7 +72,7 @@ void AngleRefinement::run() {
         if (!segments_.idle()) {
             segments_.run(touched_);
         } else if (!refine_round()) {
-            if (++retries > kMaxRetries || before == state()) {
+            if (++retries > RefinementTuning::kMaxRetries || before == state()) {
                 break;
             }
             before = state();
@@ -170,7 +148,8 @@ bool AngleRefinement::refine_round() {
 std::vector<AngleRefinement::Job> AngleRefinement::take_jobs() {
     std::vector<Job> jobs;
     jobs.swap(again_);
-    const std::size_t most = std::clamp<std::size_t>(queue_.size() / kPartOfQueue, kMinRound, kMaxRound);
+    const std::size_t most = std::clamp<std::size_t>(queue_.size() / RefinementTuning::kSharesOfQueue,
+                                                     RefinementTuning::kMinSites, RefinementTuning::kMaxSites);
     while (!queue_.empty() && jobs.size() < most) {
         const QueuedTriangle bad = queue_.top();
         queue_.pop();
@@ -206,7 +185,7 @@ void AngleRefinement::take_turned(const QueuedTriangle& bad, std::vector<Job>& j
     turned_.mark(work_.mesh, bad.triangle);
     touched_.push_back(bad.triangle);
     const int h = most_turned_side(work_.mesh, bad.triangle);
-    if (side_length(work_.mesh, h) < kMinTurned * work_.session.topology().box.largest_side()) {
+    if (side_length(work_.mesh, h) < RefinementTuning::kMinTurned * work_.session.topology().box.largest_side()) {
         return;
     }
     const int segment = work_.mesh.segment_of(h);
@@ -245,7 +224,7 @@ bool AngleRefinement::exempt_narrow_corner(const QueuedTriangle& bad) {
 // The angle between chords of curved edges can be smaller than that between the edges, until the chords are short
 // enough: returns whether they are to be halved, and counts that.
 bool AngleRefinement::request_finer_chords(int a, int b, int vertex) {
-    if (segments_.refused(a) || segments_.refused(b) || sharpened_[vertex] >= kMaxSharpened) {
+    if (segments_.refused(a) || segments_.refused(b) || sharpened_[vertex] >= RefinementTuning::kMaxSharpened) {
         return false;
     }
     const auto angle = angle_between_edges(work_, a, b, vertex);
@@ -388,7 +367,7 @@ bool AngleRefinement::crowded(int triangle, double nearest, int& shrinks) const 
         return false;
     }
     ++shrinks;
-    return shrinks > kMaxShrinks || nearest < kMaxShrink * shortest;
+    return shrinks > RefinementTuning::kMaxShrinks || nearest < RefinementTuning::kMaxShrink * shortest;
 }
 
 void AngleRefinement::remember_shrinks(int first_vertex, int shrinks) {

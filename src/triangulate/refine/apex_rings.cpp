@@ -5,34 +5,15 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
 
 namespace {
 
-// Radians: angle of each of a few triangles around an apex. Smaller angles would not survive changes around them,
-// larger ones would waste triangles. Tuned on the corpus.
-constexpr double kComfortable = 40.0 * kDegree;
-constexpr double kSlack = 1.15;  // Factor by which the angles of a ring exceed the bound. Tuned on the corpus.
 // Height of an equilateral triangle of side 1, rounded.
 constexpr double kHeight = 0.87;
-// Rings around one apex: those that halve the number of triangles, and a reserve for changes in between. Tuned on the
-// corpus.
-constexpr int kMaxTries = 48;
-constexpr int kMaxSwaps = 16;  // Swaps before one ring. Tuned on the corpus.
-// Rings that may leave too many triangles before the apex is left to ordinary refinement. Tuned on the corpus.
-constexpr int kMaxMisses = 2;
-// Fraction of a full turn: a triangle that spans more lies deep below its cone, and a ring would fold over it.
-constexpr double kWidestBelowRing = 100.0 / 360.0;
-// Ratio of distances from the apex up to which a vertex counts as on the ring. Tuned on the corpus.
-constexpr double kOnRing = 1.05;
-// Fraction of the chord tolerance that the middles of a ring's chords may use. Tuned on the corpus.
-constexpr double kShareOfChordHeight = 0.9;
-// Least distance of a ring, as a fraction of the distance without a chord tolerance. Chords of a coarse initial
-// triangulation lie so deep below a cone that rings that keep the tolerance at once would crowd around the apex. Tuned
-// on the corpus.
-constexpr double kMostJump = 0.1;
 
 }  // namespace
 
@@ -45,13 +26,13 @@ bool ApexRings::insert_ring(int h, std::vector<int>& touched) {
         return false;
     }
     ++tried_;
-    if (++tries_[apex.vertex] > kMaxTries) {
+    if (++tries_[apex.vertex] > RefinementTuning::kMaxRings) {
         segments_.free_apex(apex.vertex);
         return false;
     }
     const std::size_t before = touched.size();
     auto fan = cone_fan(work_.mesh, h);
-    for (int k = 0; fan && k < kMaxSwaps && swap_widest(apex, *fan, touched); ++k) {
+    for (int k = 0; fan && k < RefinementTuning::kMaxRingSwaps && swap_widest(apex, *fan, touched); ++k) {
         fan = cone_fan(work_.mesh, apex.half_edge);
     }
     if (fan) {
@@ -71,7 +52,8 @@ bool ApexRings::insert_ring(int h, std::vector<int>& touched) {
 // spokes remain: such apexes are released.
 void ApexRings::count_miss(const Apex& apex, const Ring& ring) {
     const auto fan = cone_fan(work_.mesh, apex.half_edge);
-    if (fan && static_cast<int>(fan->triangles) > ring.count && ++misses_[apex.vertex] >= kMaxMisses) {
+    if (fan && static_cast<int>(fan->triangles) > ring.count &&
+        ++misses_[apex.vertex] >= RefinementTuning::kMaxRingMisses) {
         segments_.free_apex(apex.vertex);
     }
 }
@@ -91,7 +73,7 @@ void ApexRings::relocate(Apex& apex, const std::vector<int>& touched, std::size_
 // vertices beyond as neighbours, one by one.
 bool ApexRings::swap_widest(Apex& apex, const ApexFan& fan, std::vector<int>& touched) {
     const ClassifiedMesh& mesh = work_.mesh;
-    const double most = kWidestBelowRing * fan.sum;
+    const double most = RefinementTuning::kWidestBelowRing * fan.sum;
     for (const int h : mesh.star(apex.half_edge)) {
         const int opposite = ClassifiedMesh::next(h);
         const int twin = mesh.twin(opposite);
@@ -117,9 +99,10 @@ bool ApexRings::swap_widest(Apex& apex, const ApexFan& fan, std::vector<int>& to
 ApexRings::Ring ApexRings::ring_within(const Apex& apex, const ApexFan& fan) const {
     const ClassifiedMesh& mesh = work_.mesh;
     const int now = static_cast<int>(fan.triangles);
-    const int most = std::max(3, static_cast<int>(fan.sum / (kSlack * bound_)));
-    const int count = now > most ? std::max(most, (now + 1) / 2)
-                                 : std::clamp(static_cast<int>(std::lround(fan.sum / kComfortable)), 3, most);
+    const int most = std::max(3, static_cast<int>(fan.sum / (RefinementTuning::kRingSlack * bound_)));
+    const int count = now > most
+                          ? std::max(most, (now + 1) / 2)
+                          : std::clamp(static_cast<int>(std::lround(fan.sum / RefinementTuning::kFewAtApex)), 3, most);
     double shortest = 1e300;
     for (const int h : mesh.star(apex.half_edge)) {
         if (mesh.segment_of(h) < 0) {
@@ -132,7 +115,8 @@ ApexRings::Ring ApexRings::ring_within(const Apex& apex, const ApexFan& fan) con
     if (chord_height_ > 0.0) {
         // Depth of a chord's middle below the cone at 1 mm from the apex.
         const double below = fan.sum / (2.0 * M_PI) * (1.0 - std::cos(M_PI / count));
-        away = std::max(std::min(away, kShareOfChordHeight * chord_height_ / below), kMostJump * away);
+        away = std::max(std::min(away, RefinementTuning::kRingChordHeight * chord_height_ / below),
+                        RefinementTuning::kLeastRing * away);
     }
     return {count, away, shortest};
 }
@@ -140,7 +124,7 @@ ApexRings::Ring ApexRings::ring_within(const Apex& apex, const ApexFan& fan) con
 // Whether a vertex at this distance from the apex (mm) counts as on the ring. Around slender cones rings lie close
 // together.
 bool ApexRings::Ring::holds(double length) const {
-    return length <= std::min(kOnRing * away, 0.5 * (away + least_beyond));
+    return length <= std::min(RefinementTuning::kOnRing * away, 0.5 * (away + least_beyond));
 }
 
 // Where a seam ends in the apex, its vertex on the ring is the first one, and `ring` gets its distance.

@@ -5,16 +5,13 @@
 #include <utility>
 
 #include "base/angle.h"
+#include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/gradation.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
 
 namespace {
-
-constexpr int kMaxRounds = 60;  // Bounds the rounds of splitting. Tuned on the corpus.
-// Edges around one vertex differ: the longest edge of triangles with good angles, in local sizes. Tuned on the corpus.
-constexpr double kLongestOfItsSize = 1.6;
 
 // Returns the angle between the surface normals at the ends, radians; 0 where there is no normal.
 double turn_along(const ClassifiedMesh& mesh, int h) {
@@ -192,7 +189,7 @@ void ChordRefinement::measure_growth(std::vector<Violation>& found) {
     const std::vector<double> sizes = graded_sizes(mesh, sizing_.growth);
     const auto check = [&](int h) {
         const double size = std::max(sizes[mesh.vertex_of(h)], sizes[mesh.vertex_of(ClassifiedMesh::next(h))]);
-        const double e = side_length(mesh, h) / (kLongestOfItsSize * size);
+        const double e = side_length(mesh, h) / (RefinementTuning::kLongestEdge * size);
         if (e > 1.0) {
             found.push_back({h, mesh.stamp(h / 3), e, edge_middle_site(mesh, h)});
         }
@@ -226,7 +223,7 @@ std::vector<ChordRefinement::Violation> ChordRefinement::violations() {
 
 bool ChordRefinement::run() {
     changed_ = false;
-    for (int round = 0; round < kMaxRounds && !work_.over_budget(); ++round) {
+    for (int round = 0; round < RefinementTuning::kMaxSplitRounds && !work_.over_budget(); ++round) {
         work_.progress.check();
         const int before = work_.mesh.vertex_count();
         const std::vector<Violation> found = violations();

@@ -7,6 +7,7 @@
 
 #include "base/segment_distance.h"
 #include "mesh/intersection/aabb_tree.h"
+#include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
@@ -18,18 +19,6 @@ namespace {
 // possible: tangent edges separate with their distance from the node, and the larger their distance at the end of the
 // innermost piece, the longer may be the pieces beyond it, and the smaller is the ratio of both lengths.
 constexpr double kOfPiece = 1.01;
-constexpr double kOfWholeEdge = 0.6;  // For an edge that is a single piece. Tuned on the corpus.
-// The same for an edge between two nodes with small input angles of which it is no side. Tuned on the corpus.
-constexpr double kBetweenTwo = 0.75;
-// Largest radius in distances from the node to the nearest vertex that does not belong to the corner, on a face beside
-// the node: entities that are merely close in space, such as nodes of separate bodies, do not restrict it. Tuned on the
-// corpus.
-constexpr double kRoom = 0.9;
-// The same to an edge that passes by. Tuned on the parts to develop on.
-constexpr double kPassing = 1.2;
-// Least distance of an edge from the middle of an innermost piece, in lengths of the piece: the radius is halved until
-// it is reached. Tuned on the corpus.
-constexpr double kBesideEdge = 0.3;
 constexpr int kMaxHalvings = 20;  // Bounds the halvings where an edge touches the piece.
 
 std::vector<Vec3> points_of(const ClassifiedMesh& mesh) {
@@ -80,7 +69,8 @@ class RoomSearch {
                 around.faces.insert(face_of(use));
             }
         }
-        radius = std::min(radius, kRoom * clear_of_vertices(node, around, radius / kRoom));
+        radius = std::min(radius, RefinementTuning::kShellRoom *
+                                      clear_of_vertices(node, around, radius / RefinementTuning::kShellRoom));
         return clear_of_other_edges(p, around, radius);
     }
 
@@ -98,9 +88,9 @@ class RoomSearch {
         const auto& ends = mesh_.segment(segment).vertices;
         if (narrow) {
             const bool whole = mesh_.vertex(ends[0]).entity[0] == 0 && mesh_.vertex(ends[1]).entity[0] == 0;
-            return whole ? kOfWholeEdge : kOfPiece;
+            return whole ? RefinementTuning::kShellOfWholeEdge : kOfPiece;
         }
-        return narrow_.count(ends[0]) > 0 && narrow_.count(ends[1]) > 0 ? kBetweenTwo : 1e300;
+        return narrow_.count(ends[0]) > 0 && narrow_.count(ends[1]) > 0 ? RefinementTuning::kShellBetweenTwo : 1e300;
     }
 
     bool is_narrow(int node, int segment) const {
@@ -131,9 +121,11 @@ class RoomSearch {
                 continue;
             }
             const auto room_at = [&](const Vec3& q) { return distance_to_segment(q, end_of(s, 0), end_of(s, 1)); };
-            radius = std::min(radius, kPassing * room_at(p));
+            radius = std::min(radius, RefinementTuning::kShellPassing * room_at(p));
             for (const Vec3& d : around.directions) {
-                for (int n = 0; n < kMaxHalvings && room_at(p + 0.5 * radius * d) < kBesideEdge * radius; ++n) {
+                for (int n = 0;
+                     n < kMaxHalvings && room_at(p + 0.5 * radius * d) < RefinementTuning::kShellBesideEdge * radius;
+                     ++n) {
                     radius *= 0.5;
                 }
             }

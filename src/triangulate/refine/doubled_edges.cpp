@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "triangulate/operators/vertex_insertion.h"
+#include "triangulate/refine/tuning.h"
 
 namespace mq::triangulate {
 
 namespace {
-
-constexpr int kMaxRounds = 8;  // An edge beside one that was split may have to wait for the next round.
 
 // Splits every doubled edge that earlier insertions of the round left in place.
 bool split_doubled_edges(Workspace& work, std::vector<int>& touched) {
@@ -69,7 +68,7 @@ void separate_doubled_segments(Workspace& work, SegmentSplitter& splitter, std::
 
 bool separate_doubled_edges(Workspace& work, std::vector<int>& touched) {
     bool any = false;
-    for (int round = 0; round < kMaxRounds && split_doubled_edges(work, touched); ++round) {
+    for (int round = 0; round < RefinementTuning::kMaxPassesOfDoubled && split_doubled_edges(work, touched); ++round) {
         any = true;
     }
     return any;

@@ -3,19 +3,16 @@
 
 #include <algorithm>
 
+#include "triangulate/refine/tuning.h"
+
 namespace mq::triangulate {
 
 namespace {
 
-// Exempt triangles on a face before its floor is raised first: tips of wings and similar places have about ten each.
-// Tuned on the corpus.
-constexpr std::size_t kFirst = 128;
-constexpr std::size_t kMore = 32;  // Further exempt triangles before it is raised again. Tuned on the corpus.
 // Insertions between two checks: at least this number, and a fraction 1 / kLooked of the exempt triangles that a check
 // visits, which bounds its cost.
 constexpr std::size_t kBetweenLooks = 32;
 constexpr std::size_t kLooked = 32;  // Divisor of the number of exempt triangles; see above.
-constexpr double kRise = 2.0;        // Factor by which a floor is raised.
 
 // Triangles that are crowded or would fold are none of these: along a narrow face many of them are given up until its
 // borders have been divided, and are good afterwards.
@@ -56,11 +53,11 @@ void FaceSizeFloors::look(std::size_t added) {
         }
     }
     for (const auto& [face, count] : given_up) {
-        if (count > kFirst) {
+        if (count > RefinementTuning::kExemptBeforeFloor) {
             Raised& raised = raised_[face];
-            if (count > std::max(kFirst, raised.most)) {
-                raised.factor *= kRise;
-                raised.most = count + kMore;
+            if (count > std::max(RefinementTuning::kExemptBeforeFloor, raised.most)) {
+                raised.factor *= RefinementTuning::kFloorRise;
+                raised.most = count + RefinementTuning::kExemptBetweenFloors;
                 ++raises_;
             }
         }

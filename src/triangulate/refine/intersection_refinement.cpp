@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "triangulate/measure/deviation_estimate.h"
+#include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
@@ -11,11 +12,6 @@ namespace mq::triangulate {
 namespace {
 
 using geometry::Query;
-
-// Depth of a crossing in heights of both triangles over their surfaces: deeper crossings are not caused by chords.
-constexpr double kDeeper = 2.0;
-// Sides with a smaller height over the surface, in resolutions of single precision, count as exact.
-constexpr double kExact = 4.0;
 
 }  // namespace
 
@@ -33,7 +29,8 @@ std::vector<IntersectionRefinement::Crossing> IntersectionRefinement::crossings(
     std::vector<Crossing> result;
     for (const auto& pair : pairs) {
         const std::array<Side, 2> sides{highest.at(pair[0]), highest.at(pair[1])};
-        const bool by_chords = !folded(pair) && finder_.depth(pair) <= kDeeper * (sides[0].height + sides[1].height) +
+        const bool by_chords = !folded(pair) && finder_.depth(pair) <= RefinementTuning::kDeepCrossing *
+                                                                               (sides[0].height + sides[1].height) +
                                                                            work_.grid.resolution();
         result.push_back({pair, sides, by_chords});
     }
@@ -111,7 +108,7 @@ void IntersectionRefinement::request(const Crossing& crossing, std::vector<SideT
     const double higher = std::max(crossing.sides[0].height, crossing.sides[1].height);
     for (int i = 0; i < 2; ++i) {
         const Side& side = crossing.sides[i];
-        if (side.height >= higher && side.height > kExact * work_.grid.resolution()) {
+        if (side.height >= higher && side.height > RefinementTuning::kExactHeight * work_.grid.resolution()) {
             sides.push_back({side.half_edge, work_.mesh.stamp(crossing.pair[i])});
         }
     }

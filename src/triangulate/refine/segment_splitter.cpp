@@ -10,6 +10,7 @@
 #include "triangulate/operators/cavity_replacement.h"
 #include "triangulate/operators/vertex_insertion.h"
 #include "triangulate/refine/encroaching_vertices.h"
+#include "triangulate/refine/tuning.h"
 #include "triangulate/work_mesh/corner_classification.h"
 #include "triangulate/work_mesh/surface_alignment.h"
 
@@ -20,18 +21,10 @@ namespace {
 using geometry::Answer;
 using geometry::Query;
 
-// Distance from a node, in radii of its innermost shell, within which vertices count as obstructed by its small angle.
-// Tuned on the corpus.
-constexpr double kBesideShell = 1.5;
-// Ratio of lengths up to which two pieces count as on one shell. Tuned on the corpus.
-constexpr double kSameShell = 1.1;
 // Least radius of the innermost shell in shortest lengths: any longer piece can be cut on a shell such that both parts
 // are long enough, so that all edges of a corner can follow.
 constexpr double kAboveFloor = 2.6;
 constexpr double kOnShell = 1.01;  // tolerance of the intersection of a curve with a shell
-// Least alignment (a cosine) of the new triangles: below it they count as folded. Tuned on the corpus.
-constexpr double kNotFolded = 0.1;
-constexpr int kMaxPostponed = 12;  // Times a segment is postponed for the sake of another one. Tuned on the corpus.
 
 }  // namespace
 
@@ -97,7 +90,7 @@ bool SegmentSplitter::is_terminal(int segment, int* corner_vertex) const {
 
 int SegmentSplitter::narrow_corner_near(const Vec3& p) const {
     for (const int v : room_.narrow_nodes) {
-        if ((work_.mesh.vertex(v).point - p).norm() <= kBesideShell * room_.innermost[v]) {
+        if ((work_.mesh.vertex(v).point - p).norm() <= RefinementTuning::kBesideShell * room_.innermost[v]) {
             return v;
         }
     }
@@ -239,8 +232,8 @@ void SegmentSplitter::enforce_equal_shells(int segment) {
     for (int end = 0; end < 2; ++end) {
         for (const NarrowCorner& corner : corners_at(work_.mesh, segment, end)) {
             // Not if this piece would become the shorter one: the two would be split in turn without terminating.
-            if (corner.angle < kNarrowCorner && chord(corner.segment) > kSameShell * chord(segment) &&
-                kSameShell * shell_of(corner.segment).radius >= chord(segment)) {
+            if (corner.angle < kNarrowCorner && chord(corner.segment) > RefinementTuning::kSameShell * chord(segment) &&
+                RefinementTuning::kSameShell * shell_of(corner.segment).radius >= chord(segment)) {
                 request(corner.segment, true);
             }
         }
@@ -289,7 +282,7 @@ SegmentSplitter::Shell SegmentSplitter::place_of(int segment) const {
 // The new vertex lies beyond another segment: between two arcs whose chord errors are large against their distance,
 // one has to be split before the other.
 SegmentSplitter::Outcome SegmentSplitter::wait_for(int segment, int other) {
-    if (other < 0 || other == segment || refused(other) || ++postponed_[segment] > kMaxPostponed) {
+    if (other < 0 || other == segment || refused(other) || ++postponed_[segment] > RefinementTuning::kMaxPostponed) {
         return Outcome::Folds;
     }
     request(other, is_terminal(segment));
@@ -302,7 +295,7 @@ SegmentSplitter::Outcome SegmentSplitter::wait_for(int segment, int other) {
 InsertionCavity SegmentSplitter::cavity_for(int half_edge, const Vec3& point, Answer& on_face) const {
     const ClassifiedMesh& mesh = work_.mesh;
     const int triangle = ClassifiedMesh::triangle_of(half_edge);
-    const double least = std::min(kNotFolded, alignment(mesh, triangle));
+    const double least = std::min(RefinementTuning::kNotFolded, alignment(mesh, triangle));
     InsertionCavity cavity = grow_cavity(mesh, half_edge, true, {point, on_face.normal}, least);
     if (cavity.complete || !on_face.found()) {
         return cavity;

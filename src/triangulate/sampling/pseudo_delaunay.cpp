@@ -11,6 +11,7 @@
 #include "triangulate/front/angular_sectors.h"
 #include "triangulate/front/front_boundary.h"
 #include "triangulate/front/front_validation.h"
+#include "triangulate/sampling/tuning.h"
 #include "triangulate/spacing/point_octree.h"
 
 namespace mq::triangulate {
@@ -21,17 +22,8 @@ using VertexUse = FaceMesh::VertexUse;
 // Fraction of a ball's radius: vertices this close to the ball lie on it within rounding.
 constexpr double kRound = 1e-9;
 constexpr double kSees = 0.0;  // Least cosine between the normals of two vertices on one sheet of the surface.
-// Radians by which a vertex may rise over the tangent plane beyond an arc to it. Tuned on the corpus.
-constexpr double kRise = 0.6;
-// Least cosine between a triangle's normal and those at its corners (75 degrees). Tuned on the corpus.
-constexpr double kTurned = 0.25;
 // The same limit where no other triangle fits, since the normal turns too much for the spacing (90 degrees).
 constexpr double kTurnedLast = 0.0;
-// Fraction of an edge's length: edges farther along the normal lie on another sheet. Tuned on the corpus.
-constexpr double kSheet = 0.5;
-constexpr std::size_t kTries = 12;  // Candidates tried for one edge. Tuned on the corpus.
-// Search radius in spacings: triangles between samples without gaps are smaller. Tuned on the corpus.
-constexpr double kFar = 8.0;
 
 class Front {
   public:
@@ -54,7 +46,7 @@ class Front {
     // The conditions that a new triangle must meet.
     struct Pass {
         bool only_empty_balls;
-        double turned;  // kTurned or kTurnedLast
+        double turned;  // SamplingTuning::kTurned or kTurnedLast
     };
 
     void place_sites(const std::vector<FaceSampler::Candidate>& samples);
@@ -137,9 +129,7 @@ void Front::place_sites(const std::vector<FaceSampler::Candidate>& samples) {
 // up to a full turn. This is the centre of the smallest ball around the normals there (Badoiu and Clarkson 2003);
 // their mean would depend on the density of samples.
 void Front::replace_normal(int site) {
-    constexpr double kAround = 3.0;  // Radius of the neighbourhood, in spacings. Tuned on the corpus.
-    constexpr int kRounds = 100;     // Iterations, whose error decreases with their number. Tuned on the corpus.
-    const double radius = kAround * std::max(outline_.scales()[site], context_.bounds.least);
+    const double radius = SamplingTuning::kApexNeighbourhood * std::max(outline_.scales()[site], context_.bounds.least);
     std::vector<Vec3> around;
     index_.any_near(point(site), radius, [&](int s) {
         if ((point(s) - point(site)).norm() <= radius && sites_[s].normal.squaredNorm() > 0.0) {
@@ -148,7 +138,7 @@ void Front::replace_normal(int site) {
         return false;
     });
     Vec3 centre = around.empty() ? Vec3::UnitZ() : around[0];
-    for (int round = 1; round < kRounds && !around.empty(); ++round) {
+    for (int round = 1; round < SamplingTuning::kApexRounds && !around.empty(); ++round) {
         const Vec3 farthest = *std::max_element(around.begin(), around.end(), [&](const Vec3& a, const Vec3& b) {
             return (a - centre).squaredNorm() < (b - centre).squaredNorm();
         });
@@ -166,7 +156,8 @@ bool Front::sees(const Vec3& from, const Vec3& up, int s) const {
     }
     const Vec3 arm = point(s) - from;
     const double rise = std::asin(std::min(1.0, std::abs(arm.dot(up)) / (arm.norm() * up.norm())));
-    return up.dot(normal(s)) > kSees && (rise < kRise || rise < kRise + 0.5 * angle_between(up, normal(s)));
+    return up.dot(normal(s)) > kSees &&
+           (rise < SamplingTuning::kRise || rise < SamplingTuning::kRise + 0.5 * angle_between(up, normal(s)));
 }
 
 // Returns the ball through the edge and an apex on its left. Among all apexes the one with the smallest reach has a
@@ -189,7 +180,7 @@ std::vector<Front::Option> Front::options(const Edge& edge) const {
     const Vec3 middle = 0.5 * (point(edge.from) + point(edge.to));
     const double length = (point(edge.to) - point(edge.from)).norm();
     const Vec3 up = normal(edge.from) + normal(edge.to);
-    const double farthest = kFar * std::max({length, spacing_[edge.from], spacing_[edge.to]});
+    const double farthest = SamplingTuning::kSearchRadius * std::max({length, spacing_[edge.from], spacing_[edge.to]});
     std::vector<Option> found;
     double radius = length;
     for (;;) {
@@ -266,7 +257,7 @@ bool Front::crosses_front(int a, int b) const {
             return false;
         }
         const Vec3 gap = point(a) + along * (s3 / (s3 - s4)) - point(s) - other * (s1 / (s1 - s2));
-        return std::abs(gap.dot(up)) < kSheet * length;
+        return std::abs(gap.dot(up)) < SamplingTuning::kSheet * length;
     };
     return index_.any_near(point(a) + 0.5 * along, length, [&](int s) {
         return !same_place(s, a) && !same_place(s, b) && faces(s, up, kSees) &&
@@ -277,7 +268,7 @@ bool Front::crosses_front(int a, int b) const {
 
 bool Front::advance(const Edge& edge, const Pass& pass) {
     const std::vector<Option> all = options(edge);
-    for (std::size_t i = 0; i < std::min(all.size(), kTries); ++i) {
+    for (std::size_t i = 0; i < std::min(all.size(), SamplingTuning::kCandidates); ++i) {
         if (pass.only_empty_balls && !empty(edge, all[i])) {
             break;  // later balls contain the same vertex, or this ball's apex
         }
@@ -325,7 +316,8 @@ FaceMesh Front::run(const FaceMesh& coarse) {
     }
     CancelPace pace(context_.progress);
     std::deque<Edge> left;
-    for (const Pass& pass : {Pass{true, kTurned}, Pass{false, kTurned}, Pass{false, kTurnedLast}}) {
+    for (const Pass& pass :
+         {Pass{true, SamplingTuning::kTurned}, Pass{false, SamplingTuning::kTurned}, Pass{false, kTurnedLast}}) {
         queue_.insert(queue_.end(), left.begin(), left.end());
         left.clear();
         while (!queue_.empty()) {

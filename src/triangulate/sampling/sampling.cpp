@@ -10,6 +10,7 @@
 #include "triangulate/sampling/pseudo_delaunay.h"
 #include "triangulate/sampling/sprinkle.h"
 #include "triangulate/sampling/star.h"
+#include "triangulate/sampling/tuning.h"
 #include "triangulate/spacing/edge_sampler.h"
 #include "triangulate/spacing/face_spacing.h"
 #include "triangulate/spacing/morton_order.h"
@@ -19,25 +20,18 @@ namespace mq::triangulate {
 namespace {
 using VertexUse = FaceMesh::VertexUse;
 
-// Largest spacing as a fraction of the shape's largest dimension, for flat faces without a bound, and the smallest one
-// without a chord tolerance. Tuned on the corpus.
-constexpr double kMost = 0.1;
-constexpr double kLeast = 1e-3;  // Fraction of the largest dimension: smallest spacing. Tuned on the corpus.
 // On a sphere the centre of an equilateral triangle lies r^2 / (6 R) below, the middles of its sides only r^2 / (8 R):
 // the ratio of both.
 constexpr double kCentre = 0.75;
-// Largest fraction of the budget that the samples of the edges may take: with too few samples beside them, triangles
-// from border to border would have to be looked for among all pieces.
-constexpr double kMostOnEdges = 0.5;
-// All rounds, and those that shape the border: see RoundLimits. Tuned on the corpus.
+// All rounds, and those that shape the border: see RoundLimits.
 constexpr RoundLimits kLimits{24, 8};
 
 SpacingBounds bounds_of(const TriangulateOptions& options, double chord, double size, double shortest) {
     SpacingBounds bounds;
     bounds.chord = kCentre * chord;
-    bounds.most = options.max_edge > 0.0 ? options.max_edge : kMost * size;
+    bounds.most = options.max_edge > 0.0 ? options.max_edge : SamplingTuning::kMostSpacing * size;
     // With a spacing as small as the chord tolerance, triangles keep the tolerance for any curvature.
-    const double least = chord > 0.0 ? chord : kLeast * size;
+    const double least = chord > 0.0 ? chord : SamplingTuning::kLeastSpacing * size;
     bounds.least = std::min(bounds.most, std::max({options.min_edge, shortest, least}));
     return bounds;
 }
@@ -114,7 +108,7 @@ class PartSampler {
 
 SampledTriangulation PartSampler::run() {
     InitialTriangulation& faces = result_.faces;
-    if (static_cast<double>(on_edges_) > kMostOnEdges * static_cast<double>(options_.budget())) {
+    if (static_cast<double>(on_edges_) > SamplingTuning::kMostOnEdges * static_cast<double>(options_.budget())) {
         return {std::move(coarse_), {}, false};
     }
     faces.faces.resize(coarse_.faces.size());

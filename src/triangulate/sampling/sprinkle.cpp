@@ -6,6 +6,7 @@
 #include <random>
 
 #include "triangulate/front/void_search.h"
+#include "triangulate/sampling/tuning.h"
 #include "triangulate/spacing/face_cells.h"
 
 namespace mq::triangulate {
@@ -14,37 +15,23 @@ namespace {
 
 using geometry::Answer;
 
-// Ball radius in spacings: at saturation the edges between balls of radius 1 are 1.3 long on average, so that edges
-// become as long as the spacing.
-constexpr double kClosest = 0.75;
-// Factor on the radii in the search for gaps, which treats cells as flat although the surface is slightly curved.
-// Tuned on the corpus.
-constexpr double kCovered = 0.95;
-// In spacings: longest side of a cell; least longest side of a cell that is halved again; size of gaps that are
-// ignored. Tuned on the corpus.
-constexpr double kCell = 1.0;
-constexpr double kLeastCell = 0.25;   // In spacings: shortest cell that is halved again. Tuned on the corpus.
-constexpr double kLeastGap = 0.1;     // In spacings: size of gaps that are ignored. Tuned on the corpus.
-constexpr std::size_t kRound = 1024;  // Cells in one batch of queries. Tuned on the corpus.
-constexpr std::size_t kBlock = 4096;  // Cells in one block of the shuffle. Tuned on the corpus.
-
 class Sprinkler {
   public:
     Sprinkler(const SamplingContext& context, int face, const FaceBoundary& border, std::uint64_t seed)
-        : sampler_(context, face, border, kClosest),
+        : sampler_(context, face, border, SamplingTuning::kBallRadius),
           cells_(context.session, face, outline_of(border),
                  [&context](const Answer& a) { return context.spacing_at(a); }),
           random_(seed + static_cast<std::uint64_t>(face)) {}
 
     std::vector<FaceSampler::Candidate> run() {
-        cells_.divide(kCell, sampler_.context().progress);
+        cells_.divide(SamplingTuning::kCell, sampler_.context().progress);
         std::vector<std::size_t> open = cells_.all();
         while (!open.empty() && !sampler_.full()) {
             shuffle(open);
             std::vector<std::size_t> left;
-            for (std::size_t from = 0; from < open.size() && !sampler_.full(); from += kRound) {
+            for (std::size_t from = 0; from < open.size() && !sampler_.full(); from += SamplingTuning::kSprinkleBatch) {
                 sampler_.context().progress.check();
-                throw_darts(open, from, std::min(open.size(), from + kRound), left);
+                throw_darts(open, from, std::min(open.size(), from + SamplingTuning::kSprinkleBatch), left);
             }
             open.swap(left);
         }
@@ -55,8 +42,8 @@ class Sprinkler {
     // Replaces std::shuffle, whose order differs from one library to the next; within blocks, so that neighbouring
     // cells remain close in memory.
     void shuffle(std::vector<std::size_t>& cells) {
-        for (std::size_t begin = 0; begin < cells.size(); begin += kBlock) {
-            const std::size_t size = std::min(kBlock, cells.size() - begin);
+        for (std::size_t begin = 0; begin < cells.size(); begin += SamplingTuning::kShuffleBlock) {
+            const std::size_t size = std::min(SamplingTuning::kShuffleBlock, cells.size() - begin);
             for (std::size_t i = size; i > 1; --i) {
                 std::swap(cells[begin + i - 1], cells[begin + random_() % i]);
             }
@@ -97,7 +84,7 @@ std::optional<Vec2> Sprinkler::dart(std::size_t cell, int half) {
     std::array<double, 3> radii{};
     for (int i = 0; i < 3; ++i) {
         points[i] = corners[i]->point - sampler_.context().grid.origin();
-        radii[i] = kCovered * sampler_.closest(corners[i]->spacing);
+        radii[i] = SamplingTuning::kCovered * sampler_.closest(corners[i]->spacing);
     }
     const Vec2& origin = corners[0]->uv;
     Eigen::Matrix2d sides;
@@ -108,7 +95,7 @@ std::optional<Vec2> Sprinkler::dart(std::size_t cell, int half) {
     for (const Segment2& s : cells_.outline(cell)) {
         outline.segments.push_back({to_place(s[0]), to_place(s[1])});
     }
-    const double least = kLeastGap * cells_.least_spacing(cell);
+    const double least = SamplingTuning::kLeastGap * cells_.least_spacing(cell);
     const std::optional<Vec2> place = GapSearch(points, radii, balls_, outline).find(least, random_);
     return place ? std::optional<Vec2>(origin + sides * *place) : std::nullopt;
 }
@@ -134,7 +121,7 @@ void Sprinkler::throw_darts(const std::vector<std::size_t>& cells, std::size_t f
             if (!sampler_.crowded(c->site.point, c->spacing)) {
                 sampler_.accept(*c);
             }
-        } else if (cells_.longest_side(aimed[k]) > kLeastCell * cells_.least_spacing(aimed[k])) {
+        } else if (cells_.longest_side(aimed[k]) > SamplingTuning::kLeastCell * cells_.least_spacing(aimed[k])) {
             missed.push_back(aimed[k]);
         }
     }

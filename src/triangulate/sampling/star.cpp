@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "triangulate/sampling/tuning.h"
+
 namespace mq::triangulate {
 
 namespace {
@@ -12,16 +14,7 @@ using geometry::Answer;
 using geometry::Engine;
 using geometry::Query;
 
-// Least distance between samples of different fronts, in spacings. Tuned on the corpus.
-constexpr double kClosest = 0.7;
-// Factor on the spacing for tests before the exact one, since the corner in the tangent plane moves when it is
-// projected. Tuned on the corpus.
-constexpr double kSlack = 0.9;
-// Largest distance of a corner from the surface, in spacings: farther ones belong to another sheet. Tuned on the
-// corpus.
-constexpr double kMaxLift = 0.5;
-constexpr int kCorners = 6;          // Corners of a regular hexagon, whose triangles are equilateral.
-constexpr std::size_t kRound = 512;  // Samples in one batch of queries. Tuned on the corpus.
+constexpr int kCorners = 6;  // Corners of a regular hexagon, whose triangles are equilateral.
 
 // A sample whose hexagon has not been drawn yet.
 struct Seed {
@@ -38,7 +31,7 @@ struct Corner {
 class Star {
   public:
     Star(const SamplingContext& context, int face, const FaceBoundary& border)
-        : sampler_(context, face, border, kClosest) {
+        : sampler_(context, face, border, SamplingTuning::kStarClosest) {
         for (const FaceBoundary::Piece& piece : border.pieces) {
             const FaceSampler::VertexUse& from = border.sites[piece.from];
             const Vec3 along = border.sites[piece.to].point - from.point;
@@ -51,7 +44,7 @@ class Star {
     std::vector<FaceSampler::Candidate> run() {
         for (std::size_t from = 0; from < queue_.size() && !sampler_.full();) {
             sampler_.context().progress.check();
-            const std::size_t to = std::min(queue_.size(), from + kRound);
+            const std::size_t to = std::min(queue_.size(), from + SamplingTuning::kStarBatch);
             grow(corners(from, to));
             from = to;
         }
@@ -77,7 +70,7 @@ std::vector<Corner> Star::corners(std::size_t from, std::size_t to) const {
         for (int k = 0; k < kCorners; ++k) {
             const double angle = 2.0 * M_PI * k / kCorners;
             const Vec3 p = s.site.point + s.spacing * (std::cos(angle) * x + std::sin(angle) * y);
-            if (!sampler_.crowded(p, kSlack * s.spacing)) {
+            if (!sampler_.crowded(p, SamplingTuning::kStarSlack * s.spacing)) {
                 found.push_back({i, p});
             }
         }
@@ -98,8 +91,8 @@ std::vector<Corner> Star::project(const std::vector<Corner>& corners, std::vecto
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double spacing = queue_[corners[i].seed].sample.spacing;
         const Answer& a = answers[i];
-        if (a.found() && a.distance < kMaxLift * spacing &&
-            !sampler_.crowded(context.grid.snap(a.point), kSlack * spacing)) {
+        if (a.found() && a.distance < SamplingTuning::kStarLift * spacing &&
+            !sampler_.crowded(context.grid.snap(a.point), SamplingTuning::kStarSlack * spacing)) {
             found.push_back(corners[i]);
             uvs.push_back(sampler_.into_bounds({a.u, a.v}));
         }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "triangulate/spacing/tuning.h"
 
 namespace mq::triangulate {
 
@@ -13,14 +14,6 @@ namespace {
 using geometry::Answer;
 using geometry::Engine;
 using geometry::Query;
-
-// Largest distance between samples, in spacings: while curvatures are measured, and while arc lengths are integrated.
-// Tuned on the corpus.
-constexpr double kMeasured = 2.0;
-constexpr double kSummed = 0.5;  // In spacings, while arc lengths are integrated. Tuned on the corpus.
-constexpr int kMaxRounds = 24;   // Bounds the halvings of the interval between two samples. Tuned on the corpus.
-// Fraction of a spacing by which the number of pieces may be rounded down to a whole number. Tuned on the corpus.
-constexpr double kStretch = 0.25;
 
 }  // namespace
 
@@ -35,7 +28,8 @@ EdgeSampler::EdgeSampler(geometry::Session& session, const EdgeDiscretisation& c
             measure_spacing(e, samples_[e]);
         }
     }
-    for (int round = 0; round < kMaxRounds && halve(too_long(kMeasured), false); ++round) {
+    for (int round = 0; round < SpacingTuning::kMaxEdgeRounds && halve(too_long(SpacingTuning::kEdgeMeasured), false);
+         ++round) {
     }
     for (int e = 0; e < edges; ++e) {
         limit_by_length(e);
@@ -154,7 +148,8 @@ void EdgeSampler::resample(EdgeDiscretisation& chains) {
             sample.spacing = field_.at(sample.point, bounds_.most);
         }
     }
-    for (int round = 0; round < kMaxRounds && halve(too_long(kSummed), true); ++round) {
+    for (int round = 0; round < SpacingTuning::kMaxEdgeRounds && halve(too_long(SpacingTuning::kEdgeSummed), true);
+         ++round) {
     }
     for (int e = 0; e < static_cast<int>(samples_.size()); ++e) {
         if (samples_[e].size() >= 2) {
@@ -171,7 +166,7 @@ std::vector<double> EdgeSampler::iso_metric(const EdgeSamples& samples, int leas
         const double length = (samples[i + 1].point - samples[i].point).norm();
         sum.push_back(sum.back() + 0.5 * length * (1.0 / samples[i].spacing + 1.0 / samples[i + 1].spacing));
     }
-    const int pieces = std::max(least_pieces, static_cast<int>(std::ceil(sum.back() - kStretch)));
+    const int pieces = std::max(least_pieces, static_cast<int>(std::ceil(sum.back() - SpacingTuning::kStretch)));
     std::vector<double> inner;
     std::size_t i = 0;
     for (int k = 1; k < pieces; ++k) {

@@ -7,6 +7,7 @@
 
 #include "base/key_set.h"
 #include "triangulate/spacing/morton_order.h"
+#include "triangulate/spacing/tuning.h"
 
 namespace mq::triangulate {
 
@@ -20,7 +21,6 @@ using geometry::Query;
 constexpr int kRoots = 4;
 // Largest number of halvings: where the surface is discontinuous, sides never become shorter.
 constexpr int kMostDepth = 48;
-constexpr std::size_t kBlock = 4096;  // Corners in one batch of queries. Tuned on the corpus.
 
 }  // namespace
 
@@ -65,8 +65,8 @@ void FaceCells::make_roots() {
 }
 
 void FaceCells::measure(std::size_t first) {
-    for (std::size_t from = first; from < corners_.size(); from += kBlock) {
-        const std::size_t to = std::min(corners_.size(), from + kBlock);
+    for (std::size_t from = first; from < corners_.size(); from += SpacingTuning::kCornersInBatch) {
+        const std::size_t to = std::min(corners_.size(), from + SpacingTuning::kCornersInBatch);
         Engine::Batch batch;
         for (std::size_t i = from; i < to; ++i) {
             batch.push_back(Query::face_curvatures(face_, corners_[i].uv.x(), corners_[i].uv.y()));

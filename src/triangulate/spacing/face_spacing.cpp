@@ -6,12 +6,11 @@
 #include <string>
 
 #include "triangulate/spacing/face_cells.h"
+#include "triangulate/spacing/tuning.h"
 
 namespace mq::triangulate {
 
 namespace {
-
-constexpr double kMeasured = 1.0;  // Longest side of a cell, in spacings. Tuned on the corpus.
 
 bool has_plain_curvature(const char* surface) {
     // Surfaces whose smallest spacing occurs on their borders.
@@ -33,7 +32,7 @@ void add_face_spacings(geometry::Session& session, const InitialTriangulation& c
         std::string failure;
         const FaceBoundary border = face_boundary(session, coarse.chains, grid, f, failure);
         FaceCells cells(session, f, outline_of(border), spacing);
-        cells.divide(kMeasured, progress);
+        cells.divide(SpacingTuning::kCellOfSpacing, progress);
         for (const FaceCells::Corner& corner : cells.inner_corners()) {
             if (corner.spacing < bounds.most) {
                 field.add(corner.point, corner.spacing);

@@ -5,20 +5,15 @@
 #include <array>
 #include <cmath>
 
+#include "triangulate/spacing/tuning.h"
+
 namespace mq::triangulate {
-
-namespace {
-
-constexpr double kMaxTurn = 0.7;  // radians: a chord of 0.7 radii turns by 40 degrees
-constexpr int kLeaf = 8;          // Sources in a leaf of the tree. Tuned on the corpus.
-
-}  // namespace
 
 double spacing_for(double curvature, const SpacingBounds& bounds) {
     const double k = std::abs(curvature);
     double spacing = bounds.most;
-    if (k * bounds.most > kMaxTurn) {
-        spacing = kMaxTurn / k;
+    if (k * bounds.most > SpacingTuning::kChordTurn) {
+        spacing = SpacingTuning::kChordTurn / k;
     }
     if (bounds.chord > 0.0 && k * bounds.chord < 1.0 && k > 0.0) {
         spacing = std::min(spacing, 2.0 * std::sqrt(bounds.chord * (2.0 / k - bounds.chord)));
@@ -45,7 +40,7 @@ void SpacingField::build_node(std::size_t node, int begin, int end) {
         made.least = std::min(made.least, sources_[i].spacing);
     }
     nodes_[node] = made;
-    if (end - begin <= kLeaf) {
+    if (end - begin <= SpacingTuning::kLeaf) {
         return;
     }
     int axis = 0;
@@ -78,7 +73,7 @@ double SpacingField::at(const Vec3& point, double most) const {
         if (bound(node, point) >= best) {
             continue;
         }
-        if (node.end - node.begin <= kLeaf) {
+        if (node.end - node.begin <= SpacingTuning::kLeaf) {
             for (int i = node.begin; i < node.end; ++i) {
                 best = std::min(best, sources_[i].spacing + kGrowth * (sources_[i].point - point).norm());
             }

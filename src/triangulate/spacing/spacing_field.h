@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/tuning.h"
 #include "base/vec.h"
 
 namespace mq::triangulate {
@@ -23,7 +24,8 @@ double spacing_for(double curvature, const SpacingBounds& bounds);
 /// triangles differ in size by a bounded factor, on one face and across edges.
 class SpacingField {
   public:
-    static constexpr double kGrowth = 0.3;  // Growth of the spacing in mm per mm of distance. Tuned on the corpus.
+    /// Growth of the spacing in mm per mm of distance.
+    MESHQUALITY_TUNED(double, kGrowth, 0.3);
 
     /// Adds a point in the shape's coordinates and its spacing, mm.
     void add(const Vec3& point, double spacing) { sources_.push_back({point, spacing}); }

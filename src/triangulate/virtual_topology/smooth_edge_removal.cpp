@@ -6,15 +6,13 @@
 
 #include "triangulate/measure/self_intersections.h"
 #include "triangulate/virtual_topology/smooth_edges.h"
+#include "triangulate/virtual_topology/tuning.h"
 #include "triangulate/virtual_topology/virtual_face_coarsening.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
 
 namespace {
-
-// Attempts: if faces cross after the removal, the vertices there are locked and the removal is repeated.
-constexpr int kMaxAttempts = 4;
 
 // Corners between edges that no longer constrain the mesh do not justify an exemption.
 void revoke_corner_exemptions(Workspace& work) {
@@ -81,7 +79,7 @@ std::string remove_smooth_edges(Workspace& work, const TriangulateOptions& optio
     const ClassifiedMesh before = work.mesh;
     const std::size_t crossings_before = SelfIntersections(work).pairs().size();
     std::set<int> locked;
-    for (int i = 0; i < kMaxAttempts; ++i) {
+    for (int i = 0; i < VirtualTopologyTuning::kMaxRemovalAttempts; ++i) {
         Attempt attempt(work, smooth, options.feature_angle);
         attempt.run(options, sizing, locked);
         if (attempt.crossings(locked) <= crossings_before) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/angle.h"
+#include "triangulate/virtual_topology/tuning.h"
 
 namespace mq::triangulate {
 
@@ -13,9 +14,6 @@ namespace {
 
 using geometry::Answer;
 using geometry::Query;
-
-// Least number of equal pieces of an edge, at whose ends normals are compared: see smooth_edges().
-constexpr int kLeastPieces = 8;
 
 // The volumes that a face bounds, each with the side of the face towards it.
 using Sides = std::vector<std::pair<int, bool>>;
@@ -55,8 +53,8 @@ std::vector<std::vector<double>> parameters(const ClassifiedMesh& mesh, const ge
                                             const std::vector<char>& asked) {
     std::vector<std::vector<double>> all(topology.edges.size());
     for (std::size_t e = 0; e < all.size(); ++e) {
-        for (int i = 1; asked[e] != 0 && i < kLeastPieces; ++i) {
-            const double at = static_cast<double>(i) / kLeastPieces;
+        for (int i = 1; asked[e] != 0 && i < VirtualTopologyTuning::kLeastPieces; ++i) {
+            const double at = static_cast<double>(i) / VirtualTopologyTuning::kLeastPieces;
             all[e].push_back((1.0 - at) * topology.edges[e].t0 + at * topology.edges[e].t1);
         }
     }

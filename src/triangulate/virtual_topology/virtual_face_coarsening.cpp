@@ -7,21 +7,15 @@
 #include "base/angle.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "triangulate/operators/cavity_replacement.h"
+#include "triangulate/virtual_topology/tuning.h"
 #include "triangulate/work_mesh/triangle_measures.h"
 
 namespace mq::triangulate {
 
 namespace {
 
-// Fraction of the tolerance that changes must keep: between the measured points distances may be slightly larger.
-// Tuned on the corpus.
-constexpr double kMargin = 0.9;
 // Allowed distance in resolutions of single precision if there is no tolerance, for rounding on plane faces.
 constexpr double kNoTolerance = 4.0;
-// Largest number of faces below one disc, which bounds the queries. Tuned on the corpus.
-constexpr std::size_t kMaxFaces = 12;
-constexpr int kMaxRounds = 16;  // Rounds of removal, each around the changes of the last one. Tuned on the corpus.
-constexpr std::size_t kMaxTried = 3;  // Fans tried for one vertex. Tuned on the corpus.
 
 std::vector<Vec3> samples_of_fan(const ClassifiedMesh& mesh, const Cavity& disc, const Vec3& apex, int apex_site) {
     std::vector<Vec3> points;
@@ -85,7 +79,7 @@ bool VirtualFaceCoarsening::admissible(const Cavity& disc) const {
     return disc.rim.size() > 2 &&
            std::none_of(inner.begin(), inner.end(),
                         [&](int site) { return patches_.locked(work_.mesh.site(site).vertex); }) &&
-           patches_.sheets(disc.triangles, Vec3::Zero()).faces.size() <= kMaxFaces;
+           patches_.sheets(disc.triangles, Vec3::Zero()).faces.size() <= VirtualTopologyTuning::kMaxFacesBelow;
 }
 
 // Returns the CAD samples of the disc, including its inner vertices, which are points of the shape.
@@ -101,7 +95,7 @@ std::vector<CadSample> VirtualFaceCoarsening::passengers(const Cavity& disc) con
 
 bool VirtualFaceCoarsening::near_surface(const Cavity& disc, const Vec3& apex, int apex_site) const {
     const std::vector<CadSample> all = passengers(disc);
-    double allowed = kMargin * sizing_.tolerance;
+    double allowed = VirtualTopologyTuning::kCoarseningMargin * sizing_.tolerance;
     if (!(sizing_.tolerance > 0.0)) {
         allowed = kNoTolerance * work_.grid.resolution();
         for (const CadSample& passenger : all) {
@@ -164,7 +158,7 @@ bool VirtualFaceCoarsening::take_out(int vertex, std::vector<int>& around) {
         }
     }
     std::sort(apexes.begin(), apexes.end());
-    apexes.resize(std::min(apexes.size(), kMaxTried));
+    apexes.resize(std::min(apexes.size(), VirtualTopologyTuning::kMaxCoarseningFans));
     for (const auto& [angle, side] : apexes) {
         const int site = mesh.site_of(side);
         const Corner apex = corner_of(mesh, site);
@@ -191,7 +185,7 @@ double VirtualFaceCoarsening::shortest_spoke(int vertex) const {
 
 void VirtualFaceCoarsening::run() {
     std::vector<int> vertices = patches_.vertices_on_edges();
-    for (int round = 0; round < kMaxRounds && !vertices.empty(); ++round) {
+    for (int round = 0; round < VirtualTopologyTuning::kMaxCoarseningRounds && !vertices.empty(); ++round) {
         // Vertices with the shortest edges come first.
         std::vector<std::pair<double, int>> order;
         for (const int v : vertices) {

@@ -5,18 +5,9 @@
 
 #include "base/angle.h"
 #include "triangulate/work_mesh/triangle_measures.h"
+#include "triangulate/work_mesh/tuning.h"
 
 namespace mq::triangulate {
-
-namespace {
-
-// Radians: total angle around an apex below which fans need rings. Tuned on the corpus.
-constexpr double kSlenderCone = 200.0 * kDegree;
-// Fraction of the total angle: wider triangles lie deep below the cone and have to be divided by other vertices. Tuned
-// on the corpus.
-constexpr double kWidestShare = 145.0 / 360.0;
-
-}  // namespace
 
 double angle_at(const ClassifiedMesh& mesh, int h) {
     const Vec3& o = mesh.point_of(h);
@@ -110,12 +101,12 @@ std::optional<ApexFan> cone_fan(const ClassifiedMesh& mesh, int h) {
         return std::nullopt;
     }
     const auto fan = apex_fan(mesh, h);
-    return fan && fan->closed && fan->sum < kSlenderCone ? fan : std::nullopt;
+    return fan && fan->closed && fan->sum < WorkMeshTuning::kSlenderCone ? fan : std::nullopt;
 }
 
 bool ringed_apex(const ClassifiedMesh& mesh, int h) {
     const auto fan = cone_fan(mesh, h);
-    return fan && fan->widest <= kWidestShare * fan->sum;
+    return fan && fan->widest <= WorkMeshTuning::kWidestShare * fan->sum;
 }
 
 }  // namespace mq::triangulate

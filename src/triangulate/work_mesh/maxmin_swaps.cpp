@@ -4,14 +4,9 @@
 #include <algorithm>
 
 #include "base/predicates.h"
+#include "triangulate/work_mesh/tuning.h"
 
 namespace mq::triangulate {
-
-namespace {
-
-constexpr int kMaxSweeps = 20;  // Sweeps over the mesh; the first ones make nearly all swaps. Tuned on the corpus.
-
-}  // namespace
 
 MaxMinSwaps::MaxMinSwaps(ClassifiedMesh& mesh) : mesh_(mesh) {
     rebuild();
@@ -214,7 +209,7 @@ void MaxMinSwaps::restore_around(std::size_t first, std::vector<int>& touched) {
 void MaxMinSwaps::sweep(std::vector<int>& touched, const TriangleMarks& settled) {
     // A distant swap can separate a pair of vertices that made another swap illegal, so that one sweep may leave
     // violations.
-    for (int round = 0; round < kMaxSweeps; ++round) {
+    for (int round = 0; round < WorkMeshTuning::kMaxSweeps; ++round) {
         std::vector<int> stack;
         for (int h = mesh_.half_edge_count() - 1; h >= 0; --h) {
             if (mesh_.twin(h) > h && !settled.marked(mesh_, h / 3)) {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "base/tuning.h"
 #include "triangulate/work_mesh/classified_mesh.h"
 
 namespace mq::triangulate {
@@ -22,15 +23,15 @@ double alignment(const ClassifiedMesh& mesh, int triangle);
 
 /// Cosine of 60 degrees: the normal of a new triangle must not deviate more, unless those of the replaced triangles
 /// did.
-constexpr double kAligned = 0.5;
+MESHQUALITY_TUNED(double, kAligned, 0.5);
 /// Cosine of 73 degrees: the limit for swaps, which can be undone, and whose triangles refinement aligns again.
-constexpr double kAlignedSwap = 0.3;
-/// Least cosine for triangles that would otherwise be exempt. Tuned on the corpus.
-constexpr double kAlignedAtLast = 0.1;
+MESHQUALITY_TUNED(double, kAlignedSwap, 0.3);
+/// Least cosine for triangles that would otherwise be exempt.
+MESHQUALITY_TUNED(double, kAlignedAtLast, 0.1);
 /// Cosine of 40 degrees: triangles whose normals deviate more are refined for this reason alone, since around them
 /// swaps and insertions are refused that good angles need.
-constexpr double kWellAligned = 0.766;
-constexpr double kAlignedAtApex = 0.1;  // Least cosine at the apex of a slender cone. Tuned on the corpus.
+MESHQUALITY_TUNED(double, kWellAligned, 0.766);
+MESHQUALITY_TUNED(double, kAlignedAtApex, 0.1);  // Least cosine at the apex of a slender cone.
 
 /// Returns the side of a triangle along which the CAD normal turns most, as a half-edge.
 int most_turned_side(const ClassifiedMesh& mesh, int triangle);

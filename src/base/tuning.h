@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+/// Constants that tune a heuristic are declared with MESHQUALITY_TUNED, those of a stage in one struct. They are
+/// constants; only a build with the CMake option MESHQUALITY_TUNABLE multiplies each by the factor that the environment
+/// variable MESHQUALITY_TUNING names for it ("kMaxShrinks=0.5,kMaxRings=2"), so that benchmarks/tuning can measure all
+/// of them at half and at double with one build.
+#ifdef MESHQUALITY_TUNABLE
+
+namespace mq {
+
+/// Returns the factor that the environment names for a constant, or 1.
+double tuning_factor(const char* name);
+
+}  // namespace mq
+
+#define MESHQUALITY_TUNED(type, name, value) \
+    static inline const type name = static_cast<type>(mq::tuning_factor(#name) * static_cast<double>(value))
+
+#else
+
+#define MESHQUALITY_TUNED(type, name, value) static constexpr type name = value
+
+#endif

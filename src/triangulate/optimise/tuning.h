@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "base/angle.h"
+#include "base/tuning.h"
+
+namespace mq::triangulate {
+
+/// The constants that tune local optimisation. docs/measurements/tuning.md says what each does at half and at
+/// double its value.
+struct OptimisationTuning {
+    /// Least gain of a change, as a fraction of the angle deficit, so that sequences of ever smaller changes end.
+    MESHQUALITY_TUNED(double, kGainOfDeficit, 0.05);
+    /// Radians: the least gain where the deficit is small.
+    MESHQUALITY_TUNED(double, kLeastGain, 1e-6);
+    /// Radians: the target lies above the bound by this margin, since the fraction of the deficit would approach the
+    /// bound itself without reaching it.
+    MESHQUALITY_TUNED(double, kTargetMargin, 0.002 * kDegree);
+    /// Attempts of all steps together, perturbations included: this number,
+    MESHQUALITY_TUNED(std::size_t, kLeastOfAll, 20'000);
+    /// and this number for each triangle of the mesh. A crank arm at 30 degrees needs 27.
+    MESHQUALITY_TUNED(std::size_t, kOfAllEach, 50);
+    /// Cached cavities, which bounds memory.
+    MESHQUALITY_TUNED(std::size_t, kMaxCached, 200'000);
+    /// Triangles in a cavity: a fan with more has small angles in any case, and where a surface has a singular point,
+    /// thousands of triangles meet in a vertex.
+    MESHQUALITY_TUNED(std::size_t, kMaxDisc, 64);
+    /// Fans tried for one cavity size.
+    MESHQUALITY_TUNED(std::size_t, kMaxFans, 6);
+    /// Attempts for each triangle that is bad at first.
+    MESHQUALITY_TUNED(std::size_t, kAttemptsEach, 40);
+    /// Attempts for the whole mesh, so that shapes full of needles end in reasonable time,
+    MESHQUALITY_TUNED(std::size_t, kAttempts, 2000);
+    /// and one more for each of this number of triangles.
+    MESHQUALITY_TUNED(std::size_t, kTrianglesPerAttempt, 4);
+    /// Triangles that may be added to a cavity, each across its worst side.
+    MESHQUALITY_TUNED(int, kMaxGrowth, 3);
+    /// Radians: triangles beside bad ones are improved by this angle beyond the bound,
+    MESHQUALITY_TUNED(double, kRoomBesideBad, 3.0 * kDegree);
+    /// in at most this number of rounds.
+    MESHQUALITY_TUNED(int, kMaxOptimiserRounds, 6);
+    /// Largest fraction of the deficit left after a round that lets another one follow.
+    MESHQUALITY_TUNED(double, kLeftAfterRound, 0.95);
+    /// Successive rounds that may increase the deficit: a later one may still reduce it.
+    MESHQUALITY_TUNED(int, kMaxWorseRounds, 2);
+    /// Largest distance between an apex and its projection, as a fraction of the cavity's size, so that other
+    /// sheets of the surface are excluded.
+    MESHQUALITY_TUNED(double, kMaxApexLift, 0.5);
+    /// Fraction of the bound that angles must keep during a perturbation of a disc, a segment, or a vertex's
+    /// position.
+    MESHQUALITY_TUNED(double, kLeastOfPerturbation, 0.2);
+    /// Segments that are split on trial for one triangle.
+    MESHQUALITY_TUNED(std::size_t, kMaxSegments, 8);
+    /// Fractions of a segment's parameter range at which it is split on trial.
+    static constexpr std::array<double, 3> kSplitFractions{0.5, 0.36, 0.64};
+    /// Trial steps of vertices along their CAD edges, as fractions of the distance to the next vertex in either
+    /// direction.
+    static constexpr std::array<double, 4> kMoves{-0.3, -0.15, 0.15, 0.3};
+    /// Steps of the relocation of such vertices, as the same fractions,
+    static constexpr std::array<double, 8> kSteps{-0.6, -0.45, -0.3, -0.15, 0.15, 0.3, 0.45, 0.6};
+    /// and finer steps around the best of these.
+    static constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
+    /// Positions tried for one vertex on a CAD edge.
+    MESHQUALITY_TUNED(std::size_t, kMaxPositions, 3);
+    /// Perturbations tried for a triangle,
+    MESHQUALITY_TUNED(std::size_t, kMaxPerturbations, 60);
+    /// and as second ones.
+    MESHQUALITY_TUNED(std::size_t, kMaxSecondPerturbations, 12);
+    /// Local repairs of each kind after a perturbation.
+    MESHQUALITY_TUNED(int, kAttemptsAfter, 150);
+    /// A perturbation is kept only if the total angle deficit falls to this fraction of its former value.
+    MESHQUALITY_TUNED(double, kLeftAfterPerturbation, 0.95);
+    /// Attempts of the search by single perturbations,
+    MESHQUALITY_TUNED(std::size_t, kSearchAttempts, 20'000);
+    /// which is skipped above this number of triangles below the bound, since the shape causes that many.
+    MESHQUALITY_TUNED(std::size_t, kMostLeft, 200);
+    /// The same of the search by two successive perturbations.
+    MESHQUALITY_TUNED(std::size_t, kSecondSearchAttempts, 40'000);
+    MESHQUALITY_TUNED(std::size_t, kMostLeftForSecond, 60);
+    /// A second perturbation is tried if the deficit after the first is at most this multiple of the former one
+    MESHQUALITY_TUNED(double, kPromising, 3.0);
+    /// plus this angle, in radians.
+    MESHQUALITY_TUNED(double, kPromisingMore, 10.0 * kDegree);
+    /// Factor by which the angles after a removal exceed the bound, as a margin for later changes.
+    MESHQUALITY_TUNED(double, kRemovalMargin, 1.04);
+    /// Fraction of the tolerance. A vertex is kept if the chord error of an edge at it exceeds this: without the
+    /// vertex edges become about twice as long, and their chord errors four times as large.
+    MESHQUALITY_TUNED(double, kRemovalFlat, 0.6);
+    /// Rounds of removal, each of vertices that do not touch.
+    MESHQUALITY_TUNED(int, kMaxRemovalRounds, 12);
+    /// Least factor by which angles below the bound must grow.
+    MESHQUALITY_TUNED(double, kRemovalGain, 1.1);
+    /// Smallest angle that may replace a smaller one, as a fraction of the bound.
+    MESHQUALITY_TUNED(double, kNoNeedle, 0.1);
+};
+
+}  // namespace mq::triangulate
