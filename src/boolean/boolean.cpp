@@ -11,6 +11,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/message.h"
 #include "base/parallel.h"
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/cells.h"
@@ -167,9 +168,9 @@ class BooleanPipeline {
                                                      : std::string());
         }
         if (tolerance_ < 4.0 * kSingleUnit * size_) {
-            throw InvalidInput(Message::of(phrases::kFineTolerance,
-                                           {{"length", mesh::in_three_digits(tolerance_) + " mm"},
-                                            {"length2", mesh::in_three_digits(4.0 * kSingleUnit * size_) + " mm"}}));
+            throw InvalidInput(
+                Message::of(phrases::kFineTolerance, {{"length", in_digits(tolerance_, 3) + " mm"},
+                                                      {"length2", in_digits(4.0 * kSingleUnit * size_, 3) + " mm"}}));
         }
     }
 

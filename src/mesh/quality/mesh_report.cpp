@@ -260,12 +260,6 @@ std::string counted(std::size_t count, const std::string& noun) {
     return digits + " " + noun + (count == 1 ? "" : "s");
 }
 
-std::string in_three_digits(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", value);
-    return text.data();
-}
-
 std::string in_short(const MeshReport& r) {
     if (r.triangles == 0) {
         return "no triangles";

@@ -92,7 +92,4 @@ bool has_faults(const MeshReport& report);
 /// "1,234 triangles", "1 triangle".
 std::string counted(std::size_t count, const std::string& noun);
 
-/// Formats a number with three digits: "0.0123", "1e-07".
-std::string in_three_digits(double value);
-
 }  // namespace mq::mesh

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "base/message.h"
 #include "triangulate/measure/max_chord_error.h"
 #include "triangulate/measure/self_intersections.h"
 #include "triangulate/report/exemption.h"
@@ -78,8 +79,8 @@ void report_chord_height(Workspace& work, ChordErrorCache& measure, const Output
     report.max_chord_point = worst.point;
     if (asked > 0.0 && worst.distance > asked) {
         const std::string face = work.session.topology().name_of({2, work.mesh.face_of(worst.triangle)});
-        report.notes.push_back("max. deviation " + mesh::in_three_digits(worst.distance) +
-                               " mm instead of the requested " + mesh::in_three_digits(asked) + " mm: " +
+        report.notes.push_back("max. deviation " + in_digits(worst.distance, 3) + " mm instead of the requested " +
+                               in_digits(asked, 3) + " mm: " +
                                (!keeps_bounds ? "refine_samples is off, so that the samples alone decide"
                                 : worst.of_the_part
                                     ? "edges of " + face + " deviate from it by more than that"
