@@ -25,7 +25,8 @@ from inside_freecad import ROOT, command_line, start
 DECLARED = re.compile(r"MESHQUALITY_TUNED\(\s*([\w:]+),\s*(\w+),\s*([^;]+)\);")
 FACTORS = (0.5, 2.0)
 VARIABLE = "MESHQUALITY_TUNING"
-SECONDS_OF_PART, SECONDS_OF_SETTING = 30, 3600
+BOUND = 25.0  # degrees
+SECONDS_OF_PART, SECONDS_OF_SETTING = 15, 3600
 FORCED = ("narrow_corner", "infeasible_corner", "apex")
 
 
@@ -47,6 +48,7 @@ def figures(mesh):
         "exempt": len(report.exempt), "free": free, "angle": report.min_angle,
         "distance": report.max_chord_height, "crossings": max(report.self_intersections, 0),
         "far": report.max_chord_height > 1.05 * report.chord_height_asked > 0,
+        "below": report.min_angle_unexempted < BOUND - 1e-6,
     }
 
 
@@ -79,7 +81,7 @@ def sums(run):
     done = [p for p in parts if "failed" not in p]
     return {
         "failed": len(parts) - len(done),
-        "missed": sum(p["free"] > 0 for p in done),
+        "missed": sum(p["free"] > 0 or p["below"] for p in done),
         "free": sum(p["free"] for p in done),
         "far": sum(p["far"] for p in done),
         "crossings": sum(p["crossings"] > 0 for p in done),
@@ -128,7 +130,7 @@ def read_parts(arguments):
 
 def work(arguments):
     """Measures the stage and returns everything that is kept."""
-    options = {"min_angle": 25.0, "chord_height_relative": 0.002, "method": arguments.method}
+    options = {"min_angle": BOUND, "chord_height_relative": 0.002, "method": arguments.method}
     if arguments.keep_edges:
         options["keep_edges"] = arguments.keep_edges
     shapes = read_parts(arguments)
@@ -136,7 +138,8 @@ def work(arguments):
     small = [n for n, p in base["parts"].items()
              if "failed" not in p and p["triangles"] <= arguments.most_triangles]
     shapes = {n: shapes[n] for n in small}
-    base = mesh_all(shapes, "", options)
+    if len(small) < len(base["parts"]):
+        base = mesh_all(shapes, "", options)
     print(f"{len(shapes)} parts: {sums(base)}", flush=True)
     rows = {}
     for name, value in constants(arguments.stage).items():

@@ -7,10 +7,24 @@
 /// of them at half and at double with one build.
 #ifdef MESHQUALITY_TUNABLE
 
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
 namespace mq {
 
 /// Returns the factor that the environment names for a constant, or 1.
-double tuning_factor(const char* name);
+inline double tuning_factor(const char* name) {
+    const char* all = std::getenv("MESHQUALITY_TUNING");
+    std::istringstream entries(all != nullptr ? all : "");
+    for (std::string entry; std::getline(entries, entry, ',');) {
+        const std::size_t equals = entry.find('=');
+        if (equals != std::string::npos && entry.substr(0, equals) == name) {
+            return std::stod(entry.substr(equals + 1));
+        }
+    }
+    return 1.0;
+}
 
 }  // namespace mq
 

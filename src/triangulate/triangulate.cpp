@@ -160,7 +160,7 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     refine_chords();
     // Splitting a segment between triangles with the same third corner on two faces doubles the edge to that corner.
     const auto separate_doubled = [&] {
-        for (int round = 0; round < RefinementTuning::kMaxDoubledRounds && separate_doubled_edges(work, touched);
+        for (int round = 0; round < RefinementTuning::kDoubledRounds && separate_doubled_edges(work, touched);
              ++round) {
             refine_again();
         }

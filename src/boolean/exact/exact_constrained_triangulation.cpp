@@ -5,8 +5,8 @@
 #include <cmath>
 #include <deque>
 
+#include "base/angle.h"
 #include "base/error.h"
-#include "base/smallest_angle.h"
 
 namespace mq::boolean {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/smallest_angle.h"
+#include "base/angle.h"
 #include "triangulate/work_mesh/classified_mesh.h"
 
 namespace mq::triangulate {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "base/smallest_angle.h"
 
 #include <gtest/gtest.h>
 
