@@ -17,10 +17,10 @@ FACTORS = ("0.5", "2.0")
 def cell(row):
     """One setting in words."""
     if row is None:
-        return "did not end"
+        return "not measured"
     if not row["differing"]:
         return "no difference"
-    parts = [f"{row['differing']} parts differ", f"triangles {row['triangles_percent']:+.1f} %"]
+    parts = [f"{row['differing']} differ", f"triangles {row['triangles_percent']:+.1f} %"]
     for name, text in (("free", "exempt"), ("missed", "missed parts"), ("far", "far parts"),
                        ("crossings", "crossing parts"), ("failed", "failures")):
         if row[name]:

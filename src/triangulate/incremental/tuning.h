@@ -5,7 +5,7 @@
 
 namespace mq::triangulate {
 
-/// The constants that tune meshing after an edit. docs/measurements/tuning.md says which parts they concern.
+/// The constants that tune meshing after an edit. Their halves and doubles were not measured.
 struct IncrementalTuning {
     /// Largest ratio between the cached and the present chord tolerance at which a cached mesh is reused.
     MESHQUALITY_TUNED(double, kMuchTheSame, 1.25);
