@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include "base/angle.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "base/angle.h"
 
 namespace mq {
 namespace {
