@@ -16,11 +16,10 @@ import brep_numbers
 import FreeCAD
 import Part
 from child import in_child
+from parts_report import FORCED
 
 JOB = json.loads(os.environ["MESHQUALITY_JOB"])
 BREPMESH_SECONDS = 60
-# Causes where the shape itself leaves no larger angle.
-FORCED = ("narrow_corner", "infeasible_corner", "apex")
 
 
 def read_shape(path):

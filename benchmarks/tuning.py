@@ -1,16 +1,17 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What each constant of src/*/tuning.h does at half and at double its value.
+"""What each constant of src/triangulate/*/*.h that is MESHQUALITY_TUNED does at half and at double its value.
 
     cmake -B build/tunable -DMESHQUALITY_TUNABLE=ON ... (docs/measurements/tuning.md has the whole line)
     benchmarks/tuning.py --parts FOLDER --stage refine --out out/refine.json
 
-A build with MESHQUALITY_TUNABLE scales constants by what the environment says. Parts of FOLDER (benchmarks/parts_sources.py
-brings them) of the share to develop on are meshed with the defaults, then with each constant of the
-stage halved and doubled. Of the parts, in the order of their digests, the first --first are taken
-whose mesh has at most --most-triangles. A line is printed for each setting: the parts whose mesh
-differs, the parts that miss the bound, crossings and exempt triangles that no input angle forces,
-triangles and processor time, each as the difference from the defaults.
+A build with MESHQUALITY_TUNABLE scales constants by what the environment says; it takes the place
+of the module in Mod/. Parts of FOLDER (benchmarks/parts_sources.py brings them) of the share to
+develop on are meshed with the defaults, then with each constant of the stage halved and doubled.
+Documents and invalid shapes are left out. Of the parts, in the order of their digests, the first
+--first are taken whose mesh has at most --most-triangles. A line is printed for each setting: the
+parts whose mesh differs, the parts that miss the bound, crossings and exempt triangles that no
+input angle forces, triangles and processor time, each as the difference from the defaults.
 """
 
 import json
@@ -21,13 +22,15 @@ from pathlib import Path
 
 from child import in_child, outcome_in_child
 from inside_freecad import ROOT, command_line, start
+from parts_report import FORCED, angle, far_distances
 
 DECLARED = re.compile(r"MESHQUALITY_TUNED\(\s*([\w:]+),\s*(\w+),\s*([^;]+)\);")
 FACTORS = (0.5, 2.0)
 VARIABLE = "MESHQUALITY_TUNING"
+MODULES = ROOT / "Mod" / "MeshQuality"
 BOUND = 25.0  # degrees
+DISTANCE = 0.002  # fraction of the largest side
 SECONDS_OF_PART, SECONDS_OF_SETTING = 15, 3600
-FORCED = ("narrow_corner", "infeasible_corner", "apex")
 
 
 def constants(stage):
@@ -42,14 +45,17 @@ def constants(stage):
 def figures(mesh):
     """What is compared of one mesh."""
     report = mesh.report
-    free = sum(reason.cause not in FORCED for _, reason in report.exempt_reasons)
-    return {
+    forced = sum(reason.cause in FORCED for _, reason in report.exempt_reasons)
+    found = {
         "triangles": report.triangles, "vertices": report.vertices,
-        "exempt": len(report.exempt), "free": free, "angle": report.min_angle,
-        "distance": report.max_chord_height, "crossings": max(report.self_intersections, 0),
-        "far": report.max_chord_height > 1.05 * report.chord_height_asked > 0,
-        "below": report.min_angle_unexempted < BOUND - 1e-6,
+        "exempt": len(report.exempt), "exempt_forced": forced, "unforced": len(report.exempt) - forced,
+        "min_angle": report.min_angle, "min_angle_unexempted": report.min_angle_unexempted,
+        "max_chord_height": report.max_chord_height, "chord_height_asked": report.chord_height_asked,
+        "crossings": max(report.self_intersections, 0),
     }
+    found["missed"] = angle(found, BOUND) == "missed"
+    found["far"] = bool(far_distances(found, {"chord_height_relative": DISTANCE}))
+    return found
 
 
 def mesh_all(shapes, setting, options):
@@ -81,8 +87,8 @@ def sums(run):
     done = [p for p in parts if "failed" not in p]
     return {
         "failed": len(parts) - len(done),
-        "missed": sum(p["free"] > 0 or p["below"] for p in done),
-        "free": sum(p["free"] for p in done),
+        "missed": sum(p["missed"] for p in done),
+        "unforced": sum(p["unforced"] for p in done),
         "far": sum(p["far"] for p in done),
         "crossings": sum(p["crossings"] > 0 for p in done),
         "triangles": sum(p["triangles"] for p in done),
@@ -121,7 +127,8 @@ def read_parts(arguments):
         shape = Part.Shape()
         try:
             shape.read(str(path))
-        except Exception:  # a file that FreeCAD does not read is none of this benchmark's
+        except Exception as error:
+            print(f"{path.name} is left out: {error}", flush=True)
             continue
         if shape.Faces and shape.isValid():
             shapes[path.stem] = shape
@@ -130,11 +137,15 @@ def read_parts(arguments):
 
 def work(arguments):
     """Measures the stage and returns everything that is kept."""
-    options = {"min_angle": BOUND, "chord_height_relative": 0.002, "method": arguments.method}
+    options = {"min_angle": BOUND, "chord_height_relative": DISTANCE, "method": arguments.method}
     if arguments.keep_edges:
         options["keep_edges"] = arguments.keep_edges
+    if not any(VARIABLE.encode() in module.read_bytes() for module in MODULES.glob("_core.*.so")):
+        raise RuntimeError(f"the module in {MODULES} was built without MESHQUALITY_TUNABLE")
     shapes = read_parts(arguments)
     base = mesh_all(shapes, "", options)
+    if base is None:
+        raise RuntimeError(f"the defaults took more than {SECONDS_OF_SETTING} s: take fewer parts (--first)")
     small = [n for n, p in base["parts"].items()
              if "failed" not in p and p["triangles"] <= arguments.most_triangles]
     shapes = {n: shapes[n] for n in small}
@@ -153,7 +164,8 @@ def work(arguments):
             row = compared(run, base)
             rows[f"{name}*{factor}"] = row
             print(f"{name:28} {value:>10} x{factor}: differ {row['differing']:4} missed {row['missed']:+3} "
-                  f"free {row['free']:+6} crossings {row['crossings']:+2} far {row['far']:+2} failed {row['failed']:+2} "
+                  f"unforced {row['unforced']:+6} crossings {row['crossings']:+2} far {row['far']:+2} "
+                  f"failed {row['failed']:+2} "
                   f"triangles {row['triangles_percent']:+6.2f}% cpu {row['seconds_percent']:+5.0f}%", flush=True)
     return {"options": options, "parts": base["parts"], "defaults": sums(base), "rows": rows}
 

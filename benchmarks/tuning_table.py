@@ -21,7 +21,7 @@ def cell(row):
     if not row["differing"]:
         return "no difference"
     parts = [f"{row['differing']} differ", f"triangles {row['triangles_percent']:+.1f} %"]
-    for name, text in (("free", "exempt"), ("missed", "missed parts"), ("far", "far parts"),
+    for name, text in (("unforced", "exempt"), ("missed", "missed parts"), ("far", "far parts"),
                        ("crossings", "crossing parts"), ("failed", "failures")):
         if row[name]:
             parts.append(f"{text} {row[name]:+d}")

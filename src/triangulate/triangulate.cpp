@@ -160,7 +160,7 @@ std::string refine(Workspace& work, MeasurementCache& findings, const Triangulat
     refine_chords();
     // Splitting a segment between triangles with the same third corner on two faces doubles the edge to that corner.
     const auto separate_doubled = [&] {
-        for (int n = 0; n < RefinementTuning::kDoubledRounds && separate_doubled_edges(work, touched); ++n) {
+        for (int n = 0; n < RefinementTuning::kMaxDoubledRounds && separate_doubled_edges(work, touched); ++n) {
             refine_again();
         }
     };

@@ -17,11 +17,11 @@ struct MeasureTuning {
     /// without limit there.
     MESHQUALITY_TUNED(double, kAvoidable, 0.25);
     /// Fraction of the tolerance: an edge or triangle this close to it may exceed it beside the farthest place
-    /// found, and is measured again there,
+    /// found, and is measured again beside that place.
     MESHQUALITY_TUNED(double, kClose, 0.95);
-    /// at this fraction of an inner edge's length,
+    /// Distance of that place beside an edge's farthest point, as a fraction of the edge's length.
     MESHQUALITY_TUNED(double, kAside, 0.06);
-    /// and at this fraction of the distance from the peak to a corner.
+    /// The same beside a triangle's peak, as a fraction of the distance from the peak to a corner.
     MESHQUALITY_TUNED(double, kAsideOfPeak, 0.1);
     /// Denominator of the barycentric lattice of places examined in a triangle, except its sides.
     MESHQUALITY_TUNED(int, kLattice, 8);

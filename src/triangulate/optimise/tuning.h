@@ -19,9 +19,9 @@ struct OptimisationTuning {
     /// Radians: the target lies above the bound by this margin, since the fraction of the deficit would approach the
     /// bound itself without reaching it.
     MESHQUALITY_TUNED(double, kTargetMargin, 0.002 * kDegree);
-    /// Attempts of all steps together, perturbations included: this number,
+    /// Least limit of the attempts of all steps together, perturbations included.
     MESHQUALITY_TUNED(std::size_t, kLeastOfAll, 20'000);
-    /// and this number for each triangle of the mesh. A crank arm at 30 degrees needs 27.
+    /// Attempts of all steps together for each triangle of the mesh. A crank arm at 30 degrees needs 27.
     MESHQUALITY_TUNED(std::size_t, kOfAllEach, 50);
     /// Cached cavities, which bounds memory.
     MESHQUALITY_TUNED(std::size_t, kMaxCached, 200'000);
@@ -32,15 +32,15 @@ struct OptimisationTuning {
     MESHQUALITY_TUNED(std::size_t, kMaxFans, 6);
     /// Attempts for each triangle that is bad at first.
     MESHQUALITY_TUNED(std::size_t, kAttemptsEach, 40);
-    /// Attempts for the whole mesh, so that shapes full of needles end in reasonable time,
+    /// Attempts for the whole mesh, so that shapes full of needles end in reasonable time.
     MESHQUALITY_TUNED(std::size_t, kAttempts, 2000);
-    /// and one more for each of this number of triangles.
+    /// Number of triangles of the mesh that allow one attempt more for the whole mesh.
     MESHQUALITY_TUNED(std::size_t, kTrianglesPerAttempt, 4);
     /// Triangles that may be added to a cavity, each across its worst side.
     MESHQUALITY_TUNED(int, kMaxGrowth, 3);
-    /// Radians: triangles beside bad ones are improved by this angle beyond the bound,
+    /// Radians: triangles beside bad ones are improved by this angle beyond the bound.
     MESHQUALITY_TUNED(double, kRoomBesideBad, 3.0 * kDegree);
-    /// in at most this number of rounds.
+    /// Largest number of rounds in which triangles and those beside them are improved.
     MESHQUALITY_TUNED(int, kMaxOptimiserRounds, 6);
     /// Largest fraction of the deficit left after a round that lets another one follow.
     MESHQUALITY_TUNED(double, kLeftAfterRound, 0.95);
@@ -59,30 +59,32 @@ struct OptimisationTuning {
     /// Trial steps of vertices along their CAD edges, as fractions of the distance to the next vertex in either
     /// direction.
     static constexpr std::array<double, 4> kMoves{-0.3, -0.15, 0.15, 0.3};
-    /// Steps of the relocation of such vertices, as the same fractions,
+    /// Steps of the relocation of vertices along their CAD edges, as the same fractions.
     static constexpr std::array<double, 8> kSteps{-0.6, -0.45, -0.3, -0.15, 0.15, 0.3, 0.45, 0.6};
-    /// and finer steps around the best of these.
+    /// Finer steps around the best of these, as the same fractions.
     static constexpr std::array<double, 4> kFineSteps{-0.1, -0.05, 0.05, 0.1};
     /// Positions tried for one vertex on a CAD edge.
     MESHQUALITY_TUNED(std::size_t, kMaxPositions, 3);
-    /// Perturbations tried for a triangle,
+    /// Perturbations tried for a triangle.
     MESHQUALITY_TUNED(std::size_t, kMaxPerturbations, 60);
-    /// and as second ones.
+    /// Perturbations tried after another one.
     MESHQUALITY_TUNED(std::size_t, kMaxSecondPerturbations, 12);
     /// Local repairs of each kind after a perturbation.
     MESHQUALITY_TUNED(int, kAttemptsAfter, 150);
     /// A perturbation is kept only if the total angle deficit falls to this fraction of its former value.
     MESHQUALITY_TUNED(double, kLeftAfterPerturbation, 0.95);
-    /// Attempts of the search by single perturbations,
+    /// Attempts of the search by single perturbations.
     MESHQUALITY_TUNED(std::size_t, kSearchAttempts, 20'000);
-    /// which is skipped above this number of triangles below the bound, since the shape causes that many.
+    /// That search is skipped above this number of triangles below the bound, since the shape causes that many.
     MESHQUALITY_TUNED(std::size_t, kMostLeft, 200);
-    /// The same of the search by two successive perturbations.
+    /// Attempts of the search by two successive perturbations.
     MESHQUALITY_TUNED(std::size_t, kSecondSearchAttempts, 40'000);
+    /// That search is skipped above this number of triangles below the bound.
     MESHQUALITY_TUNED(std::size_t, kMostLeftForSecond, 60);
-    /// A second perturbation is tried if the deficit after the first is at most this multiple of the former one
+    /// A second perturbation is tried if the deficit after the first is at most this multiple of the former one, plus
+    /// kPromisingMore.
     MESHQUALITY_TUNED(double, kPromising, 3.0);
-    /// plus this angle, in radians.
+    /// Radians: the addend; see kPromising.
     MESHQUALITY_TUNED(double, kPromisingMore, 10.0 * kDegree);
     /// Factor by which the angles after a removal exceed the bound, as a margin for later changes.
     MESHQUALITY_TUNED(double, kRemovalMargin, 1.04);

@@ -98,7 +98,7 @@ struct RefinementTuning {
     /// Rounds of splitting triangles that cross.
     MESHQUALITY_TUNED(int, kMaxCrossingRounds, 24);
     /// Rounds of separating doubled edges.
-    MESHQUALITY_TUNED(int, kDoubledRounds, 4);
+    MESHQUALITY_TUNED(int, kMaxDoubledRounds, 4);
     /// Size below which details of normals are ignored, as a fraction of the shape's size; limited by the
     /// tolerance.
     MESHQUALITY_TUNED(double, kSmallestDetail, 1e-3);

@@ -52,9 +52,9 @@ struct SamplingTuning {
     MESHQUALITY_TUNED(std::size_t, kCandidates, 12);
     /// Search radius in spacings: triangles between samples without gaps are smaller.
     MESHQUALITY_TUNED(double, kSearchRadius, 8.0);
-    /// Radius in spacings of the neighbourhood of an apex whose normals are averaged,
+    /// Radius in spacings of the neighbourhood of an apex whose normals are enclosed in the smallest ball.
     MESHQUALITY_TUNED(double, kApexNeighbourhood, 3.0);
-    /// in this number of iterations, whose error decreases with their number.
+    /// Iterations of the search for that ball, whose error decreases with their number.
     MESHQUALITY_TUNED(int, kApexRounds, 100);
 };
 
