@@ -22,8 +22,9 @@ def cell(row):
         return "no difference"
     parts = [f"{row['differing']} differ", f"triangles {row['triangles_percent']:+.1f} %"]
     for name, text in (("unforced", "exempt"), ("missed", "missed parts"), ("far", "far parts"),
-                       ("crossings", "crossing parts"), ("failed", "failures")):
-        if row[name]:
+                       ("crossings", "crossing parts"), ("errors", "errors"), ("faults", "faults"),
+                       ("invalid", "invalid elements"), ("below", "angles below"), ("failed", "failures")):
+        if row.get(name):
             parts.append(f"{text} {row[name]:+d}")
     return ", ".join(parts)
 

@@ -21,6 +21,7 @@
 #include "boolean/perturbation/near_coincidence.h"
 #include "boolean/perturbation/perturbation.h"
 #include "boolean/rounding/snap_rounding.h"
+#include "boolean/tuning.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "mesh/intersection/self_intersection.h"
 #include "mesh/quality/mesh_report.h"
@@ -32,8 +33,6 @@ namespace {
 
 /// Relative spacing of single-precision numbers.
 constexpr double kSingleUnit = std::numeric_limits<float>::epsilon();
-// Faces nearer to each other than this fraction of the size count as coplanar within rounding.
-constexpr double kFlush = 8.0 * kSingleUnit;
 
 /// Formats a length with two digits.
 std::string in_short(double length) {
@@ -69,13 +68,13 @@ class BooleanPipeline {
         prepare();
         const BooleanResult prepared = result_;
         std::optional<BooleanResult> best;
-        for (std::size_t k = 0; k <= kTries; ++k) {
+        for (std::size_t k = 0; k <= BooleanTuning::kFurtherAttempts; ++k) {
             result_ = prepared;
             if (!run_once()) {
                 return std::nullopt;
             }
             if (k == 0) {
-                most_pairs_ = kMorePairs * crossing_.size() + kManyPairs;
+                most_pairs_ = BooleanTuning::kMorePairs * crossing_.size() + BooleanTuning::kManyPairs;
             }
             if (!best.has_value() || result_.faults_left < best->faults_left) {
                 best = std::move(result_);
@@ -89,13 +88,6 @@ class BooleanPipeline {
     }
 
   private:
-    /// Further attempts after one that left faults, each with a larger perturbation of the operands at the faults.
-    static constexpr std::size_t kTries = 6;
-    /// When a perturbation has made more pairs cross than this multiple of those that did before, and this number of
-    /// them, it folds needles over each other: larger ones would make it worse.
-    static constexpr std::size_t kMorePairs = 4;
-    static constexpr std::size_t kManyPairs = 500;
-
     bool run_once() {
         make_soup();
         if (!find_crossings()) {
@@ -120,16 +112,11 @@ class BooleanPipeline {
         if (jolts_.empty()) {
             return 0.0;
         }
-        constexpr double kFirst = 16.0 * kSingleUnit;  // first displacement, as a fraction of the size
-        // Each further attempt moves this many times farther than the one before.
-        constexpr double kMore = 4.0;
-        // Largest displacement, as a fraction of the tolerance: all attempts together stay within it.
-        constexpr double kMost = 0.08;
-        double length = kFirst * size_;
+        double length = BooleanTuning::kFirstDisplacement * size_;
         double sum = 0.0;
         for (std::size_t k = 0; k < jolts_.size(); ++k) {
-            sum += perturb(soup_, jolts_[k], std::min(length, kMost * tolerance_), k);
-            length *= kMore;
+            sum += perturb(soup_, jolts_[k], std::min(length, BooleanTuning::kLargestDisplacement * tolerance_), k);
+            length *= BooleanTuning::kMoreDisplacement;
         }
         const auto count = [](std::size_t n, const std::vector<std::int32_t>& list) { return n + list.size(); };
         result_.notes.push_back(
@@ -140,7 +127,7 @@ class BooleanPipeline {
     }
 
     /// The distance to which faces that are coplanar within rounding are separated, mm.
-    double clearance() const { return std::min(4.0 * kFlush * size_, 0.25 * tolerance_); }
+    double clearance() const { return std::min(4.0 * BooleanTuning::kFlush * size_, 0.25 * tolerance_); }
 
     void stage(const char* name, double from, double to) {
         end_stage();
@@ -262,7 +249,7 @@ class BooleanPipeline {
         // Intersection curves cross few triangles. When many are crossed a sample shows whether surfaces nearly
         // coincide.
         const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
-        mesh::CoplanarPairs flush{kFlush * size_, {}, {}, {}};
+        mesh::CoplanarPairs flush{BooleanTuning::kFlush * size_, {}, {}, {}};
         std::vector<mesh::ContactPair> pairs = contacts(many, &flush);
         progress_.check();
         const bool along = nearly_coincident(soup_, pairs, no_slivers_);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "boolean/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/quality/surface_verification.h"
 
@@ -17,15 +18,9 @@ using geometry::Query;
 using mesh::Triangle;
 using mesh::TriangleMesh;
 
-/// Surfaces whose normals differ by less than this angle (radians) count as one where they are intersected.
-constexpr double kLeastAngle = 0.02;
-/// Newton steps; each about squares the distance.
-constexpr int kSteps = 8;
 /// A vertex is on its surfaces when its distance is at most this fraction of the size: about the resolution of single
 /// precision.
 constexpr double kOnSurface = 2e-7;
-/// Rounds of undoing moves that made faults, before all are undone.
-constexpr int kRounds = 12;
 /// Projections requested at a time: enough to hide the engine's latency, few enough to cancel at once.
 constexpr std::size_t kBatch = 512;
 
@@ -72,7 +67,7 @@ Vec3 newton_step(const Candidate& candidate) {
         away[static_cast<Eigen::Index>(i)] = c.normal.dot(c.foot - candidate.now);
     }
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(kLeastAngle);
+    solver.setThreshold(BooleanTuning::kLeastSurfaceAngle);
     return solver.compute(normals).solve(away);
 }
 
@@ -109,7 +104,7 @@ class Fitting {
 
     /// Runs Newton's method for all candidates side by side.
     void approach() {
-        for (int step = 0; step <= kSteps; ++step) {
+        for (int step = 0; step <= BooleanTuning::kProjectionSteps; ++step) {
             std::vector<Candidate*> active;
             for (Candidate& c : candidates_) {
                 if (!c.lost && (c.first_distance < 0.0 || c.distance() > on_surface_)) {
@@ -121,7 +116,7 @@ class Fitting {
                 if (c->first_distance < 0.0) {
                     c->first_distance = c->distance();
                 }
-                if (!c->lost && step < kSteps && c->distance() > on_surface_) {
+                if (!c->lost && step < BooleanTuning::kProjectionSteps && c->distance() > on_surface_) {
                     c->now += newton_step(*c);
                 }
             }
@@ -198,7 +193,8 @@ class Fitting {
             constraint.face = operand.model ? (*operand.faces)[static_cast<std::size_t>(t)] : -1;
             const auto same = [&](const Constraint& other) {
                 return other.operand == o && other.face == constraint.face &&
-                       (other.face >= 0 || other.normal.cross(constraint.normal).norm() < kLeastAngle);
+                       (other.face >= 0 ||
+                        other.normal.cross(constraint.normal).norm() < BooleanTuning::kLeastSurfaceAngle);
             };
             if (std::none_of(candidate.constraints.begin(), candidate.constraints.end(), same)) {
                 candidate.constraints.push_back(constraint);
@@ -273,7 +269,7 @@ class Fitting {
                     take_back(moved, v);
                 }
             }
-            if (moved.size() == before || round == kRounds) {
+            if (moved.size() == before || round == BooleanTuning::kUndoRounds) {
                 while (!moved.empty()) {
                     take_back(moved, moved.begin()->first);
                 }

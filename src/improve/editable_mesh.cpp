@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/angle.h"
+#include "improve/tuning.h"
 #include "mesh/edge_table.h"
 #include "mesh/quality/triangle_quality.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 /// The normals of all triangles. A thin one gets that of its neighbour at its longest edge.
 std::vector<Vec3> sound_normals(const EditableMesh& mesh, const mesh::EdgeTable& edges) {
-    // Neighbours visited in the search for a normal at most, so that it ends among thin triangles.
-    constexpr int kFarthest = 16;
     std::vector<Vec3> normals;
     std::vector<int> next;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
@@ -36,7 +35,7 @@ std::vector<Vec3> sound_normals(const EditableMesh& mesh, const mesh::EdgeTable&
     std::vector<Vec3> result;
     for (int t = 0; t < mesh.triangle_count(); ++t) {
         int at = t;
-        for (int steps = 0; normals[at] == Vec3::Zero() && steps < kFarthest; ++steps) {
+        for (int steps = 0; normals[at] == Vec3::Zero() && steps < ImproveTuning::kNormalSearch; ++steps) {
             at = next[at];
         }
         result.push_back(normals[at]);

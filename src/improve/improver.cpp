@@ -7,31 +7,14 @@
 #include <limits>
 
 #include "base/angle.h"
+#include "improve/tuning.h"
 #include "mesh/quality/triangle_quality.h"
 
 namespace mq::improve {
 
 namespace {
 
-constexpr double kSameSide = 0.5;    // least cosine between a triangle's normal and the surface's: 60 degrees
 constexpr double kTolerance = 1e-3;  // default tolerance as a fraction of the largest dimension
-// Least gain of a move in degrees. Vertices that keep moving by small steps would delay more effective changes.
-constexpr double kBetter = 1.0;
-/// Rounds at most, so that the work ends.
-constexpr int kMostRounds = 200;
-// Refinement ends after this many rounds without fewer bad triangles.
-constexpr int kPatience = 12;
-// Rounds in which vertices are only removed, moved and swapped, before new ones are inserted.
-constexpr int kRoundsWithoutSplits = 6;
-// Triangles at most, as a multiple of the given ones: refinement near small angles of sharp edges would not end by
-// itself.
-constexpr int kGrowth = 6;
-/// Triangles allowed in addition, so that small meshes can be refined.
-constexpr int kMoreTriangles = 2000;
-// Times that an edge of the given mesh may be halved.
-constexpr int kMostHalvings = 10;
-// Least length of a halved edge, in units of single precision at the model's size.
-constexpr double kShortestUnits = 64.0;
 
 double size_of(const mesh::TriangleMesh& mesh) {
     Box box;
@@ -50,8 +33,8 @@ Improver::Improver(const mesh::TriangleMesh& given, const ImproveOptions& option
       mesh_(given, options.feature_angle * kDegree),
       surface_(given, mesh_),
       bend_(options.feature_angle * kDegree),
-      shortest_(kShortestUnits * std::numeric_limits<float>::epsilon() * size_of(given)),
-      most_triangles_(kGrowth * mesh_.triangle_count() + kMoreTriangles),
+      shortest_(ImproveTuning::kShortestUnits * std::numeric_limits<float>::epsilon() * size_of(given)),
+      most_triangles_(ImproveTuning::kMostGrowth * mesh_.triangle_count() + ImproveTuning::kMoreTriangles),
       witnesses_(given.triangles.size()),
       halvings_(given.vertices.size()),
       changed_(given.vertices.size()),
@@ -68,7 +51,7 @@ void Improver::run() {
     bool splits = false;
     int since = 0;
     const double at_first = std::max(1.0, static_cast<double>(bad_triangles().size()));
-    for (int round = 0; round < kMostRounds && since <= kPatience; ++round) {
+    for (int round = 0; round < ImproveTuning::kImproveRounds && since <= ImproveTuning::kImprovePatience; ++round) {
         const std::vector<int> bad_ones = bad_triangles();
         since = keep_if_best(bad_ones.size()) ? 0 : since + 1;
         progress_.advance(1.0 - std::min(1.0, static_cast<double>(fewest_bad_) / at_first));
@@ -83,7 +66,7 @@ void Improver::run() {
         if (!changed && splits) {
             break;
         }
-        splits = splits || !changed || round + 1 >= kRoundsWithoutSplits;
+        splits = splits || !changed || round + 1 >= ImproveTuning::kRoundsWithoutSplits;
     }
     if (bad_triangles().size() >= fewest_bad_) {
         // Where refinement does not end, between sharp edges at small angles, the last state may have more bad
@@ -201,7 +184,7 @@ double Improver::worst_angle_at(int v) {
 }
 
 bool Improver::betters(int v, const Vec3& place, int without) {
-    const double least = worst_angle_at(v) + kBetter;
+    const double least = worst_angle_at(v) + ImproveTuning::kLeastAngleGain;
     const std::vector<int>& star = mesh_.star(v);
     return std::all_of(star.begin(), star.end(), [&](int t) {
         const Triangle& c = mesh_.triangle(t);
@@ -315,7 +298,7 @@ bool Improver::refine(int t) {
 bool Improver::split(int a, int b) {
     const Vec3 middle = mesh_.is_sharp(a, b) ? on_a_shell(a, b) : Vec3(0.5 * (mesh_.point(a) + mesh_.point(b)));
     const int halvings = 1 + std::max(halvings_[a], halvings_[b]);
-    if (halvings > kMostHalvings || (mesh_.point(b) - mesh_.point(a)).norm() < 2.0 * shortest_) {
+    if (halvings > ImproveTuning::kMostEdgeHalvings || (mesh_.point(b) - mesh_.point(a)).norm() < 2.0 * shortest_) {
         return false;
     }
     const Vec3 p = mesh_.is_sharp(a, b) ? surface_.project_to_sharp_edges(middle) : surface_.project(middle);
@@ -333,13 +316,11 @@ bool Improver::split(int a, int b) {
 }
 
 Vec3 Improver::on_a_shell(int a, int b) const {
-    // Angle between sharp edges, radians, below which they are divided alike.
-    constexpr double kNarrow = 60.0 * kDegree;
     const auto is_apex = [&](int v, int other) {
         const Vec3 along = mesh_.point(other) - mesh_.point(v);
         const std::vector<int>& ends = mesh_.sharp_neighbours(v);
         return std::any_of(ends.begin(), ends.end(), [&](int w) {
-            return w != other && angle_between(along, mesh_.point(w) - mesh_.point(v)) < kNarrow;
+            return w != other && angle_between(along, mesh_.point(w) - mesh_.point(v)) < ImproveTuning::kNarrowEdges;
         });
     };
     const bool at_a = is_apex(a, b);
@@ -429,7 +410,7 @@ bool Improver::good_enough(const LocalOperation& change, Rule rule) const {
         for (const int t : change.removed) {
             before = std::min(before, angles_[t]);
         }
-        least = before + kBetter;
+        least = before + ImproveTuning::kLeastAngleGain;
     }
     return std::all_of(change.added.begin(), change.added.end(),
                        [&](const Triangle& t) { return smallest_angle(t) > least; });
@@ -441,7 +422,8 @@ bool Improver::near_enough(const LocalOperation& change) const {
         const Vec3 centre = (p[0] + p[1] + p[2]) / 3.0;
         const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
         const ReferenceSurface::SurfaceProjection foot = surface_.foot(centre);
-        if (foot.distance > tolerance_ || (foot.normal != Vec3::Zero() && normal.dot(foot.normal) < kSameSide)) {
+        if (foot.distance > tolerance_ ||
+            (foot.normal != Vec3::Zero() && normal.dot(foot.normal) < ImproveTuning::kSameSide)) {
             return false;
         }
         for (std::size_t i = 0; i < 3; ++i) {

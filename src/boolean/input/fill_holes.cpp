@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/key_set.h"
 #include "boolean/input/operand_mesh.h"
+#include "boolean/input/tuning.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/intersection/triangle_contact.h"
 #include "mesh/polygon_triangulation.h"
@@ -225,11 +226,6 @@ class HoleClosing {
     /// Fills holes again whose filling crosses the surface, now avoiding triangles that would cross it. In long loops
     /// only those triangles are avoided that were found to cross, in a few rounds.
     void avoid_crossings() {
-        // Corners up to which every possible triangle of a loop is tested against the surface; the test is cubic in
-        // them.
-        constexpr std::size_t kTestedLoop = 80;
-        // Rounds of filling anew at most.
-        constexpr int kRounds = 4;
         if (holes_.empty()) {
             return;
         }
@@ -237,12 +233,12 @@ class HoleClosing {
         std::iota(kept.begin(), kept.end(), 0);
         const mesh::AabbTree tree(draft_.vertices, draft_.triangles, kept);
         std::vector<std::unordered_set<std::uint64_t>> refused(holes_.size());
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < InputTuning::kFillingRounds; ++round) {
             const std::vector<std::size_t> crossed = holes_that_cross(tree, refused);
             for (const std::size_t k : crossed) {
                 check_cancelled();
                 Hole& hole = holes_[k];
-                const bool test = hole.border.size() <= kTestedLoop;
+                const bool test = hole.border.size() <= InputTuning::kTestedLoop;
                 refill(hole, [&](const mesh::Triangle& t) {
                     return refused[k].count(triple_key(t)) > 0 || (test && crosses(tree, corners_at(hole, t)));
                 });

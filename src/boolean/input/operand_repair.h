@@ -39,14 +39,6 @@ struct Operand {
     Repairs repairs;
 };
 
-/// An open component is closed only if the area to be added is at most this fraction of its own: a box without its lid
-/// (0.2) and most of a sphere are, half a sphere (0.5) and a sheet (1) are not.
-constexpr double kLargestFilledShare = 1.0 / 3.0;
-/// Open components that cannot be closed are left out if together they have at most this fraction of the operand's
-/// area; those that are attached to the rest along edges of three or more triangles (inner walls, fins) up to half of
-/// it.
-constexpr double kLargestScrapShare = 0.05;
-
 /// "operand A", "operand B", ...; a number where there are more operands than letters.
 std::string operand_name(std::size_t index, std::size_t count);
 
@@ -56,7 +48,7 @@ std::string operand_name(std::size_t index, std::size_t count);
 /// bit.
 /// @param name for messages, such as "operand A"
 /// @throws InvalidInput naming the operand, the defect and its position: no triangles, a coordinate that is not finite,
-/// an index out of range, a one-sided surface, an open surface (see kLargestFilledShare).
+/// an index out of range, a one-sided surface, an open surface (see InputTuning::kLargestFilledShare).
 /// @throws Cancelled.
 Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress = nullptr);
 

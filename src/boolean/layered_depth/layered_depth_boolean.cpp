@@ -11,6 +11,7 @@
 #include "boolean/layered_depth/reconstruction/border_stitching.h"
 #include "boolean/layered_depth/reconstruction/contour.h"
 #include "boolean/layered_depth/reconstruction/node_open.h"
+#include "boolean/layered_depth/reconstruction/tuning.h"
 #include "boolean/layered_depth/samples/rasterise.h"
 #include "boolean/layered_depth/samples/sample_clustering.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
@@ -21,8 +22,6 @@ namespace mq::boolean {
 
 namespace {
 
-/// The distance by which the copies of an opened node are separated, in units of r.
-constexpr double kParting = 0.02;
 /// The paper's error bound in units of r: the diagonal of a cell (section IV-A).
 const double kBound = std::sqrt(3.0);
 /// The least rays along a side: 2^3 cells, fewer show no shape.
@@ -353,7 +352,7 @@ void LayeredDepthBoolean::make_manifold() {
         check_cancelled(progress_);
     }
     separate_nodes(surface_.points, surface_.triangles, surface_.source, originals, first_copy,
-                   kParting * grid_.spacing());
+                   ReconstructionTuning::kParting * grid_.spacing());
 }
 
 /// Drops unused points and names the sources.

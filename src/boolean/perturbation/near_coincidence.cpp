@@ -9,20 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "boolean/perturbation/tuning.h"
 #include "boolean/perturbation/vertex_offset.h"
 #include "mesh/intersection/aabb_tree.h"
 
 namespace mq::boolean {
 
 namespace {
-
-// Least cosine between normals that count as parallel: less than 18 degrees, or more than 162.
-constexpr double kParallel = 0.95;
-// Least cosine between the normals of a vertex and of the nearest triangle. It is low because a vertex on an edge has
-// an averaged normal.
-constexpr double kSameWay = 0.3;
-// Offset in units of the usual distance: large enough that surfaces which bend between their vertices stay separate.
-constexpr double kStep = 3.0;
 
 Vec3 area_normal(const Soup& soup, std::int32_t t) {
     const Triangle& c = soup.triangles[static_cast<std::size_t>(t)];
@@ -41,7 +34,7 @@ bool parallel_operands(const Soup& soup, const mesh::ContactPair& pair) {
     }
     const Vec3 m = area_normal(soup, pair.a);
     const Vec3 n = area_normal(soup, pair.b);
-    return std::abs(m.dot(n)) > kParallel * m.norm() * n.norm();
+    return std::abs(m.dot(n)) > PerturbationTuning::kParallelNormals * m.norm() * n.norm();
 }
 
 /// By operand, the vertices of later ones where these nearly coincide with it: those of triangles that are nearly
@@ -65,13 +58,9 @@ std::vector<std::vector<std::int32_t>> vertices_of_parallel_pairs(const Soup& so
 /// when they do not within `farthest`.
 double usual_distance(const Soup& soup, const mesh::AabbTree& tree, std::vector<std::int32_t> vertices,
                       double farthest) {
-    // Vertices sampled to estimate the distance.
-    constexpr std::size_t kSamples = 2000;
-    // The quantile of the sampled distances; leaves out rare outliers.
-    constexpr double kMost = 0.98;
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const std::size_t stride = std::max<std::size_t>(1, vertices.size() / kSamples);
+    const std::size_t stride = std::max<std::size_t>(1, vertices.size() / PerturbationTuning::kDistanceSamples);
     std::vector<double> distances;
     std::size_t asked = 0;
     for (std::size_t i = 0; i < vertices.size(); i += stride, ++asked) {
@@ -83,8 +72,8 @@ double usual_distance(const Soup& soup, const mesh::AabbTree& tree, std::vector<
     if (2 * distances.size() <= asked) {
         return 0.0;
     }
-    const auto most =
-        distances.begin() + static_cast<std::ptrdiff_t>(kMost * static_cast<double>(distances.size() - 1));
+    const auto most = distances.begin() + static_cast<std::ptrdiff_t>(PerturbationTuning::kDistanceQuantile *
+                                                                      static_cast<double>(distances.size() - 1));
     std::nth_element(distances.begin(), most, distances.end());
     return *most;
 }
@@ -121,12 +110,10 @@ struct PlanesToLeave {
 /// The shortest displacement that moves by 1 off all planes, in the sense of least squares; directions with a small
 /// eigenvalue are left out.
 Vec3 way(const PlanesToLeave& planes) {
-    // Least eigenvalue that counts, as a fraction of the largest.
-    constexpr double kHardly = 0.01;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(planes.squares);
     Vec3 result = Vec3::Zero();
     for (int i = 0; i < 3; ++i) {
-        if (axes.eigenvalues()[i] > kHardly * axes.eigenvalues()[2]) {
+        if (axes.eigenvalues()[i] > PerturbationTuning::kLeastEigenvalue * axes.eigenvalues()[2]) {
             result += axes.eigenvectors().col(i).dot(planes.sum) / axes.eigenvalues()[i] * axes.eigenvectors().col(i);
         }
     }
@@ -138,14 +125,12 @@ Vec3 way(const PlanesToLeave& planes) {
 template <typename PlanesOf>
 void leave_plane(const Soup& soup, const Expression& expression, std::array<std::int32_t, 2> pair,
                  PlanesOf&& planes_of) {
-    // Least cosine between the planes of a pair that count as parallel: 60 degrees.
-    constexpr double kParallelPlanes = 0.5;
     if (operand_of(soup, pair[0]) > operand_of(soup, pair[1])) {
         std::swap(pair[0], pair[1]);
     }
     const int inward = offset_sign(expression, operand_of(soup, pair[0]), operand_of(soup, pair[1]));
     const Vec3 n = area_normal(soup, pair[0]).normalized();
-    if (inward == 0 || std::abs(n.dot(area_normal(soup, pair[1]).normalized())) < kParallelPlanes) {
+    if (inward == 0 || std::abs(n.dot(area_normal(soup, pair[1]).normalized())) < PerturbationTuning::kParallelPlanes) {
         return;
     }
     for (const std::int32_t v : soup.triangles[static_cast<std::size_t>(pair[1])]) {
@@ -160,9 +145,8 @@ void leave_plane(const Soup& soup, const Expression& expression, std::array<std:
 
 bool nearly_coincident(const Soup& soup, const std::vector<mesh::ContactPair>& crossing, bool few) {
     const std::ptrdiff_t least = few ? 2 : 64;
-    // The fraction of all triangles from which crossings are a matter of areas, not of curves.
-    constexpr double kPartOfTriangles = 0.05;
-    const auto many = static_cast<std::ptrdiff_t>(kPartOfTriangles * static_cast<double>(soup.triangles.size()));
+    const auto many =
+        static_cast<std::ptrdiff_t>(PerturbationTuning::kCrossingShare * static_cast<double>(soup.triangles.size()));
     const auto parallel = std::count_if(crossing.begin(), crossing.end(), [&](const mesh::ContactPair& pair) {
         return pair.contact == mesh::Contact::Crossing && parallel_operands(soup, pair);
     });
@@ -175,7 +159,8 @@ bool separable(const Soup& soup, double tolerance, const std::vector<mesh::Conta
     for (std::size_t earlier = 0; earlier < vertices.size(); ++earlier) {
         if (!vertices[earlier].empty()) {
             const mesh::AabbTree tree(soup.vertices, soup.triangles, triangles[earlier]);
-            if (usual_distance(soup, tree, vertices[earlier], tolerance / (2.0 * kStep)) > 0.0) {
+            if (usual_distance(soup, tree, vertices[earlier], tolerance / (2.0 * PerturbationTuning::kOffsetStep)) >
+                0.0) {
                 return true;
             }
         }
@@ -197,7 +182,9 @@ NearCoincidence separate(Soup& soup, const Expression& expression, double tolera
             continue;
         }
         const mesh::AabbTree tree(soup.vertices, soup.triangles, triangles[static_cast<std::size_t>(earlier)]);
-        const double step = kStep * usual_distance(soup, tree, near_vertices, tolerance / (2.0 * kStep));
+        const double step =
+            PerturbationTuning::kOffsetStep *
+            usual_distance(soup, tree, near_vertices, tolerance / (2.0 * PerturbationTuning::kOffsetStep));
         if (step == 0.0) {
             continue;
         }
@@ -220,7 +207,7 @@ NearCoincidence separate(Soup& soup, const Expression& expression, double tolera
                 continue;
             }
             const double along = area_normal(soup, near.triangle).normalized().dot(offset.normalized());
-            if (std::abs(along) > kSameWay) {
+            if (std::abs(along) > PerturbationTuning::kSameSideNormals) {
                 const double inward = along > 0.0 ? way : -way;
                 moves.emplace_back(v, to_single(soup.vertices[v] - inward * step * offset));
             }

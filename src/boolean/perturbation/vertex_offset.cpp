@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "boolean/perturbation/tuning.h"
 
 namespace mq::boolean {
 
@@ -47,9 +48,7 @@ VertexOffsets::VertexOffsets(const Soup& soup)
 }
 
 Vec3 VertexOffsets::at(std::size_t v) const {
-    // Least cosine to divide by: bounds the offset at spikes to five times the distance.
-    constexpr double kSteep = 0.2;
-    return normal_[v] / std::max(steepest_[v], kSteep);
+    return normal_[v] / std::max(steepest_[v], PerturbationTuning::kLeastOffsetCosine);
 }
 
 }  // namespace mq::boolean

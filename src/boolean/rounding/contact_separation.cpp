@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/angle.h"
+#include "boolean/rounding/tuning.h"
 
 namespace mq::boolean {
 
@@ -19,9 +20,8 @@ struct Surroundings {
     double shortest = 1e300;
 
     Vec3 way() const {
-        // The sum of the normals, as a fraction of the sum of the angles, below which the material is a thin wedge.
-        constexpr double kThin = 0.2;
-        return against_normals.norm() < kThin * angle ? along_edges.normalized() : against_normals.normalized();
+        return against_normals.norm() < RoundingTuning::kThinWedge * angle ? along_edges.normalized()
+                                                                           : against_normals.normalized();
     }
 };
 
@@ -50,8 +50,6 @@ void look_around(const ResultMesh& draft, Copies& copies) {
 }  // namespace
 
 std::size_t separate_copies(Extraction& extraction, double distance, double least) {
-    // Largest displacement as a fraction of the copy's shortest edge, so that no triangle turns over.
-    constexpr double kPartOfEdge = 0.1;
     ResultMesh& draft = extraction.draft;
     Copies copies;
     for (const std::vector<std::int32_t>& place : extraction.copies) {
@@ -65,7 +63,7 @@ std::size_t separate_copies(Extraction& extraction, double distance, double leas
     look_around(draft, copies);
     std::vector<double> moved(draft.vertices.size(), 0.0);
     for (const auto& [v, around] : copies) {
-        const double length = std::max(std::min(distance, kPartOfEdge * around.shortest), least);
+        const double length = std::max(std::min(distance, RoundingTuning::kCopyPartOfEdge * around.shortest), least);
         draft.vertices[static_cast<std::size_t>(v)] += length * around.way();
         draft.made[static_cast<std::size_t>(v)] = kConstructed;
         moved[static_cast<std::size_t>(v)] = length;

@@ -10,6 +10,7 @@
 #include "boolean/arrangement/cells.h"
 #include "boolean/rounding/contact_separation.h"
 #include "boolean/rounding/rounded_surface.h"
+#include "boolean/rounding/tuning.h"
 #include "boolean/rounding/vertex_snapping.h"
 #include "mesh/intersection/self_intersection.h"
 
@@ -19,16 +20,6 @@ namespace {
 
 /// Relative spacing of single-precision numbers.
 constexpr double kSingleUnit = std::numeric_limits<float>::epsilon();
-/// Rounds at most. Nearly all surfaces take one or two; those that take more seldom end.
-constexpr std::size_t kMostRounds = 16;
-/// More contacts than this multiple of those that rounding made at first, and this number of them: the rounds do not
-/// end.
-constexpr std::size_t kGrows = 4;
-constexpr std::size_t kMany = 500;
-/// Largest distance between the surfaces before and after, as a fraction of the tolerance.
-constexpr double kMostMove = 0.5;
-/// The grid becomes this many times as coarse after a round that left more than half of the contacts.
-constexpr double kCoarser = 2.0;
 
 /// Whether the triangles around each touched vertex are one closed fan of at least three.
 bool manifold_where_touched(const RoundedSurface& surface) {
@@ -87,12 +78,12 @@ class SnapRounder {
                 take(surface);
                 break;
             }
-            if (round == kMostRounds || contacts.size() > limit_ ||
-                count_.error_bound > kMostMove * options_.tolerance) {
+            if (round == RoundingTuning::kRoundingRounds || contacts.size() > limit_ ||
+                count_.error_bound > RoundingTuning::kMostRoundingMove * options_.tolerance) {
                 give_up(surface, contacts);
                 break;
             }
-            grid_ *= 2 * contacts.size() > left_ ? kCoarser : 1.0;
+            grid_ *= 2 * contacts.size() > left_ ? RoundingTuning::kCoarser : 1.0;
             left_ = contacts.size();
             rearrange(surface, contacts);
             ++count_.rounds;
@@ -102,9 +93,8 @@ class SnapRounder {
 
   private:
     void separate() {
-        // Distance in units of single precision of the size.
-        constexpr double kUnits = 80.0;
-        const double distance = std::min(kUnits * kSingleUnit * options_.size, 0.05 * options_.tolerance);
+        const double distance =
+            std::min(RoundingTuning::kSeparationUnits * kSingleUnit * options_.size, 0.05 * options_.tolerance);
         count_.separated += separate_copies(extraction_, std::max(distance, 4.0 * grid_), 4.0 * grid_);
     }
 
@@ -129,21 +119,18 @@ class SnapRounder {
 
     /// Snaps what is in contact; returns the contacts that stay.
     std::vector<TrianglePair> snapped(RoundedSurface& surface) {
-        // Passes at most; after the first ones only as long as contacts become fewer.
-        constexpr std::size_t kMostPasses = 24;
-        constexpr std::size_t kFreePasses = 4;
         // A vertex and what it is near have each moved by at most 0.87 units.
         const double reach = 2.0 * grid_;
         std::vector<TrianglePair> contacts = all_contacts(surface);
-        limit_ = std::min(limit_, kGrows * contacts.size() + kMany);
+        limit_ = std::min(limit_, RoundingTuning::kMoreContacts * contacts.size() + RoundingTuning::kManyContacts);
         std::size_t flat = surface.flat().size();
         if (contacts.empty() && flat == 0) {
             return contacts;
         }
         surface.index_added();
         std::size_t fewest = std::numeric_limits<std::size_t>::max();
-        for (std::size_t pass = 0; contacts.size() + flat > 0 && pass < kMostPasses; ++pass) {
-            if (contacts.size() > limit_ || (pass >= kFreePasses && contacts.size() + flat >= fewest)) {
+        for (std::size_t pass = 0; contacts.size() + flat > 0 && pass < RoundingTuning::kSnappingPasses; ++pass) {
+            if (contacts.size() > limit_ || (pass >= RoundingTuning::kFreePasses && contacts.size() + flat >= fewest)) {
                 break;
             }
             fewest = std::min(fewest, contacts.size() + flat);

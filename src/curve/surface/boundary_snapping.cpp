@@ -4,14 +4,11 @@
 #include <tuple>
 
 #include "curve/surface/editor.h"
+#include "curve/surface/tuning.h"
 
 namespace mq::curve {
 
 namespace {
-
-/// The largest distance of a vertex from the CAD edge, as a fraction of the edge's distance from the mesh edge on it,
-/// at which the triangle between them has nearly no area.
-constexpr double kHugs = 0.05;
 
 /// A vertex that has come to lie on a CAD edge.
 struct Snap {
@@ -62,7 +59,7 @@ class Snapping {
         Snap snap{x, 0.0, Vec3::Zero()};
         const bool fresh = std::none_of(snaps_.begin(), snaps_.end(), [&](const Snap& s) { return s.vertex == x; });
         if (!fresh || surface_.shapes.vertices[static_cast<std::size_t>(x)].entity[0] != 2 ||
-            !editor_.placement.on_edge(x, edge_, t_a, t_b, kHugs * bulge(a, b), snap.t, snap.point)) {
+            !editor_.placement.on_edge(x, edge_, t_a, t_b, SurfaceTuning::kHugs * bulge(a, b), snap.t, snap.point)) {
             return;
         }
         flat_.push_back(triangle);

@@ -5,15 +5,11 @@
 #include <set>
 
 #include "curve/surface/editor.h"
+#include "curve/surface/tuning.h"
 
 namespace mq::curve {
 
 namespace {
-
-/// Vertices around a cavity at most: the number of triangles that are measured grows with the third power.
-constexpr std::size_t kLargestBorder = 24;
-/// Triangles below this quality belong to the cavity.
-constexpr double kBad = 0.15;
 
 /// Triangles of one face and the loop of vertices around them, in the sense of the triangles.
 struct Cavity {
@@ -54,14 +50,15 @@ std::vector<int> border_of(const SurfaceEditor& editor, const std::vector<int>& 
 /// The bad triangles that are connected with the seed by edges inside its face.
 std::vector<int> bad_ones_around(const SurfaceEditor& editor, int seed) {
     std::vector<int> result{seed};
-    for (std::size_t i = 0; i < result.size() && result.size() < kLargestBorder; ++i) {
+    for (std::size_t i = 0; i < result.size() && result.size() < SurfaceTuning::kLargestCavityBorder; ++i) {
         const auto v = editor.triangle(result[i]).corners;
         for (std::size_t k = 0; k < 3; ++k) {
             if (editor.surface.segment(v[k], v[(k + 1) % 3]) != nullptr) {
                 continue;
             }
             for (const int t : editor.surface.triangles_of_edge(v[k], v[(k + 1) % 3])) {
-                if (editor.triangle(t).quality < kBad && editor.triangle(t).face == editor.triangle(seed).face &&
+                if (editor.triangle(t).quality < SurfaceTuning::kGoodTriangle &&
+                    editor.triangle(t).face == editor.triangle(seed).face &&
                     std::find(result.begin(), result.end(), t) == result.end()) {
                     result.push_back(t);
                 }
@@ -205,7 +202,7 @@ class BestTriangulation {
 
 bool regrow(SurfaceEditor& editor, const std::vector<int>& triangles) {
     const Cavity cavity{triangles, border_of(editor, triangles)};
-    if (cavity.border.size() < 4 || cavity.border.size() > kLargestBorder) {
+    if (cavity.border.size() < 4 || cavity.border.size() > SurfaceTuning::kLargestCavityBorder) {
         return false;
     }
     const std::vector<SurfaceEditor::Corners> added = BestTriangulation(editor, cavity).find();

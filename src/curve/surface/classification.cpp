@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "curve/surface/curved_surface.h"
+#include "curve/surface/tuning.h"
 
 namespace mq::curve {
 
@@ -20,8 +21,6 @@ using geometry::Query;
 /// Vertices of the triangulation are rounded to single precision: this fraction of the model's size is their largest
 /// distance from their curves.
 constexpr double kOnCurve = 2e-7;
-/// Starts of the nearest-point search for one edge at most; four times as many in each attempt.
-constexpr int kMostStarts = 256;
 
 class Classifier {
   public:
@@ -50,9 +49,7 @@ class Classifier {
     /// Refuses a mesh of another shape, or of this one before it was changed or moved: its vertices are not on the
     /// vertices of the shape on which they should lie.
     void require_entities() const {
-        // Fraction of the size: vertices of rough shapes lie beside the ends of their edges.
-        constexpr double kNear = 4e-3;
-        const double near = kNear * topology_.box.largest_side();
+        const double near = SurfaceTuning::kNearVertex * topology_.box.largest_side();
         const std::array<std::size_t, 3> counts = {topology_.nodes.size(), topology_.edges.size(),
                                                    topology_.faces.size()};
         for (std::size_t v = 0; v < vertex_entity_.size(); ++v) {
@@ -199,7 +196,7 @@ class Classifier {
         std::vector<Answer> best(vertices.size());
         std::vector<std::size_t> open(vertices.size());
         std::iota(open.begin(), open.end(), std::size_t{0});
-        for (int starts = 1; starts <= kMostStarts && !open.empty(); starts *= 4) {
+        for (int starts = 1; starts <= SurfaceTuning::kMostCurveStarts && !open.empty(); starts *= 4) {
             search(e, vertices, open, starts, best);
             open.erase(std::remove_if(open.begin(), open.end(),
                                       [&](std::size_t i) { return best[i].found() && best[i].distance <= near; }),

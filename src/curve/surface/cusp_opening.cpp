@@ -5,20 +5,11 @@
 
 #include "base/angle.h"
 #include "curve/surface/editor.h"
+#include "curve/surface/tuning.h"
 
 namespace mq::curve {
 
 namespace {
-
-/// Corners whose curved angle is below this fraction of the straight one are cusps.
-constexpr double kCusp = 0.3;
-/// Quality from which the triangle in the cusp needs no further attempt.
-constexpr double kEnough = 0.16;
-/// Deviation of the triangles beside an opened cusp at most, as a fraction of the plain surface's deviation.
-constexpr double kShare = 0.25;
-/// Smallest straight angle (radians) to which cusps are refined: halving the edges halves the angle between their
-/// chords.
-constexpr double kThinnest = 0.02;
 
 double worst(const SurfaceEditor& editor, const std::vector<int>& triangles) {
     double least = 1.0;
@@ -73,7 +64,7 @@ CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c) {
     const std::vector<Vec3> to_c = surface.shapes.edge_inner(a, c);
     const double curved = angle_between(to_b.front() - editor.point(a), to_c.front() - editor.point(a));
     const double straight = angle_between(editor.point(b) - editor.point(a), editor.point(c) - editor.point(a));
-    if (curved > kCusp * straight) {
+    if (curved > SurfaceTuning::kCuspShare * straight) {
         return CuspRepair::None;
     }
     std::vector<int> beside = surface.triangles_of_edge(a, b);
@@ -97,13 +88,14 @@ CuspRepair open_cusp(SurfaceEditor& editor, int a, int b, int c) {
             best = now;
             kept = warp;
         }
-        if (best > kEnough) {
+        if (best > SurfaceTuning::kCuspQuality) {
             break;
         }
     }
     if (best > before) {
         take(kept);
-        if (0.5 * straight < kThinnest || editor.rms_deviation(beside) <= kShare * editor.plain_deviation()) {
+        if (0.5 * straight < SurfaceTuning::kThinnestCusp ||
+            editor.rms_deviation(beside) <= SurfaceTuning::kCuspDeviation * editor.plain_deviation()) {
             return CuspRepair::Opened;
         }
     }

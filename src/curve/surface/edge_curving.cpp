@@ -2,15 +2,11 @@
 #include <algorithm>
 
 #include "curve/surface/editor.h"
+#include "curve/surface/tuning.h"
 
 namespace mq::curve {
 
 namespace {
-
-/// Epsilon of (7), as a fraction of |t2 x t1|^2: the fraction of the straight triangle's corner that is to be restored.
-constexpr double kEpsilon = 0.3;
-/// Least gain in the quality of the worst of the two triangles.
-constexpr double kGain = 0.05;
 
 double worst(const SurfaceEditor& editor, const std::vector<int>& triangles) {
     double least = 1.0;
@@ -31,7 +27,7 @@ std::vector<Vec3> displacements(const SurfaceEditor& editor, int a, int b, int c
     const Vec3 t3 = order * (shapes.edge_inner(a, c).front() - editor.point(a));
     const Vec3 t4 = order * (shapes.edge_inner(a, b).front() - editor.point(a));
     const Vec3 straight = t2.cross(t1);
-    const double missing = kEpsilon * straight.squaredNorm() - straight.dot(t4.cross(t3));
+    const double missing = SurfaceTuning::kRestoredCorner * straight.squaredNorm() - straight.dot(t4.cross(t3));
     std::vector<Vec3> result;
     for (const Vec3& along : {t1, t2}) {
         const Vec3 s = straight.cross(along).normalized();
@@ -71,7 +67,7 @@ bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c) {
         for (const double part : {1.0, 0.6, 1.5}) {
             if (editor.placement.bulge_on_face(a, b, face, part * by)) {
                 editor.placement.place(beside);
-                if (worst(editor, beside) > quality + kGain) {
+                if (worst(editor, beside) > quality + SurfaceTuning::kLeastQualityGain) {
                     return true;
                 }
             }

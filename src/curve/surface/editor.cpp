@@ -4,16 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curve/surface/tuning.h"
+
 namespace mq::curve {
-
-namespace {
-
-/// Least cosine between the normals of straight triangles and of those that they replace.
-constexpr double kStraightTurn = 0.2;
-/// A triangle below this quality is hardly valid.
-constexpr double kHardlyValid = 0.02;
-
-}  // namespace
 
 double SurfaceEditor::length(int a, int b) const {
     return (point(b) - point(a)).norm();
@@ -43,11 +36,10 @@ double SurfaceEditor::rms_deviation(const std::vector<int>& triangles) {
 }
 
 double SurfaceEditor::plain_deviation() {
-    // Triangles sampled for the deviation of the surface.
-    constexpr std::size_t kMost = 2000;
     if (plain_deviation_ < 0.0) {
         std::vector<int> some;
-        for (std::size_t t = 0; t < surface.triangles.size(); t += 1 + surface.triangles.size() / kMost) {
+        for (std::size_t t = 0; t < surface.triangles.size();
+             t += 1 + surface.triangles.size() / SurfaceTuning::kDeviationSamples) {
             if (surface.triangles[t].alive) {
                 some.push_back(static_cast<int>(t));
             }
@@ -67,7 +59,7 @@ bool SurfaceEditor::straight_sound(const std::vector<int>& removed, const std::v
     }
     return std::all_of(added.begin(), added.end(), [&](const Corners& corners) {
         const Vec3 a = area(corners.corners);
-        return a.dot(sum) > kStraightTurn * a.norm() * sum.norm();
+        return a.dot(sum) > SurfaceTuning::kStraightTurn * a.norm() * sum.norm();
     });
 }
 
@@ -95,7 +87,7 @@ bool SurfaceEditor::replace(const std::vector<int>& removed, const std::vector<C
     if (rule == Rule::Improve && sound_before && !straight_sound(removed, added)) {
         return false;
     }
-    const double floor = rule == Rule::RefinePoor ? kHardlyValid : 0.0;
+    const double floor = rule == Rule::RefinePoor ? SurfaceTuning::kHardlyValid : 0.0;
     double worst_before = 1.0;
     std::ptrdiff_t invalid_before = 0;
     std::vector<std::array<int, 3>> old;

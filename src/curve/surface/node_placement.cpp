@@ -7,6 +7,7 @@
 #include <set>
 
 #include "curve/bezier/validity.h"
+#include "curve/surface/tuning.h"
 
 namespace mq::curve {
 
@@ -15,8 +16,6 @@ namespace {
 using geometry::Answer;
 using geometry::Query;
 
-/// Quality below which both ways to place the nodes of a triangle are compared.
-constexpr double kWorthComparing = 0.3;
 /// Degree of the lattice on which the deviation is sampled: no order up to five has nodes there.
 constexpr int kSampleDegree = 7;
 
@@ -185,7 +184,7 @@ void Placement::improve_faces(const std::vector<int>& triangles) {
     std::vector<double> before;
     for (const int t : triangles) {
         const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
-        if (triangle.quality < kWorthComparing && !planar(triangle.face)) {
+        if (triangle.quality < SurfaceTuning::kWorthComparing && !planar(triangle.face)) {
             poor.push_back(t);
             before.push_back(triangle.quality);
         }
@@ -213,10 +212,9 @@ Vec3 Placement::plane_normal(int face) {
 
 /// The CAD normal at a point slightly inside the triangle from a corner.
 Vec3 Placement::normal_inside(const SurfaceTriangle& triangle, int corner) {
-    // Distance of that point from the corner, as a fraction of the way to the centroid.
-    constexpr double kInside = 0.05;
     const std::array<Vec2, 3> uv = corner_uv(triangle);
-    const Vec2 at = (1.0 - kInside) * uv[static_cast<std::size_t>(corner)] + kInside / 3.0 * (uv[0] + uv[1] + uv[2]);
+    const Vec2 at = (1.0 - SurfaceTuning::kInsideCorner) * uv[static_cast<std::size_t>(corner)] +
+                    SurfaceTuning::kInsideCorner / 3.0 * (uv[0] + uv[1] + uv[2]);
     return session_.ask(Query::face_point(triangle.face, at.x(), at.y())).normal;
 }
 
@@ -302,18 +300,16 @@ bool Placement::on_edge(int vertex, int edge, double t_from, double t_to, double
     // Tolerance as a fraction of the size: vertices of the triangulation are rounded to single precision. Twice the
     // tolerance of an edge is the distance of two curves that represent it.
     constexpr double kRounding = 4e-7;
-    // Starts of the nearest-point search, evenly over the parameters: the curve may come near the vertex more than
-    // once.
-    constexpr int kStarts = 8;
     const geometry::Topology& topology = session_.topology();
     const double tolerance = std::max(kRounding * topology.box.largest_side(),
                                       2.0 * topology.edges[static_cast<std::size_t>(edge)].tolerance);
     const double low = std::min(t_from, t_to);
     const double high = std::max(t_from, t_to);
     std::vector<Query> batch;
-    for (int k = 0; k < kStarts; ++k) {
+    for (int k = 0; k < SurfaceTuning::kEdgeStarts; ++k) {
         const Vec3& p = surface_.shapes.vertices[static_cast<std::size_t>(vertex)].point;
-        batch.push_back(Query::edge_nearest(edge, p, low + (k + 0.5) / kStarts * (high - low), low, high));
+        batch.push_back(
+            Query::edge_nearest(edge, p, low + (k + 0.5) / SurfaceTuning::kEdgeStarts * (high - low), low, high));
     }
     double nearest = std::max(tolerance, allowed);
     bool found = false;

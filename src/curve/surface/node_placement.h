@@ -68,9 +68,6 @@ class Placement {
         int face;
     };
     struct InnerEdge;
-    /// The distance of an end from the CAD, as a fraction of the mesh edge, from which it is a gap: nodes on the CAD
-    /// would change the direction of a cubic by a tenth.
-    static constexpr double kGap = 0.02;
     /// The distances between the ends of a mesh edge and the points of the CAD at which its nodes start.
     struct Gaps {
         Vec3 at_a = Vec3::Zero();

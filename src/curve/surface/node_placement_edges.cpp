@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "curve/surface/node_placement.h"
+#include "curve/surface/tuning.h"
 
 namespace mq::curve {
 
@@ -11,11 +12,6 @@ namespace {
 
 using geometry::Answer;
 using geometry::Query;
-
-/// Newton steps towards even arc lengths; each about squares the error.
-constexpr int kArcRounds = 3;
-/// Newton steps towards even distances inside faces; the nodes need not be exact.
-constexpr int kEvenRounds = 2;
 
 /// Sum of squared steps, 1 when all are equal and on a line: grows with length and with unevenness.
 double unevenness(const Vec3& from, const std::vector<Vec3>& inner, const Vec3& to) {
@@ -61,7 +57,8 @@ std::vector<Placement::Gaps> Placement::gaps(const std::vector<Ends>& edges) {
         Gaps found;
         found.at_a = gap_at(ends.a);
         found.at_b = gap_at(ends.b);
-        found.none = std::max(found.at_a.norm(), found.at_b.norm()) <= kGap * (point(ends.b) - point(ends.a)).norm();
+        found.none = std::max(found.at_a.norm(), found.at_b.norm()) <=
+                     SurfaceTuning::kGapShare * (point(ends.b) - point(ends.a)).norm();
         result.push_back(found);
     }
     return result;
@@ -76,7 +73,7 @@ bool Placement::may_be_off_cad(int vertex) const {
                                               : 0.0;
     for (const int t : surface_.triangles_of_vertex(vertex)) {
         for (const int other : surface_.triangles[static_cast<std::size_t>(t)].corners) {
-            if (other != vertex && tolerance > kGap * (point(other) - point(vertex)).norm()) {
+            if (other != vertex && tolerance > SurfaceTuning::kGapShare * (point(other) - point(vertex)).norm()) {
                 return true;
             }
         }
@@ -131,7 +128,7 @@ void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
         }
     }
     auto at = session_.ask(points);
-    for (int round = 0; round < kArcRounds; ++round) {
+    for (int round = 0; round < SurfaceTuning::kArcRounds; ++round) {
         std::vector<Query> lengths;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
@@ -248,7 +245,7 @@ void Placement::place_inner_edges(const std::vector<EdgeTask>& tasks) {
         edge.nodes = ways[chosen];
         edge.gaps = open[2 * i + chosen];
     }
-    for (int round = 0; round < kEvenRounds && q > 2; ++round) {
+    for (int round = 0; round < SurfaceTuning::kEvenRounds && q > 2; ++round) {
         space_evenly(edges);
     }
     for (const InnerEdge& edge : edges) {

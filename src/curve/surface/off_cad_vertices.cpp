@@ -5,15 +5,11 @@
 #include <vector>
 
 #include "curve/surface/editor.h"
+#include "curve/surface/tuning.h"
 
 namespace mq::curve {
 
 namespace {
-
-/// Quality below which triangles are repaired.
-constexpr double kBad = 0.15;
-/// Least gain in the worst quality where no more triangles become valid.
-constexpr double kGain = 0.05;
 
 /// Corners of triangles that may deviate from the CAD, and count as on it.
 std::set<int> candidates(const SurfaceEditor& editor, const std::set<int>& triangles) {
@@ -50,7 +46,8 @@ struct State {
         }
     }
     bool better_than(const State& other) const {
-        return invalid < other.invalid || (invalid == other.invalid && worst > other.worst + kGain);
+        return invalid < other.invalid ||
+               (invalid == other.invalid && worst > other.worst + SurfaceTuning::kLeastQualityGain);
     }
 };
 
@@ -90,7 +87,7 @@ bool reach(SurfaceEditor& editor, const std::set<int>& vertices) {
 
 int relax_to_off_cad_vertices(SurfaceEditor& editor, int triangle) {
     const std::set<int> corners = candidates(editor, {triangle});
-    if (corners.empty() || editor.triangle(triangle).quality > kBad) {
+    if (corners.empty() || editor.triangle(triangle).quality > SurfaceTuning::kGoodTriangle) {
         return 0;
     }
     if (reach(editor, corners)) {
@@ -98,7 +95,7 @@ int relax_to_off_cad_vertices(SurfaceEditor& editor, int triangle) {
     }
     std::set<int> bad;
     for (const int t : triangles_at(editor, corners)) {
-        if (editor.triangle(t).quality <= kBad) {
+        if (editor.triangle(t).quality <= SurfaceTuning::kGoodTriangle) {
             bad.insert(t);
         }
     }

@@ -5,29 +5,11 @@
 #include <set>
 #include <utility>
 
+#include "curve/surface/tuning.h"
+
 namespace mq::curve {
 
 namespace {
-
-/// Largest deviation from the chord as a fraction of its length: 0.134 is an arc of 60 degrees; beyond sqrt(3)/4 =
-/// 0.433 even the best triangle becomes invalid (inequality (4) of section 5.5).
-constexpr double kAllowableBulge = 0.134;
-/// Quality from which a triangle needs no repair.
-constexpr double kGoodTriangle = 0.15;
-/// Below this quality all vertices of a triangle may lie on one CAD edge.
-constexpr double kHardlyValid = 0.02;
-/// Edges whose deviation is below this fraction of the height of the triangle on them are not the reason for its fold.
-constexpr double kBulges = 0.05;
-/// Rounds of splitting edges with too large deviations at most.
-constexpr int kBulgeRounds = 6;
-/// Rounds of repairs at most, so that they end.
-constexpr int kRepairRounds = 10;
-/// Rounds of refining one face at most, so that it ends.
-constexpr int kRefineRounds = 16;
-/// Refining a face around its invalid triangles ends when they are this many times as many.
-constexpr int kRunaway = 4;
-/// Passes over all faces at most.
-constexpr int kPasses = 3;
 
 class Repair {
   public:
@@ -40,13 +22,13 @@ class Repair {
         if (reach_) {
             reach_all();
         }
-        for (int round = 0; round < kBulgeRounds && split_bulging(); ++round) {
+        for (int round = 0; round < SurfaceTuning::kBulgeRounds && split_bulging(); ++round) {
         }
-        for (int round = 0; round < kRepairRounds && snap_all(); ++round) {
+        for (int round = 0; round < SurfaceTuning::kRepairRounds && snap_all(); ++round) {
         }
-        for (int round = 0; round < kRepairRounds && repair_round(round); ++round) {
+        for (int round = 0; round < SurfaceTuning::kRepairRounds && repair_round(round); ++round) {
         }
-        for (int pass = 0; pass < kPasses && refine_faces(); ++pass) {
+        for (int pass = 0; pass < SurfaceTuning::kRepairPasses && refine_faces(); ++pass) {
         }
         done_.invalid_after = invalid();
         return done_;
@@ -82,9 +64,9 @@ class Repair {
         CurvedSurface best = editor_.surface;
         SurfaceRepairs done = done_;
         bool better = false;
-        for (int round = 0; round < kRefineRounds && refine_face(face, way); ++round) {
+        for (int round = 0; round < SurfaceTuning::kRefineRounds && refine_face(face, way); ++round) {
             const int now = invalid();
-            if (now > kRunaway * (fewest + 4)) {
+            if (now > SurfaceTuning::kRunaway * (fewest + 4)) {
                 break;
             }
             if (now < fewest) {
@@ -133,7 +115,8 @@ class Repair {
     void reach_all() {
         const std::size_t count = editor_.surface.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
-            if (editor_.surface.triangles[t].alive && editor_.surface.triangles[t].quality < kGoodTriangle) {
+            if (editor_.surface.triangles[t].alive &&
+                editor_.surface.triangles[t].quality < SurfaceTuning::kGoodTriangle) {
                 progress_.check();
                 done_.reached += relax_to_off_cad_vertices(editor_, static_cast<int>(t));
             }
@@ -146,7 +129,7 @@ class Repair {
             for (std::size_t k = 0; k < 3 && t.alive; ++k) {
                 const int a = t.corners[k];
                 const int b = t.corners[(k + 1) % 3];
-                if (a < b && editor_.deviation(a, b) > kAllowableBulge * editor_.length(a, b)) {
+                if (a < b && editor_.deviation(a, b) > SurfaceTuning::kAllowableBulge * editor_.length(a, b)) {
                     edges.emplace_back(a, b);
                 }
             }
@@ -167,7 +150,8 @@ class Repair {
         int snapped = 0;
         const std::size_t count = editor_.surface.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
-            if (editor_.surface.triangles[t].alive && editor_.surface.triangles[t].quality <= kHardlyValid) {
+            if (editor_.surface.triangles[t].alive &&
+                editor_.surface.triangles[t].quality <= SurfaceTuning::kHardlyValid) {
                 progress_.check();
                 snapped += snap_to_boundary(editor_, static_cast<int>(t), SurfaceEditor::Rule::Refine);
             }
@@ -181,7 +165,7 @@ class Repair {
         std::vector<std::pair<double, int>> bad;
         for (std::size_t t = 0; t < editor_.surface.triangles.size(); ++t) {
             const SurfaceTriangle& triangle = editor_.surface.triangles[t];
-            if (triangle.alive && triangle.quality < kGoodTriangle) {
+            if (triangle.alive && triangle.quality < SurfaceTuning::kGoodTriangle) {
                 bad.emplace_back(triangle.quality, static_cast<int>(t));
             }
         }
@@ -189,7 +173,7 @@ class Repair {
         bool any = false;
         for (const auto& [quality, t] : bad) {
             progress_.check();
-            if (editor_.triangle(t).alive && editor_.triangle(t).quality < kGoodTriangle) {
+            if (editor_.triangle(t).alive && editor_.triangle(t).quality < SurfaceTuning::kGoodTriangle) {
                 any = repair(t, round) || any;
             }
         }
@@ -203,8 +187,9 @@ class Repair {
             done_.reached += reached;
             return true;
         }
-        const int snapped =
-            editor_.triangle(t).quality > kHardlyValid ? 0 : snap_to_boundary(editor_, t, SurfaceEditor::Rule::Refine);
+        const int snapped = editor_.triangle(t).quality > SurfaceTuning::kHardlyValid
+                                ? 0
+                                : snap_to_boundary(editor_, t, SurfaceEditor::Rule::Refine);
         if (snapped > 0) {
             done_.snapped += snapped;
             return true;
@@ -322,7 +307,7 @@ class Repair {
     /// The edge with the largest such deviation; the longest where all edges are straight.
     std::pair<int, int> edge_to_split(const std::array<int, 3>& v) const {
         const Bulge bulge = most_bulging(v);
-        return bulge.ratio > kBulges ? bulge.edge : longest(v);
+        return bulge.ratio > SurfaceTuning::kBulges ? bulge.edge : longest(v);
     }
 
     /// The edge with the largest such deviation of the triangle or its neighbours: the edge that folds a triangle may
@@ -338,7 +323,7 @@ class Repair {
                 }
             }
         }
-        return most.ratio > kBulges ? most.edge : longest(bad.corners);
+        return most.ratio > SurfaceTuning::kBulges ? most.edge : longest(bad.corners);
     }
 
     SurfaceEditor& editor_;

@@ -5,16 +5,12 @@
 #include <cstdio>
 #include <set>
 
+#include "curve/surface/tuning.h"
 #include "mesh/intersection/self_intersection.h"
 
 namespace mq::curve {
 
 namespace {
-
-/// Pairs found in one search at most: enough for a round of splits.
-constexpr std::size_t kMostCrossings = 500;
-/// Rounds of halving edges at most, so that they end.
-constexpr int kRounds = 6;
 
 std::vector<int> triangles_around(const CurvedSurface& surface, std::size_t volume) {
     std::set<int> faces;
@@ -79,7 +75,8 @@ std::vector<Crossing> crossings(const CurvedSurface& surface, std::size_t volume
         triangles.push_back({v[0], v[1], v[2]});
     }
     std::vector<Crossing> result;
-    for (const mesh::ContactPair& pair : mesh::self_intersections(points, triangles, kMostCrossings, &progress)) {
+    for (const mesh::ContactPair& pair :
+         mesh::self_intersections(points, triangles, SurfaceTuning::kMostCrossings, &progress)) {
         result.emplace_back(around[static_cast<std::size_t>(pair.a)], around[static_cast<std::size_t>(pair.b)]);
     }
     return result;
@@ -91,7 +88,7 @@ int refine_crossings(SurfaceEditor& editor, const geometry::Topology& topology, 
         if (topology.volumes[volume].kind != geometry::Volume::Kind::Solid) {
             continue;
         }
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < SurfaceTuning::kCrossingRounds; ++round) {
             std::set<std::pair<int, int>> edges;
             for (const Crossing& crossing : crossings(editor.surface, volume, progress)) {
                 edges.insert(longest_edge(editor, crossing.first));

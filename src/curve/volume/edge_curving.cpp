@@ -2,13 +2,11 @@
 #include <algorithm>
 
 #include "curve/volume/editor.h"
+#include "curve/volume/tuning.h"
 
 namespace mq::curve {
 
 namespace {
-
-/// Epsilon of (11), as a fraction of J of the straight element.
-constexpr double kEpsilon = 0.4;
 
 double worst(const TetrahedralMesh& volume, const std::vector<int>& tetrahedra) {
     double least = 1.0;
@@ -51,7 +49,7 @@ bool curve_region_edge(VolumeEditor& editor, int tetrahedron) {
     const std::array<int, 4> v = editor.tetrahedron(tetrahedron).corners;
     const TetrahedralMesh& volume = editor.volume;
     const double order = volume.shapes().order();
-    const double wanted = kEpsilon * volume.straight_jacobian(v);
+    const double wanted = VolumeTuning::kRestoredJacobian * volume.straight_jacobian(v);
     for (std::size_t k = 0; k < 4; ++k) {
         std::array<Vec3, 3> t;
         for (std::size_t i = 0; i < 3; ++i) {

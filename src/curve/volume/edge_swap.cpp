@@ -2,13 +2,11 @@
 #include <algorithm>
 
 #include "curve/volume/editor.h"
+#include "curve/volume/tuning.h"
 
 namespace mq::curve {
 
 namespace {
-
-/// Tetrahedra around an edge at most: with more of them a swap rarely helps.
-constexpr std::size_t kLargestRing = 7;
 
 /// The vertices around edge (a, b) in order, so that (a, b, ring[i], ring[i + 1]) has positive volume; empty when they
 /// do not form one ring.
@@ -49,7 +47,7 @@ bool swap_region_edge(VolumeEditor& editor, int a, int b, VolumeEditor::Rule rul
         return false;
     }
     const std::vector<int> around = editor.volume.of_edge(a, b);
-    if (around.size() < 3 || around.size() > kLargestRing) {
+    if (around.size() < 3 || around.size() > VolumeTuning::kLargestEdgeRing) {
         return false;
     }
     const std::vector<int> ring = ring_around(editor, around, a, b);

@@ -5,24 +5,16 @@
 #include <cmath>
 
 #include "curve/bezier/jacobian.h"
+#include "curve/volume/tuning.h"
 
 namespace mq::curve {
-
-namespace {
-
-/// The quality of straight elements flatter than this (mean ratio) is reduced in proportion.
-constexpr double kSliver = 0.05;
-/// Least shape (mean ratio) of straight elements after an operation, unless those before were flatter.
-constexpr double kFlat = 0.01;
-
-}  // namespace
 
 VolumeEditor::Score VolumeEditor::score(const std::array<int, 4>& c) const {
     Score score;
     const double shape = volume.straight_shape(c);
     const CurvedShapes& shapes = volume.shapes();
     if (!volume.curved(c)) {
-        score.quality = shape > 0.0 ? std::min(1.0, shape / kSliver) : -1.0;
+        score.quality = shape > 0.0 ? std::min(1.0, shape / VolumeTuning::kSliverShape) : -1.0;
         return score;
     }
     const double order = shapes.order();
@@ -49,7 +41,7 @@ VolumeEditor::Score VolumeEditor::score(const std::array<int, 4>& c) const {
     const auto [low, high] = std::minmax_element(form.coefficients.begin(), form.coefficients.end());
     score.quality = *high > 0.0 ? *low / *high : -1.0;
     if (score.quality > 0.0) {
-        score.quality *= std::min(1.0, shape / kSliver);
+        score.quality *= std::min(1.0, shape / VolumeTuning::kSliverShape);
     }
     score.quality = shape > 0.0 ? score.quality : std::min(score.quality, -1.0);
     return score;
@@ -77,17 +69,16 @@ bool VolumeEditor::better(const std::vector<int>& removed, const std::vector<std
     for (const auto& corners : added) {
         flat_after = std::min(flat_after, volume.straight_shape(corners));
     }
-    if (flat_after < std::min(kFlat, flat_before) || !(flat_after > 0.0)) {
+    if (flat_after < std::min(VolumeTuning::kLeastShape, flat_before) || !(flat_after > 0.0)) {
         return false;
     }
-    // Least gain in the worst quality, so that changes do not cycle by rounding.
-    constexpr double kGain = 1e-3;
     const Score before = worst(old);
     const Score after = worst(added);
     if (rule == Rule::Free) {
         return after.fixed > before.fixed + 0.05;
     }
-    return after.quality > before.quality + kGain && after.fixed >= std::min(before.fixed, 0.2);
+    return after.quality > before.quality + VolumeTuning::kLeastVolumeGain &&
+           after.fixed >= std::min(before.fixed, 0.2);
 }
 
 bool VolumeEditor::replace(const std::vector<int>& removed, const std::vector<std::array<int, 4>>& added, Rule rule) {

@@ -2,17 +2,11 @@
 #include <algorithm>
 
 #include "curve/volume/editor.h"
+#include "curve/volume/tuning.h"
 
 namespace mq::curve {
 
 namespace {
-
-/// Times that the step is halved.
-constexpr int kHalvings = 4;
-/// First step of the nodes, as a fraction of the longest edge of the face.
-constexpr double kStep = 0.1;
-/// Least gain in the worse quality, so that steps end above rounding.
-constexpr double kGain = 1e-3;
 
 /// A face inside a volume, and its inner nodes while they are moved.
 class Relocation {
@@ -36,12 +30,12 @@ class Relocation {
             best = at_average;
             kept = inner();
         }
-        double step = kStep * size();
-        for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5) {
+        double step = VolumeTuning::kFirstFaceStep * size();
+        for (int halving = 0; halving < VolumeTuning::kFaceHalvings; ++halving, step *= 0.5) {
             while (try_steps(step, best, kept)) {
             }
         }
-        if (best > quality_ + kGain) {
+        if (best > quality_ + VolumeTuning::kLeastVolumeGain) {
             return true;
         }
         put(before_);
@@ -64,7 +58,7 @@ class Relocation {
             }
             put(moved);
             const double now = worst();
-            if (now > best + kGain) {
+            if (now > best + VolumeTuning::kLeastVolumeGain) {
                 best = now;
                 kept = moved;
                 any = true;

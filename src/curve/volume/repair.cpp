@@ -5,27 +5,13 @@
 
 #include "curve/bezier/locality.h"
 #include "curve/volume/editor.h"
+#include "curve/volume/tuning.h"
 #include "curve/volume/untangle.h"
 
 namespace mq::curve {
 
 namespace {
 
-/// I = min J / max J below which a tetrahedron is repaired.
-constexpr double kGoodTetrahedron = 0.15;
-/// The least Bernstein coefficient, relative to the straight element, at which the optimisation aims.
-constexpr double kTarget = 0.3;
-/// A corner whose three edges are fixed must keep this fraction of the straight element's J.
-constexpr double kFreeCorner = 0.2;
-/// Rounds of freeing corners at most.
-constexpr int kFreeingRounds = 4;
-/// Rounds of curving and changing the topology at most.
-constexpr int kRounds = 5;
-/// Sweeps that carry the bulges of the surface's edges inwards.
-constexpr int kSweeps = 15;
-constexpr int kSingleEdges = 3;  // edges of one element that are tried singly
-/// Fraction of bad tetrahedra up to which single edges are curved before patches.
-constexpr double kFew = 0.005;
 class Repair {
   public:
     Repair(TetrahedralMesh& volume, const Progress& progress) : volume_(volume), editor_(volume), progress_(progress) {}
@@ -33,11 +19,11 @@ class Repair {
     VolumeRepairs run() {
         volume_.measure(volume_.living());
         done_.invalid_before = invalid();
-        for (int round = 0; round < kFreeingRounds && free_corners(); ++round) {
+        for (int round = 0; round < VolumeTuning::kFreeingRounds && free_corners(); ++round) {
         }
         curve_single_edges();
         std::vector<int> last;
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < VolumeTuning::kCurvingRounds; ++round) {
             if (round >= moving_round()) {
                 improve(bad_ones());
             }
@@ -66,7 +52,7 @@ class Repair {
     std::vector<int> bad_ones() const {
         std::vector<int> bad;
         for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
-            if (volume_.tetrahedra[t].alive && volume_.tetrahedra[t].quality < kGoodTetrahedron) {
+            if (volume_.tetrahedra[t].alive && volume_.tetrahedra[t].quality < VolumeTuning::kGoodTetrahedron) {
                 bad.push_back(static_cast<int>(t));
             }
         }
@@ -77,13 +63,15 @@ class Repair {
     /// become better when their edges are curved together.
     void curve_single_edges() {
         const std::vector<int> bad = bad_ones();
-        if (static_cast<double>(bad.size()) > kFew * static_cast<double>(volume_.tetrahedra.size())) {
+        if (static_cast<double>(bad.size()) > VolumeTuning::kFewBad * static_cast<double>(volume_.tetrahedra.size())) {
             return;
         }
         for (const int t : bad) {
             progress_.check();
             const double& quality = volume_.tetrahedra[static_cast<std::size_t>(t)].quality;
-            for (int i = 0; i < kSingleEdges && quality < kGoodTetrahedron && curve_region_edge(editor_, t); ++i) {
+            for (int i = 0; i < VolumeTuning::kSingleEdges && quality < VolumeTuning::kGoodTetrahedron &&
+                            curve_region_edge(editor_, t);
+                 ++i) {
                 ++done_.curved_edges;
             }
             relocate_faces(t);
@@ -92,7 +80,7 @@ class Repair {
 
     void relocate_faces(int t) {
         const std::array<int, 4> v = editor_.tetrahedron(t).corners;
-        for (std::size_t k = 0; k < 4 && editor_.tetrahedron(t).quality < kGoodTetrahedron; ++k) {
+        for (std::size_t k = 0; k < 4 && editor_.tetrahedron(t).quality < VolumeTuning::kGoodTetrahedron; ++k) {
             const bool moved = relocate_face_nodes(editor_, v[(k + 1) % 4], v[(k + 2) % 4], v[(k + 3) % 4]);
             done_.relocated_faces += moved ? 1 : 0;
         }
@@ -171,15 +159,15 @@ class Repair {
     int curve_patch(const std::vector<int>& members, const std::unordered_set<int>& loose, int degree, int round) {
         UntanglingPatch patch(volume_, members, loose, degree);
         if (round == 0) {
-            patch.propagate_curvature(kSweeps);
+            patch.propagate_curvature(VolumeTuning::kInwardSweeps);
         }
-        untangle(patch, kTarget, progress_);
+        untangle(patch, VolumeTuning::kTargetJacobian, progress_);
         return patch.store();
     }
 
     bool any_poor(const std::vector<int>& members) const {
         return std::any_of(members.begin(), members.end(), [&](int t) {
-            return volume_.tetrahedra[static_cast<std::size_t>(t)].quality < kGoodTetrahedron;
+            return volume_.tetrahedra[static_cast<std::size_t>(t)].quality < VolumeTuning::kGoodTetrahedron;
         });
     }
 
@@ -190,7 +178,7 @@ class Repair {
             const Tetrahedron& tetrahedron = volume_.tetrahedra[static_cast<std::size_t>(t)];
             for (const int v : tetrahedron.corners) {
                 const bool inner = volume_.shapes().vertices[static_cast<std::size_t>(v)].entity[0] == 3;
-                if (inner && tetrahedron.quality < kGoodTetrahedron) {
+                if (inner && tetrahedron.quality < VolumeTuning::kGoodTetrahedron) {
                     loose.insert(v);
                 }
             }
@@ -204,7 +192,7 @@ class Repair {
         for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
             const Tetrahedron& tetrahedron = volume_.tetrahedra[t];
             if (tetrahedron.alive && tetrahedron.quality < 1.0 &&
-                editor_.score(tetrahedron.corners).fixed < kFreeCorner) {
+                editor_.score(tetrahedron.corners).fixed < VolumeTuning::kFreeCorner) {
                 progress_.check();
                 any = change(static_cast<int>(t), VolumeEditor::Rule::Free) || any;
             }

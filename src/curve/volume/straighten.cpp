@@ -3,12 +3,11 @@
 
 #include <algorithm>
 
+#include "curve/volume/tuning.h"
+
 namespace mq::curve {
 
 namespace {
-
-/// Rounds at most; each straightens the elements that the last one made invalid.
-constexpr int kRounds = 50;
 
 template <std::size_t N>
 void make_straight(CurvedShapes& shapes, const std::array<int, N>& v) {
@@ -35,7 +34,7 @@ void measure_around(SurfaceEditor& editor, const std::set<int>& vertices) {
 
 std::set<int> straighten_triangles(SurfaceEditor& editor) {
     std::set<int> done;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < VolumeTuning::kStraightenRounds; ++round) {
         std::set<int> vertices;
         for (std::size_t t = 0; t < editor.surface.triangles.size(); ++t) {
             const SurfaceTriangle& triangle = editor.surface.triangles[t];
@@ -54,7 +53,7 @@ std::set<int> straighten_triangles(SurfaceEditor& editor) {
 
 std::set<int> straighten_tetrahedra(TetrahedralMesh& volume, SurfaceEditor& editor) {
     std::set<int> done;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < VolumeTuning::kStraightenRounds; ++round) {
         std::set<int> vertices;
         for (const int t : volume.living()) {
             const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];

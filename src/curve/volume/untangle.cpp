@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "curve/bezier/blending.h"
+#include "curve/volume/tuning.h"
 
 namespace mq::curve {
 
@@ -14,11 +15,6 @@ namespace {
 
 /// The objective where it is not defined.
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Positions of the barrier at most; each needs a minimisation.
-constexpr int kBarrierMoves = 20;
-constexpr int kSteps = 30;  // steps of the minimisation for one position of the barrier at most
-/// Pairs of steps and gradient differences that BFGS keeps; the usual 5 to 10.
-constexpr int kMemory = 8;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -230,7 +226,7 @@ class Minimiser {
         double value = objective_(x, gradient);
         bool moved = false;
         pairs_.clear();
-        for (int step = 0; step < kSteps; ++step) {
+        for (int step = 0; step < VolumeTuning::kMinimisationSteps; ++step) {
             progress.check();
             Eigen::VectorXd direction = -two_loops(gradient, scale);
             if (direction.dot(gradient) >= 0.0) {
@@ -241,9 +237,7 @@ class Minimiser {
             Eigen::VectorXd next_gradient;
             double length = 1.0;
             double next_value = kInfinity;
-            // Halvings of a step in the line search at most: a millionth of the step.
-            constexpr int kHalvings = 20;
-            for (int i = 0; i < kHalvings; ++i, length *= 0.5) {
+            for (int i = 0; i < VolumeTuning::kLineHalvings; ++i, length *= 0.5) {
                 next = x + length * direction;
                 next_value = objective_(next, next_gradient);
                 if (next_value <= value + 1e-4 * length * direction.dot(gradient)) {
@@ -297,7 +291,7 @@ class Minimiser {
         const double product = s.dot(y);
         if (product > 1e-12 * s.norm() * y.norm()) {
             pairs_.push_back({s, y, 1.0 / product});
-            if (pairs_.size() > at(kMemory)) {
+            if (pairs_.size() > at(VolumeTuning::kBfgsMemory)) {
                 pairs_.pop_front();
             }
         }
@@ -323,7 +317,7 @@ double untangle(UntanglingPatch& patch, double target, const Progress& progress)
     size /= static_cast<double>(patch.elements());
     double least = objective.least(x);
     int stalled = 0;
-    for (int move = 0; move < kBarrierMoves && least < target && stalled < 3; ++move) {
+    for (int move = 0; move < VolumeTuning::kBarrierMoves && least < target && stalled < 3; ++move) {
         objective.barrier = least - 0.1 * std::max(std::abs(least), 0.1);
         if (!minimiser.run(x, size, progress)) {
             break;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "curve/volume/editor.h"
+#include "curve/volume/tuning.h"
 
 namespace mq::curve {
 
@@ -16,10 +17,8 @@ void relocate_vertex(VolumeEditor& editor, int p, const std::vector<std::array<i
         return std::min(s.quality, 0.3) + 0.3 * flat;
     };
     double best = value();
-    // Times that the step is halved.
-    constexpr int kHalvings = 6;
     double step = 0.25 * size;
-    for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5) {
+    for (int halving = 0; halving < VolumeTuning::kVertexHalvings; ++halving, step *= 0.5) {
         bool moved = true;
         for (int round = 0; round < 4 && moved; ++round) {
             moved = false;

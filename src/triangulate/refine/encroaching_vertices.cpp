@@ -10,6 +10,11 @@
 
 namespace mq::triangulate {
 
+bool apex_encroaches(const ClassifiedMesh& mesh, int half_edge) {
+    return encroached(mesh.point_of(half_edge), mesh.point_of(ClassifiedMesh::next(half_edge)),
+                      mesh.point_of(ClassifiedMesh::prev(half_edge)));
+}
+
 namespace {
 
 // Returns the half-edge that leaves the vertex inside a face that encroaches upon a use of a segment; -1: there is
@@ -17,10 +22,7 @@ namespace {
 int encroaching_spoke(const ClassifiedMesh& mesh, const ClassifiedMesh::SegmentUse& use) {
     const int spoke = ClassifiedMesh::prev(use.half_edge);
     const bool inside = mesh.vertex(mesh.vertex_of(spoke)).entity[0] == 2;
-    return inside && encroached(mesh.point_of(use.half_edge), mesh.point_of(ClassifiedMesh::next(use.half_edge)),
-                                mesh.point_of(spoke))
-               ? spoke
-               : -1;
+    return inside && apex_encroaches(mesh, use.half_edge) ? spoke : -1;
 }
 
 bool remove_vertex(Workspace& work, int spoke, std::vector<int>& touched) {

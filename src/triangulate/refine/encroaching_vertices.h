@@ -7,6 +7,9 @@
 
 namespace mq::triangulate {
 
+/// Whether the vertex opposite to a half-edge in its triangle is inside the sphere whose diameter the half-edge is.
+bool apex_encroaches(const ClassifiedMesh& mesh, int half_edge);
+
 /// Removes vertices inside faces that encroach upon a segment, where the triangles without them follow the surface
 /// (Chew 1993 does so whenever a segment is split): a vertex near the chord, or between it and its curve, would be
 /// arbitrarily close to the pieces of the segment, and the mesh be graded from there. Refinement puts none there.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "base/predicates.h"
 #include "triangulate/operators/border_normals.h"
 #include "triangulate/operators/cavity_replacement.h"
 #include "triangulate/operators/vertex_insertion.h"
@@ -47,14 +46,10 @@ double SegmentSplitter::chord(int segment) const {
 }
 
 bool SegmentSplitter::encroached(int segment) const {
-    for (const ClassifiedMesh::SegmentUse& use : work_.mesh.segment(segment).uses) {
-        const int h = use.half_edge;
-        if (mq::encroached(work_.mesh.point_of(h), work_.mesh.point_of(ClassifiedMesh::next(h)),
-                           work_.mesh.point_of(ClassifiedMesh::prev(h)))) {
-            return true;
-        }
-    }
-    return false;
+    const auto& uses = work_.mesh.segment(segment).uses;
+    return std::any_of(uses.begin(), uses.end(), [&](const ClassifiedMesh::SegmentUse& use) {
+        return apex_encroaches(work_.mesh, use.half_edge);
+    });
 }
 
 SegmentSplitter::Shell SegmentSplitter::shell_of(int segment) const {

@@ -6,16 +6,13 @@
 
 #include "base/parallel.h"
 #include "boolean/layered_depth/reconstruction/quadric_error.h"
+#include "boolean/layered_depth/reconstruction/tuning.h"
 #include "boolean/layered_depth/samples/cell_samples.h"
 
 namespace mq::boolean {
 
 namespace {
 
-/// The largest distance of a minimiser from a sample's plane, in units of r (section III-A).
-constexpr double kFlatness = 0.1;
-/// The least distance of a vertex from the walls of its cell, in units of the cell: no two vertices coincide.
-constexpr double kInset = 1e-3;
 /// The levels below the root that are always split: their cells are the parallel tasks.
 constexpr int kTaskLevels = 2;
 
@@ -160,7 +157,8 @@ CellKind OctreeBuilder::Subtree::kind_of(const CellBox& box, const CellCensus& s
 
 Vec3 OctreeBuilder::Subtree::minimiser(const CellBox& box, const Quadric& quadric) const {
     const Vec3 low(box.low[0], box.low[1], box.low[2]);
-    return quadric.minimiser(low + Vec3::Constant(kInset), low + Vec3::Constant(box.size - kInset));
+    return quadric.minimiser(low + Vec3::Constant(ReconstructionTuning::kInset),
+                             low + Vec3::Constant(box.size - ReconstructionTuning::kInset));
 }
 
 /// Sheets of a unit cell, with the samples on their edges.
@@ -212,7 +210,7 @@ Vec3 OctreeBuilder::Subtree::vertex(const CellBox& box, CellKind kind, const std
 
 bool OctreeBuilder::Subtree::flat(const Vec3& q, const CellSample* first, const CellSample* last) const {
     return std::all_of(first, last, [&](const CellSample& s) {
-        return std::abs((q - shared_.position(s)).dot(shared_.normal(s))) <= kFlatness;
+        return std::abs((q - shared_.position(s)).dot(shared_.normal(s))) <= ReconstructionTuning::kFlatness;
     });
 }
 

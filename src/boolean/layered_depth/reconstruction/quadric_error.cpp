@@ -3,18 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "boolean/layered_depth/reconstruction/tuning.h"
+
 namespace mq::boolean {
-
-namespace {
-
-/// Singular values below this fraction of the largest count as zero: planes that differ by less than about 6 degrees
-/// do not define an edge.
-constexpr double kSingular = 0.1;
-/// A minimiser outside of the box by at most this distance (grid units) is moved to its wall; farther ones are
-/// rejected.
-constexpr double kOvershoot = 0.3;
-
-}  // namespace
 
 void Quadric::add(const Vec3& point, const Vec3& normal) {
     normal_.noalias() += normal * normal.transpose();
@@ -29,7 +20,7 @@ Vec3 Quadric::minimiser(const Vec3& low, const Vec3& high) const {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> svd;
     svd.computeDirect(normal_);
     const Vec3 rest = moment_ - normal_ * mean;
-    const double least = kSingular * kSingular * svd.eigenvalues()[2];
+    const double least = ReconstructionTuning::kSingular * ReconstructionTuning::kSingular * svd.eigenvalues()[2];
     for (int smallest = 0; smallest < 3; ++smallest) {
         Vec3 point = mean;
         for (int i = smallest; i < 3; ++i) {
@@ -38,7 +29,7 @@ Vec3 Quadric::minimiser(const Vec3& low, const Vec3& high) const {
             }
         }
         const Vec3 within = point.cwiseMax(low).cwiseMin(high);
-        if ((point - within).cwiseAbs().maxCoeff() <= kOvershoot) {
+        if ((point - within).cwiseAbs().maxCoeff() <= ReconstructionTuning::kOvershoot) {
             return within;
         }
     }
