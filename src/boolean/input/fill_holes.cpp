@@ -348,11 +348,11 @@ class HoleClosing {
         double scrap = 0.0;  // area of open components that are left out
         double removed = 0.0;
         for (std::int32_t c = 0; c < components.count; ++c) {
-            open[c] = static_cast<char>(added[c] > kLargestFilledShare * own[c]);
+            open[c] = static_cast<char>(added[c] > InputTuning::kLargestFilledShare * own[c]);
             removed += open[c] != 0 ? own[c] : 0.0;
             scrap += open[c] != 0 && attached[c] == 0 ? own[c] : 0.0;
         }
-        if (scrap > kLargestScrapShare * whole || removed > 0.5 * whole) {
+        if (scrap > InputTuning::kLargestScrapShare * whole || removed > 0.5 * whole) {
             refuse(components, open);
         }
         count_holes(components, open);
