@@ -2,6 +2,9 @@
 #pragma once
 
 #include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace mq {
 
@@ -17,6 +20,26 @@ class Stopwatch {
   private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double cpu_start_ = cpu_seconds();
+};
+
+/// Stages of an operation in their order, each with its wall-clock seconds.
+using StageTimes = std::vector<std::pair<std::string, double>>;
+
+/// Records how long consecutive stages take. The first begins with the clock.
+class StageClock {
+  public:
+    explicit StageClock(StageTimes& times) : times_(times) {}
+
+    /// Ends the running stage and names it.
+    void end(const char* stage) {
+        const auto now = std::chrono::steady_clock::now();
+        times_.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
+        last_ = now;
+    }
+
+  private:
+    StageTimes& times_;
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace mq

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "base/stage_clock.h"
+#include "base/stopwatch.h"
 #include "boolean/boolean.h"
 #include "boolean/input/operation.h"
 #include "geometry/engine.h"

@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/double_double.h"
 #include "base/predicates.h"
-#include "boolean/exact/double_double.h"
 
 namespace mq::boolean {
 

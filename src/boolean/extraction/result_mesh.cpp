@@ -14,6 +14,24 @@ void add_displacements(ResultMesh& draft, const std::vector<double>& of_vertices
     }
 }
 
+void remove_triangles(ResultMesh& draft, const std::vector<char>& marked) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < marked.size(); ++t) {
+        if (marked[t] == 0) {
+            draft.triangles[kept] = draft.triangles[t];
+            draft.source[kept] = draft.source[t];
+            draft.from[kept] = draft.from[t];
+            draft.displacement[kept] = draft.displacement[t];
+            ++kept;
+        }
+    }
+    draft.triangles.resize(kept);
+    draft.source.resize(kept);
+    draft.from.resize(kept);
+    draft.displacement.resize(kept);
+    remove_unused_vertices(draft);
+}
+
 void remove_unused_vertices(ResultMesh& draft) {
     std::vector<std::int32_t> index(draft.vertices.size(), -1);
     for (const Triangle& t : draft.triangles) {

@@ -31,6 +31,9 @@ struct ResultMesh {
 /// @param of_vertices  how far each vertex was moved, mm
 void add_displacements(ResultMesh& draft, const std::vector<double>& of_vertices);
 
+/// Removes the triangles that are marked, and vertices that no other triangle uses.
+void remove_triangles(ResultMesh& draft, const std::vector<char>& marked);
+
 /// Removes vertices that no triangle uses.
 void remove_unused_vertices(ResultMesh& draft);
 

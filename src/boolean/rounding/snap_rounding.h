@@ -19,7 +19,6 @@ struct RoundingOptions {
 struct RoundingCount {
     std::size_t rounds = 0;     ///< arrangements of the rounded surface
     std::size_t separated = 0;  ///< copies of points that were moved off others in the same place
-    std::size_t snapped = 0;    ///< vertices, edges and faces that were snapped to vertices
     double error_bound = 0.0;   ///< bound for the distance of the surfaces before and after, both ways, mm
     /// Triangles of the soup (ResultMesh::from) that keep contacts, when the distance or the rounds allowed are used
     /// up; empty: the surface is embedded.
@@ -27,10 +26,10 @@ struct RoundingCount {
 };
 
 /// Rounds the vertices that were made, such that the surface stays embedded: closed, manifold, and without triangles
-/// that touch or cross. It is iterated snap rounding in space (in the plane: Halperin and Packer 2002; of triangles in
-/// space: Valque and Lazard 2025): what rounding brought into contact is snapped together (snap_vertices), what still
-/// crosses is divided exactly (arrange), the boundary of what the surface winds around is taken (extract), copies of
-/// points where it touches itself are moved apart, and that is rounded again, until nothing is in contact.
+/// that touch or cross. What rounding brought into contact is moved apart (relocate_vertices). Where that does not
+/// suffice, it is iterated as Valque and Lazard (2025) do: what still crosses is divided exactly (arrange), the
+/// boundary of what the surface winds around is taken (extract), copies of points where it touches itself are moved
+/// apart, and that is rounded again, until nothing is in contact.
 ///
 /// Each triangle carries how far its points were moved at most (`draft.displacement`). What vanishes, since it turned
 /// over or closed a gap, had crossed what stays, and is as near to it as both were moved: the bound for the distance of

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/stage_clock.h"
+#include "base/stopwatch.h"
 #include "curve/surface/curved_surface.h"
 #include "curve/volume/tetrahedral_mesh.h"
 #include "mesh/quality/mesh_report.h"

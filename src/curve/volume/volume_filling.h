@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "base/stage_clock.h"
+#include "base/stopwatch.h"
 #include "curve/volume/repair.h"
 #include "curve/volume/tetrahedral_mesh.h"
 

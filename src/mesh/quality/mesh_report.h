@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "base/stage_clock.h"
+#include "base/stopwatch.h"
 #include "mesh/quality/exempt_reason.h"
 #include "mesh/triangle_mesh.h"
 

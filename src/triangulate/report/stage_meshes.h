@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/stage_clock.h"
+#include "base/stopwatch.h"
 #include "base/vec.h"
 #include "geometry/topology.h"
 #include "triangulate/work_mesh/classified_mesh.h"

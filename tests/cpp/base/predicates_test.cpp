@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <random>
 
 #include "base/cases.h"
 #include "base/exact.h"
@@ -105,6 +107,28 @@ TEST_P(PredicatesTest, CollinearIsExact) {
     for (int i = 0; i < kCheap; ++i) {
         const std::vector<Vec3> v = points.take(3);
         ASSERT_EQ(collinear(v[0], v[1], v[2]), exact::collinear(v[0], v[1], v[2])) << "case " << i;
+    }
+}
+
+// Differences that fit 41 bits are multiplied as integers; those that just do not, as expansions.
+TEST(Predicates, Orient3dOfSinglePrecisionIsExact) {
+    std::mt19937 dice(11);
+    std::uniform_int_distribution<int> mantissa(-(1 << 23), 1 << 23);
+    std::uniform_int_distribution<int> bits(-24, 24);
+    for (int i = 0; i < scaled_cases(20000); ++i) {
+        const int spread = i % 5 == 0 ? 1 : 0;
+        const auto number = [&] { return std::ldexp(static_cast<double>(mantissa(dice)), spread * bits(dice)); };
+        std::array<Vec3, 4> v;
+        for (Vec3& p : v) {
+            p = Vec3(number(), number(), number());
+        }
+        if (i % 2 == 0) {
+            v[3] = v[0] + 4.0 * (v[1] - v[0]) - 2.0 * (v[2] - v[0]);  // in the plane where nothing is rounded
+        }
+        if (i % 6 == 0) {
+            v[3].z() += std::ldexp(1.0, bits(dice));
+        }
+        ASSERT_EQ(orient3d(v[0], v[1], v[2], v[3]), exact::orient3d(v[0], v[1], v[2], v[3])) << "case " << i;
     }
 }
 

@@ -6,7 +6,7 @@
 
 #include "base/vec.h"
 
-namespace mq::boolean {
+namespace mq {
 
 /// An unevaluated sum of two doubles, high + low with |low| at most half a unit in the last place of high: 106 bits.
 /// Each operation has a relative error of at most 15 * 2^-106 (Joldes, Muller and Popescu 2017), unless it over- or
@@ -85,4 +85,4 @@ inline Vec3 cross_of_magnitudes(const Vec3& a, const Vec3& b) {
     return {a[1] * b[2] + a[2] * b[1], a[2] * b[0] + a[0] * b[2], a[0] * b[1] + a[1] * b[0]};
 }
 
-}  // namespace mq::boolean
+}  // namespace mq

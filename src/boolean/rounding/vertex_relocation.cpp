@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/rounding/vertex_relocation.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+#include "base/disjoint_sets.h"
+#include "base/predicates.h"
+#include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/needle_frame.h"
+#include "mesh/intersection/self_intersection.h"
+#include "mesh/vertex_stars.h"
+
+namespace mq::boolean {
+
+namespace {
+
+using TrianglePair = std::array<std::int32_t, 2>;
+using Group = std::vector<std::int32_t>;  ///< vertices that move together
+
+bool same_corners(Triangle a, Triangle b) {
+    std::sort(a.begin(), a.end());
+    std::sort(b.begin(), b.end());
+    return a == b;
+}
+
+/// The triangles around a group of vertices, and for each those that it may meet while the group moves. Pairs within
+/// the star are listed once.
+struct Surroundings {
+    std::vector<std::int32_t> star;
+    std::vector<std::vector<std::int32_t>> near;
+};
+
+class VertexRelocation {
+  public:
+    VertexRelocation(ResultMesh& draft, const RelocationOptions& options, const Progress& progress)
+        : draft_(draft), options_(options), progress_(progress) {}
+
+    EmbeddingFaults run() {
+        find_faults();
+        if (pairs_ + flat_.size() > 0) {
+            frame_.emplace(draft_.vertices, draft_.triangles);
+            tree_.emplace(frame_->vertices(), draft_.triangles, frame_->slack() + options_.reach);
+            stars_.emplace(draft_.triangles, draft_.vertices.size());
+            while (sweep() > 0) {
+            }
+            record_moves();
+        }
+        EmbeddingFaults result{contacts(), {flat_.begin(), flat_.end()}};
+        if (result.size() == 0 && moves_ > 0) {
+            remove_thin_pieces();
+        }
+        return result;
+    }
+
+  private:
+    const Vec3& at(std::int32_t v) const { return draft_.vertices[static_cast<std::size_t>(v)]; }
+    const Triangle& triangle(std::int32_t t) const { return draft_.triangles[static_cast<std::size_t>(t)]; }
+    bool constructed(std::int32_t v) const { return draft_.made[static_cast<std::size_t>(v)] == kConstructed; }
+    bool has_no_area(std::int32_t t) const {
+        const Triangle& c = triangle(t);
+        return collinear(at(c[0]), at(c[1]), at(c[2]));
+    }
+
+    std::vector<TrianglePair> contacts() const {
+        std::vector<TrianglePair> result;
+        for (const auto& [t, others] : partners_) {
+            for (auto other = others.upper_bound(t); other != others.end(); ++other) {
+                result.push_back({t, *other});
+            }
+        }
+        return result;
+    }
+
+    void find_faults() {
+        std::vector<std::int32_t> changed;
+        for (std::int32_t t = 0; t < static_cast<std::int32_t>(draft_.triangles.size()); ++t) {
+            const Triangle& c = triangle(t);
+            if (constructed(c[0]) || constructed(c[1]) || constructed(c[2])) {
+                changed.push_back(t);
+                if (has_no_area(t)) {
+                    flat_.insert(t);
+                }
+            }
+        }
+        for (const mesh::ContactPair& pair :
+             mesh::self_intersections_with(draft_.vertices, draft_.triangles, changed, mesh::kAllPairs, &progress_)) {
+            if (!same_corners(triangle(pair.a), triangle(pair.b))) {
+                connect(pair.a, pair.b);
+            }
+        }
+    }
+
+    void connect(std::int32_t a, std::int32_t b) {
+        if (partners_[a].insert(b).second) {
+            partners_[b].insert(a);
+            ++pairs_;
+        }
+    }
+    void disconnect(std::int32_t t) {
+        const auto found = partners_.find(t);
+        if (found == partners_.end()) {
+            return;
+        }
+        pairs_ -= found->second.size();
+        for (const std::int32_t other : found->second) {
+            const auto there = partners_.find(other);
+            there->second.erase(t);
+            if (there->second.empty()) {
+                partners_.erase(there);
+            }
+        }
+        partners_.erase(found);
+    }
+
+    void record_moves() {
+        std::vector<double> distances(draft_.vertices.size(), 0.0);
+        for (const auto& [v, start] : start_) {
+            const double distance = (at(v) - start).norm();
+            distances[static_cast<std::size_t>(v)] = distance;
+            farthest_ = std::max(farthest_, distance);
+        }
+        add_displacements(draft_, distances);
+    }
+
+    /// Removes components with a moved vertex whose volume is at most their area times the largest move: theirs might
+    /// have changed its sign.
+    void remove_thin_pieces() {
+        DisjointSets<std::int32_t> components(draft_.vertices.size());
+        for (const Triangle& c : draft_.triangles) {
+            components.unite(c[0], c[1]);
+            components.unite(c[1], c[2]);
+        }
+        struct Extent {
+            double volume = 0.0;
+            double area = 0.0;
+        };
+        std::map<std::int32_t, Extent> moved;  // by component
+        for (const auto& entry : start_) {
+            moved[components.find(entry.first)];
+        }
+        for (const Triangle& c : draft_.triangles) {
+            const auto found = moved.find(components.find(c[0]));
+            if (found != moved.end()) {
+                const Vec3& origin = at(found->first);
+                const Vec3 area = (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0]));
+                found->second.volume += area.dot(at(c[0]) - origin) / 6.0;
+                found->second.area += 0.5 * area.norm();
+            }
+        }
+        std::vector<char> thin(draft_.triangles.size(), 0);
+        bool any = false;
+        for (std::size_t t = 0; t < thin.size(); ++t) {
+            const auto found = moved.find(components.find(draft_.triangles[t][0]));
+            const bool is_thin =
+                found != moved.end() && std::abs(found->second.volume) <= farthest_ * found->second.area;
+            thin[t] = is_thin ? 1 : 0;
+            any = any || is_thin;
+        }
+        if (any) {
+            remove_triangles(draft_, thin);
+        }
+    }
+
+    /// Tries to move something at each fault; returns the number of moves.
+    std::size_t sweep() {
+        std::size_t moves = 0;
+        const std::set<std::int32_t> flat = flat_;
+        for (const std::int32_t t : flat) {
+            while (flat_.count(t) > 0 && move_off(t, -1)) {
+                ++moves;
+            }
+        }
+        for (const auto& [a, b] : contacts()) {
+            progress_.check();
+            const auto found = partners_.find(a);
+            if (found != partners_.end() && found->second.count(b) > 0 && move_off(a, b)) {
+                ++moves;
+            }
+        }
+        return moves;
+    }
+
+    /// The groups to try: constructed vertices one by one, those of each triangle together, and the same for all.
+    std::vector<Group> groups_of(std::int32_t a, std::int32_t b) const {
+        std::vector<Group> groups;
+        const auto add = [&](const Group& group) {
+            if (!group.empty() && std::find(groups.begin(), groups.end(), group) == groups.end()) {
+                groups.push_back(group);
+            }
+        };
+        for (const bool all : {false, true}) {
+            for (const bool together : {false, true}) {
+                for (const std::int32_t t : {a, b}) {
+                    Group group;
+                    for (std::size_t k = 0; k < 3 && t >= 0; ++k) {
+                        const std::int32_t v = triangle(t)[k];
+                        if (all || constructed(v)) {
+                            group.push_back(v);
+                            add(together ? Group() : Group{v});
+                        }
+                    }
+                    add(together ? group : Group());
+                }
+            }
+        }
+        return groups;
+    }
+
+    /// Moves vertices of two triangles in contact, or of one without area (b is -1).
+    bool move_off(std::int32_t a, std::int32_t b) {
+        const std::vector<Group> groups = groups_of(a, b);
+        std::vector<Vec3> ways;
+        for (const std::int32_t t : {b, a}) {
+            if (t >= 0) {
+                const Triangle& c = triangle(t);
+                const Vec3 n = (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0])).normalized();
+                if (n.allFinite() && !n.isZero()) {
+                    ways.push_back(n);
+                    ways.push_back(-n);
+                }
+            }
+        }
+        for (int k = 0; k < 27; ++k) {
+            const Vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+            if (!way.isZero()) {
+                ways.push_back(way);
+            }
+        }
+        return std::any_of(groups.begin(), groups.end(), [&](const Group& group) { return move(group, ways); });
+    }
+
+    /// Moves a group where that leaves fewest faults, if fewer than now.
+    bool move(const Group& group, const std::vector<Vec3>& ways) {
+        if (stuck(group)) {
+            return false;
+        }
+        Surroundings around = surroundings(group);
+        std::vector<Vec3> before;
+        for (const std::int32_t v : group) {
+            before.push_back(at(v));
+            start_.emplace(v, at(v));
+        }
+        std::size_t fewest = count(around, mesh::kAllPairs);
+        std::vector<Vec3> best;
+        for (double length = options_.unit; length <= options_.reach && best.empty(); length *= 4.0) {
+            for (const Vec3& way : ways) {
+                if (!place(group, before, length * way)) {
+                    continue;
+                }
+                const std::size_t faults = count(around, fewest);
+                if (faults < fewest) {
+                    fewest = faults;
+                    best.clear();
+                    for (const std::int32_t v : group) {
+                        best.push_back(at(v));
+                    }
+                    if (fewest == 0) {
+                        break;
+                    }
+                }
+            }
+        }
+        const std::vector<Vec3>& final = best.empty() ? before : best;
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            draft_.vertices[static_cast<std::size_t>(group[i])] = final[i];
+        }
+        if (best.empty()) {
+            stuck_[group] = moves_;
+            return false;
+        }
+        for (const std::int32_t v : group) {
+            draft_.made[static_cast<std::size_t>(v)] = kConstructed;
+        }
+        for (const std::int32_t t : around.star) {
+            draft_.source[static_cast<std::size_t>(t)] = Source{};
+        }
+        update(around);
+        return true;
+    }
+
+    /// Whether the group was tried in vain, and nothing around it has moved since.
+    bool stuck(const Group& group) const {
+        const auto found = stuck_.find(group);
+        return found != stuck_.end() && std::all_of(group.begin(), group.end(), [&](std::int32_t v) {
+                   const auto changed = changed_.find(v);
+                   return changed == changed_.end() || changed->second <= found->second;
+               });
+    }
+
+    /// Puts a group at its places and a displacement; false where that is too far, or nothing moves.
+    bool place(const Group& group, const std::vector<Vec3>& from, const Vec3& displacement) {
+        bool moves = false;
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            const Vec3 target = options_.rounded(from[i] + displacement);
+            if ((target - start_.at(group[i])).norm() > options_.reach) {
+                return false;
+            }
+            moves = moves || target != from[i];
+            draft_.vertices[static_cast<std::size_t>(group[i])] = target;
+        }
+        return moves;
+    }
+
+    Surroundings surroundings(const Group& group) const {
+        Surroundings result;
+        for (const std::int32_t v : group) {
+            for (const std::uint32_t corner : (*stars_)[static_cast<std::size_t>(v)]) {
+                result.star.push_back(static_cast<std::int32_t>(corner / 3));
+            }
+        }
+        std::sort(result.star.begin(), result.star.end());
+        result.star.erase(std::unique(result.star.begin(), result.star.end()), result.star.end());
+        for (const std::int32_t t : result.star) {
+            Box box;
+            for (const std::int32_t v : triangle(t)) {
+                box.add(frame_->turned(at(v)));
+            }
+            // Any place of the group is within the reach of its first one, from which it may be as far now.
+            box.low -= Vec3::Constant(2.0 * options_.reach + frame_->slack());
+            box.high += Vec3::Constant(2.0 * options_.reach + frame_->slack());
+            std::vector<std::int32_t> near;
+            tree_->for_each_in_box(box, [&](std::int32_t other) {
+                const bool pair_seen = other < t && std::binary_search(result.star.begin(), result.star.end(), other);
+                if (other != t && !pair_seen && !same_corners(triangle(other), triangle(t))) {
+                    near.push_back(other);
+                }
+            });
+            const auto found = partners_.find(t);
+            if (found != partners_.end()) {
+                std::stable_partition(near.begin(), near.end(),
+                                      [&](std::int32_t other) { return found->second.count(other) > 0; });
+            }
+            result.near.push_back(std::move(near));
+        }
+        return result;
+    }
+
+    /// The faults of the star, at most `limit`.
+    std::size_t count(const Surroundings& around, std::size_t limit) const {
+        std::size_t result = 0;
+        for (const std::int32_t t : around.star) {
+            result += has_no_area(t) ? 1 : 0;
+        }
+        for (std::size_t i = 0; i < around.star.size() && result < limit; ++i) {
+            const Triangle& own = triangle(around.star[i]);
+            for (std::size_t k = 0; k < around.near[i].size() && result < limit; ++k) {
+                result += mesh::contact(draft_.vertices, own, triangle(around.near[i][k])) != mesh::Contact::None;
+            }
+        }
+        return result;
+    }
+
+    void update(const Surroundings& around) {
+        ++moves_;
+        for (const std::int32_t t : around.star) {
+            for (const std::int32_t v : triangle(t)) {
+                changed_[v] = moves_;
+            }
+        }
+        for (std::size_t i = 0; i < around.star.size(); ++i) {
+            disconnect(around.star[i]);
+            flat_.erase(around.star[i]);
+        }
+        for (std::size_t i = 0; i < around.star.size(); ++i) {
+            const std::int32_t t = around.star[i];
+            if (has_no_area(t)) {
+                flat_.insert(t);
+            }
+            for (const std::int32_t other : around.near[i]) {
+                if (mesh::contact(draft_.vertices, triangle(t), triangle(other)) != mesh::Contact::None) {
+                    connect(t, other);
+                }
+            }
+        }
+    }
+
+    ResultMesh& draft_;
+    const RelocationOptions& options_;
+    const Progress& progress_;
+    std::map<std::int32_t, std::set<std::int32_t>> partners_;  ///< by triangle, those with which it is in contact
+    std::size_t pairs_ = 0;
+    std::set<std::int32_t> flat_;  ///< triangles without area
+    std::size_t moves_ = 0;
+    double farthest_ = 0.0;               ///< the largest distance of a moved vertex from its first place, mm
+    std::map<Group, std::size_t> stuck_;  ///< groups tried in vain, and the moves made before
+    std::unordered_map<std::int32_t, std::size_t> changed_;  ///< by vertex, the last move of a triangle at it
+    std::unordered_map<std::int32_t, Vec3> start_;           ///< first place of each vertex that was tried
+    std::optional<mesh::NeedleFrame> frame_;
+    std::optional<mesh::AabbTree> tree_;  ///< of the places at the beginning, larger by the reach
+    std::optional<mesh::VertexStars> stars_;
+};
+
+}  // namespace
+
+EmbeddingFaults relocate_vertices(ResultMesh& draft, const RelocationOptions& options, const Progress& progress) {
+    return VertexRelocation(draft, options, progress).run();
+}
+
+}  // namespace mq::boolean
