@@ -19,7 +19,6 @@
 #include "boolean/extraction/extraction.h"
 #include "boolean/input/operand_repair.h"
 #include "boolean/perturbation/near_coincidence.h"
-#include "boolean/perturbation/perturbation.h"
 #include "boolean/rounding/snap_rounding.h"
 #include "boolean/tuning.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
@@ -66,32 +65,9 @@ class BooleanPipeline {
     /// Runs all stages; nothing for a symmetric difference of nearly coincident surfaces, which takes several runs.
     std::optional<BooleanResult> run() {
         prepare();
-        const BooleanResult prepared = result_;
-        std::optional<BooleanResult> best;
-        for (std::size_t k = 0; k <= BooleanTuning::kFurtherAttempts; ++k) {
-            result_ = prepared;
-            if (!run_once()) {
-                return std::nullopt;
-            }
-            if (k == 0) {
-                most_pairs_ = BooleanTuning::kMorePairs * crossing_.size() + BooleanTuning::kManyPairs;
-            }
-            if (!best.has_value() || result_.faults_left < best->faults_left) {
-                best = std::move(result_);
-            }
-            if (best->faults_left == 0 || crossing_.size() > most_pairs_) {
-                break;
-            }
-            jolts_.push_back(std::move(faulty_));
-        }
-        return best;
-    }
-
-  private:
-    bool run_once() {
         make_soup();
         if (!find_crossings()) {
-            return false;
+            return std::nullopt;
         }
         stage("dividing", 0.5, 0.7);
         const Arrangement arrangement = arrange(soup_, twins_, crossing_, progress_);
@@ -104,28 +80,10 @@ class BooleanPipeline {
         stage("checking", 0.9, 1.0);
         finish(extraction);
         end_stage();
-        return true;
+        return std::move(result_);
     }
 
-    /// Perturbs the operands where earlier attempts left faults. Returns the largest displacement, mm.
-    double disturb() {
-        if (jolts_.empty()) {
-            return 0.0;
-        }
-        double length = BooleanTuning::kFirstDisplacement * size_;
-        double sum = 0.0;
-        for (std::size_t k = 0; k < jolts_.size(); ++k) {
-            sum += perturb(soup_, jolts_[k], std::min(length, BooleanTuning::kLargestDisplacement * tolerance_), k);
-            length *= BooleanTuning::kMoreDisplacement;
-        }
-        const auto count = [](std::size_t n, const std::vector<std::int32_t>& list) { return n + list.size(); };
-        result_.notes.push_back(
-            "operands were moved by up to " + in_short(sum) + " mm at " +
-            mesh::counted(std::accumulate(jolts_.begin(), jolts_.end(), std::size_t{0}, count), "triangle") +
-            ", where rounding left faults otherwise");
-        return sum;
-    }
-
+  private:
     /// The distance to which faces that are coplanar within rounding are separated, mm.
     double clearance() const { return std::min(4.0 * BooleanTuning::kFlush * size_, 0.25 * tolerance_); }
 
@@ -244,8 +202,6 @@ class BooleanPipeline {
 
     bool find_crossings() {
         stage("finding crossings", 0.15, 0.5);
-        crossing_.clear();
-        moved_ = 0.0;
         // Intersection curves cross few triangles. When many are crossed a sample shows whether surfaces nearly
         // coincide.
         const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
@@ -259,18 +215,18 @@ class BooleanPipeline {
         }
         // In a symmetric difference offsetting the faces to either side would be wrong.
         const bool flushed = !flush.over.empty() && !symmetric_;
-        const bool moves = along || flushed || !jolts_.empty();
+        const bool moves = along || flushed;
         if (moves) {
             make_soup();
             const std::vector<Vec3> before = soup_.vertices;
             NearCoincidence done;
             if (along) {
                 done = separate(soup_, expression_, tolerance_, pairs, progress_);
-            } else if (flushed) {
+            } else {
                 done = separate_coplanar(soup_, expression_, flush, clearance());
             }
             result_.separated_vertices = done.moved;
-            moved_ = done.largest + disturb();
+            moved_ = done.largest;
             if (along && done.moved > 0) {
                 result_.notes.push_back("surfaces that nearly coincide were separated: slivers and gaps up to " +
                                         in_short(2.0 * moved_) + " mm thin may be gone");
@@ -291,11 +247,7 @@ class BooleanPipeline {
         ResultMesh& draft = extraction.draft;
         RoundingCount rounded = snap_round(extraction, {size_, tolerance_, in_single_}, progress_);
         result_.separated_contacts = rounded.separated;
-        faulty_ = std::move(rounded.faulty);
-        if (faulty_.empty()) {
-            add_nonmanifold(draft);
-        }
-        result_.faults_left = faulty_.size();
+        result_.faults_left = rounded.faulty.empty() ? nonmanifold(draft).size() : rounded.faulty.size();
         result_.error_bound = rounded.error_bound + moved_;
         result_.mesh.origin = inputs_.front()->origin;
         result_.mesh.vertices = std::move(draft.vertices);
@@ -308,19 +260,21 @@ class BooleanPipeline {
         }
     }
 
-    /// Adds the sources of triangles at edges and vertices where the surface is no manifold: what is given out is what
-    /// was verified. Contacts have been searched while it was rounded.
-    void add_nonmanifold(const ResultMesh& draft) {
+    /// The triangles of the soup of which pieces are at edges or vertices where the surface is no manifold: what is
+    /// given out is what was verified. Contacts have been searched while it was rounded.
+    std::set<std::int32_t> nonmanifold(const ResultMesh& draft) {
         const std::vector<std::int32_t> no_contacts;
         constexpr std::size_t kAllFaults = std::numeric_limits<std::size_t>::max();
+        std::set<std::int32_t> result;
         for (const mesh::Fault& fault :
              mesh::verify(draft.vertices, draft.triangles, &no_contacts, kAllFaults, &progress_).faults) {
             for (const std::int32_t t : fault.triangles) {
                 if (t >= 0) {
-                    faulty_.push_back(draft.from[static_cast<std::size_t>(t)]);
+                    result.insert(draft.from[static_cast<std::size_t>(t)]);
                 }
             }
         }
+        return result;
     }
 
     const std::vector<const mesh::TriangleMesh*> inputs_;
@@ -333,10 +287,6 @@ class BooleanPipeline {
     bool in_single_ = true;  ///< all vertices of the operands are single-precision numbers
     double tolerance_ = 0.0;
     double moved_ = 0.0;
-    /// For each earlier attempt the triangles of the soup at its faults.
-    std::vector<std::vector<std::int32_t>> jolts_;
-    std::size_t most_pairs_ = 0;        ///< crossing pairs of an attempt after which there is no further one
-    std::vector<std::int32_t> faulty_;  ///< triangles of the soup at the faults of this attempt
     std::vector<Operand> prepared_;
     Soup soup_;
     std::vector<CoincidentTriangle> twins_;

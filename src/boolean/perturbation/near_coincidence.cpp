@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/predicates.h"
 #include "boolean/perturbation/tuning.h"
 #include "boolean/perturbation/vertex_offset.h"
 #include "mesh/intersection/aabb_tree.h"
@@ -246,6 +247,23 @@ NearCoincidence separate_coplanar(Soup& soup, const Expression& expression, cons
     }
     result.moved = vertices.size();
     return result;
+}
+
+void undo_degenerate_moves(Soup& soup, const std::vector<Vec3>& before) {
+    const auto moved = [&](int v) -> char& { return soup.moved[static_cast<std::size_t>(v)]; };
+    const auto at = [&](int v) -> Vec3& { return soup.vertices[static_cast<std::size_t>(v)]; };
+    for (bool again = !soup.moved.empty(); again;) {
+        again = false;
+        for (const Triangle& c : soup.triangles) {
+            if (std::any_of(c.begin(), c.end(), moved) && collinear(at(c[0]), at(c[1]), at(c[2]))) {
+                for (const int v : c) {
+                    at(v) = before[static_cast<std::size_t>(v)];
+                    moved(v) = 0;
+                }
+                again = true;
+            }
+        }
+    }
 }
 
 }  // namespace mq::boolean

@@ -43,4 +43,8 @@ NearCoincidence separate(Soup& soup, const Expression& expression, double tolera
 NearCoincidence separate_coplanar(Soup& soup, const Expression& expression, const mesh::CoplanarPairs& flush,
                                   double clearance);
 
+/// Puts vertices back where displacements left a triangle without area.
+/// @param before  where the vertices were
+void undo_degenerate_moves(Soup& soup, const std::vector<Vec3>& before);
+
 }  // namespace mq::boolean

@@ -8,6 +8,7 @@
 #include "boolean/boolean.h"
 #include "boolean/closed_solids.h"
 #include "boolean/random_meshes.h"
+#include "boolean/soups.h"
 #include "mesh/quality/surface_verification.h"
 
 /// Faces that lie in one plane, both solids then rotated together: they are coplanar within the rounding of single
@@ -86,6 +87,19 @@ TEST_P(Flush, BoxesOfOneSectionAreStackedToOne) {
     expect_solid(run(kBlock, upper, Operation::Union), 32.0, 2);
     EXPECT_TRUE(run(kBlock, upper, Operation::Intersection).mesh.triangles.empty());
     expect_solid(run(kBlock, upper, Operation::Difference), 16.0, 2);
+}
+
+TEST(NearCoincidence, MovesThatLeaveATriangleWithoutAreaAreUndone) {
+    const Soup before = soups::soup_of(soups::overlapping_cubes());
+    Soup soup = before;
+    soup.moved.assign(soup.vertices.size(), 0);
+    const Triangle& t = soup.triangles[0];
+    const auto corner = [&](std::size_t k) -> Vec3& { return soup.vertices[static_cast<std::size_t>(t[k])]; };
+    corner(0) = 0.5 * (corner(1) + corner(2));
+    soup.moved[static_cast<std::size_t>(t[0])] = 1;
+    undo_degenerate_moves(soup, before.vertices);
+    EXPECT_EQ(soup.vertices, before.vertices);
+    EXPECT_EQ(soup.moved[static_cast<std::size_t>(t[0])], 0);
 }
 
 }  // namespace
