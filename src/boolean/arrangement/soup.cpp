@@ -4,6 +4,7 @@
 #include <tsl/robin_map.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/key_set.h"
 #include "mesh/weld_vertices.h"
@@ -37,9 +38,47 @@ std::vector<Box> meeting_boxes(const std::vector<Box>& boxes) {
     return found;
 }
 
+/// Marks places where vertices of one operand come together.
+void mark_shared(Soup& soup, const std::vector<std::int32_t>& first) {
+    std::vector<std::array<std::int32_t, 2>> users;  // place and operand of each vertex that is merged with others
+    std::vector<std::int32_t> operand(first.size(), -1);
+    for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+        for (const std::int32_t v : soup.triangles[t]) {
+            operand[static_cast<std::size_t>(v)] = soup.source[t].operand;
+        }
+    }
+    std::vector<char> merged(first.size(), 0);
+    for (std::size_t v = 0; v < first.size(); ++v) {
+        const auto place = static_cast<std::size_t>(first[v]);
+        if (place != v && operand[v] >= 0) {
+            users.push_back({first[v], operand[v]});
+            merged[place] = 1;
+        }
+    }
+    for (std::size_t v = 0; v < first.size(); ++v) {
+        if (merged[v] != 0) {
+            users.push_back({static_cast<std::int32_t>(v), operand[v]});
+        }
+    }
+    std::sort(users.begin(), users.end());
+    soup.shared.resize(first.size(), 0);
+    for (auto next = std::adjacent_find(users.begin(), users.end()); next != users.end();
+         next = std::adjacent_find(next + 1, users.end())) {
+        soup.shared[static_cast<std::size_t>((*next)[0])] = 1;
+    }
+}
+
 /// Gives the marked vertices one index for each place.
 void merge_marked(Soup& soup, const std::vector<char>& marked) {
     const std::vector<std::int32_t> first = mesh::equal_vertices(soup.vertices, marked);
+    bool any = false;
+    for (std::size_t v = 0; v < first.size() && !any; ++v) {
+        any = static_cast<std::size_t>(first[v]) != v;
+    }
+    if (!any) {
+        return;
+    }
+    mark_shared(soup, first);
     for (Triangle& t : soup.triangles) {
         for (std::int32_t& v : t) {
             v = first[static_cast<std::size_t>(v)];

@@ -24,6 +24,9 @@ struct Soup {
     std::vector<Triangle> triangles;
     std::vector<Source> source;  ///< origin of each triangle; triangle -1 where corners are not those of the operand's
     std::vector<char> moved;  ///< for each vertex whether it was moved from the operand's place; empty: none is moved
+    /// For each vertex whether several vertices of one operand were merged into it, as of sheets that touch; empty:
+    /// none.
+    std::vector<char> shared;
     int operands = 0;
 };
 

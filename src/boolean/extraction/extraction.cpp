@@ -201,7 +201,12 @@ class DoubleEdges {
     std::map<std::size_t, std::vector<std::size_t>> pieces_;
 };
 
-/// Points at which the result may touch itself: all but vertices of one operand among whole triangles.
+/// Whether a vertex is marked in a list that may be empty.
+bool marked(const std::vector<char>& list, const PointTable& points, std::int32_t p) {
+    return points.given(p) && !list.empty() && list[static_cast<std::size_t>(p)] != 0;
+}
+
+/// Points at which the result may touch itself: all but single vertices of one operand among whole triangles.
 std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrangement,
                                     const std::vector<std::int32_t>& kept) {
     // No operand has used the vertex yet.
@@ -213,8 +218,8 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
         const std::int32_t own = soup.source[static_cast<std::size_t>(face.source)].operand;
         for (const std::int32_t p : face.points) {
             const auto i = static_cast<std::size_t>(p);
-            const bool moved = arrangement.points.given(p) && !soup.moved.empty() && soup.moved[i] != 0;
-            if (!face.whole || face.stack >= 0 || (operand[i] != kNone && operand[i] != own) || moved) {
+            if (!face.whole || face.stack >= 0 || (operand[i] != kNone && operand[i] != own) ||
+                marked(soup.moved, arrangement.points, p) || marked(soup.shared, arrangement.points, p)) {
                 result[i] = 1;
             }
             operand[i] = own;
@@ -246,9 +251,9 @@ void take_vertices(const Soup& soup, const PointTable& points,
                 at = static_cast<std::int32_t>(draft.vertices.size());
                 const std::int32_t p = v < points.size() ? v : place[static_cast<std::size_t>(v - points.size())];
                 draft.vertices.push_back(points.approx(p));
-                const bool moved =
-                    points.given(p) && !soup.moved.empty() && soup.moved[static_cast<std::size_t>(p)] != 0;
-                draft.made.push_back(!points.given(p) ? kConstructed : moved ? kRounded : kFromOperand);
+                draft.made.push_back(!points.given(p)                ? kConstructed
+                                     : marked(soup.moved, points, p) ? kRounded
+                                                                     : kFromOperand);
             }
             v = at;
         }

@@ -7,8 +7,8 @@
 
 namespace mq::boolean {
 
-/// The constants that tune the perturbation of operands. docs/measurements/tuning.md says what each does at half
-/// and at double its value.
+/// The constants that tune the separation of nearly coincident surfaces. docs/measurements/tuning.md says what each does
+/// at half and at double its value.
 struct PerturbationTuning {
     /// Least cosine between normals that count as parallel: less than 18 degrees, or more than 162.
     MESHQUALITY_TUNED(double, kParallelNormals, 0.95);

@@ -101,6 +101,16 @@ TEST(Boolean, BodiesThatTouchInAnEdgeOrAVertexArePartedByLessThanTheTolerance) {
     }
 }
 
+TEST(Boolean, SheetsOfOneOperandThatTouchArePartedFarFromAllCrossings) {
+    const TriangleMesh touching = together(kCube, box(Vec3(1, 1, 0), Vec3(2, 2, 1)));
+    const TriangleMesh other = box(Vec3(-0.5, -0.5, -0.5), Vec3(3, 3, 0.1));
+    for (const Operation operation : {Operation::Union, Operation::Difference}) {
+        const BooleanResult result = run(touching, other, operation);
+        expect_sound(result, {&touching, &other});
+        EXPECT_GT(result.separated_contacts, 0u);
+    }
+}
+
 TEST(Boolean, CavitiesThatTouchInAnEdgeOfTheMaterialBetweenThemArePartedThere) {
     // Above and below the edge the material is connected, so that its ends have one fan each.
     const TriangleMesh block = box(Vec3(0, 0, 0), Vec3(4, 4, 3));

@@ -42,6 +42,21 @@ TEST(Soup, MergingByPairsTouchesTheirVerticesOnly) {
     EXPECT_EQ(vertices_in_use(soup), 12u);
 }
 
+TEST(Soup, SheetsOfOneOperandThatAreMergedAreMarked) {
+    Soup soup = stacked_cubes();
+    merge_vertices(soup);
+    EXPECT_TRUE(std::none_of(soup.shared.begin(), soup.shared.end(), [](char c) { return c != 0; }));
+    const mesh::TriangleMesh touching =
+        solids::together(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), solids::box(Vec3(1, 1, 0), Vec3(2, 2, 1)));
+    Soup two = soups::soup_of({touching, solids::box(Vec3(0.5, 0.5, -1), Vec3(1.5, 1.5, 0.5))});
+    merge_vertices(two);
+    for (std::size_t v = 0; v < two.vertices.size(); ++v) {
+        const Vec3& p = two.vertices[v];
+        const bool first_of_edge = v < 8 && p.x() == 1.0 && p.y() == 1.0;
+        EXPECT_EQ(v < two.shared.size() && two.shared[v] != 0, first_of_edge) << v;
+    }
+}
+
 TEST(CoincidentTriangles, AreFoundWithTheirOrientation) {
     Soup soup = stacked_cubes();
     merge_vertices(soup);
