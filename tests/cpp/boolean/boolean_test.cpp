@@ -102,7 +102,7 @@ TEST(Boolean, BodiesThatTouchInAnEdgeOrAVertexArePartedByLessThanTheTolerance) {
 }
 
 TEST(Boolean, SheetsOfOneOperandThatTouchArePartedFarFromAllCrossings) {
-    const TriangleMesh touching = together(kCube, box(Vec3(1, 1, 0), Vec3(2, 2, 1)));
+    const TriangleMesh touching = solids::together(kCube, box(Vec3(1, 1, 0), Vec3(2, 2, 1)));
     const TriangleMesh other = box(Vec3(-0.5, -0.5, -0.5), Vec3(3, 3, 0.1));
     for (const Operation operation : {Operation::Union, Operation::Difference}) {
         const BooleanResult result = run(touching, other, operation);
