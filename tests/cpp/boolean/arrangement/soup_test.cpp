@@ -48,7 +48,7 @@ TEST(Soup, SheetsOfOneOperandThatAreMergedAreMarked) {
     EXPECT_TRUE(std::none_of(soup.shared.begin(), soup.shared.end(), [](char c) { return c != 0; }));
     const mesh::TriangleMesh touching =
         solids::together(solids::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), solids::box(Vec3(1, 1, 0), Vec3(2, 2, 1)));
-    Soup two = soups::soup_of({touching, solids::box(Vec3(0.5, 0.5, -1), Vec3(1.5, 1.5, 0.5))});
+    Soup two = soups::soup_of({touching, solids::box(Vec3(0.5, 0.5, -1), Vec3(1.5, 1.5, 1.5))});
     merge_vertices(two);
     for (std::size_t v = 0; v < two.vertices.size(); ++v) {
         const Vec3& p = two.vertices[v];
