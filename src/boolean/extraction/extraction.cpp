@@ -216,10 +216,14 @@ std::vector<char> suspicious_points(const Soup& soup, const Arrangement& arrange
     for (const std::int32_t f : kept) {
         const Face& face = arrangement.faces[static_cast<std::size_t>(f)];
         const std::int32_t own = soup.source[static_cast<std::size_t>(face.source)].operand;
+        // An edge to a point where sheets meet may have several of them, too, of which not all are kept.
+        const bool beside_shared = std::any_of(face.points.begin(), face.points.end(), [&](std::int32_t p) {
+            return marked(soup.shared, arrangement.points, p);
+        });
         for (const std::int32_t p : face.points) {
             const auto i = static_cast<std::size_t>(p);
-            if (!face.whole || face.stack >= 0 || (operand[i] != kNone && operand[i] != own) ||
-                marked(soup.moved, arrangement.points, p) || marked(soup.shared, arrangement.points, p)) {
+            if (!face.whole || face.stack >= 0 || (operand[i] != kNone && operand[i] != own) || beside_shared ||
+                marked(soup.moved, arrangement.points, p)) {
                 result[i] = 1;
             }
             operand[i] = own;
