@@ -29,11 +29,11 @@ bool same_corners(Triangle a, Triangle b) {
     return a == b;
 }
 
-/// The triangles around a group of vertices, and for each those that it may meet while the group moves. Pairs within
-/// the star are listed once.
+/// The triangles around a group of vertices, and the pairs of one of them and another triangle that may meet while the
+/// group moves, each once. Those that met last come first, so that bad places are soon found to be such.
 struct Surroundings {
     std::vector<std::int32_t> star;
-    std::vector<std::vector<std::int32_t>> near;
+    std::vector<TrianglePair> pairs;
 };
 
 class VertexRelocation {
@@ -101,6 +101,10 @@ class VertexRelocation {
             partners_[b].insert(a);
             ++pairs_;
         }
+    }
+    bool in_contact(std::int32_t a, std::int32_t b) const {
+        const auto found = partners_.find(a);
+        return found != partners_.end() && found->second.count(b) > 0;
     }
     void disconnect(std::int32_t t) {
         const auto found = partners_.find(t);
@@ -178,8 +182,7 @@ class VertexRelocation {
         }
         for (const auto& [a, b] : contacts()) {
             progress_.check();
-            const auto found = partners_.find(a);
-            if (found != partners_.end() && found->second.count(b) > 0 && move_off(a, b)) {
+            if (in_contact(a, b) && move_off(a, b)) {
                 ++moves;
             }
         }
@@ -324,36 +327,41 @@ class VertexRelocation {
             // Any place of the group is within the reach of its first one, from which it may be as far now.
             box.low -= Vec3::Constant(2.0 * options_.reach + frame_->slack());
             box.high += Vec3::Constant(2.0 * options_.reach + frame_->slack());
-            std::vector<std::int32_t> near;
             tree_->for_each_in_box(box, [&](std::int32_t other) {
-                const bool pair_seen = other < t && std::binary_search(result.star.begin(), result.star.end(), other);
-                if (other != t && !pair_seen && !same_corners(triangle(other), triangle(t))) {
-                    near.push_back(other);
+                const bool listed = other < t && std::binary_search(result.star.begin(), result.star.end(), other);
+                if (other != t && !listed && !same_corners(triangle(other), triangle(t))) {
+                    result.pairs.push_back({t, other});
                 }
             });
-            const auto found = partners_.find(t);
-            if (found != partners_.end()) {
-                std::stable_partition(near.begin(), near.end(),
-                                      [&](std::int32_t other) { return found->second.count(other) > 0; });
-            }
-            result.near.push_back(std::move(near));
         }
+        std::stable_partition(result.pairs.begin(), result.pairs.end(),
+                              [&](const TrianglePair& pair) { return in_contact(pair[0], pair[1]); });
         return result;
     }
 
+    bool meet(const TrianglePair& pair) const {
+        const auto box = [&](std::int32_t t) {
+            const Triangle& c = triangle(t);
+            return Box{at(c[0]).cwiseMin(at(c[1])).cwiseMin(at(c[2])), at(c[0]).cwiseMax(at(c[1])).cwiseMax(at(c[2]))};
+        };
+        const Box a = box(pair[0]);
+        const Box b = box(pair[1]);
+        return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all() &&
+               mesh::contact(draft_.vertices, triangle(pair[0]), triangle(pair[1])) != mesh::Contact::None;
+    }
+
     /// The faults of the star, at most `limit`.
-    std::size_t count(const Surroundings& around, std::size_t limit) const {
-        std::size_t result = 0;
-        for (const std::int32_t t : around.star) {
-            result += has_no_area(t) ? 1 : 0;
-        }
-        for (std::size_t i = 0; i < around.star.size() && result < limit; ++i) {
-            const Triangle& own = triangle(around.star[i]);
-            for (std::size_t k = 0; k < around.near[i].size() && result < limit; ++k) {
-                result += mesh::contact(draft_.vertices, own, triangle(around.near[i][k])) != mesh::Contact::None;
+    std::size_t count(Surroundings& around, std::size_t limit) const {
+        const auto flat = static_cast<std::size_t>(
+            std::count_if(around.star.begin(), around.star.end(), [&](std::int32_t t) { return has_no_area(t); }));
+        std::size_t met = 0;
+        for (std::size_t i = 0; i < around.pairs.size() && flat + met < limit; ++i) {
+            if (meet(around.pairs[i])) {
+                std::swap(around.pairs[i], around.pairs[met]);
+                ++met;
             }
         }
-        return result;
+        return flat + met;
     }
 
     void update(const Surroundings& around) {
@@ -363,19 +371,16 @@ class VertexRelocation {
                 changed_[v] = moves_;
             }
         }
-        for (std::size_t i = 0; i < around.star.size(); ++i) {
-            disconnect(around.star[i]);
-            flat_.erase(around.star[i]);
-        }
-        for (std::size_t i = 0; i < around.star.size(); ++i) {
-            const std::int32_t t = around.star[i];
+        for (const std::int32_t t : around.star) {
+            disconnect(t);
+            flat_.erase(t);
             if (has_no_area(t)) {
                 flat_.insert(t);
             }
-            for (const std::int32_t other : around.near[i]) {
-                if (mesh::contact(draft_.vertices, triangle(t), triangle(other)) != mesh::Contact::None) {
-                    connect(t, other);
-                }
+        }
+        for (const TrianglePair& pair : around.pairs) {
+            if (meet(pair)) {
+                connect(pair[0], pair[1]);
             }
         }
     }
