@@ -43,7 +43,54 @@ def run_all(cases, setting):
     """Figures of all cases under one setting, by name, and the seconds of the processor; made by a child, whose
     module reads the setting when it is loaded.
     """
-    def work(arguments):
+    def work():
+        if setting:
+            os.environ[VARIABLE] = setting
+        import MeshQuality  # noqa: F401, PLC0415
+
+        found, seconds = {}, 0.0
+        for name, case in cases.items():
+            def timed(case=case):
+                begin = time.process_time()
+                return [case(), time.process_time() - begin]
+
+            answer, why = outcome_in_child(timed, SECONDS_OF_CASE)
+            found[name] = answer[0] if answer else {"failed": why}
+            seconds += answer[1] if answer else 0.0
+        return {"cases": found, "seconds": seconds}
+
+    return in_child(work, SECONDS_OF_SETTING)
+
+
+def sums(run):
+    """The figures of one setting over all cases."""
+    cases = run["cases"].values()
+    done = [c for c in cases if "failed" not in c]
+    found = {name: sum(c[name] for c in done) for name in SUMMED if done and name in done[0]}
+    return {"failed": len(cases) - len(done), **found, "seconds": run["seconds"]}
+
+
+def compared(run, base):
+    """Differences of the sums from the defaults, over the cases that both ended."""
+    both = [n for n in base["cases"] if "failed" not in base["cases"][n] and "failed" not in run["cases"][n]]
+    one = sums({"cases": {n: run["cases"][n] for n in both}, "seconds": run["seconds"]})
+    other = sums({"cases": {n: base["cases"][n] for n in both}, "seconds": base["seconds"]})
+    result = {name: one[name] - other[name] for name in one}
+    result["failed"] = sums(run)["failed"] - sums(base)["failed"]
+    result["differing"] = sum(run["cases"][n] != base["cases"][n] for n in both)
+    result["triangles_percent"] = 100.0 * result.get("triangles", 0) / max(1, other.get("triangles", 0))
+    result["seconds_percent"] = 100.0 * result["seconds"] / max(1e-9, other["seconds"])
+    return result
+
+
+def in_words(row):
+    """A row in one line."""
+    counts = " ".join(f"{name} {row[name]:+}" for name in ("failed", *SUMMED[:-1]) if name in row)
+    return f"differ {row['differing']:4} {counts} triangles {row['triangles_percent']:+6.2f}% " \
+           f"cpu {row['seconds_percent']:+5.0f}%"
+
+
+def work(arguments):
     """Measures the stage and returns everything that is kept."""
     import tuning_cases  # noqa: PLC0415
 
