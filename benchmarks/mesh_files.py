@@ -9,6 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
+# Files of $MESHQUALITY_DATA/mesh that benchmarks improve.
+IMPROVED = ("ballA.off", "casting.off", "nut-big.obj", "screw-big.obj", "3DBenchy.obj")
+
 _PLY_TYPES = {"char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1", "short": "i2", "int16": "i2",
               "ushort": "u2", "uint16": "u2", "int": "i4", "int32": "i4", "uint": "u4",
               "uint32": "u4", "float": "f4", "float32": "f4", "double": "f8", "float64": "f8"}

@@ -20,6 +20,7 @@ import numpy as np
 
 CLASSES = ("random", "near", "offset", "files")
 SHARES = ("develop", "measure")
+OPERATIONS = ("union", "intersection", "difference", "symmetric_difference")
 FILES = ("needles582", "needles84", "twin")
 SIZE = 100.0  # mm, diagonal of the box of A
 

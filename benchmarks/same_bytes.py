@@ -23,9 +23,9 @@ import sys
 from pathlib import Path
 
 import inside_freecad
+import mesh_files
 
 CAD_SUFFIXES = {".step", ".stp", ".iges", ".igs", ".brep", ".brp"}
-IMPROVED = ("ballA.off", "casting.off", "nut-big.obj", "screw-big.obj", "3DBenchy.obj")
 # What a report says of time and of work done is no result: faces that are meshed side by side share the counts. The reasons
 # are digested as texts.
 NO_RESULT = {"seconds", "cpu_seconds", "queries", "predicates", "exact_predicates", "exempt_reasons"}
@@ -64,7 +64,7 @@ def cases(data):
         for method in ("default", "uniform"):
             found[f"boolean {method} {name}"] = lambda operation=operation, names=(a, b), method=method: joined(
                 data, operation, names, method)
-    for name in IMPROVED:
+    for name in mesh_files.IMPROVED:
         found[f"improve {name}"] = lambda name=name: improved(data / "mesh" / name)
     return found
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What benchmarks/tuning.py runs to measure the constants of a folder: name -> a function that returns figures.
 
-Parts of others are triangulated; Booleans, curving and improving take the cases of boolean_pairs, curve_models and
-same_bytes.
+Parts of others are triangulated; Booleans take pairs of pair_meshes.py, curving the models of curve_models.py, and
+improving some of the meshes.
 """
 
 import hashlib
@@ -19,8 +19,9 @@ PAIR_CLASSES = ("random", "near", "offset", "files")
 
 def cases(stage, arguments):
     """The cases of a folder of src by name."""
-    return {"boolean": booleans, "curve": curves, "improve": improvements}.get(
-        stage.split("/")[0], triangulations)(arguments)
+    if stage.startswith("curve/"):
+        return curves(volume=stage == "curve/volume")
+    return {"boolean": booleans, "improve": improvements}.get(stage.split("/")[0], triangulations)(arguments)
 
 
 def digest(*arrays):
@@ -85,14 +86,13 @@ def read_parts(arguments):
 
 def booleans(arguments):
     """All operations of the first pairs of the share to develop on, and the known hard pairs."""
-    import boolean_pairs
     import pair_meshes
 
     pairs = pair_meshes.Pairs(inside_freecad.data_folder(), 1)
     found = {}
     for name in itertools.islice(pair_meshes.names(PAIR_CLASSES, "develop"), arguments.first):
         a, b, _ = pairs.make(name)
-        for operation in boolean_pairs.OPERATIONS:
+        for operation in pair_meshes.OPERATIONS:
             found[f"{name} {operation}"] = lambda a=a, b=b, operation=operation: joined(a, b, operation)
     return found
 
@@ -111,14 +111,14 @@ def joined(a, b, operation):
             "faults": sum(extension().verify(mesh._surface).values()), "digest": digest(mesh.vertices, mesh.triangles)}
 
 
-def curves(_arguments):
-    """The models of the curving benchmark, as surfaces and as volumes, of the second and the third order."""
+def curves(volume):
+    """The models of the curving benchmark, as surfaces of the second and the third order or as volumes of the second."""
     import curve_models
 
-    return {f"{name} {'volume' if volume else 'surface'} {order}":
-            lambda name=name, volume=volume, order=order: curved(curve_models.load(name, data), order, volume)
-            for data in [inside_freecad.data_folder()]
-            for name in curve_models.MODELS for volume in (False, True) for order in (2, 3)}
+    data = inside_freecad.data_folder()
+    return {f"{name} {order}":
+            lambda name=name, order=order: curved(curve_models.load(name, data), order, volume)
+            for name in curve_models.MODELS for order in ((2,) if volume else (2, 3))}
 
 
 def curved(shape, order, volume):
@@ -134,11 +134,11 @@ def curved(shape, order, volume):
 
 
 def improvements(_arguments):
-    """The meshes that same_bytes improves."""
-    import same_bytes
+    """The meshes that same_bytes.py improves, too."""
+    import mesh_files
 
     folder = inside_freecad.data_folder() / "mesh"
-    return {name: lambda path=folder / name: improved(path) for name in same_bytes.IMPROVED}
+    return {name: lambda path=folder / name: improved(path) for name in mesh_files.IMPROVED}
 
 
 def improved(path):
