@@ -397,7 +397,7 @@ class VertexRelocation {
     std::unordered_map<std::int32_t, std::size_t> changed_;  ///< by vertex, the last move of a triangle at it
     std::unordered_map<std::int32_t, Vec3> start_;           ///< first place of each vertex that was tried
     std::optional<mesh::NeedleFrame> frame_;
-    std::optional<mesh::AabbTree> tree_;  ///< of the places at the beginning, larger by the reach
+    std::optional<mesh::AabbTree> tree_;  ///< over the places at the beginning, its boxes larger by the reach
     std::optional<mesh::VertexStars> stars_;
 };
 
