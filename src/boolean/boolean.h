@@ -47,8 +47,8 @@ struct BooleanResult {
     std::size_t curve_edges = 0;         ///< on the intersection curves
     std::size_t separated_contacts = 0;  ///< points in which regions of the result touched
     std::size_t separated_vertices = 0;  ///< vertices moved off nearly coincident surfaces
-    /// Triangles that touch or cross others, are at an edge or a vertex that is not manifold, or have no area: 0 unless
-    /// notes say so.
+    /// Triangles of the operands at which the result touches or crosses itself or is not manifold: 0, or an error is
+    /// raised.
     std::size_t faults_left = 0;
     std::vector<std::string> repaired;  ///< a sentence for each operand, empty when there was nothing to do
     std::vector<std::string> notes;

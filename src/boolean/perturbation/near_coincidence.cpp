@@ -73,7 +73,7 @@ double usual_distance(const Soup& soup, const mesh::AabbTree& tree, std::vector<
     if (2 * distances.size() <= asked) {
         return 0.0;
     }
-    const auto most = distances.begin() + static_cast<std::ptrdiff_t>(PerturbationTuning::kDistanceQuantile *
+    const auto most = distances.begin() + static_cast<std::ptrdiff_t>((1.0 - PerturbationTuning::kDistanceOutliers) *
                                                                       static_cast<double>(distances.size() - 1));
     std::nth_element(distances.begin(), most, distances.end());
     return *most;

@@ -7,8 +7,8 @@
 
 namespace mq::boolean {
 
-/// The constants that tune the separation of nearly coincident surfaces. docs/measurements/tuning.md says what each does
-/// at half and at double its value.
+/// The constants that tune the separation of nearly coincident surfaces. docs/measurements/tuning.md says what each
+/// does at half and at double its value.
 struct PerturbationTuning {
     /// Least cosine between normals that count as parallel: less than 18 degrees, or more than 162.
     MESHQUALITY_TUNED(double, kParallelNormals, 0.95);
@@ -20,8 +20,8 @@ struct PerturbationTuning {
     MESHQUALITY_TUNED(double, kOffsetStep, 3.0);
     /// Vertices sampled to estimate the usual distance of two surfaces.
     MESHQUALITY_TUNED(std::size_t, kDistanceSamples, 2000);
-    /// The quantile of the sampled distances; leaves out rare outliers.
-    MESHQUALITY_TUNED(double, kDistanceQuantile, 0.98);
+    /// The fraction of the sampled distances that is left out as outliers.
+    MESHQUALITY_TUNED(double, kDistanceOutliers, 0.02);
     /// Least eigenvalue of the planes to be left that counts, as a fraction of the largest.
     MESHQUALITY_TUNED(double, kLeastEigenvalue, 0.01);
     /// Least cosine between the planes of a pair that count as parallel: 60 degrees.

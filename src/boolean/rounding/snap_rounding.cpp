@@ -44,11 +44,13 @@ class SnapRounder {
             largest_ = std::accumulate(displaced.begin(), displaced.end(), largest_,
                                        [](double a, double b) { return std::max(a, b); });
             count_.error_bound = count_.rounds == 0 ? largest_ : 2.0 * largest_;
-            if (faults.size() == 0) {
+            if (faults.size() == 0 && !faults.may_have_turned) {
                 break;
             }
-            if (count_.rounds == RoundingTuning::kRoundingRounds ||
-                count_.error_bound > RoundingTuning::kMostRoundingMove * options_.tolerance) {
+            const bool used_up = count_.rounds >= RoundingTuning::kRoundingRounds ||
+                                 count_.error_bound > RoundingTuning::kMostRoundingMove * options_.tolerance;
+            // A surface that is embedded stays so when it is only classified again.
+            if (faults.size() > 0 && used_up) {
                 give_up(faults);
                 break;
             }
@@ -89,11 +91,15 @@ class SnapRounder {
         soup.operands = 1;
         soup.vertices = draft.vertices;
         soup.moved.resize(soup.vertices.size());
+        soup.shared.resize(soup.vertices.size());
         const std::vector<std::int32_t> first = mesh::equal_vertices(soup.vertices);
         for (std::size_t v = 0; v < first.size(); ++v) {
             const auto place = static_cast<std::size_t>(first[v]);
             if (draft.made[v] == kConstructed || place != v) {
                 soup.moved[place] = 1;
+            }
+            if (place != v) {
+                soup.shared[place] = 1;
             }
         }
         index.assign(draft.triangles.size(), -1);

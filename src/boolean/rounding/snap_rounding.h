@@ -12,7 +12,7 @@ namespace mq::boolean {
 
 struct RoundingOptions {
     double size = 0.0;       ///< longest side of the operands' box, mm
-    double tolerance = 0.0;  ///< mm; at most a quarter of it is used
+    double tolerance = 0.0;  ///< mm; about half of it may be used
     bool in_single = true;   ///< coordinates become single-precision numbers; else they stay double-precision ones
 };
 

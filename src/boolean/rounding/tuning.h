@@ -12,8 +12,8 @@ namespace mq::boolean {
 struct RoundingTuning {
     /// Rounds of dividing what rounding left in contact at most. Nearly all surfaces take one or two.
     MESHQUALITY_TUNED(std::size_t, kRoundingRounds, 16);
-    /// Largest move of a vertex by relocation, in units of single precision at the farthest vertex ...
-    MESHQUALITY_TUNED(double, kRelocationUnits, 64.0);
+    /// Largest move of a vertex by relocation in one round, in units of single precision at the farthest vertex ...
+    MESHQUALITY_TUNED(double, kRelocationUnits, 80.0);
     /// ... and as a fraction of the tolerance.
     MESHQUALITY_TUNED(double, kRelocationShare, 0.05);
     /// Largest distance between the surfaces before and after, as a fraction of the tolerance.

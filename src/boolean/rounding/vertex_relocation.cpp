@@ -51,10 +51,8 @@ class VertexRelocation {
             }
             record_moves();
         }
-        EmbeddingFaults result{contacts(), {flat_.begin(), flat_.end()}};
-        if (result.size() == 0 && moves_ > 0) {
-            remove_thin_pieces();
-        }
+        EmbeddingFaults result{contacts(), {flat_.begin(), flat_.end()}, false};
+        result.may_have_turned = moves_ > 0 && has_thin_piece();
         return result;
     }
 
@@ -125,50 +123,34 @@ class VertexRelocation {
     void record_moves() {
         std::vector<double> distances(draft_.vertices.size(), 0.0);
         for (const auto& [v, start] : start_) {
-            const double distance = (at(v) - start).norm();
-            distances[static_cast<std::size_t>(v)] = distance;
-            farthest_ = std::max(farthest_, distance);
+            distances[static_cast<std::size_t>(v)] = (at(v) - start).norm();
         }
         add_displacements(draft_, distances);
     }
 
-    /// Removes components with a moved vertex whose volume is at most their area times the largest move: theirs might
-    /// have changed its sign.
-    void remove_thin_pieces() {
+    /// Whether there is a component whose volume is at most its area times twice the reach: only such a one can turn
+    /// inside out, or be passed by a vertex as a whole, while nothing is in contact before and after.
+    bool has_thin_piece() const {
+        struct Extent {
+            double volume = 0.0;
+            double area = 0.0;
+        };
         DisjointSets<std::int32_t> components(draft_.vertices.size());
         for (const Triangle& c : draft_.triangles) {
             components.unite(c[0], c[1]);
             components.unite(c[1], c[2]);
         }
-        struct Extent {
-            double volume = 0.0;
-            double area = 0.0;
-        };
-        std::map<std::int32_t, Extent> moved;  // by component
-        for (const auto& entry : start_) {
-            moved[components.find(entry.first)];
-        }
+        std::unordered_map<std::int32_t, Extent> extents;
         for (const Triangle& c : draft_.triangles) {
-            const auto found = moved.find(components.find(c[0]));
-            if (found != moved.end()) {
-                const Vec3& origin = at(found->first);
-                const Vec3 area = (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0]));
-                found->second.volume += area.dot(at(c[0]) - origin) / 6.0;
-                found->second.area += 0.5 * area.norm();
-            }
+            const std::int32_t component = components.find(c[0]);
+            Extent& extent = extents[component];
+            const Vec3 area = (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0]));
+            extent.volume += area.dot(at(c[0]) - at(component)) / 6.0;
+            extent.area += 0.5 * area.norm();
         }
-        std::vector<char> thin(draft_.triangles.size(), 0);
-        bool any = false;
-        for (std::size_t t = 0; t < thin.size(); ++t) {
-            const auto found = moved.find(components.find(draft_.triangles[t][0]));
-            const bool is_thin =
-                found != moved.end() && std::abs(found->second.volume) <= farthest_ * found->second.area;
-            thin[t] = is_thin ? 1 : 0;
-            any = any || is_thin;
-        }
-        if (any) {
-            remove_triangles(draft_, thin);
-        }
+        return std::any_of(extents.begin(), extents.end(), [&](const auto& entry) {
+            return std::abs(entry.second.volume) <= 2.0 * options_.reach * entry.second.area;
+        });
     }
 
     /// Tries to move something at each fault; returns the number of moves.
@@ -181,7 +163,6 @@ class VertexRelocation {
             }
         }
         for (const auto& [a, b] : contacts()) {
-            progress_.check();
             if (in_contact(a, b) && move_off(a, b)) {
                 ++moves;
             }
@@ -232,7 +213,7 @@ class VertexRelocation {
         for (int k = 0; k < 27; ++k) {
             const Vec3 way(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
             if (!way.isZero()) {
-                ways.push_back(way);
+                ways.push_back(way.normalized());
             }
         }
         return std::any_of(groups.begin(), groups.end(), [&](const Group& group) { return move(group, ways); });
@@ -243,6 +224,7 @@ class VertexRelocation {
         if (stuck(group)) {
             return false;
         }
+        progress_.check();
         Surroundings around = surroundings(group);
         std::vector<Vec3> before;
         for (const std::int32_t v : group) {
@@ -287,7 +269,8 @@ class VertexRelocation {
         return true;
     }
 
-    /// Whether the group was tried in vain, and nothing around it has moved since.
+    /// Whether the group was tried in vain, and since then no triangle at its vertices has moved, nor one in contact
+    /// with those.
     bool stuck(const Group& group) const {
         const auto found = stuck_.find(group);
         return found != stuck_.end() && std::all_of(group.begin(), group.end(), [&](std::int32_t v) {
@@ -324,7 +307,7 @@ class VertexRelocation {
             for (const std::int32_t v : triangle(t)) {
                 box.add(frame_->turned(at(v)));
             }
-            // Any place of the group is within the reach of its first one, from which it may be as far now.
+            // The current and any later place of a vertex are within the reach of its first one.
             box.low -= Vec3::Constant(2.0 * options_.reach + frame_->slack());
             box.high += Vec3::Constant(2.0 * options_.reach + frame_->slack());
             tree_->for_each_in_box(box, [&](std::int32_t other) {
@@ -366,9 +349,16 @@ class VertexRelocation {
 
     void update(const Surroundings& around) {
         ++moves_;
-        for (const std::int32_t t : around.star) {
+        const auto mark = [&](std::int32_t t) {
             for (const std::int32_t v : triangle(t)) {
                 changed_[v] = moves_;
+            }
+        };
+        for (const std::int32_t t : around.star) {
+            mark(t);
+            const auto found = partners_.find(t);
+            if (found != partners_.end()) {
+                std::for_each(found->second.begin(), found->second.end(), mark);
             }
         }
         for (const std::int32_t t : around.star) {
@@ -394,7 +384,7 @@ class VertexRelocation {
     std::size_t moves_ = 0;
     double farthest_ = 0.0;               ///< the largest distance of a moved vertex from its first place, mm
     std::map<Group, std::size_t> stuck_;  ///< groups tried in vain, and the moves made before
-    std::unordered_map<std::int32_t, std::size_t> changed_;  ///< by vertex, the last move of a triangle at it
+    std::unordered_map<std::int32_t, std::size_t> changed_;  ///< by vertex, the last move at which it was marked
     std::unordered_map<std::int32_t, Vec3> start_;           ///< first place of each vertex that was tried
     std::optional<mesh::NeedleFrame> frame_;
     std::optional<mesh::AabbTree> tree_;  ///< over the places at the beginning, its boxes larger by the reach

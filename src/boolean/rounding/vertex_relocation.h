@@ -22,6 +22,8 @@ struct RelocationOptions {
 struct EmbeddingFaults {
     std::vector<std::array<std::int32_t, 2>> contacts;  ///< triangles that touch or cross, the lower first, ascending
     std::vector<std::int32_t> flat;                     ///< triangles without area, ascending
+    /// Whether a piece of the surface may have turned inside out, or come into or out of another one.
+    bool may_have_turned = false;
     std::size_t size() const { return contacts.size() + flat.size(); }
 };
 
@@ -31,8 +33,7 @@ struct EmbeddingFaults {
 ///
 /// At each fault the constructed vertices are tried one by one, then those of one triangle together, then the operands'
 /// own likewise: off the planes of both triangles and in 26 more directions, from one unit on, by factors of four up to
-/// the reach. The first distance that helps is taken, and the direction with the fewest faults left. Pieces of the
-/// surface that are thinner than their vertices were moved are removed: they might have turned inside out.
+/// the reach. The first distance that helps is taken, and the direction with the fewest faults left.
 /// @return the faults left
 EmbeddingFaults relocate_vertices(ResultMesh& draft, const RelocationOptions& options, const Progress& progress);
 
