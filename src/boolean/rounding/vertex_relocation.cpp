@@ -11,6 +11,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/predicates.h"
+#include "boolean/rounding/vertex_merging.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/intersection/needle_frame.h"
 #include "mesh/intersection/self_intersection.h"
@@ -39,11 +40,14 @@ struct Surroundings {
 class VertexRelocation {
   public:
     VertexRelocation(ResultMesh& draft, const RelocationOptions& options, const Progress& progress)
-        : draft_(draft), options_(options), progress_(progress) {}
+        : draft_(draft), options_(options), progress_(progress) {
+        find_faults();
+    }
+
+    bool embedded() const { return pairs_ + flat_.size() == 0; }
 
     EmbeddingFaults run() {
-        find_faults();
-        if (pairs_ + flat_.size() > 0) {
+        if (!embedded()) {
             frame_.emplace(draft_.vertices, draft_.triangles);
             tree_.emplace(frame_->vertices(), draft_.triangles, frame_->slack() + options_.reach);
             stars_.emplace(draft_.triangles, draft_.vertices.size());
@@ -394,7 +398,11 @@ class VertexRelocation {
 }  // namespace
 
 EmbeddingFaults relocate_vertices(ResultMesh& draft, const RelocationOptions& options, const Progress& progress) {
-    return VertexRelocation(draft, options, progress).run();
+    VertexRelocation relocation(draft, options, progress);
+    if (relocation.embedded()) {
+        return {};
+    }
+    return merge_coincident_vertices(draft) ? VertexRelocation(draft, options, progress).run() : relocation.run();
 }
 
 }  // namespace mq::boolean

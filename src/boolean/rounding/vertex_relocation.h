@@ -27,9 +27,9 @@ struct EmbeddingFaults {
     std::size_t size() const { return contacts.size() + flat.size(); }
 };
 
-/// Moves vertices until triangles no longer touch or cross where rounding has laid them on or into each other; the
-/// triangles stay as they are connected. Every move leaves fewer faults around the moved vertices than there were, and
-/// adds none elsewhere, so that it ends.
+/// Merges vertices in one place (merge_coincident_vertices), and moves others until triangles no longer touch or cross
+/// where rounding has laid them on or into each other. Every move leaves fewer faults around the moved vertices than
+/// there were, and adds none elsewhere, so that it ends.
 ///
 /// At each fault the constructed vertices are tried one by one, then those of one triangle together, then the operands'
 /// own likewise: off the planes of both triangles and in 26 more directions, from one unit on, by factors of four up to
