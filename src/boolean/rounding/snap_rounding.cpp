@@ -35,7 +35,7 @@ class SnapRounder {
     RoundingCount run() {
         const double reach =
             std::min(RoundingTuning::kRelocationUnits * unit_, RoundingTuning::kRelocationShare * options_.tolerance);
-        const RelocationOptions relocation{unit_, std::max(reach, unit_), [&](const Vec3& p) { return rounded(p); }};
+        const RelocationOptions relocation{unit_, std::max(reach, unit_), [&](const Vec3& p) { return on_grid(p); }};
         for (;;) {
             separate();
             round_vertices();
@@ -48,6 +48,7 @@ class SnapRounder {
                 break;
             }
             const bool used_up = count_.rounds >= RoundingTuning::kRoundingRounds ||
+                                 faults.size() > extraction_.draft.triangles.size() ||
                                  count_.error_bound > RoundingTuning::kMostRoundingMove * options_.tolerance;
             // A surface that is embedded stays so when it is only classified again.
             if (faults.size() > 0 && used_up) {
@@ -68,6 +69,10 @@ class SnapRounder {
     }
 
     Vec3 rounded(const Vec3& p) const { return options_.in_single ? to_single(p) : p; }
+    /// Double-precision coordinates have the spacing of single-precision ones where they must be told apart.
+    Vec3 on_grid(const Vec3& p) const {
+        return options_.in_single ? to_single(p) : Vec3(unit_ * (p / unit_).array().round().matrix());
+    }
 
     void round_vertices() {
         ResultMesh& draft = extraction_.draft;

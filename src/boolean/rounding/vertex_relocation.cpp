@@ -46,8 +46,29 @@ class VertexRelocation {
 
     bool embedded() const { return pairs_ + flat_.size() == 0; }
 
+    /// Rounds the constructed vertices at faults, so that those nearer to each other than the grid can be merged.
+    void round_at_faults() {
+        std::set<std::int32_t> faulty = flat_;
+        for (const auto& entry : partners_) {
+            faulty.insert(entry.first);
+        }
+        std::vector<double> distances(draft_.vertices.size(), 0.0);
+        for (const std::int32_t t : faulty) {
+            for (const std::int32_t v : triangle(t)) {
+                const Vec3 place = constructed(v) ? options_.rounded(at(v)) : at(v);
+                if (place != at(v)) {
+                    distances[static_cast<std::size_t>(v)] = (place - at(v)).norm();
+                    draft_.vertices[static_cast<std::size_t>(v)] = place;
+                    rounded_ = true;
+                }
+            }
+        }
+        add_displacements(draft_, distances);
+    }
+    bool rounded() const { return rounded_; }
+
     EmbeddingFaults run() {
-        if (!embedded()) {
+        if (!embedded() && pairs_ + flat_.size() <= draft_.triangles.size()) {
             frame_.emplace(draft_.vertices, draft_.triangles);
             tree_.emplace(frame_->vertices(), draft_.triangles, frame_->slack() + options_.reach);
             stars_.emplace(draft_.triangles, draft_.vertices.size());
@@ -385,6 +406,7 @@ class VertexRelocation {
     std::map<std::int32_t, std::set<std::int32_t>> partners_;  ///< by triangle, those with which it is in contact
     std::size_t pairs_ = 0;
     std::set<std::int32_t> flat_;  ///< triangles without area
+    bool rounded_ = false;         ///< whether a vertex at a fault was rounded
     std::size_t moves_ = 0;
     double farthest_ = 0.0;               ///< the largest distance of a moved vertex from its first place, mm
     std::map<Group, std::size_t> stuck_;  ///< groups tried in vain, and the moves made before
@@ -402,7 +424,9 @@ EmbeddingFaults relocate_vertices(ResultMesh& draft, const RelocationOptions& op
     if (relocation.embedded()) {
         return {};
     }
-    return merge_coincident_vertices(draft) ? VertexRelocation(draft, options, progress).run() : relocation.run();
+    relocation.round_at_faults();
+    const bool merged = merge_coincident_vertices(draft);
+    return merged || relocation.rounded() ? VertexRelocation(draft, options, progress).run() : relocation.run();
 }
 
 }  // namespace mq::boolean

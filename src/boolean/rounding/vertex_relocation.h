@@ -15,7 +15,7 @@ namespace mq::boolean {
 struct RelocationOptions {
     double unit = 0.0;                         ///< the least move, mm: the spacing of single-precision numbers
     double reach = 0.0;                        ///< the largest distance of a vertex from its place at the beginning, mm
-    std::function<Vec3(const Vec3&)> rounded;  ///< the nearest place that can be held
+    std::function<Vec3(const Vec3&)> rounded;  ///< the nearest place of the grid
 };
 
 /// What keeps a surface from being embedded.
@@ -27,13 +27,14 @@ struct EmbeddingFaults {
     std::size_t size() const { return contacts.size() + flat.size(); }
 };
 
-/// Merges vertices in one place (merge_coincident_vertices), and moves others until triangles no longer touch or cross
-/// where rounding has laid them on or into each other. Every move leaves fewer faults around the moved vertices than
-/// there were, and adds none elsewhere, so that it ends.
+/// Rounds constructed vertices at faults, merges those in one place (merge_coincident_vertices), and moves others until
+/// triangles no longer touch or cross where rounding has laid them on or into each other. Every move leaves fewer
+/// faults around the moved vertices than there were, and adds none elsewhere, so that it ends.
 ///
 /// At each fault the constructed vertices are tried one by one, then those of one triangle together, then the operands'
 /// own likewise: off the planes of both triangles and in 26 more directions, from one unit on, by factors of four up to
 /// the reach. The first distance that helps is taken, and the direction with the fewest faults left.
+/// A tangle, with more faults than triangles, is left as it is.
 /// @return the faults left
 EmbeddingFaults relocate_vertices(ResultMesh& draft, const RelocationOptions& options, const Progress& progress);
 
