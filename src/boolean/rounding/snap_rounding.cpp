@@ -48,7 +48,7 @@ class SnapRounder {
                 break;
             }
             const bool used_up = count_.rounds >= RoundingTuning::kRoundingRounds ||
-                                 faults.size() > extraction_.draft.triangles.size() ||
+                                 is_tangle(extraction_.draft, faults.size()) ||
                                  count_.error_bound > RoundingTuning::kMostRoundingMove * options_.tolerance;
             // A surface that is embedded stays so when it is only classified again.
             if (faults.size() > 0 && used_up) {

@@ -11,6 +11,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/predicates.h"
+#include "boolean/rounding/tuning.h"
 #include "boolean/rounding/vertex_merging.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/intersection/needle_frame.h"
@@ -68,7 +69,7 @@ class VertexRelocation {
     bool rounded() const { return rounded_; }
 
     EmbeddingFaults run() {
-        if (!embedded() && pairs_ + flat_.size() <= draft_.triangles.size()) {
+        if (!embedded() && !is_tangle(draft_, pairs_ + flat_.size())) {
             frame_.emplace(draft_.vertices, draft_.triangles);
             tree_.emplace(frame_->vertices(), draft_.triangles, frame_->slack() + options_.reach);
             stars_.emplace(draft_.triangles, draft_.vertices.size());
@@ -418,6 +419,10 @@ class VertexRelocation {
 };
 
 }  // namespace
+
+bool is_tangle(const ResultMesh& draft, std::size_t faults) {
+    return faults > draft.triangles.size() && faults > RoundingTuning::kTangle;
+}
 
 EmbeddingFaults relocate_vertices(ResultMesh& draft, const RelocationOptions& options, const Progress& progress) {
     VertexRelocation relocation(draft, options, progress);

@@ -27,6 +27,9 @@ struct EmbeddingFaults {
     std::size_t size() const { return contacts.size() + flat.size(); }
 };
 
+/// Whether a surface has more faults than triangles, and than RoundingTuning::kTangle: no work on it is known to help.
+bool is_tangle(const ResultMesh& draft, std::size_t faults);
+
 /// Rounds constructed vertices at faults, merges those in one place (merge_coincident_vertices), and moves others until
 /// triangles no longer touch or cross where rounding has laid them on or into each other. Every move leaves fewer
 /// faults around the moved vertices than there were, and adds none elsewhere, so that it ends.
@@ -34,7 +37,7 @@ struct EmbeddingFaults {
 /// At each fault the constructed vertices are tried one by one, then those of one triangle together, then the operands'
 /// own likewise: off the planes of both triangles and in 26 more directions, from one unit on, by factors of four up to
 /// the reach. The first distance that helps is taken, and the direction with the fewest faults left.
-/// A tangle, with more faults than triangles, is left as it is.
+/// A tangle is left as it is.
 /// @return the faults left
 EmbeddingFaults relocate_vertices(ResultMesh& draft, const RelocationOptions& options, const Progress& progress);
 
