@@ -409,8 +409,7 @@ class VertexRelocation {
     std::set<std::int32_t> flat_;  ///< triangles without area
     bool rounded_ = false;         ///< whether a vertex at a fault was rounded
     std::size_t moves_ = 0;
-    double farthest_ = 0.0;               ///< the largest distance of a moved vertex from its first place, mm
-    std::map<Group, std::size_t> stuck_;  ///< groups tried in vain, and the moves made before
+    std::map<Group, std::size_t> stuck_;                     ///< groups tried in vain, and the moves made before
     std::unordered_map<std::int32_t, std::size_t> changed_;  ///< by vertex, the last move at which it was marked
     std::unordered_map<std::int32_t, Vec3> start_;           ///< first place of each vertex that was tried
     std::optional<mesh::NeedleFrame> frame_;
