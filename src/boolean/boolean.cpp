@@ -17,6 +17,7 @@
 #include "boolean/arrangement/soup.h"
 #include "boolean/extraction/extraction.h"
 #include "boolean/input/operand_repair.h"
+#include "boolean/input/tuning.h"
 #include "boolean/perturbation/near_coincidence.h"
 #include "boolean/rounding/snap_rounding.h"
 #include "boolean/tuning.h"
@@ -104,9 +105,11 @@ class BooleanPipeline {
         prepared_.resize(inputs_.size());
         parallel_for(static_cast<int>(inputs_.size()), [&](int k) {
             const auto i = static_cast<std::size_t>(k);
-            prepared_[i] = prepare_operand(*inputs_[i], operand_name(i, inputs_.size()), &progress_);
+            prepared_[i] = prepare_operand(*inputs_[i], operand_name(i, inputs_.size()),
+                                           InputTuning::kCrackShare * tolerance_, &progress_);
         });
         for (std::size_t i = 0; i < inputs_.size(); ++i) {
+            joined_ = std::max(joined_, prepared_[i].largest_move);
             const Repairs& repairs = prepared_[i].repairs;
             result_.repaired.push_back(repairs.any() ? operand_name(i, inputs_.size()) + ": " + repairs.summary()
                                                      : std::string());
@@ -247,7 +250,7 @@ class BooleanPipeline {
         RoundingCount rounded = snap_round(extraction, {size_, tolerance_, in_single_}, progress_);
         result_.separated_contacts = rounded.separated;
         result_.faults_left = rounded.faulty.empty() ? nonmanifold(draft).size() : rounded.faulty.size();
-        result_.error_bound = rounded.error_bound + moved_;
+        result_.error_bound = rounded.error_bound + moved_ + joined_;
         result_.mesh.origin = inputs_.front()->origin;
         result_.mesh.vertices = std::move(draft.vertices);
         result_.mesh.triangles = std::move(draft.triangles);
@@ -286,6 +289,7 @@ class BooleanPipeline {
     bool in_single_ = true;  ///< all vertices of the operands are single-precision numbers
     double tolerance_ = 0.0;
     double moved_ = 0.0;
+    double joined_ = 0.0;  ///< how far operands were moved where cracks were closed, mm
     std::vector<Operand> prepared_;
     Soup soup_;
     std::vector<CoincidentTriangle> twins_;

@@ -345,12 +345,13 @@ class HoleClosing {
             attached[components.component_of[t]] = 1;
         }
         std::vector<char> open(components.count, 0);
-        double scrap = 0.0;  // area of open components that are left out
+        double scrap = 0.0;  // area of open components of which it cannot be told whether they bound something
         double removed = 0.0;
         for (std::int32_t c = 0; c < components.count; ++c) {
             open[c] = static_cast<char>(added[c] > InputTuning::kLargestFilledShare * own[c]);
             removed += open[c] != 0 ? own[c] : 0.0;
-            scrap += open[c] != 0 && attached[c] == 0 ? own[c] : 0.0;
+            const bool sheet = added[c] >= InputTuning::kLeastSheetShare * own[c];
+            scrap += open[c] != 0 && !sheet && attached[c] == 0 ? own[c] : 0.0;
         }
         if (scrap > InputTuning::kLargestScrapShare * whole || removed > 0.5 * whole) {
             refuse(components, open);

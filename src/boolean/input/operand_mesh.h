@@ -22,6 +22,7 @@ struct OperandMesh {
     std::vector<std::int32_t> mates;
     std::vector<std::int32_t> attached;  ///< triangles of walls and fins, left over at an edge whose others were paired
     Repairs repairs;
+    double largest_move = 0.0;   ///< of a vertex or edge of the border, mm
     std::string name;            ///< name of the operand, for messages
     Vec3 origin = Vec3::Zero();  ///< origin of the vertices' frame
 
@@ -47,8 +48,16 @@ struct OperandMesh {
 // ---- the steps, in their order --------------------------------------------------------------------------------------
 
 /// Leaves one triangle for each set of three vertices. Where as many run one way as the other, the one that fits the
-/// neighbours is left, or none where they are in balance without it, as at a wall between two solids.
+/// neighbours is left, or none where they are in balance without it, as at a wall between two solids. Of a surface that
+/// is drawn from both sides, with nothing beside it, one side is left.
 void remove_duplicates(OperandMesh& draft);
+
+/// Joins borders that run along each other: vertices that lie together, then edges and the vertices along them. Needs
+/// the input's triangles, and leaves twins (Barequet, Sharir 1995, match borders in the same order: by distance).
+/// @param reach  how far at most what is joined may be apart, mm, and never farther than InputTuning::kCrackWidth of
+/// the
+///     border edges there; 0: nothing is joined
+void close_cracks(OperandMesh& draft, double reach);
 
 /// Removes triangles whose corners lie on one line: the neighbour along the long edge is divided at the corner that
 /// lies on it. Needs twins, and keeps them valid. A triangle without a usable neighbour stays.

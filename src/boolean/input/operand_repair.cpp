@@ -235,7 +235,9 @@ std::size_t count_flipped(const OperandMesh& draft, const mesh::TriangleMesh& me
     return flipped;
 }
 
-void repair(OperandMesh& draft, const Progress* progress) {
+void repair(OperandMesh& draft, double reach, const Progress* progress) {
+    close_cracks(draft, reach);
+    check_cancelled(progress);
     // A swap may make duplicates, and the triangles covered by these may be swapped afterwards.
     for (int round = 0; round < 3; ++round) {
         remove_duplicates(draft);
@@ -261,7 +263,9 @@ void repair(OperandMesh& draft, const Progress* progress) {
 }  // namespace
 
 bool Repairs::any() const {
-    return welded + degenerate + duplicate + flipped + nonmanifold_edges + nonmanifold_vertices + holes + scraps > 0;
+    return welded + degenerate + duplicate + flipped + nonmanifold_edges + nonmanifold_vertices + cracks + holes +
+               scraps >
+           0;
 }
 
 std::string Repairs::summary() const {
@@ -277,6 +281,7 @@ std::string Repairs::summary() const {
     add(flipped, "triangle", "triangles", "turned around");
     add(nonmanifold_edges, "edge", "edges", "of more than two triangles parted");
     add(nonmanifold_vertices, "vertex", "vertices", "of several sheets parted");
+    add(cracks, "vertex", "vertices", "joined across cracks");
     add(holes, "hole", "holes", "closed");
     if (holes > 0) {
         text += " (" + std::to_string(hole_triangles) + (hole_triangles == 1 ? " triangle)" : " triangles)");
@@ -290,7 +295,8 @@ std::string operand_name(std::size_t index, std::size_t count) {
                        : "operand " + std::to_string(index + 1);
 }
 
-Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress) {
+Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach,
+                        const Progress* progress) {
     require_usable(mesh, name);
     check_cancelled(progress);
     OperandMesh draft = draft_of(mesh, name);
@@ -300,7 +306,7 @@ Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name,
     draft.find_twins();
     check_cancelled(progress);
     if (!is_fit(draft)) {
-        repair(draft, progress);
+        repair(draft, reach, progress);
     }
     check_cancelled(progress);
     if (draft.triangles.empty()) {
@@ -310,7 +316,8 @@ Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name,
     if (draft.repairs.flipped > 0) {
         draft.repairs.flipped = count_flipped(draft, mesh);
     }
-    return {std::move(draft.vertices), std::move(draft.triangles), std::move(draft.source), draft.repairs};
+    return {std::move(draft.vertices), std::move(draft.triangles), std::move(draft.source), draft.repairs,
+            draft.largest_move};
 }
 
 }  // namespace mq::boolean

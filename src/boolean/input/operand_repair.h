@@ -19,6 +19,7 @@ struct Repairs {
     std::size_t flipped = 0;               ///< triangles reversed
     std::size_t nonmanifold_edges = 0;     ///< edges of more than two triangles, separated into sheets
     std::size_t nonmanifold_vertices = 0;  ///< vertices where sheets met in a point, separated
+    std::size_t cracks = 0;                ///< vertices of borders joined to other borders, across cracks
     std::size_t holes = 0;                 ///< holes closed
     std::size_t hole_triangles = 0;        ///< triangles made to close holes
     std::size_t scraps = 0;                ///< triangles of open sheets removed: inner walls, fins, stray triangles
@@ -37,6 +38,7 @@ struct Operand {
     /// The input's triangle that each one is, or is a piece of; -1 for hole fillings.
     std::vector<std::int32_t> source;
     Repairs repairs;
+    double largest_move = 0.0;  ///< how far at most points of the surface were moved to close cracks, mm
 };
 
 /// "operand A", "operand B", ...; a number where there are more operands than letters.
@@ -47,9 +49,11 @@ std::string operand_name(std::size_t index, std::size_t count);
 /// Triangles keep their order; a triangle that was only reversed or renumbered keeps its corners' coordinates bit for
 /// bit.
 /// @param name for messages, such as "operand A"
+/// @param reach  the width up to which cracks are closed, mm; 0: none
 /// @throws InvalidInput naming the operand, the defect and its position: no triangles, a coordinate that is not finite,
-/// an index out of range, a one-sided surface, an open surface (see InputTuning::kLargestFilledShare).
+/// an index out of range, a one-sided surface, an open surface (see InputTuning).
 /// @throws Cancelled.
-Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, const Progress* progress = nullptr);
+Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name, double reach = 0.0,
+                        const Progress* progress = nullptr);
 
 }  // namespace mq::boolean

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
 
 #include "base/cases.h"
 #include "base/error.h"
@@ -313,6 +314,109 @@ TEST(Operand, InnerWallsAndFinsAreLeftOut) {
     EXPECT_EQ(component_count(operand), 1);
 }
 
+TEST(Operand, ASurfaceDrawnFromBothSidesIsTakenOnce) {
+    TriangleMesh mesh = sphere(2);
+    append(mesh, sphere(2), true);
+    const Operand operand = prepared(mesh);
+    EXPECT_EQ(operand.triangles.size(), 128u);
+    EXPECT_EQ(operand.repairs.duplicate, 128u);
+    EXPECT_NEAR(volume(operand), volume(prepared(sphere(2))), 1e-12);
+}
+
+/// The cube's faces, each drawn in towards its middle by a share of its size, with vertices of their own.
+TriangleMesh parted_cube(double gap) {
+    TriangleMesh mesh;
+    const TriangleMesh whole = cube();
+    for (std::size_t t = 0; t < whole.triangles.size(); t += 2) {
+        Vec3 middle = Vec3::Zero();
+        std::map<std::int32_t, std::int32_t> own;
+        for (const std::size_t k : {t, t + 1}) {
+            for (const std::int32_t v : whole.triangles[k]) {
+                if (own.emplace(v, static_cast<std::int32_t>(mesh.vertices.size() + own.size())).second) {
+                    middle += 0.25 * whole.vertices[v];
+                }
+            }
+        }
+        std::vector<Vec3> places(own.size());
+        for (const auto& [v, place] : own) {
+            places[place - mesh.vertices.size()] = whole.vertices[v] + gap * (middle - whole.vertices[v]);
+        }
+        mesh.vertices.insert(mesh.vertices.end(), places.begin(), places.end());
+        for (const std::size_t k : {t, t + 1}) {
+            const mesh::Triangle& c = whole.triangles[k];
+            mesh.triangles.push_back({own.at(c[0]), own.at(c[1]), own.at(c[2])});
+        }
+    }
+    return mesh;
+}
+
+TEST(Operand, ClosesCracksWithinReach) {
+    const TriangleMesh mesh = parted_cube(0.01);
+    EXPECT_EQ(mesh.vertices.size(), 24u);
+    expect_refused(mesh, "open surface");
+    const Operand operand = prepare_operand(mesh, "operand A", 0.02);
+    EXPECT_EQ(operand.triangles.size(), 12u);
+    EXPECT_EQ(operand.repairs.cracks, 16u);
+    EXPECT_EQ(operand.repairs.holes, 0u);
+    EXPECT_NEAR(volume(operand), 1.0, 0.03);
+    EXPECT_GT(operand.largest_move, 0.005);
+    EXPECT_LE(operand.largest_move, 0.02);
+}
+
+TEST(Operand, ClosesCracksAtVerticesOnTheOtherSidesEdges) {
+    // One face of the cube is four triangles around its middle, and its edges are divided at their middles, bent
+    // inward.
+    TriangleMesh mesh = cube();
+    const mesh::Triangle one = mesh.triangles[0];
+    const mesh::Triangle two = mesh.triangles[1];
+    std::vector<std::int32_t> corners(one.begin(), one.end());
+    for (const std::int32_t v : two) {
+        if (std::find(one.begin(), one.end(), v) == one.end()) {
+            for (std::size_t i = 0; i < 3; ++i) {  // between the ends of the common edge
+                const bool common = std::count(two.begin(), two.end(), one[i]) == 1 &&
+                                    std::count(two.begin(), two.end(), one[(i + 1) % 3]) == 1;
+                if (common) {
+                    corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(i) + 1, v);
+                    break;
+                }
+            }
+        }
+    }
+    ASSERT_EQ(corners.size(), 4u);
+    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);
+    const Vec3 middle = 0.5 * (mesh.vertices[corners[0]] + mesh.vertices[corners[2]]);
+    const auto center = static_cast<std::int32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(middle);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vec3 half = 0.5 * (mesh.vertices[corners[i]] + mesh.vertices[corners[(i + 1) % 4]]);
+        mesh.vertices.emplace_back(half + 0.01 * (middle - half));
+    }
+    for (std::int32_t i = 0; i < 4; ++i) {
+        mesh.triangles.push_back({corners[i], center + 1 + i, center});
+        mesh.triangles.push_back({center + 1 + i, corners[(i + 1) % 4], center});
+    }
+    const Operand operand = prepare_operand(mesh, "operand A", 0.02);
+    expect_fit(operand, mesh);
+    EXPECT_EQ(operand.repairs.cracks, 4u);
+    EXPECT_EQ(operand.repairs.holes, 0u);
+    EXPECT_EQ(operand.triangles.size(), 10u + 8u + 4u);
+    EXPECT_NEAR(volume(operand), 1.0, 0.02);
+}
+
+TEST(Operand, SheetsBesideASolidAreLeftOut) {
+    TriangleMesh mesh = sphere(3);
+    TriangleMesh sheet;
+    sheet.vertices = {{2, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 2, 0}};  // a third of the sphere's area
+    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+    append(mesh, sheet);
+    const Operand operand = prepared(mesh);
+    EXPECT_EQ(operand.repairs.scraps, 2u);
+    EXPECT_NEAR(volume(operand), volume(prepared(sphere(3))), 1e-12);
+    // A sheet that is most of the operand may be what was meant.
+    append(mesh, scaled(sheet, 3.0));
+    expect_refused(mesh, "open surface");
+}
+
 TEST(Operand, RefusesWhatEnclosesNothing) {
     TriangleMesh sheet;
     sheet.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
@@ -375,7 +479,7 @@ TEST(Operand, IsCancelled) {
     mesh.triangles.pop_back();
     Progress progress;
     progress.cancel();
-    EXPECT_THROW(prepare_operand(mesh, "operand A", &progress), Cancelled);
+    EXPECT_THROW(prepare_operand(mesh, "operand A", 0.0, &progress), Cancelled);
 }
 
 TEST(Operand, RandomDefectsAreRepaired) {
