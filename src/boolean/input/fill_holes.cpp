@@ -389,9 +389,10 @@ class HoleClosing {
         for (const std::int32_t h : longest->border) {
             middle += draft_.point(h) / double(longest->border.size());
         }
-        throw InvalidInput(draft_.name + " is an open surface: a border of " + std::to_string(longest->border.size()) +
-                           " edges around " + draft_.position(middle) +
-                           " is too large to be closed by guessing; close it, or give the sheet a thickness");
+        throw InvalidInput(
+            draft_.name + " is an open surface: a border of " + std::to_string(longest->border.size()) +
+            " edges around " + draft_.position(middle) +
+            " is too large to be closed by guessing; close it, give the sheet a thickness, or take it out");
     }
 
     OperandMesh& draft_;

@@ -396,7 +396,6 @@ TEST(Operand, ClosesCracksAtVerticesOnTheOtherSidesEdges) {
         mesh.triangles.push_back({center + 1 + i, corners[(i + 1) % 4], center});
     }
     const Operand operand = prepare_operand(mesh, "operand A", 0.02);
-    expect_fit(operand, mesh);
     EXPECT_EQ(operand.repairs.cracks, 4u);
     EXPECT_EQ(operand.repairs.holes, 0u);
     EXPECT_EQ(operand.triangles.size(), 10u + 8u + 4u);
