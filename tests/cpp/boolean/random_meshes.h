@@ -308,7 +308,8 @@ struct Pair {
     TriangleMesh a;
     TriangleMesh b;
     std::string description;
-    bool clean = true;  ///< both are closed and free of defects
+    bool clean = true;                ///< both are closed and free of defects
+    std::vector<TriangleMesh> whole;  ///< the operands without dirt, where what encloses them is known in spite of it
 };
 
 /// A random pair: the same for the same seed, on every machine with the same standard library.
@@ -342,6 +343,117 @@ inline Pair turned_pair(std::uint64_t seed) {
     move(pair.a, turn, 1.0, Vec3::Zero());
     move(pair.b, turn, 1.0, Vec3::Zero());
     pair.description += ", turned";
+    return pair;
+}
+
+// ---- dirt that leaves no doubt about what is inside
+// ------------------------------------------------------------------
+
+enum class Dirt { Crack, Sheet, TwoSided, Flips, kCount };
+
+inline const char* name_of(Dirt dirt) {
+    /// The names in their order.
+    constexpr const char* kNames[] = {"a crack", "a sheet beside it", "two-sided", "half of it flipped"};
+    return kNames[static_cast<int>(dirt)];
+}
+
+/// Parts the surface along a plane, and moves the vertices on one side of the crack by up to `width` in each
+/// coordinate.
+inline void crack(TriangleMesh& mesh, double width, Random& random) {
+    const Vec3 normal = random.direction();
+    const Vec3 middle = mesh.vertices[static_cast<std::size_t>(random.integer(0, int(mesh.vertices.size()) - 1))];
+    std::vector<char> above(mesh.vertices.size(), 0);
+    const auto beyond = [&](const Triangle& t) {
+        return normal.dot(mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]] - 3.0 * middle) > 0.0;
+    };
+    std::vector<char> side;
+    for (const Triangle& t : mesh.triangles) {
+        side.push_back(beyond(t) ? 1 : 0);
+        for (const std::int32_t v : t) {
+            above[v] |= static_cast<char>(1 << side.back());
+        }
+    }
+    std::map<std::int32_t, std::int32_t> copies;
+    for (std::size_t t = 0; t < side.size(); ++t) {
+        for (std::int32_t& v : mesh.triangles[t]) {
+            if (side[t] == 0 || above[v] != 3) {
+                continue;
+            }
+            const auto [copy, fresh] = copies.emplace(v, static_cast<std::int32_t>(mesh.vertices.size()));
+            if (fresh) {
+                const Vec3 shift(random.real(-width, width), random.real(-width, width), random.real(-width, width));
+                mesh.vertices.push_back(to_single(mesh.vertices[v] + shift));
+            }
+            v = copy->second;
+        }
+    }
+}
+
+/// Adds a square of a quarter of the surface's area, at a random place through or beside it.
+inline void add_sheet(TriangleMesh& mesh, Random& random) {
+    double area = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3& a = mesh.vertices[t[0]];
+        area += 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+    }
+    const Vec3 x = random.direction();
+    const Vec3 y = x.unitOrthogonal();
+    const Vec3 corner = mesh.vertices[0] + random.real(0.0, 0.5) * std::sqrt(area) * random.direction();
+    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+    for (const Vec3& step : {Vec3(0, 0, 0), x, Vec3(x + y), y}) {
+        mesh.vertices.push_back(to_single(corner + 0.5 * std::sqrt(area) * step));
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
+/// @param width  of cracks, mm
+inline void soil(TriangleMesh& mesh, Dirt dirt, double width, Random& random) {
+    const std::size_t count = mesh.triangles.size();
+    switch (dirt) {
+        case Dirt::Crack:
+            crack(mesh, width, random);
+            break;
+        case Dirt::Sheet:
+            add_sheet(mesh, random);
+            break;
+        case Dirt::TwoSided:
+            for (std::size_t t = 0; t < count; ++t) {
+                const Triangle& c = mesh.triangles[t];
+                mesh.triangles.push_back({c[0], c[2], c[1]});
+            }
+            break;
+        case Dirt::Flips:
+            for (Triangle& t : mesh.triangles) {
+                if (random.chance(0.5)) {
+                    std::swap(t[0], t[1]);
+                }
+            }
+            break;
+        case Dirt::kCount:
+            break;
+    }
+}
+
+/// A pair of closed meshes, placed at random, with dirt on one or both. None may be refused, and volumes are those of
+/// the pair without dirt.
+inline Pair dirty_pair(std::uint64_t seed) {
+    Random random(seed);
+    Pair pair;
+    pair.a = closed_mesh(random);
+    pair.b = closed_mesh(random);
+    place(pair.b, Placement::General, random);
+    pair.description = "seed " + std::to_string(seed) + ", dirty";
+    pair.whole = {pair.a, pair.b};
+    for (TriangleMesh* mesh : {&pair.a, &pair.b}) {
+        const int most = static_cast<int>(Dirt::kCount) - 1;
+        const auto dirt = static_cast<Dirt>(random.integer(0, most));
+        soil(*mesh, dirt, 1e-4, random);
+        pair.description += std::string(mesh == &pair.a ? ", A " : ", B ") + name_of(dirt);
+        if (random.chance(0.5)) {
+            break;
+        }
+    }
     return pair;
 }
 

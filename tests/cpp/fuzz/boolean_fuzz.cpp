@@ -2,10 +2,11 @@
 //
 // Booleans of random pairs of solids, with random placements and defects, and every promise checked on each result.
 //
-//     fuzz_boolean FIRST LAST [turned]
+//     fuzz_boolean FIRST LAST [turned | dirty]
 //
 // runs the seeds FIRST to LAST - 1 with all four operations and prints what failed. `turned` turns both operands
-// together at random, so that faces that were flush are so only to within rounding. The status is 1 if anything failed.
+// together at random, so that faces that were flush are so only to within rounding. `dirty` has cracks, sheets beside
+// solids, two-sided surfaces and triangles at random ways round. The status is 1 if anything failed.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -80,8 +81,8 @@ std::string fault_of(const fuzz::Pair& pair, Operation operation, Figures& figur
 std::string fault_of_volumes(const fuzz::Pair& pair, const Figures& figures) {
     constexpr double kPart = 1e-5;
     const double(&v)[4] = figures.volume;
-    const double a = volume(pair.a);
-    const double b = volume(pair.b);
+    const double a = volume(pair.whole.empty() ? pair.a : pair.whole[0]);
+    const double b = volume(pair.whole.empty() ? pair.b : pair.whole[1]);
     const double worst = std::max(std::abs(v[0] + v[1] - a - b), std::abs(v[2] - (a - v[1])));
     const double most = kPart * (a + b) + figures.error_bound * (area(pair.a) + area(pair.b));
     return worst <= most ? std::string() : "volumes are wrong by " + std::to_string(worst);
@@ -131,17 +132,18 @@ void run(const fuzz::Pair& pair, Totals& totals) {
 
 int main(int count, char** arguments) {
     if (count < 3) {
-        std::fprintf(stderr, "usage: fuzz_boolean FIRST LAST [turned]\n");
+        std::fprintf(stderr, "usage: fuzz_boolean FIRST LAST [turned | dirty]\n");
         return 2;
     }
-    const bool turned = count > 3 && std::string(arguments[3]) == "turned";
+    const std::string kind = count > 3 ? arguments[3] : "";
+    const auto make = kind == "turned" ? fuzz::turned_pair : kind == "dirty" ? fuzz::dirty_pair : fuzz::random_pair;
     const long first = std::atol(arguments[1]);
     const long last = std::atol(arguments[2]);
     Totals totals;
     const std::clock_t start = std::clock();
     for (long seed = first; seed < last; ++seed) {
         const auto number = static_cast<std::uint64_t>(seed);
-        run(turned ? fuzz::turned_pair(number) : fuzz::random_pair(number), totals);
+        run(make(number), totals);
         std::fflush(stdout);
     }
     std::printf("%ld pairs, %d results, %d failed, %d refused, %.1f s of processor\n", last - first, totals.results,
