@@ -18,7 +18,7 @@
 #include "boolean/extraction/extraction.h"
 #include "boolean/input/operand_repair.h"
 #include "boolean/input/tuning.h"
-#include "boolean/perturbation/near_coincidence.h"
+#include "boolean/near_coincidence/near_coincidence.h"
 #include "boolean/rounding/snap_rounding.h"
 #include "boolean/tuning.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py

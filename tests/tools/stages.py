@@ -32,7 +32,7 @@ STAGES = {
     "boolean": [
         ["boolean/input", "boolean/exact"],
         ["boolean/arrangement"],
-        ["boolean/perturbation"],
+        ["boolean/near_coincidence"],
         ["boolean/extraction"],
         ["boolean/rounding"],
         ["boolean/layered_depth/samples"],

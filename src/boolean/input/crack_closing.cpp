@@ -104,7 +104,7 @@ class CrackClosing {
         pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
         const mesh::VertexStars stars(draft_.triangles, draft_.vertices.size());
         DisjointSets<std::int32_t> places(draft_.vertices.size());
-        std::unordered_map<std::int32_t, std::vector<std::int32_t>> members;  // of places with several vertices
+        std::unordered_map<std::int32_t, std::vector<std::int32_t>> members;  // where several vertices share a place
         const auto members_of = [&](std::int32_t v) {
             const auto found = members.find(v);
             return found != members.end() ? found->second : std::vector<std::int32_t>{v};

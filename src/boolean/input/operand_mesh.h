@@ -22,7 +22,7 @@ struct OperandMesh {
     std::vector<std::int32_t> mates;
     std::vector<std::int32_t> attached;  ///< triangles of walls and fins, left over at an edge whose others were paired
     Repairs repairs;
-    double largest_move = 0.0;   ///< of a vertex or edge of the border, mm
+    double largest_move = 0.0;   ///< the farthest that a crack's side was moved, mm
     std::string name;            ///< name of the operand, for messages
     Vec3 origin = Vec3::Zero();  ///< origin of the vertices' frame
 

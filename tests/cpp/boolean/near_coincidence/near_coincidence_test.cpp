@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/perturbation/near_coincidence.h"
+#include "boolean/near_coincidence/near_coincidence.h"
 
 #include <gtest/gtest.h>
 

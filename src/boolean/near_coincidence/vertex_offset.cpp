@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/perturbation/vertex_offset.h"
+#include "boolean/near_coincidence/vertex_offset.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/angle.h"
-#include "boolean/perturbation/tuning.h"
+#include "boolean/near_coincidence/tuning.h"
 
 namespace mq::boolean {
 
@@ -48,7 +48,7 @@ VertexOffsets::VertexOffsets(const Soup& soup)
 }
 
 Vec3 VertexOffsets::at(std::size_t v) const {
-    return normal_[v] / std::max(steepest_[v], PerturbationTuning::kLeastOffsetCosine);
+    return normal_[v] / std::max(steepest_[v], NearCoincidenceTuning::kLeastOffsetCosine);
 }
 
 }  // namespace mq::boolean

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/perturbation/vertex_offset.h"
+#include "boolean/near_coincidence/vertex_offset.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@ namespace mq::boolean {
 
 /// The constants that tune the separation of nearly coincident surfaces. docs/measurements/tuning.md says what each
 /// does at half and at double its value.
-struct PerturbationTuning {
+struct NearCoincidenceTuning {
     /// Least cosine between normals that count as parallel: less than 18 degrees, or more than 162.
     MESHQUALITY_TUNED(double, kParallelNormals, 0.95);
     /// Least cosine between the normals of a vertex and of the nearest triangle. It is low because a vertex on an

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "boolean/perturbation/near_coincidence.h"
+#include "boolean/near_coincidence/near_coincidence.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/predicates.h"
-#include "boolean/perturbation/tuning.h"
-#include "boolean/perturbation/vertex_offset.h"
+#include "boolean/near_coincidence/tuning.h"
+#include "boolean/near_coincidence/vertex_offset.h"
 #include "mesh/intersection/aabb_tree.h"
 
 namespace mq::boolean {
@@ -35,7 +35,7 @@ bool parallel_operands(const Soup& soup, const mesh::ContactPair& pair) {
     }
     const Vec3 m = area_normal(soup, pair.a);
     const Vec3 n = area_normal(soup, pair.b);
-    return std::abs(m.dot(n)) > PerturbationTuning::kParallelNormals * m.norm() * n.norm();
+    return std::abs(m.dot(n)) > NearCoincidenceTuning::kParallelNormals * m.norm() * n.norm();
 }
 
 /// By operand, the vertices of later ones where these nearly coincide with it: those of triangles that are nearly
@@ -61,7 +61,7 @@ double usual_distance(const Soup& soup, const mesh::AabbTree& tree, std::vector<
                       double farthest) {
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const std::size_t stride = std::max<std::size_t>(1, vertices.size() / PerturbationTuning::kDistanceSamples);
+    const std::size_t stride = std::max<std::size_t>(1, vertices.size() / NearCoincidenceTuning::kDistanceSamples);
     std::vector<double> distances;
     std::size_t asked = 0;
     for (std::size_t i = 0; i < vertices.size(); i += stride, ++asked) {
@@ -73,7 +73,7 @@ double usual_distance(const Soup& soup, const mesh::AabbTree& tree, std::vector<
     if (2 * distances.size() <= asked) {
         return 0.0;
     }
-    const auto most = distances.begin() + static_cast<std::ptrdiff_t>((1.0 - PerturbationTuning::kDistanceOutliers) *
+    const auto most = distances.begin() + static_cast<std::ptrdiff_t>((1.0 - NearCoincidenceTuning::kDistanceOutliers) *
                                                                       static_cast<double>(distances.size() - 1));
     std::nth_element(distances.begin(), most, distances.end());
     return *most;
@@ -114,7 +114,7 @@ Vec3 way(const PlanesToLeave& planes) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(planes.squares);
     Vec3 result = Vec3::Zero();
     for (int i = 0; i < 3; ++i) {
-        if (axes.eigenvalues()[i] > PerturbationTuning::kLeastEigenvalue * axes.eigenvalues()[2]) {
+        if (axes.eigenvalues()[i] > NearCoincidenceTuning::kLeastEigenvalue * axes.eigenvalues()[2]) {
             result += axes.eigenvectors().col(i).dot(planes.sum) / axes.eigenvalues()[i] * axes.eigenvectors().col(i);
         }
     }
@@ -131,7 +131,8 @@ void leave_plane(const Soup& soup, const Expression& expression, std::array<std:
     }
     const int inward = offset_sign(expression, operand_of(soup, pair[0]), operand_of(soup, pair[1]));
     const Vec3 n = area_normal(soup, pair[0]).normalized();
-    if (inward == 0 || std::abs(n.dot(area_normal(soup, pair[1]).normalized())) < PerturbationTuning::kParallelPlanes) {
+    if (inward == 0 ||
+        std::abs(n.dot(area_normal(soup, pair[1]).normalized())) < NearCoincidenceTuning::kParallelPlanes) {
         return;
     }
     for (const std::int32_t v : soup.triangles[static_cast<std::size_t>(pair[1])]) {
@@ -147,7 +148,7 @@ void leave_plane(const Soup& soup, const Expression& expression, std::array<std:
 bool nearly_coincident(const Soup& soup, const std::vector<mesh::ContactPair>& crossing, bool few) {
     const std::ptrdiff_t least = few ? 2 : 64;
     const auto many =
-        static_cast<std::ptrdiff_t>(PerturbationTuning::kCrossingShare * static_cast<double>(soup.triangles.size()));
+        static_cast<std::ptrdiff_t>(NearCoincidenceTuning::kCrossingShare * static_cast<double>(soup.triangles.size()));
     const auto parallel = std::count_if(crossing.begin(), crossing.end(), [&](const mesh::ContactPair& pair) {
         return pair.contact == mesh::Contact::Crossing && parallel_operands(soup, pair);
     });
@@ -160,7 +161,7 @@ bool separable(const Soup& soup, double tolerance, const std::vector<mesh::Conta
     for (std::size_t earlier = 0; earlier < vertices.size(); ++earlier) {
         if (!vertices[earlier].empty()) {
             const mesh::AabbTree tree(soup.vertices, soup.triangles, triangles[earlier]);
-            if (usual_distance(soup, tree, vertices[earlier], tolerance / (2.0 * PerturbationTuning::kOffsetStep)) >
+            if (usual_distance(soup, tree, vertices[earlier], tolerance / (2.0 * NearCoincidenceTuning::kOffsetStep)) >
                 0.0) {
                 return true;
             }
@@ -184,8 +185,8 @@ NearCoincidence separate(Soup& soup, const Expression& expression, double tolera
         }
         const mesh::AabbTree tree(soup.vertices, soup.triangles, triangles[static_cast<std::size_t>(earlier)]);
         const double step =
-            PerturbationTuning::kOffsetStep *
-            usual_distance(soup, tree, near_vertices, tolerance / (2.0 * PerturbationTuning::kOffsetStep));
+            NearCoincidenceTuning::kOffsetStep *
+            usual_distance(soup, tree, near_vertices, tolerance / (2.0 * NearCoincidenceTuning::kOffsetStep));
         if (step == 0.0) {
             continue;
         }
@@ -208,7 +209,7 @@ NearCoincidence separate(Soup& soup, const Expression& expression, double tolera
                 continue;
             }
             const double along = area_normal(soup, near.triangle).normalized().dot(offset.normalized());
-            if (std::abs(along) > PerturbationTuning::kSameSideNormals) {
+            if (std::abs(along) > NearCoincidenceTuning::kSameSideNormals) {
                 const double inward = along > 0.0 ? way : -way;
                 moves.emplace_back(v, to_single(soup.vertices[v] - inward * step * offset));
             }
