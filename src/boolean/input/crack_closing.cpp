@@ -228,9 +228,7 @@ class CrackClosing {
 }  // namespace
 
 void close_cracks(OperandMesh& draft, double reach) {
-    if (reach > 0.0) {
-        CrackClosing(draft, reach).run();
-    }
+    CrackClosing(draft, reach).run();
 }
 
 }  // namespace mq::boolean

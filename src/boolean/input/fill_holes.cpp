@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <set>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
-#include "base/error.h"
 #include "base/key_set.h"
 #include "boolean/input/operand_mesh.h"
 #include "boolean/input/tuning.h"
@@ -33,7 +34,8 @@ class HoleClosing {
     HoleClosing(OperandMesh& draft, const Progress* progress)
         : draft_(draft), progress_(progress), kept_(draft.triangles.size()) {}
 
-    void run() {
+    /// @return why the operand is refused, if it is
+    std::optional<std::string> run() {
         find_holes();
         const mesh::VertexStars stars(draft_.triangles, draft_.vertices.size());
         for (Hole& hole : holes_) {
@@ -42,7 +44,7 @@ class HoleClosing {
             fill(hole, {});
         }
         avoid_crossings();
-        remove_open_components();
+        return remove_open_components();
     }
 
   private:
@@ -330,7 +332,7 @@ class HoleClosing {
 
     // ---- components that are too open to close ----
 
-    void remove_open_components() {
+    std::optional<std::string> remove_open_components() {
         const mesh::Components components = mesh::components(draft_.mates);
         std::vector<double> own(components.count, 0.0);
         std::vector<double> added(components.count, 0.0);
@@ -354,7 +356,7 @@ class HoleClosing {
             scrap += open[c] != 0 && !sheet && attached[c] == 0 ? own[c] : 0.0;
         }
         if (scrap > InputTuning::kLargestScrapShare * whole || removed > 0.5 * whole) {
-            refuse(components, open);
+            return refusal(components, open);
         }
         count_holes(components, open);
         if (removed > 0.0) {
@@ -365,6 +367,7 @@ class HoleClosing {
             }
             draft_.remove(marked);
         }
+        return std::nullopt;
     }
 
     void count_holes(const mesh::Components& components, const std::vector<char>& open) {
@@ -377,7 +380,7 @@ class HoleClosing {
     }
 
     /// Names the longest border of the components that are too open to close.
-    [[noreturn]] void refuse(const mesh::Components& components, const std::vector<char>& open) const {
+    std::string refusal(const mesh::Components& components, const std::vector<char>& open) const {
         const Hole* longest = nullptr;
         for (const Hole& hole : holes_) {
             const bool relevant = open[components.component_of[hole.first_triangle]] != 0;
@@ -389,10 +392,9 @@ class HoleClosing {
         for (const std::int32_t h : longest->border) {
             middle += draft_.point(h) / double(longest->border.size());
         }
-        throw InvalidInput(
-            draft_.name + " is an open surface: a border of " + std::to_string(longest->border.size()) +
-            " edges around " + draft_.position(middle) +
-            " is too large to be closed by guessing; close it, give the sheet a thickness, or take it out");
+        return draft_.name + " is an open surface: a border of " + std::to_string(longest->border.size()) +
+               " edges around " + draft_.position(middle) +
+               " is too large to be closed by guessing; close it, give the sheet a thickness, or take it out";
     }
 
     OperandMesh& draft_;
@@ -404,10 +406,11 @@ class HoleClosing {
 
 }  // namespace
 
-void close_holes(OperandMesh& draft, const Progress* progress) {
+std::optional<std::string> close_holes(OperandMesh& draft, const Progress* progress) {
     if (std::find(draft.mates.begin(), draft.mates.end(), mesh::kBorder) != draft.mates.end()) {
-        HoleClosing(draft, progress).run();
+        return HoleClosing(draft, progress).run();
     }
+    return std::nullopt;
 }
 
 }  // namespace mq::boolean

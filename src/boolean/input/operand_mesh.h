@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,10 +71,10 @@ std::size_t remove_degenerate(OperandMesh& draft);
 /// @throws InvalidInput when the surface has one side only.
 void pair_and_orient(OperandMesh& draft);
 
-/// Fills all holes with the least area, preferring fillings that do not cross the rest of the surface; then removes or
-/// refuses components that are too open.
-/// @throws InvalidInput for an open surface.
-void close_holes(OperandMesh& draft, const Progress* progress);
+/// Fills all holes with the least area, preferring fillings that do not cross the rest of the surface; then removes
+/// components that are too open.
+/// @return why an open surface is refused, as a sentence; the mesh is of no use then
+std::optional<std::string> close_holes(OperandMesh& draft, const Progress* progress);
 
 /// Gives each fan of a vertex a vertex of its own, so that indices alone tell the neighbours.
 void split_fans(OperandMesh& draft);
