@@ -55,9 +55,8 @@ void remove_duplicates(OperandMesh& draft);
 
 /// Joins borders that run along each other: vertices that lie together, then edges and the vertices along them. Needs
 /// the input's triangles, and leaves twins (Barequet, Sharir 1995, match borders in the same order: by distance).
-/// @param reach  how far at most what is joined may be apart, mm, and never farther than InputTuning::kCrackWidth of
-/// the
-///     border edges there; 0: nothing is joined
+/// @param reach  how far at most what is joined may be apart, mm; it is never farther than InputTuning::kCrackWidth of
+///     the border edges there
 void close_cracks(OperandMesh& draft, double reach);
 
 /// Removes triangles whose corners lie on one line: the neighbour along the long edge is divided at the corner that
