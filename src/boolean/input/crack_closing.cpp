@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -15,12 +16,14 @@
 namespace mq::boolean {
 namespace {
 
-/// Joins borders that run along each other: first vertices to vertices, then vertices to edges.
+/// Joins borders of different components that run along each other: first vertices to vertices, then vertices to edges.
+/// A slit within one component is a hole, and is filled without moving anything.
 class CrackClosing {
   public:
     CrackClosing(OperandMesh& draft, double reach) : draft_(draft), reach_(reach) {}
 
     void run() {
+        component_of_ = mesh::components(draft_.mates).component_of;
         find_borders();
         if (borders_.empty()) {
             return;
@@ -47,6 +50,7 @@ class CrackClosing {
         draft_.find_twins();
         borders_.clear();
         shortest_.clear();
+        pieces_.clear();
         edges_.clear();
         for (std::size_t h = 0; h < draft_.mates.size(); ++h) {
             if (draft_.mates[h] != mesh::kBorder) {
@@ -59,6 +63,7 @@ class CrackClosing {
             for (const std::int32_t v : {draft_.tail(corner), draft_.head(corner)}) {
                 const auto [known, fresh] = shortest_.emplace(v, length);
                 known->second = fresh ? length : std::min(known->second, length);
+                pieces_[v].insert(component_of_[corner / 3]);
             }
         }
     }
@@ -70,6 +75,12 @@ class CrackClosing {
         }
         std::sort(result.begin(), result.end());
         return result;
+    }
+
+    /// Whether a border at a vertex is of another component than a triangle.
+    bool of_another_piece(std::int32_t v, std::int32_t triangle) const {
+        const std::set<std::int32_t>& own = pieces_.at(v);
+        return own.size() > 1 || own.count(component_of_[triangle]) == 0;
     }
 
     /// How far a vertex of the border may be from what it is joined to: a crack is narrower than its edges are long.
@@ -94,7 +105,8 @@ class CrackClosing {
             for_each_near(tree, v, [&](std::int32_t k) {
                 for (const std::int32_t w : {edges_[k][0], edges_[k][1]}) {
                     const double distance = (draft_.vertices[v] - draft_.vertices[w]).norm();
-                    if (v < w && distance <= std::min(reach_of(v), reach_of(w))) {
+                    if (v < w && distance <= std::min(reach_of(v), reach_of(w)) &&
+                        of_another_piece(v, borders_[k] / 3)) {
                         pairs.emplace_back(distance, v, w);
                     }
                 }
@@ -190,7 +202,7 @@ class CrackClosing {
 
     void take_if_nearer(std::int32_t v, std::int32_t corner, Passing& nearest) const {
         const mesh::Triangle& t = draft_.triangles[corner / 3];
-        if (std::find(t.begin(), t.end(), v) != t.end()) {
+        if (std::find(t.begin(), t.end(), v) != t.end() || !of_another_piece(v, corner / 3)) {
             return;
         }
         const Vec3& a = draft_.point(corner);
@@ -222,13 +234,17 @@ class CrackClosing {
     std::vector<std::int32_t> borders_;                  ///< corners on the border
     std::vector<mesh::Triangle> edges_;                  ///< their edges, as triangles for the tree
     std::unordered_map<std::int32_t, double> shortest_;  ///< by vertex of the border, its shortest border edge, mm
-    std::vector<std::int32_t> joined_;
+    std::vector<std::int32_t> component_of_;             ///< by triangle of the input
+    std::unordered_map<std::int32_t, std::set<std::int32_t>> pieces_;  ///< by vertex, components with a border there
+    std::vector<std::int32_t> joined_;                                 ///< vertices that were joined to something
 };
 
 }  // namespace
 
 void close_cracks(OperandMesh& draft, double reach) {
-    CrackClosing(draft, reach).run();
+    if (reach > 0.0) {
+        CrackClosing(draft, reach).run();
+    }
 }
 
 }  // namespace mq::boolean

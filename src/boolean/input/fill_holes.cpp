@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <optional>
 #include <set>
-#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
+#include "base/error.h"
 #include "base/key_set.h"
 #include "boolean/input/operand_mesh.h"
 #include "boolean/input/tuning.h"
@@ -34,8 +33,7 @@ class HoleClosing {
     HoleClosing(OperandMesh& draft, const Progress* progress)
         : draft_(draft), progress_(progress), kept_(draft.triangles.size()) {}
 
-    /// @return why the operand is refused, if it is
-    std::optional<std::string> run() {
+    void run() {
         find_holes();
         const mesh::VertexStars stars(draft_.triangles, draft_.vertices.size());
         for (Hole& hole : holes_) {
@@ -44,7 +42,7 @@ class HoleClosing {
             fill(hole, {});
         }
         avoid_crossings();
-        return remove_open_components();
+        remove_open_components();
     }
 
   private:
@@ -332,7 +330,7 @@ class HoleClosing {
 
     // ---- components that are too open to close ----
 
-    std::optional<std::string> remove_open_components() {
+    void remove_open_components() {
         const mesh::Components components = mesh::components(draft_.mates);
         std::vector<double> own(components.count, 0.0);
         std::vector<double> added(components.count, 0.0);
@@ -356,7 +354,7 @@ class HoleClosing {
             scrap += open[c] != 0 && !sheet && attached[c] == 0 ? own[c] : 0.0;
         }
         if (scrap > InputTuning::kLargestScrapShare * whole || removed > 0.5 * whole) {
-            return refusal(components, open);
+            refuse(components, open);
         }
         count_holes(components, open);
         if (removed > 0.0) {
@@ -367,7 +365,6 @@ class HoleClosing {
             }
             draft_.remove(marked);
         }
-        return std::nullopt;
     }
 
     void count_holes(const mesh::Components& components, const std::vector<char>& open) {
@@ -380,7 +377,7 @@ class HoleClosing {
     }
 
     /// Names the longest border of the components that are too open to close.
-    std::string refusal(const mesh::Components& components, const std::vector<char>& open) const {
+    [[noreturn]] void refuse(const mesh::Components& components, const std::vector<char>& open) const {
         const Hole* longest = nullptr;
         for (const Hole& hole : holes_) {
             const bool relevant = open[components.component_of[hole.first_triangle]] != 0;
@@ -392,9 +389,10 @@ class HoleClosing {
         for (const std::int32_t h : longest->border) {
             middle += draft_.point(h) / double(longest->border.size());
         }
-        return draft_.name + " is an open surface: a border of " + std::to_string(longest->border.size()) +
-               " edges around " + draft_.position(middle) +
-               " is too large to be closed by guessing; close it, give the sheet a thickness, or take it out";
+        throw InvalidInput(
+            draft_.name + " is an open surface: a border of " + std::to_string(longest->border.size()) +
+            " edges around " + draft_.position(middle) +
+            " is too large to be closed by guessing; close it, give the sheet a thickness, or take it out");
     }
 
     OperandMesh& draft_;
@@ -406,11 +404,10 @@ class HoleClosing {
 
 }  // namespace
 
-std::optional<std::string> close_holes(OperandMesh& draft, const Progress* progress) {
+void close_holes(OperandMesh& draft, const Progress* progress) {
     if (std::find(draft.mates.begin(), draft.mates.end(), mesh::kBorder) != draft.mates.end()) {
-        return HoleClosing(draft, progress).run();
+        HoleClosing(draft, progress).run();
     }
-    return std::nullopt;
 }
 
 }  // namespace mq::boolean

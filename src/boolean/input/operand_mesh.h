@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,10 +52,12 @@ struct OperandMesh {
 /// is drawn from both sides, with nothing beside it, one side is left.
 void remove_duplicates(OperandMesh& draft);
 
-/// Joins borders that run along each other: vertices that lie together, then edges and the vertices along them. Needs
-/// the input's triangles, and leaves twins (Barequet, Sharir 1995, match borders in the same order: by distance).
-/// @param reach  how far at most what is joined may be apart, mm; it is never farther than InputTuning::kCrackWidth of
-///     the border edges there
+/// Joins borders of different components that run along each other: vertices that lie together, then edges and the
+/// vertices along them. Needs the input's triangles, and leaves twins (Barequet, Sharir 1995, match borders in the same
+/// order: by distance).
+/// @param reach  how far at most what is joined may be apart, mm, and never farther than InputTuning::kCrackWidth of
+/// the
+///     border edges there; 0: nothing is joined
 void close_cracks(OperandMesh& draft, double reach);
 
 /// Removes triangles whose corners lie on one line: the neighbour along the long edge is divided at the corner that
@@ -70,10 +71,10 @@ std::size_t remove_degenerate(OperandMesh& draft);
 /// @throws InvalidInput when the surface has one side only.
 void pair_and_orient(OperandMesh& draft);
 
-/// Fills all holes with the least area, preferring fillings that do not cross the rest of the surface; then removes
-/// components that are too open.
-/// @return why an open surface is refused, as a sentence; the mesh is of no use then
-std::optional<std::string> close_holes(OperandMesh& draft, const Progress* progress);
+/// Fills all holes with the least area, preferring fillings that do not cross the rest of the surface; then removes or
+/// refuses components that are too open.
+/// @throws InvalidInput for an open surface.
+void close_holes(OperandMesh& draft, const Progress* progress);
 
 /// Gives each fan of a vertex a vertex of its own, so that indices alone tell the neighbours.
 void split_fans(OperandMesh& draft);

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "base/error.h"
@@ -237,8 +235,9 @@ std::size_t count_flipped(const OperandMesh& draft, const mesh::TriangleMesh& me
     return flipped;
 }
 
-/// @return why the operand is refused, if it is
-std::optional<std::string> repair(OperandMesh& draft, const Progress* progress) {
+void repair(OperandMesh& draft, double reach, const Progress* progress) {
+    close_cracks(draft, reach);
+    check_cancelled(progress);
     // A swap may make duplicates, and the triangles covered by these may be swapped afterwards.
     for (int round = 0; round < 3; ++round) {
         remove_duplicates(draft);
@@ -253,30 +252,12 @@ std::optional<std::string> repair(OperandMesh& draft, const Progress* progress) 
     }
     pair_and_orient(draft);
     check_cancelled(progress);
-    if (std::optional<std::string> refused = close_holes(draft, progress)) {
-        return refused;
-    }
+    close_holes(draft, progress);
     check_cancelled(progress);
     draft.repairs.degenerate += remove_degenerate(draft);
     remove_folds(draft);
     split_fans(draft);
     part_edges(draft);
-    return std::nullopt;
-}
-
-/// Repairs without moving anything where that is enough; else after closing cracks up to a width, mm.
-void repair_moving_least(OperandMesh& draft, double reach, const Progress* progress) {
-    OperandMesh cracked = draft;
-    std::optional<std::string> refused = repair(draft, progress);
-    if (refused && reach > 0.0) {
-        close_cracks(cracked, reach);
-        check_cancelled(progress);
-        draft = std::move(cracked);
-        refused = repair(draft, progress);
-    }
-    if (refused) {
-        throw InvalidInput(*refused);
-    }
 }
 
 }  // namespace
@@ -325,7 +306,7 @@ Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name,
     draft.find_twins();
     check_cancelled(progress);
     if (!is_fit(draft)) {
-        repair_moving_least(draft, reach, progress);
+        repair(draft, reach, progress);
     }
     check_cancelled(progress);
     if (draft.triangles.empty()) {
