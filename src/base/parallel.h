@@ -45,14 +45,19 @@ inline int thread_count() {
 }
 
 /// Runs work(k) for k = 0 .. count - 1 on thread_count() threads, in no particular order. Results must be written to
-/// places of their own, so that they do not depend on the number of threads.
+/// places of their own, so that they do not depend on the number of threads. Where there are more threads than calls,
+/// what the calls run in parallel themselves shares the rest.
 /// @throws the exception of the call with the lowest k, once all threads have ended; calls not yet begun are left out
 /// then
 template <typename Work>
 void parallel_for(int count, Work&& work) {
     std::atomic<int> next{0};
     std::vector<std::exception_ptr> raised(static_cast<std::size_t>(count));
+    const int all = thread_count();
+    const int threads = std::min(count, all);
+    const int inner = std::max(1, all / std::max(1, threads));
     const auto worker = [&] {
+        const ThreadLimit limit(inner);
         for (int k = next++; k < count; k = next++) {
             try {
                 work(k);
@@ -62,7 +67,6 @@ void parallel_for(int count, Work&& work) {
             }
         }
     };
-    const int threads = std::min(count, thread_count());
     std::vector<std::thread> others;
     others.reserve(static_cast<std::size_t>(threads));
     for (int i = 1; i < threads; ++i) {

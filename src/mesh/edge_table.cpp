@@ -1,49 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh/edge_table.h"
 
-#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
+#include "mesh/edge_buckets.h"
 
 namespace mq::mesh {
 
-EdgeTable::EdgeTable(const std::vector<Triangle>& triangles, std::size_t vertex_count) : begin_(vertex_count + 1, 0) {
-    for (const Triangle& t : triangles) {
-        if (!collapsed(t)) {
-            for (int i = 0; i < 3; ++i) {
-                ++begin_[std::min(t[i], t[(i + 1) % 3]) + 1];
-            }
-        }
-    }
-    for (std::size_t v = 0; v < vertex_count; ++v) {
-        begin_[v + 1] += begin_[v];
-    }
-    struct Entry {
-        std::int32_t high;
-        std::uint32_t corner;
-    };
-    std::vector<Entry> entries(begin_.back());
-    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-    for (std::size_t k = 0; k < triangles.size(); ++k) {
-        const Triangle& t = triangles[k];
-        if (!collapsed(t)) {
-            for (int i = 0; i < 3; ++i) {
-                const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
-                entries[next[low]++] = {high, static_cast<std::uint32_t>(3 * k + i)};
-            }
-        }
-    }
-    for (std::size_t v = 0; v < vertex_count; ++v) {
-        std::sort(entries.begin() + begin_[v], entries.begin() + begin_[v + 1], [](const Entry& a, const Entry& b) {
-            return a.high != b.high ? a.high < b.high : a.corner < b.corner;
-        });
-    }
-    high_.reserve(entries.size());
-    corners_.reserve(entries.size());
-    for (const Entry& entry : entries) {
+EdgeTable::EdgeTable(const std::vector<Triangle>& triangles, std::size_t vertex_count) {
+    EdgeBuckets buckets = edge_buckets(triangles, vertex_count, [](const EdgeEntry*, const EdgeEntry*) {});
+    begin_ = std::move(buckets.begin);
+    high_.reserve(buckets.entries.size());
+    corners_.reserve(buckets.entries.size());
+    for (const EdgeEntry& entry : buckets.entries) {
         high_.push_back(entry.high);
-        corners_.push_back(entry.corner);
+        corners_.push_back(entry.corner());
     }
 }
 

@@ -35,12 +35,9 @@ class EdgeTable {
         }
     }
 
-    /// True when the triangle names the same vertex twice.
-    static bool collapsed(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
   private:
-    std::vector<std::size_t> begin_;  ///< first entry of each lower vertex in the two arrays below
-    std::vector<std::int32_t> high_;  ///< the other vertex
+    std::vector<std::uint32_t> begin_;  ///< first entry of each lower vertex in the two arrays below
+    std::vector<std::int32_t> high_;    ///< the other vertex
     std::vector<std::uint32_t> corners_;
 };
 

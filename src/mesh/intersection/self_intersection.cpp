@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
@@ -252,11 +253,20 @@ std::vector<ContactPair> self_intersections(const std::vector<Vec3>& vertices, c
                                             std::size_t limit, const Progress* progress, CoplanarPairs* flush) {
     // Triangles from which a patch saves more pairs than its proof costs.
     constexpr std::size_t kWorthAProof = 64;
-    const std::vector<std::int32_t> patch = height_fields(vertices, triangles, kWorthAProof, progress);
+    std::vector<std::int32_t> patch;
+    std::optional<NeedleFrame> frame;
+    std::optional<AabbTree> built;
+    parallel_for(2, [&](int task) {
+        if (task == 0) {
+            patch = height_fields(vertices, triangles, kWorthAProof, progress);
+        } else {
+            frame.emplace(vertices, triangles);
+            check_cancelled(progress);
+            built.emplace(frame->vertices(), triangles, frame->slack());
+        }
+    });
     const std::vector<char> embedded = embedded_vertices(vertices, triangles, patch, progress);
-    const NeedleFrame frame(vertices, triangles);
-    check_cancelled(progress);
-    AabbTree tree(frame.vertices(), triangles, frame.slack());
+    AabbTree& tree = *built;
     check_cancelled(progress);
     tree.set_groups(patch);
     // Tasks of the traversal: several for each thread, so that all threads end at about the same time.
@@ -296,7 +306,6 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
     // The star of the vertex was not tested yet.
     constexpr char kUnasked = 2;
     const NeedleFrame frame(vertices, triangles);
-    const AabbTree part(frame.vertices(), triangles, subset, frame.slack());
     const OccupiedCells cells(vertices, triangles, subset);
     std::vector<char> in_subset(triangles.size(), 0);
     for (const std::int32_t t : subset) {
@@ -312,7 +321,7 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
     }
     // A vertex that two triangles of a pair share belongs to the subset or its neighbours, whose stars are complete.
     std::vector<char> embedded(vertices.size(), kUnasked);
-    {
+    const auto ask_stars = [&] {
         const VertexStars stars(near_triangles, vertices.size());
         for (const std::int32_t t : subset) {
             for (const std::int32_t v : triangles[t]) {
@@ -321,11 +330,20 @@ std::vector<ContactPair> self_intersections_with(const std::vector<Vec3>& vertic
                 }
             }
         }
-    }
-    const AabbTree whole(frame.vertices(), triangles, near, frame.slack());
+    };
+    std::optional<AabbTree> part;
+    std::optional<AabbTree> whole;
+    parallel_for(2, [&](int task) {
+        if (task == 0) {
+            ask_stars();
+            part.emplace(frame.vertices(), triangles, subset, frame.slack());
+        } else {
+            whole.emplace(frame.vertices(), triangles, near, frame.slack());
+        }
+    });
     const std::vector<std::int32_t> no_patches;
     Collector collector(vertices, triangles, no_patches, embedded, limit, progress);
-    part.for_each_pair(whole, [&](std::int32_t i, std::int32_t j) {
+    part->for_each_pair(*whole, [&](std::int32_t i, std::int32_t j) {
         if (i != j && !(in_subset[j] != 0 && j < i)) {
             collector(i, j);
         }

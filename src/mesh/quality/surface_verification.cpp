@@ -7,6 +7,7 @@
 
 #include "base/predicates.h"
 #include "mesh/corner_table.h"
+#include "mesh/edge_buckets.h"
 #include "mesh/intersection/self_intersection.h"
 #include "mesh/weld_vertices.h"
 
@@ -43,7 +44,6 @@ class Verifier {
         ++count;
     }
 
-    static bool names_twice(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
     /// Reports one fault for each edge. A triangle that names a vertex twice has no edges; it is degenerate.
     void check_edges(const std::vector<std::int32_t>& twins) {
@@ -55,7 +55,7 @@ class Verifier {
         std::vector<Entry> entries;
         for (std::size_t h = 0; h < twins.size(); ++h) {
             const Triangle& t = triangles_[h / 3];
-            if (twins[h] < 0 && !names_twice(t)) {
+            if (twins[h] < 0 && !is_collapsed(t)) {
                 const auto [low, high] = std::minmax({t[h % 3], t[(h + 1) % 3]});
                 entries.push_back({low, high, static_cast<std::int32_t>(h)});
             }
@@ -86,7 +86,7 @@ class Verifier {
         std::vector<char> reported(vertices_.size(), 0);
         for (std::size_t h = 0; h < fans.fan_of.size(); ++h) {
             const std::int32_t v = triangles_[h / 3][h % 3];
-            if (names_twice(triangles_[h / 3])) {
+            if (is_collapsed(triangles_[h / 3])) {
                 continue;
             }
             if (first[v] < 0) {

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/parallel.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::mesh {
+
+/// A corner in the bucket of the lower vertex of its edge.
+struct EdgeEntry {
+    std::int32_t high;             ///< the edge's other vertex
+    std::uint32_t corner_and_way;  ///< 2 * corner, plus 1 when the edge runs from the lower vertex
+
+    std::uint32_t corner() const { return corner_and_way >> 1; }
+    bool upward() const { return (corner_and_way & 1u) != 0; }
+    bool operator<(const EdgeEntry& o) const {
+        return high != o.high ? high < o.high : corner_and_way < o.corner_and_way;
+    }
+};
+
+/// The corners (directed edges, 3 * triangle + i) of a triangle soup in buckets by the lower vertex of their edges,
+/// each sorted by the higher one, then by the corner. Triangles that name a vertex twice are left out.
+struct EdgeBuckets {
+    std::vector<std::uint32_t> begin;  ///< first entry of each vertex; the number of entries at the end
+    std::vector<EdgeEntry> entries;
+
+    const EdgeEntry* first(std::size_t vertex) const { return entries.data() + begin[vertex]; }
+    const EdgeEntry* last(std::size_t vertex) const { return entries.data() + begin[vertex + 1]; }
+};
+
+/// True when the triangle names the same vertex twice.
+inline bool is_collapsed(const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+inline void sort_bucket(EdgeEntry* first, EdgeEntry* last) {
+    // Bucket size up to which insertion sort is faster than std::sort.
+    constexpr std::ptrdiff_t kSmall = 24;
+    if (last - first > kSmall) {
+        std::sort(first, last);
+        return;
+    }
+    for (EdgeEntry* i = first; i < last; ++i) {
+        const EdgeEntry entry = *i;
+        EdgeEntry* j = i;
+        for (; j > first && entry < j[-1]; --j) {
+            *j = j[-1];
+        }
+        *j = entry;
+    }
+}
+
+/// Makes the buckets, and calls visit(first, last) for the entries of each vertex, for blocks of vertices in parallel.
+/// O(n), about 40 ns a triangle on one thread; each block reads all triangles, and keeps the edges whose lower vertex
+/// is its own. Every vertex index must be in range.
+template <typename Visit>
+EdgeBuckets edge_buckets(const std::vector<Triangle>& triangles, std::size_t vertex_count, const Visit& visit) {
+    // Triangles for each thread from which its start is worth its time.
+    constexpr std::size_t kWorthAThread = 32768;
+    const auto most = static_cast<std::size_t>(thread_count());
+    const std::size_t blocks = std::clamp<std::size_t>(triangles.size() / kWorthAThread, 1, most);
+    const auto in_blocks = [&](const auto& work) {
+        parallel_for(static_cast<int>(blocks), [&](int k) {
+            const auto block = static_cast<std::size_t>(k);
+            work(static_cast<std::int32_t>(vertex_count * block / blocks),
+                 static_cast<std::int32_t>(vertex_count * (block + 1) / blocks));
+        });
+    };
+    const auto for_each_edge = [&](std::int32_t first, std::int32_t last, const auto& use) {
+        for (std::size_t k = 0; k < triangles.size(); ++k) {
+            const Triangle& t = triangles[k];
+            for (std::size_t i = 0; i < 3 && !is_collapsed(t); ++i) {
+                const std::int32_t low = std::min(t[i], t[(i + 1) % 3]);
+                if (low >= first && low < last) {
+                    use(static_cast<std::size_t>(low),
+                        EdgeEntry{std::max(t[i], t[(i + 1) % 3]),
+                                  static_cast<std::uint32_t>(2 * (3 * k + i) + (t[i] == low ? 1 : 0))});
+                }
+            }
+        }
+    };
+    EdgeBuckets buckets;
+    std::vector<std::uint32_t>& begin = buckets.begin;
+    begin.assign(vertex_count + 2, 0);
+    in_blocks([&](std::int32_t first, std::int32_t last) {
+        for_each_edge(first, last, [&](std::size_t low, const EdgeEntry&) { ++begin[low + 2]; });
+    });
+    for (std::size_t v = 2; v < begin.size(); ++v) {
+        begin[v] += begin[v - 1];
+    }
+    buckets.entries.resize(begin.back());
+    // begin[v + 1] is the next free entry of v's bucket, and finally the bucket's end.
+    in_blocks([&](std::int32_t first, std::int32_t last) {
+        for_each_edge(first, last,
+                      [&](std::size_t low, const EdgeEntry& entry) { buckets.entries[begin[low + 1]++] = entry; });
+    });
+    begin.pop_back();
+    in_blocks([&](std::int32_t first, std::int32_t last) {
+        for (auto v = static_cast<std::size_t>(first); v < static_cast<std::size_t>(last); ++v) {
+            EdgeEntry* const here = buckets.entries.data() + begin[v];
+            EdgeEntry* const end = buckets.entries.data() + begin[v + 1];
+            sort_bucket(here, end);
+            visit(here, end);
+        }
+    });
+    return buckets;
+}
+
+}  // namespace mq::mesh
