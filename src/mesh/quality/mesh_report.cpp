@@ -8,6 +8,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/predicates.h"
+#include "mesh/edge_buckets.h"
 #include "mesh/edge_table.h"
 #include "mesh/quality/exemptions.h"
 #include "mesh/quality/triangle_quality.h"
@@ -73,7 +74,7 @@ void measure_fans(const TriangleMesh& mesh, std::size_t edges, Sets& fans, Sets&
     std::vector<std::uint8_t> fans_at(mesh.vertices.size(), 0);
     long faces = 0;
     for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-        if (EdgeTable::collapsed(mesh.triangles[k])) {
+        if (is_collapsed(mesh.triangles[k])) {
             continue;
         }
         ++faces;

@@ -44,7 +44,6 @@ class Verifier {
         ++count;
     }
 
-
     /// Reports one fault for each edge. A triangle that names a vertex twice has no edges; it is degenerate.
     void check_edges(const std::vector<std::int32_t>& twins) {
         struct Entry {
