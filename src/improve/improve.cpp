@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "improve/improver.h"
+#include "mesh/edge_buckets.h"
 #include "mesh/edge_table.h"
 
 namespace mq::improve {
@@ -26,7 +27,7 @@ mesh::TriangleMesh checked(const mesh::TriangleMesh& given) {
         mesh.vertices.push_back(in_single(p));
     }
     for (std::size_t t = 0; t < given.triangles.size(); ++t) {
-        if (mesh::EdgeTable::collapsed(given.triangles[t])) {
+        if (mesh::is_collapsed(given.triangles[t])) {
             throw InvalidInput("triangle " + std::to_string(t) +
                                " names a vertex twice: remove degenerate triangles first");
         }
