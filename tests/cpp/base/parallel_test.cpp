@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace mq {
 namespace {
@@ -29,6 +30,16 @@ TEST(ForAll, ThrowsWhatAWorkThrew) {
             EXPECT_EQ(std::string(error.what()), "three");
         }
     }
+}
+
+TEST(ForAll, CallsWithinCallsShareTheThreads) {
+    const ThreadLimit limit(6);
+    std::vector<int> inner(2, 0);
+    parallel_for(2, [&](int k) { inner[static_cast<std::size_t>(k)] = thread_count(); });
+    EXPECT_EQ(inner, std::vector<int>(2, 3));
+    parallel_for(1, [&](int) { inner[0] = thread_count(); });
+    EXPECT_EQ(inner[0], 6);
+    EXPECT_EQ(thread_count(), 6);
 }
 
 }  // namespace
