@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/edge_buckets.h"
 #include "mesh/random_triangles.h"
 #include "mesh/sample_meshes.h"
 
@@ -23,7 +24,7 @@ TEST(EdgeTable, HasEveryEdgeWithAllCornersInOrder) {
         std::map<Edge, std::vector<std::uint32_t>> expected;
         for (std::uint32_t corner = 0; corner < 240; ++corner) {
             const Triangle& t = triangles[corner / 3];
-            if (!EdgeTable::collapsed(t)) {
+            if (!is_collapsed(t)) {
                 expected[std::minmax(t[corner % 3], t[(corner + 1) % 3])].push_back(corner);
             }
         }
