@@ -17,8 +17,8 @@ constexpr std::int32_t kIrregular = -2;
 /// For each corner 3 * triangle + i, the directed edge from the triangle's vertex i to its vertex i + 1, the corner of
 /// the opposite directed edge, where the undirected edge has just these two; else kBorder or kIrregular.
 ///
-/// A triangle that names a vertex twice has kIrregular corners and is no neighbour of any. O(n), about 60 ns a
-/// triangle. Every vertex index must be in range.
+/// A triangle that names a vertex twice has kIrregular corners and is no neighbour of any. O(n), 60 to
+/// 140 ns a triangle. Every vertex index must be in range.
 std::vector<std::int32_t> edge_twins(const std::vector<Triangle>& triangles, std::size_t vertex_count);
 
 /// The next and the previous corner, or half-edge, of the same triangle.

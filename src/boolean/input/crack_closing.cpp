@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <set>
+#include <limits>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -10,28 +10,31 @@
 #include "base/disjoint_sets.h"
 #include "boolean/input/operand_mesh.h"
 #include "boolean/input/tuning.h"
+#include "mesh/edge_table.h"
 #include "mesh/intersection/aabb_tree.h"
 #include "mesh/vertex_stars.h"
 
 namespace mq::boolean {
 namespace {
 
-/// Joins borders of different components that run along each other: first vertices to vertices, then vertices to edges.
-/// A slit within one component is a hole, and is filled without moving anything.
+/// Joins borders of different pieces that run along each other: first vertices to vertices, then vertices to edges.
+/// A slit within one piece is a hole, and is filled without moving anything.
 class CrackClosing {
   public:
-    CrackClosing(OperandMesh& draft, double reach) : draft_(draft), reach_(reach) {}
+    CrackClosing(OperandMesh& draft, double reach, const Progress* progress)
+        : draft_(draft), reach_(reach), progress_(progress) {}
 
     void run() {
-        component_of_ = mesh::components(draft_.mates).component_of;
+        find_pieces();
         find_borders();
         if (borders_.empty()) {
             return;
         }
-        join_vertices();
+        const double joining = join_vertices();
+        draft_.largest_move = joining;
         find_borders();
         if (!borders_.empty()) {
-            put_vertices_on_edges();
+            draft_.largest_move += put_vertices_on_edges();
         }
         std::sort(joined_.begin(), joined_.end());
         draft_.repairs.cracks = static_cast<std::size_t>(std::unique(joined_.begin(), joined_.end()) - joined_.begin());
@@ -46,11 +49,35 @@ class CrackClosing {
         std::int32_t corner;
     };
 
+    /// A vertex of the border, and the corners of the border edges at it.
+    struct BorderVertex {
+        double shortest = std::numeric_limits<double>::infinity();  ///< length of its shortest border edge, mm
+        std::vector<std::int32_t> corners;
+    };
+
+    void check_cancelled() const {
+        if (progress_ != nullptr) {
+            progress_->check();
+        }
+    }
+
+    /// Pieces are triangles joined across edges, whatever their number and orientation.
+    void find_pieces() {
+        DisjointSets<std::int32_t> sets(draft_.triangles.size());
+        mesh::EdgeTable(draft_.triangles, draft_.vertices.size())
+            .for_each([&](std::int32_t, std::int32_t, const std::uint32_t* first, const std::uint32_t* last) {
+                for (const std::uint32_t* corner = first + 1; corner != last; ++corner) {
+                    sets.unite(static_cast<std::int32_t>(*first / 3), static_cast<std::int32_t>(*corner / 3));
+                }
+            });
+        std::int32_t count = 0;
+        piece_of_ = sets.number(count);
+    }
+
     void find_borders() {
         draft_.find_twins();
         borders_.clear();
-        shortest_.clear();
-        pieces_.clear();
+        vertices_.clear();
         edges_.clear();
         for (std::size_t h = 0; h < draft_.mates.size(); ++h) {
             if (draft_.mates[h] != mesh::kBorder) {
@@ -61,30 +88,52 @@ class CrackClosing {
             edges_.push_back({draft_.tail(corner), draft_.head(corner), draft_.head(corner)});
             const double length = (draft_.vertices[draft_.head(corner)] - draft_.point(corner)).norm();
             for (const std::int32_t v : {draft_.tail(corner), draft_.head(corner)}) {
-                const auto [known, fresh] = shortest_.emplace(v, length);
-                known->second = fresh ? length : std::min(known->second, length);
-                pieces_[v].insert(component_of_[corner / 3]);
+                BorderVertex& vertex = vertices_[v];
+                vertex.shortest = std::min(vertex.shortest, length);
+                vertex.corners.push_back(corner);
             }
         }
     }
 
     std::vector<std::int32_t> border_vertices() const {
         std::vector<std::int32_t> result;
-        for (const auto& entry : shortest_) {
+        for (const auto& entry : vertices_) {
             result.push_back(entry.first);
         }
         std::sort(result.begin(), result.end());
         return result;
     }
 
-    /// Whether a border at a vertex is of another component than a triangle.
-    bool of_another_piece(std::int32_t v, std::int32_t triangle) const {
-        const std::set<std::int32_t>& own = pieces_.at(v);
-        return own.size() > 1 || own.count(component_of_[triangle]) == 0;
+    Vec3 edge(std::int32_t corner) const { return draft_.vertices[draft_.head(corner)] - draft_.point(corner); }
+
+    /// Whether the triangles of two border edges of different pieces face each other across a crack: the edges run
+    /// along each other, and the triangles continue each other's orientation, or do not lie on one another. A solid in
+    /// a solid, open at the same place, is none.
+    bool face_each_other(std::int32_t h, std::int32_t g) const {
+        if (piece_of_[h / 3] == piece_of_[g / 3]) {
+            return false;
+        }
+        const Vec3 one = edge(h).normalized();
+        const Vec3 two = edge(g).normalized();
+        const auto inward = [&](std::int32_t corner, const Vec3& along) {
+            const Vec3 arm = draft_.point(mesh::previous_corner(corner)) - draft_.point(corner);
+            return Vec3((arm - arm.dot(along) * along).normalized());
+        };
+        const double along = one.dot(two);
+        return along < -InputTuning::kCrackCosine ||
+               (along > InputTuning::kCrackCosine && inward(h, one).dot(inward(g, two)) < InputTuning::kCrackCosine);
+    }
+
+    /// Whether a border at a vertex and a border edge face each other.
+    bool faces(std::int32_t v, std::int32_t corner) const {
+        const std::vector<std::int32_t>& own = vertices_.at(v).corners;
+        return std::any_of(own.begin(), own.end(), [&](std::int32_t h) { return face_each_other(h, corner); });
     }
 
     /// How far a vertex of the border may be from what it is joined to: a crack is narrower than its edges are long.
-    double reach_of(std::int32_t v) const { return std::min(reach_, InputTuning::kCrackWidth * shortest_.at(v)); }
+    double reach_of(std::int32_t v) const {
+        return std::min(reach_, InputTuning::kCrackWidth * vertices_.at(v).shortest);
+    }
 
     /// Calls visit(k) for the border edges near a vertex, by their places in borders_.
     template <typename Visit>
@@ -98,15 +147,16 @@ class CrackClosing {
 
     // ---- vertices to vertices ----
 
-    void join_vertices() {
+    /// @return the largest move, mm
+    double join_vertices() {
         const mesh::AabbTree tree(draft_.vertices, edges_);
         std::vector<std::tuple<double, std::int32_t, std::int32_t>> pairs;
         for (const std::int32_t v : border_vertices()) {
+            check_cancelled();
             for_each_near(tree, v, [&](std::int32_t k) {
                 for (const std::int32_t w : {edges_[k][0], edges_[k][1]}) {
                     const double distance = (draft_.vertices[v] - draft_.vertices[w]).norm();
-                    if (v < w && distance <= std::min(reach_of(v), reach_of(w)) &&
-                        of_another_piece(v, borders_[k] / 3)) {
+                    if (v < w && distance <= std::min(reach_of(v), reach_of(w)) && faces(v, borders_[k])) {
                         pairs.emplace_back(distance, v, w);
                     }
                 }
@@ -117,23 +167,22 @@ class CrackClosing {
         const mesh::VertexStars stars(draft_.triangles, draft_.vertices.size());
         DisjointSets<std::int32_t> places(draft_.vertices.size());
         std::unordered_map<std::int32_t, std::vector<std::int32_t>> members;  // where several vertices share a place
-        const auto members_of = [&](std::int32_t v) {
-            const auto found = members.find(v);
-            return found != members.end() ? found->second : std::vector<std::int32_t>{v};
+        const auto members_of = [&](std::int32_t v) -> std::vector<std::int32_t>& {
+            return members.emplace(v, std::vector<std::int32_t>{v}).first->second;
         };
         for (const auto& [distance, v, w] : pairs) {
             const auto [first, second] = std::minmax({places.find(v), places.find(w)});
-            const std::vector<std::int32_t> joining = members_of(second);
-            if (first == second || !can_join(stars, places, first, joining)) {
+            if (first == second || !can_join(stars, places, first, members_of(second))) {
                 continue;
             }
-            std::vector<std::int32_t> all = members_of(first);
+            check_cancelled();
+            std::vector<std::int32_t>& all = members_of(first);
+            const std::vector<std::int32_t>& joining = members.at(second);
             all.insert(all.end(), joining.begin(), joining.end());
             members.erase(second);
-            members[first] = std::move(all);
             places.unite(first, second);
         }
-        move_to_places(places);
+        return move_to_places(places);
     }
 
     /// Whether vertices may go to a place: they are near enough, and no triangle has two corners there then.
@@ -141,7 +190,7 @@ class CrackClosing {
                   const std::vector<std::int32_t>& joining) const {
         return std::all_of(joining.begin(), joining.end(), [&](std::int32_t v) {
             const mesh::VertexStars::Star star = stars[static_cast<std::size_t>(v)];
-            return (draft_.vertices[v] - draft_.vertices[place]).norm() <= reach_ &&
+            return (draft_.vertices[v] - draft_.vertices[place]).norm() <= std::min(reach_of(v), reach_of(place)) &&
                    std::none_of(star.begin(), star.end(), [&](std::uint32_t corner) {
                        const mesh::Triangle& t = draft_.triangles[corner / 3];
                        return places.find(t[0]) == place || places.find(t[1]) == place || places.find(t[2]) == place;
@@ -149,31 +198,32 @@ class CrackClosing {
         });
     }
 
-    void move_to_places(DisjointSets<std::int32_t>& places) {
+    double move_to_places(DisjointSets<std::int32_t>& places) {
+        double largest = 0.0;
         for (mesh::Triangle& t : draft_.triangles) {
             for (std::int32_t& v : t) {
                 const std::int32_t place = places.find(v);
                 if (place != v) {
-                    note_move(v, draft_.vertices[place]);
+                    largest = std::max(largest, (draft_.vertices[v] - draft_.vertices[place]).norm());
+                    joined_.push_back(v);
                     v = place;
                 }
             }
         }
-    }
-
-    void note_move(std::int32_t v, const Vec3& target) {
-        draft_.largest_move = std::max(draft_.largest_move, (draft_.vertices[v] - target).norm());
-        joined_.push_back(v);
+        return largest;
     }
 
     // ---- vertices to edges ----
 
     /// Divides the triangles of border edges at vertices of other borders that lie along them. Each vertex is put on
     /// one edge at most, the nearest.
-    void put_vertices_on_edges() {
+    /// @return the largest distance of a vertex from its edge, mm
+    double put_vertices_on_edges() {
+        double largest = 0.0;
         const mesh::AabbTree tree(draft_.vertices, edges_);
         std::vector<Passing> all;
         for (const std::int32_t v : border_vertices()) {
+            check_cancelled();
             Passing nearest{reach_of(v), 0.0, v, -1};
             for_each_near(tree, v, [&](std::int32_t k) { take_if_nearer(v, borders_[k], nearest); });
             if (nearest.corner >= 0) {
@@ -190,7 +240,7 @@ class CrackClosing {
             for (; end < all.size() && all[end].corner / 3 == all[i].corner / 3; ++end) {
                 if (all[end].corner == all[i].corner) {
                     chain.push_back(all[end].vertex);
-                    draft_.largest_move = std::max(draft_.largest_move, all[end].distance);
+                    largest = std::max(largest, all[end].distance);
                     joined_.push_back(all[end].vertex);
                 }
             }
@@ -198,19 +248,20 @@ class CrackClosing {
             i = end;
         }
         draft_.find_twins();
+        return largest;
     }
 
     void take_if_nearer(std::int32_t v, std::int32_t corner, Passing& nearest) const {
         const mesh::Triangle& t = draft_.triangles[corner / 3];
-        if (std::find(t.begin(), t.end(), v) != t.end() || !of_another_piece(v, corner / 3)) {
+        if (std::find(t.begin(), t.end(), v) != t.end() || !faces(v, corner)) {
             return;
         }
         const Vec3& a = draft_.point(corner);
-        const Vec3 edge = draft_.vertices[draft_.head(corner)] - a;
-        const double along = (draft_.vertices[v] - a).dot(edge) / edge.squaredNorm();
-        const double distance = (draft_.vertices[v] - a - along * edge).norm();
+        const Vec3 whole = edge(corner);
+        const double along = (draft_.vertices[v] - a).dot(whole) / whole.squaredNorm();
+        const double distance = (draft_.vertices[v] - a - along * whole).norm();
         // An equally near edge counts only when it comes first.
-        if (along > 0.0 && along < 1.0 &&
+        if (along > 0.0 && along < 1.0 && distance <= InputTuning::kCrackWidth * whole.norm() &&
             (nearest.corner < 0 ? distance <= nearest.distance
                                 : std::tie(distance, corner) < std::tie(nearest.distance, nearest.corner))) {
             nearest = {distance, along, v, corner};
@@ -231,19 +282,19 @@ class CrackClosing {
 
     OperandMesh& draft_;
     double reach_;
-    std::vector<std::int32_t> borders_;                  ///< corners on the border
-    std::vector<mesh::Triangle> edges_;                  ///< their edges, as triangles for the tree
-    std::unordered_map<std::int32_t, double> shortest_;  ///< by vertex of the border, its shortest border edge, mm
-    std::vector<std::int32_t> component_of_;             ///< by triangle of the input
-    std::unordered_map<std::int32_t, std::set<std::int32_t>> pieces_;  ///< by vertex, components with a border there
-    std::vector<std::int32_t> joined_;                                 ///< vertices that were joined to something
+    const Progress* progress_;
+    std::vector<std::int32_t> piece_of_;                       ///< by triangle of the input
+    std::vector<std::int32_t> borders_;                        ///< corners on the border
+    std::vector<mesh::Triangle> edges_;                        ///< their edges, as triangles for the tree
+    std::unordered_map<std::int32_t, BorderVertex> vertices_;  ///< those of the border
+    std::vector<std::int32_t> joined_;                         ///< vertices that were joined to something
 };
 
 }  // namespace
 
-void close_cracks(OperandMesh& draft, double reach) {
+void close_cracks(OperandMesh& draft, double reach, const Progress* progress) {
     if (reach > 0.0) {
-        CrackClosing(draft, reach).run();
+        CrackClosing(draft, reach, progress).run();
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "base/disjoint_sets.h"
 #include "base/key_set.h"
 #include "boolean/input/operand_mesh.h"
+#include "boolean/input/tuning.h"
 #include "mesh/vertex_stars.h"
 
 namespace mq::boolean {
@@ -114,37 +116,46 @@ class DuplicateRemoval {
         }
     }
 
-    /// Which sets of triangles in balance belong to a surface that is drawn from both sides: nothing else is beside
-    /// it, and more of its edges have neighbours than have none.
+    /// Which sets of triangles in balance belong to a surface that is drawn from both sides: nothing else is beside it,
+    /// and it is closed, or its border is so short that it can be. A border of length L can be filled with an area of
+    /// L^2 / (4 pi) at most (isoperimetric inequality).
     std::vector<char> find_two_sided(const std::vector<std::array<std::size_t, 2>>& balanced,
                                      const mesh::VertexStars& stars, const std::vector<char>& asked) const {
         std::unordered_map<std::uint64_t, std::size_t> first_at;  // by edge, the first set that has it
         DisjointSets<std::size_t> surfaces(balanced.size());
-        std::vector<std::ptrdiff_t> shared(balanced.size(), 0);  // edges with neighbours less those without
+        std::unordered_map<std::uint64_t, double> open;  // by edge without a neighbour, its length
+        std::vector<double> area(balanced.size(), 0.0);
+        std::vector<double> border(balanced.size(), 0.0);
         std::vector<char> alone(balanced.size(), 1);
         for (std::size_t g = 0; g < balanced.size(); ++g) {
             const mesh::Triangle& t = entries_[balanced[g][0]].sorted;
             for (int i = 0; i < 3; ++i) {
                 const auto [low, high] = std::minmax({t[i], t[(i + 1) % 3]});
                 const auto [other, fresh] = first_at.emplace(pair_key(low, high), g);
-                shared[g] += fresh ? -1 : 2;
+                if (fresh) {
+                    open[pair_key(low, high)] = (draft_.vertices[low] - draft_.vertices[high]).norm();
+                } else {
+                    open.erase(pair_key(low, high));
+                }
                 surfaces.unite(g, other->second);
                 if (count_edges(stars[low], high, asked) + count_edges(stars[high], low, asked) > 0) {
                     alone[g] = 0;
                 }
             }
         }
-        std::vector<std::ptrdiff_t> shared_of(balanced.size(), 0);
         std::vector<char> result(balanced.size(), 1);
         for (std::size_t g = 0; g < balanced.size(); ++g) {
-            shared_of[surfaces.find(g)] += shared[g];
-        }
-        for (std::size_t g = 0; g < balanced.size(); ++g) {
-            result[surfaces.find(g)] &= alone[g];
-        }
-        for (std::size_t g = 0; g < balanced.size(); ++g) {
             const std::size_t surface = surfaces.find(g);
-            result[g] = static_cast<char>(result[surface] != 0 && shared_of[surface] > 0);
+            area[surface] += draft_.area(entries_[balanced[g][0]].triangle);
+            result[surface] &= alone[g];
+        }
+        for (const auto& [edge, length] : open) {
+            border[surfaces.find(first_at.at(edge))] += length;
+        }
+        for (std::size_t g = 0; g < balanced.size(); ++g) {
+            const std::size_t s = surfaces.find(g);
+            const bool closable = border[s] * border[s] <= 4.0 * M_PI * InputTuning::kLargestFilledShare * area[s];
+            result[g] = static_cast<char>(result[s] != 0 && closable);
         }
         return result;
     }

@@ -22,7 +22,7 @@ struct OperandMesh {
     std::vector<std::int32_t> mates;
     std::vector<std::int32_t> attached;  ///< triangles of walls and fins, left over at an edge whose others were paired
     Repairs repairs;
-    double largest_move = 0.0;   ///< the farthest that a crack's side was moved, mm
+    double largest_move = 0.0;   ///< how far at most points were moved to close cracks, mm
     std::string name;            ///< name of the operand, for messages
     Vec3 origin = Vec3::Zero();  ///< origin of the vertices' frame
 
@@ -49,7 +49,7 @@ struct OperandMesh {
 
 /// Leaves one triangle for each set of three vertices. Where as many run one way as the other, the one that fits the
 /// neighbours is left, or none where they are in balance without it, as at a wall between two solids. Of a surface that
-/// is drawn from both sides, with nothing beside it, one side is left.
+/// is drawn from both sides, with nothing beside it, one side is left if it is nearly closed.
 void remove_duplicates(OperandMesh& draft);
 
 /// Joins borders of different components that run along each other: vertices that lie together, then edges and the
@@ -58,7 +58,7 @@ void remove_duplicates(OperandMesh& draft);
 /// @param reach  how far at most what is joined may be apart, mm, and never farther than InputTuning::kCrackWidth of
 /// the
 ///     border edges there; 0: nothing is joined
-void close_cracks(OperandMesh& draft, double reach);
+void close_cracks(OperandMesh& draft, double reach, const Progress* progress);
 
 /// Removes triangles whose corners lie on one line: the neighbour along the long edge is divided at the corner that
 /// lies on it. Needs twins, and keeps them valid. A triangle without a usable neighbour stays.

@@ -235,9 +235,7 @@ std::size_t count_flipped(const OperandMesh& draft, const mesh::TriangleMesh& me
     return flipped;
 }
 
-void repair(OperandMesh& draft, double reach, const Progress* progress) {
-    close_cracks(draft, reach);
-    check_cancelled(progress);
+void repair(OperandMesh& draft, const Progress* progress) {
     // A swap may make duplicates, and the triangles covered by these may be swapped afterwards.
     for (int round = 0; round < 3; ++round) {
         remove_duplicates(draft);
@@ -258,6 +256,26 @@ void repair(OperandMesh& draft, double reach, const Progress* progress) {
     remove_folds(draft);
     split_fans(draft);
     part_edges(draft);
+}
+
+/// Closes cracks and repairs. Where what was joined makes no solid, it is left apart.
+void repair_with_cracks(OperandMesh& draft, double reach, const Progress* progress) {
+    OperandMesh apart = draft;
+    if (reach > 0.0) {
+        close_cracks(draft, reach, progress);
+        check_cancelled(progress);
+    }
+    const std::size_t joined = draft.repairs.cracks;
+    try {
+        repair(draft, progress);
+        return;
+    } catch (const InvalidInput&) {
+        if (joined == 0) {
+            throw;
+        }
+    }
+    draft = std::move(apart);
+    repair(draft, progress);
 }
 
 }  // namespace
@@ -306,7 +324,7 @@ Operand prepare_operand(const mesh::TriangleMesh& mesh, const std::string& name,
     draft.find_twins();
     check_cancelled(progress);
     if (!is_fit(draft)) {
-        repair(draft, reach, progress);
+        repair_with_cracks(draft, reach, progress);
     }
     check_cancelled(progress);
     if (draft.triangles.empty()) {
