@@ -15,9 +15,9 @@ struct InputTuning {
     MESHQUALITY_TUNED(double, kCrackWidth, 0.5);
     /// Width of a crack at most, as a fraction of the tolerance.
     MESHQUALITY_TUNED(double, kCrackShare, 0.25);
-    /// Cosine of 60 degrees: edges that run along a crack make at most this angle with it, and triangles that are
-    /// nearer to each other around it, and both turn the same side out, lie on one another.
-    MESHQUALITY_TUNED(double, kCrackCosine, 0.5);
+    /// Cosine of about 32 degrees. Edges along a crack make at most this angle with each other; triangles around it
+    /// that are nearer to each other, and turn the same side out, lie on one another.
+    MESHQUALITY_TUNED(double, kCrackCosine, 0.85);
     /// An open component is closed only if the area to be added is at most this fraction of its own: a box without
     /// its lid (0.2) and most of a sphere are, half a sphere (0.5) and a sheet (1) are not. Of a dome as open as this,
     /// the winding number (Jacobson 2013) inside is 0.78 in the mean.
