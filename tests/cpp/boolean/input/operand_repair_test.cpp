@@ -402,6 +402,28 @@ TEST(Operand, ClosesCracksAtVerticesOnTheOtherSidesEdges) {
     EXPECT_NEAR(volume(operand), 1.0, 0.02);
 }
 
+TEST(Operand, SolidsInOneAnotherThatAreOpenAtOnePlaceAreNotJoinedThere) {
+    TriangleMesh mesh = cube();
+    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);
+    append(mesh, scaled(mesh, 1.0002, Vec3(-1e-4, -1e-4, -1e-4)));
+    const Operand operand = prepare_operand(mesh, "operand A", 1e-3);
+    EXPECT_EQ(operand.repairs.cracks, 0u);
+    EXPECT_EQ(operand.repairs.holes, 2u);
+    EXPECT_NEAR(volume(operand), 2.0, 2e-3);
+}
+
+TEST(Operand, ASheetDrawnFromBothSidesBesideASolidCancels) {
+    TriangleMesh mesh = cube();
+    TriangleMesh sheet;
+    sheet.vertices = {{2, 0, 0}, {8, 0, 0}, {8, 6, 0}, {2, 6, 0}};
+    sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+    append(mesh, sheet);
+    append(mesh, sheet, true);
+    const Operand operand = prepared(mesh);
+    EXPECT_EQ(operand.repairs.duplicate, 4u);
+    EXPECT_NEAR(volume(operand), 1.0, 1e-12);
+}
+
 TEST(Operand, SheetsBesideASolidAreLeftOut) {
     TriangleMesh mesh = sphere(3);
     TriangleMesh sheet;
