@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <system_error>
@@ -42,6 +43,11 @@ inline int thread_count() {
         return asked > 0 ? asked : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     }();
     return count;
+}
+
+/// The number of threads for work on items of which each thread should have `worth` at least, so that its start pays.
+inline int threads_for(std::size_t items, std::size_t worth) {
+    return static_cast<int>(std::clamp<std::size_t>(items / worth, 1, static_cast<std::size_t>(thread_count())));
 }
 
 /// Runs work(k) for k = 0 .. count - 1 on thread_count() threads, in no particular order. Results must be written to

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "improve/improver.h"
-#include "mesh/edge_buckets.h"
 #include "mesh/edge_table.h"
 
 namespace mq::improve {

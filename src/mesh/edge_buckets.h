@@ -28,15 +28,7 @@ struct EdgeEntry {
 struct EdgeBuckets {
     std::vector<std::uint32_t> begin;  ///< first entry of each vertex; the number of entries at the end
     std::vector<EdgeEntry> entries;
-
-    const EdgeEntry* first(std::size_t vertex) const { return entries.data() + begin[vertex]; }
-    const EdgeEntry* last(std::size_t vertex) const { return entries.data() + begin[vertex + 1]; }
 };
-
-/// True when the triangle names the same vertex twice.
-inline bool is_collapsed(const Triangle& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
 
 inline void sort_bucket(EdgeEntry* first, EdgeEntry* last) {
     // Bucket size up to which insertion sort is faster than std::sort.
@@ -64,8 +56,7 @@ EdgeBuckets edge_buckets(const std::vector<Triangle>& triangles, std::size_t ver
     constexpr std::size_t kWorthAThread = 32768;
     // Beyond this number of blocks, reading all triangles takes longer than what is left of the rest.
     constexpr int kMostBlocks = 8;
-    const auto most = static_cast<std::size_t>(std::min(thread_count(), kMostBlocks));
-    const std::size_t blocks = std::clamp<std::size_t>(triangles.size() / kWorthAThread, 1, most);
+    const auto blocks = static_cast<std::size_t>(std::min(threads_for(triangles.size(), kWorthAThread), kMostBlocks));
     const auto in_blocks = [&](const auto& work) {
         parallel_for(static_cast<int>(blocks), [&](int k) {
             const auto block = static_cast<std::size_t>(k);

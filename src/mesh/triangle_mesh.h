@@ -11,6 +11,11 @@ namespace mq::mesh {
 
 using Triangle = std::array<std::int32_t, 3>;
 
+/// True when the triangle names the same vertex twice.
+inline bool is_collapsed(const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
 /// The entity on which a vertex lies: dimension 0 node, 1 edge, 2 face; index as in geometry::Entity. (-1, -1) unknown.
 using VertexEntity = std::array<std::int32_t, 2>;
 

@@ -17,21 +17,21 @@
 namespace mq::boolean {
 namespace {
 
-/// Joins borders of different pieces that run along each other: first vertices to vertices, then vertices to edges.
-/// A slit within one piece is a hole, and is filled without moving anything.
+/// Joins borders of different components that run along each other: first vertices to vertices, then vertices to edges.
+/// A slit within one component is a hole, and is filled without moving anything.
 class CrackClosing {
   public:
     CrackClosing(OperandMesh& draft, double reach, const Progress* progress)
         : draft_(draft), reach_(reach), progress_(progress) {}
 
     void run() {
-        find_pieces();
         find_borders();
         if (borders_.empty()) {
             return;
         }
-        const double joining = join_vertices();
-        draft_.largest_move = joining;
+        find_components();
+        draft_.largest_move = join_vertices();
+        draft_.find_twins();
         find_borders();
         if (!borders_.empty()) {
             draft_.largest_move += put_vertices_on_edges();
@@ -41,8 +41,8 @@ class CrackClosing {
     }
 
   private:
-    /// A vertex and an edge of the border that passes by it.
-    struct Passing {
+    /// A vertex of the border, and an edge of another border on which it may be put.
+    struct VertexOnEdge {
         double distance;
         double along;  ///< parameter on the edge, 0 at its tail
         std::int32_t vertex;
@@ -55,14 +55,8 @@ class CrackClosing {
         std::vector<std::int32_t> corners;
     };
 
-    void check_cancelled() const {
-        if (progress_ != nullptr) {
-            progress_->check();
-        }
-    }
-
-    /// Pieces are triangles joined across edges, whatever their number and orientation.
-    void find_pieces() {
+    /// Components are joined across edges, whatever number of triangles these have, and whichever way they run.
+    void find_components() {
         DisjointSets<std::int32_t> sets(draft_.triangles.size());
         mesh::EdgeTable(draft_.triangles, draft_.vertices.size())
             .for_each([&](std::int32_t, std::int32_t, const std::uint32_t* first, const std::uint32_t* last) {
@@ -71,11 +65,10 @@ class CrackClosing {
                 }
             });
         std::int32_t count = 0;
-        piece_of_ = sets.number(count);
+        component_of_ = sets.number(count);
     }
 
     void find_borders() {
-        draft_.find_twins();
         borders_.clear();
         vertices_.clear();
         edges_.clear();
@@ -86,7 +79,7 @@ class CrackClosing {
             const auto corner = static_cast<std::int32_t>(h);
             borders_.push_back(corner);
             edges_.push_back({draft_.tail(corner), draft_.head(corner), draft_.head(corner)});
-            const double length = (draft_.vertices[draft_.head(corner)] - draft_.point(corner)).norm();
+            const double length = edge(corner).norm();
             for (const std::int32_t v : {draft_.tail(corner), draft_.head(corner)}) {
                 BorderVertex& vertex = vertices_[v];
                 vertex.shortest = std::min(vertex.shortest, length);
@@ -106,11 +99,11 @@ class CrackClosing {
 
     Vec3 edge(std::int32_t corner) const { return draft_.vertices[draft_.head(corner)] - draft_.point(corner); }
 
-    /// Whether the triangles of two border edges of different pieces face each other across a crack: the edges run
+    /// Whether the triangles of two border edges of different components face each other across a crack: the edges run
     /// along each other, and the triangles continue each other's orientation, or do not lie on one another. A solid in
     /// a solid, open at the same place, is none.
     bool face_each_other(std::int32_t h, std::int32_t g) const {
-        if (piece_of_[h / 3] == piece_of_[g / 3]) {
+        if (component_of_[h / 3] == component_of_[g / 3]) {
             return false;
         }
         const Vec3 one = edge(h).normalized();
@@ -152,7 +145,7 @@ class CrackClosing {
         const mesh::AabbTree tree(draft_.vertices, edges_);
         std::vector<std::tuple<double, std::int32_t, std::int32_t>> pairs;
         for (const std::int32_t v : border_vertices()) {
-            check_cancelled();
+            check_cancelled(progress_);
             for_each_near(tree, v, [&](std::int32_t k) {
                 for (const std::int32_t w : {edges_[k][0], edges_[k][1]}) {
                     const double distance = (draft_.vertices[v] - draft_.vertices[w]).norm();
@@ -175,7 +168,7 @@ class CrackClosing {
             if (first == second || !can_join(stars, places, first, members_of(second))) {
                 continue;
             }
-            check_cancelled();
+            check_cancelled(progress_);
             std::vector<std::int32_t>& all = members_of(first);
             const std::vector<std::int32_t>& joining = members.at(second);
             all.insert(all.end(), joining.begin(), joining.end());
@@ -221,16 +214,16 @@ class CrackClosing {
     double put_vertices_on_edges() {
         double largest = 0.0;
         const mesh::AabbTree tree(draft_.vertices, edges_);
-        std::vector<Passing> all;
+        std::vector<VertexOnEdge> all;
         for (const std::int32_t v : border_vertices()) {
-            check_cancelled();
-            Passing nearest{reach_of(v), 0.0, v, -1};
+            check_cancelled(progress_);
+            VertexOnEdge nearest{reach_of(v), 0.0, v, -1};
             for_each_near(tree, v, [&](std::int32_t k) { take_if_nearer(v, borders_[k], nearest); });
             if (nearest.corner >= 0) {
                 all.push_back(nearest);
             }
         }
-        std::sort(all.begin(), all.end(), [](const Passing& a, const Passing& b) {
+        std::sort(all.begin(), all.end(), [](const VertexOnEdge& a, const VertexOnEdge& b) {
             return std::tie(a.corner, a.along, a.vertex) < std::tie(b.corner, b.along, b.vertex);
         });
         for (std::size_t i = 0; i < all.size();) {
@@ -251,7 +244,7 @@ class CrackClosing {
         return largest;
     }
 
-    void take_if_nearer(std::int32_t v, std::int32_t corner, Passing& nearest) const {
+    void take_if_nearer(std::int32_t v, std::int32_t corner, VertexOnEdge& nearest) const {
         const mesh::Triangle& t = draft_.triangles[corner / 3];
         if (std::find(t.begin(), t.end(), v) != t.end() || !faces(v, corner)) {
             return;
@@ -283,7 +276,7 @@ class CrackClosing {
     OperandMesh& draft_;
     double reach_;
     const Progress* progress_;
-    std::vector<std::int32_t> piece_of_;                       ///< by triangle of the input
+    std::vector<std::int32_t> component_of_;                   ///< by triangle of the input
     std::vector<std::int32_t> borders_;                        ///< corners on the border
     std::vector<mesh::Triangle> edges_;                        ///< their edges, as triangles for the tree
     std::unordered_map<std::int32_t, BorderVertex> vertices_;  ///< those of the border

@@ -37,7 +37,7 @@ class HoleClosing {
         find_holes();
         const mesh::VertexStars stars(draft_.triangles, draft_.vertices.size());
         for (Hole& hole : holes_) {
-            check_cancelled();
+            check_cancelled(progress_);
             note_edges(hole, stars);
             fill(hole, {});
         }
@@ -46,12 +46,6 @@ class HoleClosing {
     }
 
   private:
-    void check_cancelled() const {
-        if (progress_ != nullptr) {
-            progress_->check();
-        }
-    }
-
     // ---- borders ----
 
     /// The border corner that follows within the fan of the head of `h`.
@@ -236,7 +230,7 @@ class HoleClosing {
         for (int round = 0; round < InputTuning::kFillingRounds; ++round) {
             const std::vector<std::size_t> crossed = holes_that_cross(tree, refused);
             for (const std::size_t k : crossed) {
-                check_cancelled();
+                check_cancelled(progress_);
                 Hole& hole = holes_[k];
                 const bool test = hole.border.size() <= InputTuning::kTestedLoop;
                 refill(hole, [&](const mesh::Triangle& t) {

@@ -53,8 +53,7 @@ struct OperandMesh {
 void remove_duplicates(OperandMesh& draft);
 
 /// Joins borders of different components that run along each other: vertices that lie together, then edges and the
-/// vertices along them. Needs the input's triangles, and leaves twins (Barequet, Sharir 1995, match borders in the same
-/// order: by distance).
+/// vertices along them (by distance, as Barequet and Sharir 1995 match borders). Needs twins, and keeps them valid.
 /// @param reach  how far at most what is joined may be apart, mm, and never farther than InputTuning::kCrackWidth of
 /// the
 ///     border edges there; 0: nothing is joined

@@ -72,8 +72,7 @@ void weld(OperandMesh& draft) {
     std::vector<char> marked(draft.triangles.size(), 0);
     std::size_t collapsed = 0;
     for (std::size_t k = 0; k < marked.size(); ++k) {
-        const mesh::Triangle& t = draft.triangles[k];
-        marked[k] = static_cast<char>(t[0] == t[1] || t[1] == t[2] || t[2] == t[0]);
+        marked[k] = static_cast<char>(mesh::is_collapsed(draft.triangles[k]));
         collapsed += marked[k];
     }
     if (collapsed > 0) {

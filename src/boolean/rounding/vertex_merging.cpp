@@ -12,10 +12,6 @@ namespace mq::boolean {
 
 namespace {
 
-bool degenerate(const Triangle& c) {
-    return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
-}
-
 /// Whether the edges opposite to a vertex in its triangles, (from, to) each, are one closed loop of at least three.
 bool one_loop(std::vector<std::array<std::int32_t, 2>>& link) {
     std::sort(link.begin(), link.end());
@@ -43,7 +39,7 @@ class VertexMerging {
         for (std::size_t t = 0; t < gone.size(); ++t) {
             const Triangle merged = merged_corners(draft_.triangles[t]);
             any = any || merged != draft_.triangles[t];
-            gone[t] = degenerate(merged) ? 1 : 0;
+            gone[t] = mesh::is_collapsed(merged) ? 1 : 0;
             draft_.triangles[t] = merged;
         }
         if (any) {
@@ -62,7 +58,7 @@ class VertexMerging {
         for (const Triangle& c : draft_.triangles) {
             const Triangle merged = merged_corners(c);
             for (std::size_t k = 0; k < 3; ++k) {
-                if (merged[k] != c[k] || degenerate(merged)) {
+                if (merged[k] != c[k] || mesh::is_collapsed(merged)) {
                     touched[static_cast<std::size_t>(merged[k])] = 1;
                 }
             }
@@ -70,7 +66,7 @@ class VertexMerging {
         std::unordered_map<std::int32_t, std::vector<std::array<std::int32_t, 2>>> links;
         for (const Triangle& c : draft_.triangles) {
             const Triangle merged = merged_corners(c);
-            for (std::size_t k = 0; k < 3 && !degenerate(merged); ++k) {
+            for (std::size_t k = 0; k < 3 && !mesh::is_collapsed(merged); ++k) {
                 if (touched[static_cast<std::size_t>(merged[k])] != 0) {
                     links[merged[k]].push_back({merged[(k + 1) % 3], merged[(k + 2) % 3]});
                 }

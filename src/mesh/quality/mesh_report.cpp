@@ -8,7 +8,6 @@
 
 #include "base/disjoint_sets.h"
 #include "base/predicates.h"
-#include "mesh/edge_buckets.h"
 #include "mesh/edge_table.h"
 #include "mesh/quality/exemptions.h"
 #include "mesh/quality/triangle_quality.h"

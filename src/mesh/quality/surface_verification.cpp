@@ -7,7 +7,6 @@
 
 #include "base/predicates.h"
 #include "mesh/corner_table.h"
-#include "mesh/edge_buckets.h"
 #include "mesh/intersection/self_intersection.h"
 #include "mesh/weld_vertices.h"
 

@@ -42,5 +42,13 @@ TEST(ForAll, CallsWithinCallsShareTheThreads) {
     EXPECT_EQ(thread_count(), 6);
 }
 
+TEST(ThreadsFor, GivesEachThreadWhatIsWorthItsStart) {
+    const ThreadLimit limit(4);
+    EXPECT_EQ(threads_for(0, 100), 1);
+    EXPECT_EQ(threads_for(199, 100), 1);
+    EXPECT_EQ(threads_for(200, 100), 2);
+    EXPECT_EQ(threads_for(5000, 100), 4);
+}
+
 }  // namespace
 }  // namespace mq

@@ -51,6 +51,15 @@ inline double signed_volume(const std::vector<Vec3>& vertices, const std::vector
     return sum / 6.0;
 }
 
+inline double area(const TriangleMesh& mesh) {
+    double sum = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3& a = mesh.vertices[t[0]];
+        sum += 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
+    }
+    return sum;
+}
+
 // ---- closed meshes --------------------------------------------------------------------------------------------------
 
 /// Every triangle becomes four.
@@ -391,17 +400,13 @@ inline void crack(TriangleMesh& mesh, double width, Random& random) {
 
 /// Adds a square of a quarter of the surface's area, at a random place through or beside it.
 inline void add_sheet(TriangleMesh& mesh, Random& random) {
-    double area = 0.0;
-    for (const Triangle& t : mesh.triangles) {
-        const Vec3& a = mesh.vertices[t[0]];
-        area += 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
-    }
+    const double side = 0.5 * std::sqrt(area(mesh));
     const Vec3 x = random.direction();
     const Vec3 y = x.unitOrthogonal();
-    const Vec3 corner = mesh.vertices[0] + random.real(0.0, 0.5) * std::sqrt(area) * random.direction();
+    const Vec3 corner = mesh.vertices[0] + random.real(0.0, 1.0) * side * random.direction();
     const auto first = static_cast<std::int32_t>(mesh.vertices.size());
     for (const Vec3& step : {Vec3(0, 0, 0), x, Vec3(x + y), y}) {
-        mesh.vertices.push_back(to_single(corner + 0.5 * std::sqrt(area) * step));
+        mesh.vertices.push_back(to_single(corner + side * step));
     }
     mesh.triangles.push_back({first, first + 1, first + 2});
     mesh.triangles.push_back({first, first + 2, first + 3});

@@ -50,15 +50,6 @@ double volume(const mesh::TriangleMesh& mesh) {
     return mesh::verify(mesh.vertices, mesh.triangles).volume;
 }
 
-double area(const mesh::TriangleMesh& mesh) {
-    double sum = 0.0;
-    for (const mesh::Triangle& t : mesh.triangles) {
-        const Vec3& a = mesh.vertices[t[0]];
-        sum += 0.5 * (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).norm();
-    }
-    return sum;
-}
-
 /// What the Booleans of a pair measure.
 struct Figures {
     double volume[4] = {0.0, 0.0, 0.0, 0.0};
@@ -84,7 +75,7 @@ std::string fault_of_volumes(const fuzz::Pair& pair, const Figures& figures) {
     const double a = volume(pair.whole.empty() ? pair.a : pair.whole[0]);
     const double b = volume(pair.whole.empty() ? pair.b : pair.whole[1]);
     const double worst = std::max(std::abs(v[0] + v[1] - a - b), std::abs(v[2] - (a - v[1])));
-    const double most = kPart * (a + b) + figures.error_bound * (area(pair.a) + area(pair.b));
+    const double most = kPart * (a + b) + figures.error_bound * (fuzz::area(pair.a) + fuzz::area(pair.b));
     return worst <= most ? std::string() : "volumes are wrong by " + std::to_string(worst);
 }
 

@@ -26,8 +26,9 @@ std::vector<Triangle> random_soup(std::size_t triangles, std::int32_t vertices) 
 std::vector<Row> rows_of(const EdgeBuckets& buckets) {
     std::vector<Row> rows;
     for (std::size_t v = 0; v + 1 < buckets.begin.size(); ++v) {
-        for (const EdgeEntry* entry = buckets.first(v); entry != buckets.last(v); ++entry) {
-            rows.emplace_back(static_cast<std::int32_t>(v), entry->high, entry->corner(), entry->upward());
+        for (std::size_t i = buckets.begin[v]; i < buckets.begin[v + 1]; ++i) {
+            const EdgeEntry& entry = buckets.entries[i];
+            rows.emplace_back(static_cast<std::int32_t>(v), entry.high, entry.corner(), entry.upward());
         }
     }
     return rows;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "mesh/edge_buckets.h"
 #include "mesh/random_triangles.h"
 #include "mesh/sample_meshes.h"
 

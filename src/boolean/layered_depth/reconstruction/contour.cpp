@@ -80,7 +80,7 @@ Vec3 Contourer::normal_of(std::int32_t source) const {
 }
 
 void Contourer::add_triangle(const mesh::Triangle& t) {
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
+    if (mesh::is_collapsed(t)) {
         return;
     }
     if (!result_.edges.admits(t)) {
