@@ -265,6 +265,12 @@ def _distance(relative, group, which):
     )
 
 
+def _imprint(group):
+    return Option("imprint", bool, False, title="Same triangles where bodies touch", rare=True, group=group,
+                  help="Give solids that share an area the same triangles on both sides, as analyses of "
+                       "assemblies need; the report names the pairs")
+
+
 _SAMPLED = ("method", ("star", "sprinkle"))
 
 TRIANGULATE = (
@@ -310,6 +316,7 @@ TRIANGULATE = (
     Option("sew", bool, True, title="Join loose faces", rare=True,
            help="Join faces that belong to no shell, as those of most IGES files, where their borders lie "
                 "together; the report says how far apart they were"),
+    _imprint("Mesh"),
     Option("connectivity", str, "pseudo-delaunay", choices=CONNECTIVITIES, group="Sampling",
            title="Connect samples", rare=True, only_with=_SAMPLED,
            choice_titles=("in space", "in face parameters"),
@@ -337,6 +344,7 @@ CURVE = (
     *_distance(0.01, "Before curving", "mesh before it is curved"),
     Option("max_edge", float, None, unit="mm", low=0.0, group="Before curving", title="Longest edge",
            unset="unlimited", help="Longest edge of the mesh before it is curved"),
+    _imprint("Before curving"),
 )
 
 

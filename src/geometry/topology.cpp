@@ -36,6 +36,11 @@ std::vector<int> Topology::pieces_of(Entity entity) const {
             pieces.push_back(own + i);
         }
     }
+    for (int f = 0; entity.dimension == 2 && f < static_cast<int>(faces.size()); ++f) {
+        if (faces[static_cast<std::size_t>(f)].behind == entity.index) {
+            pieces.push_back(f);
+        }
+    }
     return pieces;
 }
 

@@ -66,6 +66,7 @@ struct Face {
     std::vector<int> points;  ///< nodes inside: another entity touches the face there
     bool reversed = false;    ///< the outward normal is -(Su x Sv)
     bool no_area = false;     ///< the surface is collapsed to a curve: there is nothing to mesh
+    int behind = -1;          ///< the shape's face on the side that is flipped, where two solids touch; -1: the same
     double tolerance = 0.0;
     std::array<double, 2> low{0.0, 0.0};  ///< bounds of (u, v) on the trimmed face
     std::array<double, 2> high{0.0, 0.0};
@@ -82,6 +83,7 @@ struct Volume {
         bool flipped = false;  ///< the volume sees the face from its other side (a face shared by two solids)
     };
     Kind kind = Kind::Solid;
+    int solid = -1;  ///< number of the solid in the shape, from 0 on; -1: it is none
     std::vector<Side> sides;
 };
 
@@ -96,6 +98,7 @@ struct Topology {
     /// triangulate/edges/short_edges); 0: all are
     double detail = 0.0;
     bool sewn = false;                ///< faces without a shell are joined where borders lie together within `detail`
+    bool imprinted = false;           ///< faces of two solids that lie on each other are one face
     std::vector<std::string> faults;  ///< faults of the model by the kernel's own checks, naming entities
     /// By dimension, for the entities after the shape's own: the entity of the shape to which each belongs. A piece of
     /// an edge or a face belongs to the whole one, a crease to its face, the end of a crease to the edge or face on

@@ -221,6 +221,8 @@ void bind_measures(ReportClass& report) {
             "mm: shorter edges and thinner faces of the shape were not told apart where that is safe; 0: all were")
         .def_readonly("sewn", &MeshReport::sewn,
                       "whether faces without a shell were joined where their borders lie together within `detail`")
+        .def_readonly("imprinted", &MeshReport::imprinted,
+                      "whether solids that touch have the same triangles on both sides")
         .def_readonly("self_intersections", &MeshReport::self_intersections,
                       "pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, "
                       "and of loose faces that cross; -1: not looked for")
@@ -250,6 +252,10 @@ void bind_course(ReportClass& report) {
         .def_property_readonly(
             "crossing_faces", [](const MeshReport& r) { return crossings_of(r.crossings); },
             "[(CAD face, CAD face, pairs of their triangles that cross), ...]")
+        .def_property_readonly(
+            "contacts", [](const MeshReport& r) { return contacts_of(r.contacts); },
+            "[(solid, solid, triangles on one side, mm^2), ...]: where solids share triangles, by their numbers in "
+            "shape.Solids; see imprint")
         .def_property_readonly("exempt_causes", &causes_of,
                                "[(cause with # for numbers, triangles), ...], most frequent first")
         .def_readonly("fallback", &MeshReport::fallback,
@@ -297,6 +303,16 @@ void bind_mesh(py::module_& m) {
                                [=](const py::object& self) {
                                    const auto& f = surface(self).mesh.triangle_face;
                                    return view<std::int32_t>(f.data(), f.size(), 1, self);
+                               })
+        .def_property_readonly("triangle_solid",
+                               [=](const py::object& self) {
+                                   const auto& s = surface(self).mesh.triangle_solid;
+                                   return view<std::int32_t>(s.data(), s.size(), 1, self);
+                               })
+        .def_property_readonly("triangle_opposite",
+                               [=](const py::object& self) {
+                                   const auto& o = surface(self).mesh.triangle_opposite;
+                                   return view<std::int32_t>(o.data(), o.size(), 1, self);
                                })
         .def_property_readonly("vertex_entity",
                                [=](const py::object& self) {

@@ -133,6 +133,7 @@ void bind_triangulate(py::module_& m) {
         .def_readwrite("max_triangles", &TriangulateOptions::max_triangles)
         .def_readwrite("allow_missing_faces", &TriangulateOptions::allow_missing_faces)
         .def_readwrite("sew", &TriangulateOptions::sew)
+        .def_readwrite("imprint", &TriangulateOptions::imprint)
         .def_readwrite("polish", &TriangulateOptions::polish)
         .def_readwrite("seed", &TriangulateOptions::seed);
     def_named(options, "insertion", &TriangulateOptions::insertion, kInsertions);

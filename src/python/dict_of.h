@@ -33,4 +33,14 @@ inline std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t>> crossing
     return result;
 }
 
+/// [(solid, solid, triangles, mm^2), ...]
+inline std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t, double>> contacts_of(
+    const std::vector<mesh::SolidContact>& contacts) {
+    std::vector<std::tuple<std::int32_t, std::int32_t, std::size_t, double>> result;
+    for (const mesh::SolidContact& contact : contacts) {
+        result.emplace_back(contact.solids[0], contact.solids[1], contact.triangles, contact.area);
+    }
+    return result;
+}
+
 }  // namespace mq::python

@@ -110,8 +110,9 @@ CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, cons
     straight.validate();
     const Stopwatch watch_all;
     progress.stage("reading the shape", 0.0, 0.0);
-    const auto model = model_of(engine, shape, geometry::Creases::Cut,
-                                {[&](const Box& box) { return straight.detail_of(box); }, straight.sew}, progress);
+    const auto model =
+        model_of(engine, shape, geometry::Creases::Cut,
+                 {[&](const Box& box) { return straight.detail_of(box); }, straight.sew, straight.imprint}, progress);
     CurvedMesh mesh = best_of_attempts(engine, model, straight, options, progress);
     measure_volume(mesh, engine, shape, progress);
     mesh.report.cpu_seconds = watch_all.cpu();
@@ -122,8 +123,9 @@ CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, co
                          const curve::CurveOptions& options, Progress& progress) {
     options.validate();
     const bool pieces = !surface.mesh.triangle_piece.empty();
-    const auto model = model_of(engine, shape, pieces ? geometry::Creases::Cut : geometry::Creases::Keep,
-                                {[&](const Box&) { return surface.report.detail; }, surface.report.sewn}, progress);
+    const auto model = model_of(
+        engine, shape, pieces ? geometry::Creases::Cut : geometry::Creases::Keep,
+        {[&](const Box&) { return surface.report.detail; }, surface.report.sewn, surface.report.imprinted}, progress);
     CurvedMesh mesh = curve::curve(engine, model, surface.mesh, options, &progress);
     mesh.straight = surface.mesh;
     mesh.report.straight = surface.report;

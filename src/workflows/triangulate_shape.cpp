@@ -56,7 +56,8 @@ Result triangulate_shape(geometry::Engine& engine, const TopoDS_Shape& shape,
     const Stopwatch watch_all;
     std::shared_ptr<geometry::Model> model;
     progress.stage("reading the shape", 0.0, 0.0);
-    const geometry::VirtualTopology join{[&](const Box& box) { return options.detail_of(box); }, options.sew};
+    const geometry::VirtualTopology join{[&](const Box& box) { return options.detail_of(box); }, options.sew,
+                                         options.imprint};
     engine.run([&] { model = geometry::make_shape_model(shape, &progress, geometry::Creases::Cut, join); }, &progress);
     const double reading = watch_all.wall();
     Result result = triangulate::triangulate(engine, model, options, &progress, cache);

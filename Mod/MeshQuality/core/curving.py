@@ -239,7 +239,7 @@ def store_in(obj, curved, lists):
 
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
-          min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None):
+          min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False):
     """A mesh of curved elements on a shape, proven valid element by element.
 
     shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
@@ -251,6 +251,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     min_angle, chord_height, chord_height_relative, max_edge
                    of the straight mesh that is curved, as for triangulate; where neither chord
                    height is given it is 0.01 of the largest dimension
+    imprint        solids that share an area have the same elements there, so that the mesh of an assembly is
+                   conforming
     progress       callable(fraction 0..1, stage); returning False cancels
 
     Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
@@ -260,7 +262,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     values = options.check(options.CURVE, {
         "order": order, "volume": volume, "straighten_invalid": straighten_invalid, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative,
-        "max_edge": max_edge,
+        "max_edge": max_edge, "imprint": imprint,
     })
     module = extension()
     module.set_fill_program(program("meshquality_fill"))

@@ -14,6 +14,9 @@ class SurfaceMesh(metaclass=Public):
     origin         float64 (3,), mm; zero unless the part lies far from the origin
     triangles      int32 (T, 3), outward orientation
     triangle_face  int32 (T,), triangle i lies on shape.Faces[triangle_face[i]]
+    triangle_solid     int32 (T,), triangle i bounds shape.Solids[triangle_solid[i]]; -1: no solid
+    triangle_opposite  int32 (T,), the triangle of another solid in the same place, the other way round;
+                       -1: none; empty where no solid shares a face with another (imprint=True)
     vertex_entity  int32 (V, 2), (dimension 0|1|2, index into Vertexes|Edges|Faces)
     report         MeshReport
 
@@ -29,6 +32,8 @@ class SurfaceMesh(metaclass=Public):
     origin = property(lambda self: self._surface.origin, doc="float64 (3,), mm")
     triangles = property(lambda self: self._surface.triangles, doc="int32 (T, 3)")
     triangle_face = property(lambda self: self._surface.triangle_face, doc="int32 (T,)")
+    triangle_solid = property(lambda self: self._surface.triangle_solid, doc="int32 (T,)")
+    triangle_opposite = property(lambda self: self._surface.triangle_opposite, doc="int32 (T,)")
     vertex_entity = property(lambda self: self._surface.vertex_entity, doc="int32 (V, 2)")
     report = property(lambda self: self._surface.report, doc="MeshReport")
 

@@ -14,7 +14,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
                 progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
-                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True):
+                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True,
+                imprint=False):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -42,6 +43,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            this all along
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
+    imprint                solids that share an area get the same triangles on both sides; report.contacts names
+                           the pairs
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
                            the faces' parameters ("parametric")
@@ -60,7 +63,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "max_triangles": max_triangles, "allow_missing_faces": allow_missing_faces,
         "connectivity": connectivity, "refine_samples": refine_samples, "seed": seed,
         "local_sizes": local_sizes, "edges_per_circle": edges_per_circle, "growth_rate": growth_rate,
-        "keep_edges": keep_edges, "feature_angle": feature_angle, "sew": sew,
+        "keep_edges": keep_edges, "feature_angle": feature_angle, "sew": sew, "imprint": imprint,
     })
     options.require_callable(progress)
     live_shape = convert.shape_of(shape)

@@ -19,6 +19,7 @@
 #include "geometry/occt/geometry_fingerprint.h"
 #include "geometry/occt/topology/creases.h"
 #include "geometry/occt/topology/degenerate_faces.h"
+#include "geometry/occt/topology/imprint.h"
 #include "geometry/occt/topology/loose_faces.h"
 #include "geometry/occt/topology/shape_map.h"
 #include "geometry/occt/topology/spikes.h"
@@ -79,10 +80,17 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     OrderedShape entities;
     {
         const OpenCascadeWait wait(progress, "reading the shape");
-        entities = creases == Creases::Cut ? cut_at_creases(shape, failures, progress) : ordered(shape, progress);
+        entities = ordered(shape, progress);
+        if (join.imprint) {
+            entities = imprint_contacts(std::move(entities), failures, progress);
+        }
+        if (creases == Creases::Cut) {
+            entities = cut_at_creases(std::move(entities), failures, progress);
+        }
         check_cancelled(progress);
         topology_ = build_topology(entities, live_, progress);
     }
+    topology_.imprinted = join.imprint;
     check_cancelled(progress);
     edges_.resize(live_.edges.size());
     faces_.resize(live_.faces.size());

@@ -24,6 +24,8 @@ struct VirtualTopology {
     std::function<double(const Box&)> detail;
     /// Whether faces without a shell are joined where their borders lie together within that length.
     bool sew = true;
+    /// Whether faces of two solids that lie on each other are one face.
+    bool imprint = false;
 };
 
 /// The live OpenCASCADE shape as a model. The shape is only read: neither its topology, nor its geometry, nor its

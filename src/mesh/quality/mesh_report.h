@@ -20,6 +20,13 @@ struct FaceCrossing {
     std::size_t pairs = 0;
 };
 
+/// Where two solids touch: the triangles that they share.
+struct SolidContact {
+    std::array<std::int32_t, 2> solids{};  ///< numbers in the shape, ascending, from 0 on; -1: it is no solid
+    std::size_t triangles = 0;             ///< on one side
+    double area = 0.0;                     ///< mm^2
+};
+
 /// The measured properties of the final mesh, and the notes of the operation. Angles in degrees, lengths in mm.
 struct MeshReport {
     std::size_t triangles = 0;
@@ -52,8 +59,9 @@ struct MeshReport {
     std::int32_t max_chord_triangle = -1;  ///< triangle with the largest distance; -1: not known
     Vec3 max_chord_point = Vec3::Zero();   ///< point of the mesh with the largest distance, in the model's frame
     double chord_height_asked = 0.0;       ///< requested limit of the distance; 0: none
-    double detail = 0.0;  ///< shorter CAD edges and thinner CAD faces were not told apart where that is safe, mm
-    bool sewn = false;    ///< CAD faces without a shell were joined where their borders lie together within `detail`
+    double detail = 0.0;     ///< shorter CAD edges and thinner CAD faces were not told apart where that is safe, mm
+    bool imprinted = false;  ///< solids that touch have the same triangles on both sides
+    bool sewn = false;       ///< CAD faces without a shell were joined where their borders lie together within `detail`
     /// Pairs of triangles of one volume that meet elsewhere than in their common vertices and edges, and of loose faces
     /// that cross; -1: not searched.
     std::int64_t self_intersections = -1;
@@ -62,6 +70,7 @@ struct MeshReport {
     std::vector<std::pair<std::int32_t, std::string>> spanning;  ///< triangle, which CAD faces it lies on
     std::vector<std::pair<std::int32_t, std::string>> fallback;  ///< CAD face, why its samples were joined in (u, v)
     std::vector<std::pair<std::int32_t, std::string>> missing;   ///< CAD face that has no triangles, why
+    std::vector<SolidContact> contacts;                          ///< where solids share triangles
     std::vector<FaceCrossing> crossings;                         ///< which CAD faces the self-intersections lie on
     std::vector<std::string> notes;  ///< what the reader must know: faults of the model, budget reached, ...
     bool complete = true;            ///< false when a budget ended the work early

@@ -9,6 +9,7 @@
 #include "triangulate/measure/max_chord_error.h"
 #include "triangulate/measure/self_intersections.h"
 #include "triangulate/report/exemption.h"
+#include "triangulate/report/solid_contacts.h"
 #include "triangulate/work_mesh/corner_classification.h"
 
 namespace mq::triangulate {
@@ -98,8 +99,14 @@ void report_crossings(SelfIntersections& finder, const geometry::Topology& topol
     }
     report.overlaps = static_cast<std::int64_t>(overlaps.size());
     if (!overlaps.empty()) {
+        std::vector<std::pair<int, int>> faces;
+        for (const auto& pair : overlaps) {
+            faces.push_back(finder.faces_of(pair));
+        }
+        const std::string solids = solids_of(faces, topology);
         report.notes.push_back("bodies overlap: " + mesh::counted(overlaps.size(), "pair") +
-                               " of triangles of different solids or shells cross");
+                               " of triangles of different solids or shells cross" +
+                               (solids.empty() ? "" : " (" + solids + ")"));
     }
     report.self_intersections = 0;
     for (const auto& [faces, count] : finder.by_faces(faults)) {
@@ -122,6 +129,8 @@ mesh::MeshReport final_report(Workspace& work, MeasurementCache& findings, const
     report.min_angle_asked = options.keeps_bounds() ? options.min_angle : 0.0;
     report.chord_height_asked = chord;
     report.detail = work.session.topology().detail;
+    report.imprinted = work.session.topology().imprinted;
+    report.contacts = solid_contacts(out.mesh);
     report.sewn = work.session.topology().sewn;
     report_exemptions(work, out, report.min_angle_asked, report);
     report_spanning(work, out, report);

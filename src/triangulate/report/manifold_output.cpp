@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/disjoint_sets.h"
+#include "triangulate/report/solid_contacts.h"
 
 namespace mq::triangulate {
 
@@ -51,6 +52,11 @@ class VolumeWriter {
     }
 
   private:
+    // Returns the shape's face on the side that this volume has.
+    int own_face(int t) const {
+        const int behind = topology_.faces[static_cast<std::size_t>(mesh_.face_of(t))].behind;
+        return flipped(3 * t) && behind >= 0 ? behind : topology_.of_shape({2, mesh_.face_of(t)}).index;
+    }
     bool flipped(int h) const { return flipped_[mesh_.face_of(h / 3)] != 0; }
     int from(int h) const { return mesh_.vertex_of(flipped(h) ? ClassifiedMesh::next(h) : h); }
 
@@ -154,7 +160,8 @@ class VolumeWriter {
                 std::swap(corners[1], corners[2]);
             }
             out.mesh.triangles.push_back(corners);
-            out.mesh.triangle_face.push_back(topology_.of_shape({2, mesh_.face_of(t)}).index);
+            out.mesh.triangle_face.push_back(own_face(t));
+            out.mesh.triangle_solid.push_back(volume_.solid);
             if (topology_.has_pieces()) {
                 out.mesh.triangle_piece.push_back(mesh_.face_of(t));
             }
@@ -187,6 +194,7 @@ Output write_out(const ClassifiedMesh& mesh, const geometry::Topology& topology,
         VolumeWriter(mesh, topology, volume, flipped, present, corners, vertex_of_root, progress)
             .run(triangles_of_face, out);
     }
+    pair_opposite_triangles(out.mesh, out.source);
     return out;
 }
 

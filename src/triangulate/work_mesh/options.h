@@ -51,6 +51,7 @@ struct TriangulateOptions {
     std::size_t max_triangles = 0;     ///< 0: 5 million
     bool allow_missing_faces = false;  ///< mesh the other faces of a shape if some fail, and name those in the report
     bool sew = true;                   ///< join faces without a shell where their borders lie together
+    bool imprint = false;              ///< the same triangles on both sides where solids touch
     Method method = Method::Refine;
 
     // For the sampling methods only:

@@ -45,7 +45,8 @@ EdgeBounds::EdgeBounds(const geometry::Topology& topology, double max_edge, cons
     for (const LocalSize& size : local) {
         std::vector<double>& bounds = of_entity_[size.dimension];
         bounds.resize(counts[size.dimension], kNone);
-        bounds[static_cast<std::size_t>(size.index)] = size.max_edge;
+        double& bound = bounds[static_cast<std::size_t>(size.index)];
+        bound = std::min(bound, size.max_edge);
     }
 }
 

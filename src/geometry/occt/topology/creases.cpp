@@ -24,7 +24,6 @@
 #include <string>
 
 #include "geometry/occt/topology/crease_lines.h"
-#include "geometry/occt/topology/sub_shapes.h"
 
 namespace mq::geometry {
 
@@ -138,106 +137,14 @@ double parameter_area(const TopoDS_Shape& shape) {
     return area;
 }
 
-bool has_creases(const TopoDS_Shape& shape, const Progress* progress) {
-    TopTools_IndexedMapOfShape faces;
-    map_sub_shapes(shape, TopAbs_FACE, faces, progress);
-    for (int i = 1; i <= faces.Extent(); ++i) {
+bool has_creases(const OrderedShape& shape, const Progress* progress) {
+    for (int i = 1; i <= shape.faces.Extent(); ++i) {
         check_cancelled(progress);
-        if (has_crease(TopoDS::Face(faces(i)))) {
+        if (has_crease(TopoDS::Face(shape.faces(i)))) {
             return true;
         }
     }
     return false;
-}
-
-/// Numbers the pieces: the first piece gets the number of the entity that was cut, the others follow after all entities
-/// of the shape.
-class Numbering {
-  public:
-    Numbering(const OrderedShape& whole, const Cuts& cuts) : whole_(whole), cuts_(cuts) { cut_.shape = cuts.result(); }
-
-    OrderedShape run() {
-        number(whole_.faces, TopAbs_FACE, 2, cut_.faces);
-        number(whole_.edges, TopAbs_EDGE, 1, cut_.edges);
-        number(whole_.vertices, TopAbs_VERTEX, 0, cut_.vertices);
-        add_creases();
-        add_ends();
-        return std::move(cut_);
-    }
-
-  private:
-    void number(const TopTools_IndexedMapOfShape& own, TopAbs_ShapeEnum kind, int dimension,
-                TopTools_IndexedMapOfShape& numbered) {
-        std::vector<std::pair<int, TopoDS_Shape>> further;
-        for (int i = 1; i <= own.Extent(); ++i) {
-            TopTools_IndexedMapOfShape pieces;
-            TopExp::MapShapes(cuts_.pieces_of(own(i)), kind, pieces);
-            const bool taken = pieces.IsEmpty() || numbered.Contains(pieces(1));
-            if (taken) {
-                cut_.replaced.Add(own(i));
-            }
-            numbered.Add(taken ? own(i) : pieces(1));
-            for (int k = 2; k <= pieces.Extent(); ++k) {
-                further.emplace_back(i - 1, pieces(k));
-            }
-            if (dimension == 2 && pieces.Extent() > 1) {
-                cut_.cut_faces.push_back(i - 1);
-            }
-        }
-        for (const auto& [of, piece] : further) {
-            add(piece, dimension, Entity{dimension, of}, numbered);
-        }
-    }
-
-    void add(const TopoDS_Shape& piece, int dimension, Entity of, TopTools_IndexedMapOfShape& numbered) {
-        if (!numbered.Contains(piece)) {
-            numbered.Add(piece);
-            cut_.parts_of[static_cast<std::size_t>(dimension)].push_back(of);
-        }
-    }
-
-    // @param own number of entities of this dimension in the shape itself.
-    Entity of_shape(Entity entity, int own) const {
-        const std::vector<Entity>& parts = cut_.parts_of[static_cast<std::size_t>(entity.dimension)];
-        return entity.index < own ? entity : parts[static_cast<std::size_t>(entity.index - own)];
-    }
-
-    // Adds edges that are no piece of an edge.
-    void add_creases() {
-        for (int f = 1; f <= cut_.faces.Extent(); ++f) {
-            const Entity face = of_shape({2, f - 1}, whole_.faces.Extent());
-            for (TopExp_Explorer it(cut_.faces(f), TopAbs_EDGE); it.More(); it.Next()) {
-                add(it.Current(), 1, face, cut_.edges);
-            }
-        }
-    }
-
-    // Adds ends of creases, which lie on an edge that was cut, or inside a face.
-    void add_ends() {
-        for (const bool of_edges : {true, false}) {
-            for (int e = 1; e <= cut_.edges.Extent(); ++e) {
-                const Entity of = of_shape({1, e - 1}, whole_.edges.Extent());
-                if ((of.dimension == 1) != of_edges) {
-                    continue;
-                }
-                for (TopExp_Explorer it(cut_.edges(e), TopAbs_VERTEX); it.More(); it.Next()) {
-                    add(it.Current(), 0, of, cut_.vertices);
-                }
-            }
-        }
-    }
-
-    const OrderedShape& whole_;
-    const Cuts& cuts_;
-    OrderedShape cut_;
-};
-
-void move(TopTools_IndexedMapOfShape& entities, const TopLoc_Location& place) {
-    TopTools_IndexedMapOfShape moved;
-    for (int i = 1; i <= entities.Extent(); ++i) {
-        moved.Add(entities(i).Moved(place, Standard_False));
-    }
-    entities = moved;
 }
 
 double largest_tolerance(const TopoDS_Shape& shape) {
@@ -288,15 +195,6 @@ std::vector<int> badly_cut(const OrderedShape& whole, const Cuts& cuts) {
     return bad;
 }
 
-OrderedShape moved(OrderedShape cut, const TopLoc_Location& place) {
-    cut.shape = cut.shape.Moved(place, Standard_False);
-    move(cut.vertices, place);
-    move(cut.edges, place);
-    move(cut.faces, place);
-    move(cut.replaced, place);
-    return cut;
-}
-
 /// Leaves faces whose pieces do not cover them as they are, and names them in `left`.
 OrderedShape cut_where_possible(const OrderedShape& whole, std::string& left) {
     Surfaces uncut;
@@ -304,7 +202,7 @@ OrderedShape cut_where_possible(const OrderedShape& whole, std::string& left) {
         const Cuts cuts(whole.shape, uncut);
         const std::vector<int> bad = badly_cut(whole, cuts);
         if (bad.empty()) {
-            return Numbering(whole, cuts).run();
+            return number_pieces(whole, cuts.result(), [&](const TopoDS_Shape& part) { return cuts.pieces_of(part); });
         }
         const std::size_t before = uncut.size();
         for (const int face : bad) {
@@ -319,22 +217,13 @@ OrderedShape cut_where_possible(const OrderedShape& whole, std::string& left) {
 
 }  // namespace
 
-OrderedShape ordered(const TopoDS_Shape& shape, const Progress* progress) {
-    OrderedShape result;
-    result.shape = shape;
-    map_sub_shapes(shape, TopAbs_VERTEX, result.vertices, progress);
-    map_sub_shapes(shape, TopAbs_EDGE, result.edges, progress);
-    map_sub_shapes(shape, TopAbs_FACE, result.faces, progress);
-    return result;
-}
-
-OrderedShape cut_at_creases(const TopoDS_Shape& shape, std::vector<std::string>& faults, const Progress* progress) {
-    if (!has_creases(shape, progress)) {
-        return ordered(shape, progress);
+OrderedShape cut_at_creases(OrderedShape whole, std::vector<std::string>& faults, const Progress* progress) {
+    if (!has_creases(whole, progress)) {
+        return whole;
     }
     // The cut is made in the shape's own frame, so that the geometry of the pieces does not depend on its placement.
-    const TopLoc_Location place = shape.Location();
-    const OrderedShape whole = ordered(shape.Located(TopLoc_Location()), progress);
+    const TopLoc_Location place = whole.shape.Location();
+    whole = moved(std::move(whole), place.Inverted());
     OrderedShape cut;
     std::string left;
     try {

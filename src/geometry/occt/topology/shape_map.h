@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "geometry/occt/topology/creases.h"
+#include "geometry/occt/topology/ordered_shape.h"
 #include "geometry/topology.h"
 
 namespace mq::geometry {

@@ -18,7 +18,6 @@
 
 #include "base/error.h"
 #include "geometry/occt/evaluation/conversion.h"
-#include "geometry/occt/topology/creases.h"
 #include "geometry/occt/topology/knot_spans.h"
 #include "geometry/occt/topology/shape_map.h"
 
@@ -251,6 +250,10 @@ void TopologyBuilder::add_face(int index) {
     const TopoDS_Shape& met = faces_(index + 1);
     const TopoDS_Face face = TopoDS::Face(met.Oriented(TopAbs_FORWARD));
     live_.faces.push_back(face);
+    if (ordered_.replaced.Contains(met)) {
+        topology_.faces[static_cast<std::size_t>(index)].no_area = true;
+        return;
+    }
     TopLoc_Location location;
     const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, location);
     if (surface.IsNull()) {
@@ -259,6 +262,8 @@ void TopologyBuilder::add_face(int index) {
     }
     Face& data = topology_.faces[static_cast<std::size_t>(index)];
     data.tolerance = BRep_Tool::Tolerance(face);
+    const auto behind = ordered_.behind.find(index);
+    data.behind = behind != ordered_.behind.end() ? behind->second : -1;
     const GeomAdaptor_Surface adaptor(surface);
     data.surface = surface_name(adaptor.GetType());
     data.period = periods_of(adaptor, data.tolerance);
@@ -349,6 +354,7 @@ void TopologyBuilder::add_volumes() {
         const std::vector<Volume::Side> sides = sides_of(it.Current());
         if (solids.Add(it.Current()) && (sides.empty() || !bounding.has_all(sides))) {
             add_volume(it.Current(), Volume::Kind::Solid, sides, bounding);
+            topology_.volumes.back().solid = solids.Extent() - 1;
         }
     }
     for (TopExp_Explorer it(ordered_.shape, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next()) {
@@ -363,7 +369,8 @@ void TopologyBuilder::add_volumes() {
     }
     std::vector<Volume::Side> rest;
     for (std::size_t i = 0; i < topology_.faces.size(); ++i) {
-        if (!bounding.has_face(static_cast<int>(i))) {
+        const bool replaced = ordered_.replaced.Contains(faces_(static_cast<int>(i) + 1));
+        if (!bounding.has_face(static_cast<int>(i)) && !replaced) {
             rest.push_back(Volume::Side{static_cast<int>(i), false});
         }
     }

@@ -8,7 +8,7 @@
 #include <TopExp.hxx>
 #include <TopoDS_Compound.hxx>
 
-#include "geometry/occt/topology/creases.h"
+#include "geometry/occt/topology/ordered_shape.h"
 
 namespace mq::geometry {
 namespace {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "geometry/occt/topology/ordered_shape.h"
+
+namespace mq::geometry {
+
+/// The shape with one face wherever faces of two solids lie on each other within OpenCASCADE's tolerances, so that both
+/// solids have the same triangles there (OrderedShape::behind). Faces that touch in a part are divided along its
+/// border. The shape itself does not change.
+///
+/// OpenCASCADE's general fuse (BOPAlgo_Builder) does it for coinciding faces only (BOPAlgo_GlueShift): solids that
+/// overlap are not divided where they cross. A solid of which it loses area stays as it is, and `faults` says so.
+/// @throws Cancelled
+OrderedShape imprint_contacts(OrderedShape whole, std::vector<std::string>& faults, const Progress* progress);
+
+}  // namespace mq::geometry

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""imprint: solids that touch have the same triangles on both sides."""
+
+import unittest
+
+import numpy as np
+import Part
+from FreeCAD import Placement, Rotation, Vector
+
+import MeshQuality as mq
+
+
+def assembly():
+    """A block with a smaller block at its side, a disc on top, a bored block on that, and a pin through the bore."""
+    bored = Part.makeBox(10, 10, 10, Vector(0, 0, 20)).cut(Part.makeCylinder(2, 10, Vector(5, 5, 20)))
+    return Part.makeCompound([
+        Part.makeBox(10, 10, 10), Part.makeBox(5, 5, 5, Vector(10, 2, 2)), Part.makeCylinder(3, 10, Vector(5, 5, 10)),
+        bored, Part.makeCylinder(2, 15, Vector(5, 5, 20))])
+
+
+CONTACTS = {(0, 1): 25.0, (0, 2): 9 * np.pi, (2, 3): 5 * np.pi, (2, 4): 4 * np.pi, (3, 4): 40 * np.pi}
+
+
+class Contacts(unittest.TestCase):
+    """Assemblies of solids."""
+
+    def check(self, shape, mesh):
+        """The two sides of each contact are the same triangles, the other way round; each is on its own solid."""
+        corners = mesh.vertices[mesh.triangles]
+        opposite = mesh.triangle_opposite
+        sides = np.flatnonzero(opposite >= 0)
+        np.testing.assert_array_equal(opposite[opposite[sides]], sides)
+        self.assertTrue((mesh.triangle_solid[sides] != mesh.triangle_solid[opposite[sides]]).all())
+
+        def turned(triangles):
+            """From the least corner on, so that the same triangle has the same rows."""
+            first = np.lexsort(triangles.transpose(2, 0, 1)[::-1], axis=-1)[:, 0] if len(triangles) else []
+            return np.stack([np.roll(t, -k, axis=0) for t, k in zip(triangles, first)])
+
+        np.testing.assert_array_equal(turned(corners[sides]), turned(corners[opposite[sides]][:, ::-1]))
+        faces_of = [{face.hashCode() for face in solid.Faces} for solid in shape.Solids]
+        hashes = [face.hashCode() for face in shape.Faces]
+        for face, solid in set(zip(mesh.triangle_face.tolist(), mesh.triangle_solid.tolist())):
+            self.assertIn(hashes[face], faces_of[solid])
+
+    def check_volumes(self, volumes, mesh, places):
+        """The triangles of each solid enclose it."""
+        corners = mesh.vertices[mesh.triangles] + mesh.origin
+        six = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))
+        for number, volume in enumerate(volumes):
+            self.assertAlmostEqual(six[mesh.triangle_solid == number].sum() / 6, volume, places)
+
+    def test_the_triangles_are_the_same_on_both_sides(self):
+        shape = assembly()
+        mesh = mq.triangulate(shape, min_angle=25, chord_height=0.005, imprint=True)
+        report = mesh.report
+        self.assertTrue(report.closed and report.manifold and report.oriented and report.imprinted)
+        self.assertEqual(report.self_intersections, 0)
+        self.assertEqual(len(report.exempt), 0)
+        self.assertGreaterEqual(report.min_angle, 25)
+        self.assertLessEqual(report.max_chord_height, 0.005)
+        self.check(shape, mesh)
+        self.check_volumes([solid.Volume for solid in shape.Solids], mesh, 0)
+        found = {(a, b): area for a, b, _, area in report.contacts}
+        self.assertEqual(set(found), set(CONTACTS))
+        for pair, area in CONTACTS.items():
+            self.assertAlmostEqual(found[pair] / area, 1, 2)
+
+    def test_without_it_sides_are_meshed_alone(self):
+        mesh = mq.triangulate(assembly(), chord_height=0.05)
+        self.assertEqual(len(mesh.triangle_opposite), 0)
+        self.assertEqual(mesh.report.contacts, [])
+        self.assertFalse(mesh.report.imprinted)
+        self.assertEqual(set(mesh.triangle_solid.tolist()), set(range(5)))
+
+    def test_a_face_that_a_contact_covers_keeps_its_name(self):
+        shape = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, Vector(0, 0, 10))])
+        mesh = mq.triangulate(shape, imprint=True, chord_height=0.1, local_sizes={"Face11": 1.0})
+        self.check(shape, mesh)
+        self.assertEqual(len(set(mesh.triangle_face.tolist())), 12)
+        top, bottom = (int((mesh.triangle_face == face).sum()) for face in (5, 10))
+        self.assertEqual(top, bottom)
+        self.assertGreater(top, 200)  # the size of the lower side holds for the one triangulation there is
+
+    def test_moved_and_turned(self):
+        shape = assembly()
+        shape.Placement = Placement(Vector(123, -45, 6), Rotation(Vector(1, 2, 3), 50))
+        mesh = mq.triangulate(shape, chord_height=0.05, imprint=True)
+        self.check(shape, mesh)
+        self.assertEqual({(a, b) for a, b, _, _ in mesh.report.contacts}, set(CONTACTS))
+
+    def test_solids_that_overlap_are_named_and_not_divided(self):
+        shape = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, Vector(5, 5, 5))])
+        mesh = mq.triangulate(shape, chord_height=0.1, imprint=True)
+        self.assertEqual(mesh.report.contacts, [])
+        self.assertEqual(len(mesh.triangles), 24)
+        self.assertTrue(any("(Solid1 and Solid2)" in note for note in mesh.report.notes), mesh.report.notes)
+
+    def test_one_solid_and_solids_apart_stay_as_they_are(self):
+        for shape in (Part.makeBox(1, 2, 3),
+                      Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, Vector(3, 0, 0))])):
+            alone, imprinted = (mq.triangulate(shape, imprint=imprint) for imprint in (False, True))
+            np.testing.assert_array_equal(alone.vertices, imprinted.vertices)
+            np.testing.assert_array_equal(alone.triangles, imprinted.triangles)
+
+    def test_copies_at_several_places(self):
+        one = Part.makeBox(10, 10, 10)
+        copies = [one.copy() for _ in range(3)]
+        for number, copy in enumerate(copies):
+            copy.Placement = Placement(Vector(10 * number, 3 * number, 0), Rotation())
+        shape = Part.makeCompound(copies)
+        mesh = mq.triangulate(shape, chord_height=0.1, imprint=True)
+        self.check(shape, mesh)
+        self.check_volumes([1000] * 3, mesh, 3)
+        self.assertEqual([(a, b, round(area, 6)) for a, b, _, area in mesh.report.contacts],
+                         [(0, 1, 70.0), (1, 2, 70.0)])
+
+    def test_the_shape_is_only_read(self):
+        shape = assembly()
+        before = shape.exportBrepToString()
+        mq.triangulate(shape, chord_height=0.1, imprint=True)
+        self.assertEqual(shape.exportBrepToString(), before)
+
+    def test_the_same_with_creases(self):
+        """A spline through corners on a block: its surface is cut along them, too."""
+        points = [Vector(0, 0, 10), Vector(5, 0, 15), Vector(10, 0, 10)]
+        curve = Part.BSplineCurve()
+        curve.buildFromPolesMultsKnots(points, [2, 1, 2], [0, 1, 2], False, 1)
+        roof = Part.Face(Part.Wire([curve.toShape(), Part.makeLine(points[2], points[0])])).extrude(Vector(0, 10, 0))
+        shape = Part.makeCompound([Part.makeBox(10, 20, 10), roof])
+        mesh = mq.triangulate(shape, chord_height=0.01, imprint=True)
+        self.check(shape, mesh)
+        self.check_volumes([2000, 250], mesh, 3)
+        self.assertEqual([(a, b, round(area, 4)) for a, b, _, area in mesh.report.contacts], [(0, 1, 100.0)])
+
+    def test_tetrahedra_of_both_solids_share_nodes(self):
+        shape = assembly()
+        mesh = mq.curve(shape, order=2, volume=True, chord_height=0.05, imprint=True)
+        self.assertEqual(mesh.report.invalid, 0)
+        faces = np.sort(mesh.tetrahedra[:, [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]].reshape(-1, 3), axis=1)
+        solids = np.repeat(mesh.tetrahedron_solid, 4)
+        shared = {}
+        for key, solid in zip(map(tuple, faces.tolist()), solids.tolist()):
+            shared.setdefault(key, []).append(solid)
+        self.assertLessEqual(max(map(len, shared.values())), 2)
+        between = {tuple(sorted(pair)) for pair in shared.values() if len(set(pair)) == 2}
+        self.assertEqual(between, set(CONTACTS))
+        self.assertEqual(len({tuple(node) for node in mesh.nodes.tolist()}), len(mesh.nodes))
