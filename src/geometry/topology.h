@@ -105,7 +105,10 @@ struct Topology {
     /// which it lies.
     std::array<std::vector<Entity>, 3> parts_of;
 
-    bool has_pieces() const { return !parts_of[0].empty() || !parts_of[1].empty() || !parts_of[2].empty(); }
+    /// Whether the entities of a mesh may be others than the shape's own.
+    bool has_pieces() const {
+        return imprinted || !parts_of[0].empty() || !parts_of[1].empty() || !parts_of[2].empty();
+    }
     /// The number of entities that are the shape's own.
     std::size_t own_count(int dimension) const;
     /// The entity itself, unless it is in `parts_of`.

@@ -68,6 +68,7 @@ CurvedPointer from_arrays(int order, const py::dict& arrays) {
     mesh->edge_entity = indices("edge_entity");
     mesh->triangles = indices("triangles");
     mesh->triangle_face = indices("triangle_face");
+    mesh->triangle_face_behind = indices("triangle_face_behind");
     mesh->tetrahedra = indices("tetrahedra");
     mesh->tetrahedron_volume = indices("tetrahedron_solid");
     mesh->triangle_quality = numbers("triangle_quality");
@@ -143,6 +144,7 @@ void bind_curved_mesh(py::module_& m) {
     bind_list(cls, "edge_entity", &CurvedMesh::edge_entity);
     bind_list(cls, "triangles", &CurvedMesh::triangles, &CurvedMesh::nodes_per_triangle);
     bind_list(cls, "triangle_face", &CurvedMesh::triangle_face);
+    bind_list(cls, "triangle_face_behind", &CurvedMesh::triangle_face_behind);
     bind_list(cls, "triangle_quality", &CurvedMesh::triangle_quality);
     bind_list(cls, "tetrahedra", &CurvedMesh::tetrahedra, &CurvedMesh::nodes_per_tetrahedron);
     bind_list(cls, "tetrahedron_solid", &CurvedMesh::tetrahedron_volume);

@@ -15,6 +15,7 @@ from .surface_mesh import SurfaceMesh
 ARRAYS = {
     "Nodes": "nodes", "NodeEntity": "node_entity", "EdgeNodes": "edges",
     "EdgeEntity": "edge_entity", "TriangleNodes": "triangles", "TriangleFace": "triangle_face",
+    "TriangleFaceBehind": "triangle_face_behind",
     "TriangleQuality": "triangle_quality", "TetrahedronNodes": "tetrahedra",
     "TetrahedronSolid": "tetrahedron_solid", "TetrahedronQuality": "tetrahedron_quality",
 }
@@ -30,6 +31,9 @@ class CurvedMesh(metaclass=Public):
                        triangles otherwise
     triangles          int32 (T, nodes per triangle), on the CAD faces
     triangle_face      int32 (T,), triangle i lies on shape.Faces[triangle_face[i]]
+    triangle_face_behind
+                       int32 (T,), the CAD face of the solid on the other side of triangle i, or -1; empty where
+                       no solid shares a face with another (imprint=True)
     edges              int32 (L, order + 1), on the CAD edges
     tetrahedra         int32 (E, nodes per tetrahedron), empty without volume
     tetrahedron_solid  int32 (E,), tetrahedron i lies in shape.Solids[tetrahedron_solid[i]]
@@ -69,6 +73,7 @@ class CurvedMesh(metaclass=Public):
     nodes = property(lambda self: self._curved.nodes, doc="float64 (N, 3), mm")
     triangles = property(lambda self: self._curved.triangles, doc="int32 (T, nodes per triangle)")
     triangle_face = property(lambda self: self._curved.triangle_face, doc="int32 (T,)")
+    triangle_face_behind = property(lambda self: self._curved.triangle_face_behind, doc="int32 (T,)")
     edges = property(lambda self: self._curved.edges, doc="int32 (L, order + 1)")
     tetrahedra = property(lambda self: self._curved.tetrahedra,
                           doc="int32 (E, nodes per tetrahedron)")

@@ -196,7 +196,12 @@ void classify_on_original_entities(CurvedMesh& mesh, const geometry::Topology& t
     if (!topology.has_pieces()) {
         return;
     }
+    const auto touches = [](const geometry::Face& face) { return face.behind >= 0; };
+    const bool any = std::any_of(topology.faces.begin(), topology.faces.end(), touches);
     for (std::int32_t& face : mesh.triangle_face) {
+        if (any) {
+            mesh.triangle_face_behind.push_back(topology.faces[static_cast<std::size_t>(face)].behind);
+        }
         face = topology.of_shape({2, face}).index;
     }
     for (mesh::VertexEntity& entity : mesh.node_entity) {
@@ -285,6 +290,9 @@ void require_sound(const CurvedMesh& mesh) {
                      {"triangles", "a triangle", 2, mesh.triangles, mesh.nodes_per_triangle(), mesh.triangle_face});
     require_elements(mesh, {"tetrahedra", "a tetrahedron", 3, mesh.tetrahedra, mesh.nodes_per_tetrahedron(),
                             mesh.tetrahedron_volume});
+    if (!mesh.triangle_face_behind.empty()) {
+        require_count(mesh.triangle_face_behind.size(), mesh.triangle_face.size(), "faces behind", "triangles");
+    }
     if (!mesh.triangle_quality.empty()) {
         require_count(mesh.triangle_quality.size(), mesh.triangle_face.size(), "qualities", "triangles");
     }

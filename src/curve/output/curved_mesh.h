@@ -54,6 +54,9 @@ struct CurvedMesh {
     std::vector<std::int32_t> edge_entity;
     std::vector<std::int32_t> triangles;  ///< on CAD faces
     std::vector<std::int32_t> triangle_face;
+    /// By triangle: the CAD face of the solid on its other side, where two solids touch; -1: none. Empty where none
+    /// do.
+    std::vector<std::int32_t> triangle_face_behind;
     std::vector<std::int32_t> tetrahedra;  ///< empty unless `volume` is set
     std::vector<std::int32_t> tetrahedron_volume;
     /// By triangle: lower bound of min / max of the normal component, against the CAD; not positive: invalid.
