@@ -85,6 +85,10 @@ void bind_curve_report(py::module_& m) {
             "overlaps", [](const CurveReport& r) { return r.straight.overlaps; },
             "pairs of triangles of the straight mesh that cross and are of different volumes; -1: not looked for")
         .def_property_readonly(
+            "contacts", [](const CurveReport& r) { return contacts_of(r.straight.contacts); },
+            "[(solid, solid, triangles on one side, mm^2), ...] of the straight mesh: where solids share elements; see "
+            "imprint")
+        .def_property_readonly(
             "crossing_faces", [](const CurveReport& r) { return crossings_of(r.straight.crossings); },
             "[(CAD face, CAD face, pairs of their triangles that cross), ...]")
         .def("__repr__", in_short)

@@ -31,7 +31,7 @@ REPORT_FIELDS = (
     "duplicate_triangles", "self_intersections", "overlaps", "components", "euler", "min_angle", "max_angle",
     "mean_min_angle", "max_aspect", "angle_histogram", "area", "volume", "min_angle_asked",
     "min_angle_unexempted", "max_chord_height", "max_chord_height_to", "chord_height_asked", "exempt",
-    "exempt_causes", "fallback", "missing_faces", "crossing_faces", "notes", "complete", "seconds",
+    "exempt_causes", "fallback", "missing_faces", "crossing_faces", "contacts", "notes", "complete", "seconds",
     "cpu_seconds", "queries", "predicates",
     "exact_predicates",
 )
@@ -43,7 +43,7 @@ BOOLEAN_REPORT_FIELDS = (
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
-    "chord_height_asked", "volume", "cad_volume", "volume_error", "self_intersections", "overlaps", "crossing_faces",
+    "chord_height_asked", "volume", "cad_volume", "volume_error", "self_intersections", "overlaps", "crossing_faces", "contacts",
     "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
 )
 

@@ -211,6 +211,19 @@ MeshReport measure(const TriangleMesh& mesh, const Progress* progress) {
     return report;
 }
 
+namespace {
+
+std::string contacts_text(const MeshReport& r) {
+    std::string text;
+    for (const SolidContact& contact : r.contacts) {
+        text += line("contact      Solid%d and Solid%d: %s on each side, %.6g mm^2", contact.solids[0] + 1,
+                     contact.solids[1] + 1, counted(contact.triangles, "triangle").c_str(), contact.area);
+    }
+    return text;
+}
+
+}  // namespace
+
 std::string to_text(const MeshReport& r) {
     const auto yes = [](bool value) { return value ? "yes" : "no"; };
     std::string text = line("triangles    %zu, vertices %zu, components %zu, Euler number %ld", r.triangles, r.vertices,
@@ -239,6 +252,7 @@ std::string to_text(const MeshReport& r) {
         const Vec3 size = r.box.high - r.box.low;
         text += line("size         %.6g x %.6g x %.6g mm", size.x(), size.y(), size.z());
     }
+    text += contacts_text(r);
     text += work_text(r);
     if (!r.complete) {
         text += "incomplete   a limit ended the work early\n";
