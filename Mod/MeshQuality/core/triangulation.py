@@ -6,6 +6,7 @@ from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
 from . import convert
+from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh
 
 
@@ -14,7 +15,8 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 max_edge=None, min_edge=None, method="refine", max_triangles=None,
                 progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
-                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True):
+                edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True, patches=None,
+                patch_rest=None):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -50,6 +52,11 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
 
     cache                  a MeshCache of earlier calls: faces that an edit left alone keep their triangles
 
+    patches                named groups of faces for the files of solvers: {"inlet": ["Face1", "Box.Face4"], ...}, or
+                           {"inlet": {"faces": ["Face1"], "colour": "#ff0000"}}; names as in local_sizes. They are
+                           checked before the work, kept as mesh.patches, and are the default of mesh.write
+    patch_rest             name of the patch of all other faces; None: each is one by its own name
+
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
@@ -65,11 +72,13 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
     options.require_callable(progress)
     live_shape = convert.shape_of(shape)
     values = convert.with_resolved_sizes(shape, values)
+    division = division_for(shape, patches, patch_rest)
     module = extension()
     core_options = module.TriangulateOptions()
     core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
-    return SurfaceMesh(module.triangulate(live_shape, core_options, progress, _core_cache(cache)))
+    surface = module.triangulate(live_shape, core_options, progress, _core_cache(cache))
+    return SurfaceMesh(surface, kept(division, surface))
 
 
 class MeshCache(metaclass=Public):
