@@ -98,7 +98,8 @@ def check_names(suffix, names, solids=(), ascii=False):  # noqa: A002 - the opti
         taken = {name.casefold(): said for name, said in taken.items()}
     for name in names:
         if not re.fullmatch(rule.pattern, name):
-            plain = re.sub(r"\W+", "_", name, flags=re.ASCII).strip("_") or "patch"
+            plain = re.sub(r"\W+", "_", name, flags=re.ASCII).strip("_")
+            plain = plain if re.fullmatch(rule.pattern, plain) else f"patch_{plain}"
             raise InvalidInput(f"{suffix} files cannot hold a patch called {name!r}: names there have {rule.words}; "
                                f"call it {plain!r}, for example")
         if len(name.encode()) > rule.longest:

@@ -13,8 +13,10 @@ from ..errors import IoError
 from .arrays import element_blocks, points_of, tetrahedra_in_common_order
 
 # Of the enumerations of cgnslib.h.
-_MODE_WRITE, _UNSTRUCTURED, _REAL_DOUBLE, _POINT_RANGE, _FAMILY_SPECIFIED = 1, 3, 4, 4, 25
+_MODE_READ, _MODE_WRITE = 0, 1
+_UNSTRUCTURED, _REAL_DOUBLE, _POINT_RANGE, _FAMILY_SPECIFIED = 3, 4, 4, 25
 _CELL_CENTER, _FACE_CENTER = 3, 4
+_DIMENSIONAL, _UNKNOWN_DIMENSION = 2, 4
 _LENGTHS = {1.0: 4, 0.001: 2}  # by scale: millimetre, metre
 _TYPES = {(2, 3): 5, (2, 6): 6, (3, 4): 10, (3, 10): 11}  # by dimension and nodes of an element
 
@@ -39,11 +41,11 @@ def _text(name):
 
 
 class _File:
-    """A file that is open for writing."""
+    """A file that is open."""
 
-    def __init__(self, path):
+    def __init__(self, path, mode=_MODE_WRITE):
         self.number = ctypes.c_int()
-        _call("cg_open", ctypes.c_char_p(os.fsencode(path)), _MODE_WRITE, ctypes.byref(self.number))
+        _call("cg_open", ctypes.c_char_p(os.fsencode(path)), mode, ctypes.byref(self.number))
 
     def __enter__(self):
         return self
@@ -63,7 +65,7 @@ class _File:
     def zone(self, base, sizes):
         """A zone; sizes as an array of whole numbers of the library's kind."""
         zone = ctypes.c_int()
-        _call("cg_zone_write", self.number, base, _text("Zone"), _address(sizes), _UNSTRUCTURED, ctypes.byref(zone))
+        _call("cg_zone_write", self.number, base, _text("Zone1"), _address(sizes), _UNSTRUCTURED, ctypes.byref(zone))
         return zone
 
 
@@ -75,10 +77,12 @@ def _address(array):
 def _size_type():
     """The NumPy type of the library's sizes, which is a choice of those who built it: read back from a small file."""
     with tempfile.TemporaryDirectory() as folder:
-        with _File(os.path.join(folder, "sizes.cgns")) as file:
+        path = os.path.join(folder, "sizes.cgns")
+        with _File(path) as file:
             base = file.base(3)
             zone = file.zone(base, np.array([1, 0, 0], dtype=np.int64))  # the same for both
-            found = np.full(9, -1, dtype=np.int32)
+        found = np.full(9, -1, dtype=np.int32)
+        with _File(path, _MODE_READ) as file:
             _call("cg_zone_read", file.number, base, zone, ctypes.create_string_buffer(33), _address(found))
     return np.int32 if found[3] == -1 else np.int64
 
@@ -92,8 +96,7 @@ def write(mesh, path, patches, solids, scale):
         base = file.base(3 if len(tetrahedra) else 2)
         zone = file.zone(base, np.array([len(points), cells, 0], dtype=size))
         for axis, column in zip("XYZ", points.T):
-            _call("cg_coord_write", file.number, base, zone, _REAL_DOUBLE, _text(f"Coordinate{axis}"),
-                  _address(np.ascontiguousarray(column)), ctypes.byref(ctypes.c_int()))
+            _coordinate(file, (base, zone), f"Coordinate{axis}", np.ascontiguousarray(column))
         first = 1
         if len(tetrahedra):
             for name, members in element_blocks(solids, _ranks(mesh.tetrahedron_solid)):
@@ -103,9 +106,21 @@ def write(mesh, path, patches, solids, scale):
             last = _section(file, (base, zone), name, (2, first), (mesh.triangles[members] + 1).astype(size))
             _condition(file, (base, zone), name, place, np.array([first, last - 1], dtype=size))
             first = last
+        _call("cg_goto", file.number, base, _text("end"))
+        _call("cg_dataclass_write", _DIMENSIONAL if scale in _LENGTHS else _UNKNOWN_DIMENSION)
         if scale in _LENGTHS:
-            _call("cg_goto", file.number, base, _text("end"))
             _call("cg_units_write", 0, _LENGTHS[scale], 0, 0, 0)
+
+
+def _coordinate(file, place, name, values):
+    """Writes one coordinate of all points, which is a length."""
+    base, zone = place
+    coordinate, exponents = ctypes.c_int(), np.array([0, 1, 0, 0, 0], dtype=np.float64)
+    _call("cg_coord_write", file.number, base, zone, _REAL_DOUBLE, _text(name), _address(values),
+          ctypes.byref(coordinate))
+    _call("cg_goto", file.number, base, _text("Zone_t"), zone, _text("GridCoordinates_t"), 1, _text("DataArray_t"),
+          coordinate, _text("end"))
+    _call("cg_exponents_write", _REAL_DOUBLE, _address(exponents))
 
 
 def _ranks(numbers):

@@ -12,7 +12,7 @@ from .arrays import element_blocks, points_of, tetrahedra_in_common_order
 _LONGEST = 32  # characters of a name
 # Side of a tetrahedron, by the corner that is opposite; triangles have sides of another kind.
 _SIDE_OPPOSITE = np.array([2, 3, 1, 4])
-_TYPES = {3: "TRI3", 6: "TRI6", 4: "TETRA4", 10: "TETRA10"}
+_TYPES = {3: "TRI3", 6: "TRI6", 4: "TETRA", 10: "TETRA10"}
 
 
 def _dataset(path):

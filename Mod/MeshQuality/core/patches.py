@@ -105,7 +105,14 @@ def division_for(source, patches, rest=None):
     """The same for a shape or a document object, which must have the faces. Names are those of local sizes: "Box.Face3"
     of a container or a link.
     """
-    division = division_of(patches, rest, lambda name: next(iter(convert.resolve_sizes(source, {name: 1.0}))))
+    def resolve(name):
+        try:
+            return next(iter(convert.resolve_sizes(source, {name: 1.0})))
+        except InvalidInput:
+            raise InvalidInput(f"a patch names {name}, but {convert.label_of(source)} does not hold that: name a face as "
+                               "local_sizes does") from None
+
+    division = division_of(patches, rest, resolve)
     if division is not None and division.patch_of:
         require_faces(division, convert.shape_of(source).countElement("Face"), convert.label_of(source))
     return division

@@ -70,9 +70,13 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "keep_edges": keep_edges, "feature_angle": feature_angle, "sew": sew,
     })
     options.require_callable(progress)
+    return _meshed(shape, values, progress, cache, division_for(shape, patches, patch_rest))
+
+
+def _meshed(shape, values, progress, cache, division):
+    """The SurfaceMesh of a shape with checked options."""
     live_shape = convert.shape_of(shape)
     values = convert.with_resolved_sizes(shape, values)
-    division = division_for(shape, patches, patch_rest)
     module = extension()
     core_options = module.TriangulateOptions()
     core_options.local_sizes = options.entities_of(values.pop("local_sizes"))

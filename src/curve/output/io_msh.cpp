@@ -154,7 +154,7 @@ class Writer {
     }
 
     const mesh::ExportMesh& mesh_;
-    std::map<int, int> patch_of_;  // by CAD face
+    std::map<int, int> patch_of_;                                       // by CAD face
     std::map<std::pair<int, int>, std::vector<std::size_t>> nodes_of_;  // by dimension and entity
     std::string out_;
 };

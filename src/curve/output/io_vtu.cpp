@@ -80,8 +80,7 @@ std::string curved_vtu(const mesh::ExportMesh& mesh) {
            std::to_string(mesh.nodes.size()) + "\" NumberOfCells=\"" + std::to_string(entity.size()) + "\">\n" +
            "<CellData>\n" + data_array("Int32", volume ? "cad_solid" : "cad_face", joined(entity)) +
            (mesh.patches_given && !volume ? data_array("Int32", "patch", joined(elements.group)) : "") +
-           "</CellData>\n" +
-           points_of(mesh) + "<Cells>\n" + data_array("Int32", "connectivity", joined(nodes)) +
+           "</CellData>\n" + points_of(mesh) + "<Cells>\n" + data_array("Int32", "connectivity", joined(nodes)) +
            data_array("Int32", "offsets", joined(offsets)) + data_array("UInt8", "types", joined(types)) +
            "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }

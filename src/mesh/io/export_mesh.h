@@ -40,15 +40,15 @@ struct Elements {
 /// What the writers of all formats see of a mesh, flat or curved, surface or volume.
 struct ExportMesh {
     Vec3 origin = Vec3::Zero();
-    double scale = 1.0;       ///< of the file's coordinates: 0.001 makes metres of mm
+    double scale = 1.0;       ///< factor of the file's coordinates: 0.001 makes metres of mm
     std::vector<Vec3> nodes;  ///< mm, relative to origin
     std::vector<VertexEntity> node_entity;
     std::size_t corners = 0;  ///< the first nodes, which are corners of elements; the others lie inside of curved ones
     int order = 1;
-    std::array<Elements, 4> elements;         ///< by dimension; those of dimension 0 are not used
-    std::array<std::vector<Group>, 4> groups; ///< likewise
-    bool patches_given = false;               ///< Patches::given
-    std::vector<std::int32_t> behind;         ///< by triangle: a tetrahedron that it is a face of, -1: none
+    std::array<Elements, 4> elements;          ///< by dimension; those of dimension 0 are not used
+    std::array<std::vector<Group>, 4> groups;  ///< likewise
+    bool patches_given = false;                ///< Patches::given
+    std::vector<std::int32_t> behind;          ///< by triangle: a tetrahedron that it is a face of, -1: none
 
     /// The node as it stands in the file.
     Vec3 point(std::size_t i) const { return (nodes[i] + origin) * scale; }

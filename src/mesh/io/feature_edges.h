@@ -12,8 +12,8 @@ namespace mq::mesh {
 /// ends or branches.
 struct FeatureEdges {
     std::vector<std::array<std::int32_t, 2>> edges;  ///< pairs of nodes, ascending
-    std::vector<bool> sharp;                         ///< of each, whether the surface turns, ends or branches there
-    std::vector<bool> border;                        ///< of each, whether it is between patches
+    std::vector<bool> sharp;                         ///< by edge, whether the surface turns, ends or branches there
+    std::vector<bool> border;                        ///< by edge, whether it is between patches
 };
 
 /// Degrees by which a surface turns at a sharp edge; surfaceFeatures of OpenFOAM has the same (includedAngle 150).

@@ -7,7 +7,8 @@ namespace mq::mesh {
 
 namespace {
 
-constexpr std::size_t kPerLine = 8;  ///< numbers of a set in one line; Abaqus takes 16, and 132 characters are CalculiX's
+constexpr std::size_t kPerLine =
+    8;  ///< numbers of a set in one line; Abaqus takes 16, and 132 characters are CalculiX's
 
 void append_set(std::string& out, const std::string& head, const std::vector<std::int32_t>& numbers) {
     if (numbers.empty()) {
@@ -40,8 +41,8 @@ void append_tetrahedra(std::string& out, const ExportMesh& mesh) {
     const Elements& tetrahedra = mesh.tetrahedra();
     const auto solids = tetrahedra.by_group(mesh.groups[3].size());
     for (std::size_t s = 0; s < solids.size(); ++s) {
-        out += std::string("*ELEMENT, TYPE=") + (mesh.order == 1 ? "C3D4" : "C3D10") + ", ELSET=" + mesh.groups[3][s].name +
-               "\n";
+        out += std::string("*ELEMENT, TYPE=") + (mesh.order == 1 ? "C3D4" : "C3D10") +
+               ", ELSET=" + mesh.groups[3][s].name + "\n";
         for (const std::int32_t e : solids[s]) {
             std::vector<std::int32_t> nodes;
             for (std::size_t i = 0; i < tetrahedra.width; ++i) {
@@ -84,8 +85,8 @@ void append_triangles(std::string& out, const ExportMesh& mesh) {
     const auto patches = triangles.by_group(mesh.patches().size());
     for (std::size_t p = 0; p < patches.size(); ++p) {
         if (!patches[p].empty()) {
-            out += std::string("*ELEMENT, TYPE=") + (mesh.order == 1 ? "S3" : "S6") + ", ELSET=" +
-                   mesh.patches()[p].name + "\n";
+            out += std::string("*ELEMENT, TYPE=") + (mesh.order == 1 ? "S3" : "S6") +
+                   ", ELSET=" + mesh.patches()[p].name + "\n";
         }
         for (const std::int32_t k : patches[p]) {
             const std::int32_t* t = triangles.of(static_cast<std::size_t>(k));

@@ -13,8 +13,8 @@ namespace {
 
 Vec3 normal_of(const ExportMesh& mesh, const std::int32_t* t) {
     const Vec3& a = mesh.nodes[static_cast<std::size_t>(t[0])];
-    const Vec3 cross = (mesh.nodes[static_cast<std::size_t>(t[1])] - a).cross(
-        mesh.nodes[static_cast<std::size_t>(t[2])] - a);
+    const Vec3 cross =
+        (mesh.nodes[static_cast<std::size_t>(t[1])] - a).cross(mesh.nodes[static_cast<std::size_t>(t[2])] - a);
     const double length = cross.norm();
     return length > 0.0 ? Vec3(cross / length) : Vec3::Zero();
 }

@@ -9,7 +9,7 @@
 /// One writer for each file format. Each returns the whole file.
 namespace mq::mesh {
 
-// Of flat triangles, without names where no patches are given.
+// These write flat triangles, without names where no patches are given.
 std::string to_stl(const ExportMesh& mesh);  ///< binary; the attribute of a triangle is the number of its patch from 0
 std::string to_ply(const ExportMesh& mesh);
 std::string to_obj(const ExportMesh& mesh);
@@ -19,13 +19,13 @@ std::string to_vtu(const ExportMesh& mesh);
 std::string to_3mf_model(const ExportMesh& mesh);  ///< the XML part that a .3mf container holds
 std::string to_amf(const ExportMesh& mesh);
 
-// Of flat triangles, by patches.
+// These write flat triangles by patches.
 std::string to_stl_text(const ExportMesh& mesh);  ///< one solid a patch
 std::string to_tri(const ExportMesh& mesh);       ///< Cart3D; component i + 1 is patch i
 std::string to_emesh(const ExportMesh& mesh);     ///< OpenFOAM: sharp edges and borders of patches
 std::string to_fms(const ExportMesh& mesh);       ///< cfMesh: triangles and those edges
 
-// Of triangles and tetrahedra, by patches and solids.
+// These write triangles and tetrahedra by patches and solids.
 std::string to_su2(const ExportMesh& mesh);      ///< order 1
 std::string to_nastran(const ExportMesh& mesh);  ///< orders 1 and 2, as the following
 std::string to_abaqus(const ExportMesh& mesh);

@@ -43,7 +43,8 @@ std::map<int, Surface> surfaces_of(const ExportMesh& mesh) {
     return surfaces;
 }
 
-/// The number from 1 of the physical group of a surface: its patch where there are such, its CAD face otherwise; 0: none.
+/// The number from 1 of the physical group of a surface: its patch where there are such, its CAD face otherwise; 0:
+/// none.
 int group_of(const ExportMesh& mesh, const Surface& surface) {
     const auto first = static_cast<std::size_t>(surface.triangles.front());
     if (mesh.patches_given) {

@@ -17,7 +17,8 @@ std::string to_msh2(const ExportMesh& mesh) {
     std::size_t count = 0;
     for (std::size_t dimension = 1; dimension <= 3; ++dimension) {
         for (std::size_t g = 0; g < mesh.groups[dimension].size(); ++g) {
-            names += std::to_string(dimension) + " " + std::to_string(g + 1) + " \"" + mesh.groups[dimension][g].name + "\"\n";
+            names += std::to_string(dimension) + " " + std::to_string(g + 1) + " \"" + mesh.groups[dimension][g].name +
+                     "\"\n";
             ++groups;
         }
         count += mesh.elements[dimension].size();
@@ -39,7 +40,8 @@ std::string to_msh2(const ExportMesh& mesh) {
             out += type;
             append_number(out, static_cast<long long>(elements.group[k]) + 1);
             out += ' ';
-            append_number(out, static_cast<long long>(elements.entity.empty() ? elements.group[k] : elements.entity[k]) + 1);
+            append_number(out,
+                          static_cast<long long>(elements.entity.empty() ? elements.group[k] : elements.entity[k]) + 1);
             append_nodes(out, elements.of(k), elements.width, 1);
         }
     }

@@ -74,7 +74,8 @@ std::string to_nastran(const ExportMesh& mesh) {
         out += "$ property " + std::to_string(p + 1) + ": patch " + mesh.patches()[p].name + "\n";
     }
     for (std::size_t s = 0; s < mesh.groups[3].size(); ++s) {
-        out += "$ property " + std::to_string(mesh.patches().size() + s + 1) + ": solid " + mesh.groups[3][s].name + "\n";
+        out +=
+            "$ property " + std::to_string(mesh.patches().size() + s + 1) + ": solid " + mesh.groups[3][s].name + "\n";
     }
     out += "BEGIN BULK\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {

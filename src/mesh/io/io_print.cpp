@@ -12,11 +12,20 @@ std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) {
         switch (c) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            default: out += c;
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
         }
     }
     return out;
@@ -39,7 +48,7 @@ class Numbers {
     bool single_;
 };
 
-/// The unit in which scaled coordinates are millimetres of the part; formats for printing name it.
+/// The unit of scaled coordinates, which formats for printing name.
 std::string unit_of(double scale) {
     return scale == 0.001 ? "meter" : "millimeter";
 }
@@ -94,7 +103,8 @@ std::string to_3mf_model(const ExportMesh& mesh) {
         }
         out += "\"/>\n";
     }
-    return out + "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"2\"/>\n</build>\n</model>\n";
+    return out +
+           "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"2\"/>\n</build>\n</model>\n";
 }
 
 std::string to_amf(const ExportMesh& mesh) {

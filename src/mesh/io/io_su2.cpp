@@ -3,7 +3,8 @@
 
 namespace mq::mesh {
 
-// SU2 numbers types of elements as VTK does, and nodes from 0. What has no tetrahedra has its triangles as markers only.
+// SU2 numbers types of elements as VTK does, and nodes from 0. What has no tetrahedra has its triangles as markers
+// only.
 std::string to_su2(const ExportMesh& mesh) {
     constexpr const char* kTriangle = "5";
     constexpr const char* kTetrahedron = "10";

@@ -21,7 +21,8 @@ void append_row(std::string& out, std::initializer_list<long long> values) {
 
 void append_real(std::string& out, double value) {
     std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 16).ptr;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 16).ptr;
     out.append(kRealColumn - static_cast<std::size_t>(end - text.data()), ' ');
     for (auto at = text.data(); at != end; ++at) {
         out += *at == 'e' ? 'E' : *at;
