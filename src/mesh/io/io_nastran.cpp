@@ -55,7 +55,7 @@ void append_element(std::string& out, const char* name, std::size_t id, std::siz
     std::size_t field = 2;
     for (const std::int32_t node : nodes) {
         if (field == 8) {
-            out += "\n+       ";
+            out += "+\n+       ";  // programs that go by columns look for the mark at the end, too
             field = 0;
         }
         append_column(out, static_cast<long long>(node) + 1, kSmall);
