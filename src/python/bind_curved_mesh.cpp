@@ -10,6 +10,7 @@
 #include "mesh/quality/mesh_report.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
+#include "python/patches_of.h"
 #include "python/progress_watch.h"
 #include "python/python_lock.h"
 #include "triangulate/triangulate.h"
@@ -24,7 +25,6 @@ using curve::CurvedMesh;
 using curve::Tessellation;
 using CurvedPointer = std::shared_ptr<CurvedMesh>;
 using List = std::vector<std::int32_t>;
-using Indices = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 template <typename Owner>
@@ -110,6 +110,13 @@ std::shared_ptr<triangulate::Result> straight_of(const CurvedMesh& mesh) {
     return std::make_shared<triangulate::Result>(triangulate::Result{mesh.straight, mesh.report.straight});
 }
 
+void write(const CurvedMesh& mesh, const std::string& path, const std::string& format, const Names& names,
+           const Colours& colours, const Indices& patch, bool given, double scale) {
+    const mesh::Patches patches = patches_of(names, colours, patch, given);
+    const FreedLock free;
+    curve::write_curved(curve::exported(mesh, patches, scale), path, format);
+}
+
 void bind_tessellation(py::module_& m) {
     py::class_<Tessellation, std::shared_ptr<Tessellation>> cls(m, "Tessellation", "Flat triangles of curved ones.");
     bind_list(cls, "element", &Tessellation::element, Width<Tessellation>(),
@@ -163,7 +170,8 @@ void bind_curved_mesh(py::module_& m) {
     cls.def("tetrahedron_distortions", &measured_distortions<curve::tetrahedron_distortions>,
             py::arg("progress") = py::none(), "float64 (E,): likewise.");
     cls.def("tessellate", &tessellated, py::arg("deviation"), py::arg("progress") = py::none());
-    cls.def("write", &curve::write, py::arg("path"), py::call_guard<FreedLock>());
+    cls.def("write", &write, py::arg("path"), py::arg("format"), py::arg("names"), py::arg("colours"), py::arg("patch"),
+            py::arg("given"), py::arg("scale"), "As Surface.write.");
     m.def("curved_from_arrays", &from_arrays, py::arg("order"), py::arg("arrays"),
           "A Curved of the arrays that one has, by their names; raises InvalidInput.");
 }

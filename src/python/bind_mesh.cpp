@@ -14,6 +14,7 @@
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"
+#include "python/patches_of.h"
 #include "python/python_lock.h"
 #include "triangulate/triangulate.h"
 
@@ -73,6 +74,13 @@ SurfacePointer surface_from_arrays(
         surface->report = mesh::measure(mesh);
     }
     return surface;
+}
+
+void write_surface(const Surface& surface, const std::string& path, const std::string& format, const Names& names,
+                   const Colours& colours, const Indices& patch, bool given, double scale, bool ascii) {
+    const mesh::Patches patches = patches_of(names, colours, patch, given);
+    const FreedLock free;
+    mesh::write(mesh::exported(surface.mesh, patches, scale), path, format, ascii);
 }
 
 /// float64 (T,) each: smallest angles in degrees, longest edges / shortest edges, and distortions.
@@ -321,9 +329,9 @@ void bind_mesh(py::module_& m) {
                                })
         .def_property_readonly("origin", [](const Surface& self) { return point(self.mesh.origin); })
         .def_readonly("report", &Surface::report)
-        .def(
-            "write", [](const Surface& self, const std::string& path) { mesh::write(self.mesh, path); },
-            py::arg("path"), py::call_guard<FreedLock>())
+        .def("write", &write_surface, py::arg("path"), py::arg("format"), py::arg("names"), py::arg("colours"),
+             py::arg("patch"), py::arg("given"), py::arg("scale"), py::arg("ascii"),
+             "Writes the mesh in a format of src/mesh/io; `patch` has the number of each triangle's patch in `names`.")
         .def("to_bms", [](const Surface& self) {
             std::string bms;
             {

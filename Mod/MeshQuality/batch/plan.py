@@ -5,12 +5,12 @@ import fnmatch
 import hashlib
 import json
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
 
-from ..cli.job_checks import require_curved_output, require_format, take_options
-from ..cli.parser import INPUTS, OUTPUTS, TABLES
+from ..cli.job_checks import require_curved_output, require_format, take_options, take_writing
+from ..cli.parser import INPUTS, OUTPUTS, TABLES, WITH_PATCHES
 from ..errors import Error
 from ..files import kind_of
 from ..version import __version__
@@ -31,7 +31,7 @@ class Part(NamedTuple):
 @dataclass(frozen=True)
 class Plan:
     """What is done to each part. `suffix` is the extension of the meshes, None without any; `deviation`
-    is that of flat triangles of curved meshes.
+    is that of flat triangles of curved meshes, `writing` what is said of the files besides.
     """
 
     folder: Path
@@ -42,11 +42,13 @@ class Plan:
     seconds: float
     gibibytes: float
     deviation: float = None
+    writing: dict = field(default_factory=dict)
 
     @property
     def key(self):
         """A digest of all that results depend on beside the part: command, options, format, version."""
-        said = json.dumps([self.command, self.options, self.suffix, self.deviation, __version__],
+        more = [self.writing] if self.writing else []  # so that results of before have their key still
+        said = json.dumps([self.command, self.options, self.suffix, self.deviation, __version__, *more],
                           sort_keys=True)
         return hashlib.sha256(said.encode()).hexdigest()[:16]
 
@@ -67,7 +69,7 @@ class Plan:
             "part": part.name, "path": str(self.folder / part.name), "size": part.size,
             "mtime_ns": part.mtime_ns, "key": self.key, "command": self.command,
             "options": self.options, "suffix": self.suffix, "deviation": self.deviation,
-            "output": output,
+            "writing": self.writing, "output": output,
             "output_path": str(self.out / output) if output else None,
             "seconds": self.seconds, "bytes": int(self.gibibytes * 2**30),
         }
@@ -98,8 +100,9 @@ def plan_of(arguments):
     suffix = require_format("--format", name, OUTPUTS[command]) if name else None
     if command == "curve":
         require_curved_output(job, suffix)
+    writing = take_writing(vars(arguments).copy(), suffix) if command in WITH_PATCHES else {}
     return Plan(folder, out, command, job["options"], suffix,
-                arguments.time_limit, arguments.memory_limit, job["deviation"])
+                arguments.time_limit, arguments.memory_limit, job["deviation"], writing)
 
 
 def matches(name, patterns):

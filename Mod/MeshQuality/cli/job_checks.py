@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks of arguments: what can be seen of a job without starting FreeCAD. Each raises Error."""
 
+import json
 import os
 
-from .. import files, options
+from .. import files, formats, options
 from ..errors import Error
-from .parser import CAD_SUFFIXES, FEM_SUFFIXES, FLAT_SUFFIXES, INPUTS, OUTPUTS, TABLES
+from .parser import CAD_SUFFIXES, INPUTS, OUTPUTS, TABLES, WITH_PATCHES
 
 STANDARD = "-"
 
@@ -31,6 +32,8 @@ def job_of(arguments):
         raise Error("a Boolean needs two inputs or more")
     job["options"] = take_options(job, TABLES[command])
     job["suffix"] = suffix_of_output(job)
+    if command in WITH_PATCHES:
+        job["writing"] = take_writing(job, job["suffix"])
     for flag, value in (("--time-limit", job["time_limit"]), ("--memory-limit", job["memory_limit"])):
         if value is not None and not 0 < value < float("inf"):
             raise Error(f"{flag} {value:g} is not allowed: it must be greater than 0")
@@ -71,15 +74,16 @@ def _require_file(path):
 
 def require_format(flag, name, suffixes):
     """The extension of a format; raises Error for one that is not known here."""
-    if "." + name.lower() not in suffixes:
+    suffix = formats.known_suffix("." + name, suffixes)
+    if suffix is None:
         raise Error(f"{flag} {name} is not known here: it must be one of "
-                    + " ".join(suffix[1:] for suffix in suffixes))
-    return "." + name.lower()
+                    + " ".join(known[1:] for known in suffixes))
+    return suffix
 
 
 def _require_suffix(path, suffixes):
-    suffix = os.path.splitext(path)[1].lower()
-    if suffix not in suffixes:
+    suffix = formats.known_suffix(os.path.splitext(path)[1], suffixes)
+    if suffix is None:
         raise Error(f"'{path}' has no known extension: it must be one of {' '.join(suffixes)}")
     return suffix
 
@@ -111,11 +115,51 @@ def suffix_of_output(job):
 
 def require_curved_output(job, suffix):
     """Raises Error where a curved mesh cannot be written so."""
-    order = job["options"]["order"]
-    if suffix in FEM_SUFFIXES and order > 2:
-        raise Error(f"{suffix} files hold elements of order 1 and 2, not {order}: use .msh or .vtu")
+    if suffix in formats.CURVED_SUFFIXES:
+        formats.check_order(suffix, job["options"]["order"])
     if job.get("deviation") is not None:
         job["deviation"] = options.check(options.CURVED_DISPLAY,
                                          {"deviation": job["deviation"]})["deviation"]
-        if suffix not in FLAT_SUFFIXES:
+        if suffix not in formats.FLAT_ONLY_SUFFIXES:
             raise Error(f"--deviation is for flat triangles, not for {suffix} files")
+
+
+def take_writing(job, suffix):
+    """What is said of the file, {patches, patch_rest, scale, ascii} without what is as always; taken out of the job."""
+    usual = {"patches": None, "patch_rest": None, "scale": 1.0, "ascii": False}
+    given = {name: job.pop(name, value) for name, value in usual.items()}
+    said = {name: value for name, value in given.items() if value != usual[name]}
+    if said and suffix is None:
+        flag = "--" + next(iter(said)).replace("_", "-")
+        raise Error(f"{flag} is for the mesh in a file: give one with -o")
+    if not 0.0 < given["scale"] < float("inf"):
+        raise Error(f"--scale {given['scale']:g} is not allowed: it must be greater than 0")
+    if given["ascii"]:
+        formats.check_text(suffix)
+    if given["patches"] is not None:
+        said["patches"] = _read_patches(given["patches"])
+    if suffix:
+        names = [*said.get("patches", {}), *([given["patch_rest"]] if given["patch_rest"] else [])]
+        formats.check_names(suffix, names, ascii=given["ascii"])
+    return said
+
+
+def _read_patches(path):
+    _require_file(path)
+    try:
+        with open(path, encoding="utf-8") as stream:
+            found = json.load(stream, object_pairs_hook=_without_repetition)
+    except (OSError, ValueError) as error:
+        raise Error(f"--patches {path} cannot be read: {error}") from error
+    if not isinstance(found, dict):
+        raise Error(f'--patches {path} must hold an object such as {{"inlet": ["Face1", "Face4"]}}')
+    return found
+
+
+def _without_repetition(pairs):
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise ValueError(f"'{twice}' stands twice in one object: name it once")
+    return found

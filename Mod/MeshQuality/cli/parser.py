@@ -7,20 +7,18 @@ Imports nothing of FreeCAD.
 import argparse
 
 from .. import options
+from ..formats import CURVED_SUFFIXES, FLAT_ONLY_SUFFIXES, SUFFIXES
 from ..version import __version__
 
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
-FLAT_SUFFIXES = (".stl", ".ply", ".obj", ".off")
-CURVED_SUFFIXES = (".msh", ".vtu")
-FEM_SUFFIXES = (".inp", ".unv")
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
           "quality": MESH_SUFFIXES, "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
-OUTPUTS = {"triangulate": FLAT_SUFFIXES + CURVED_SUFFIXES,
-           "curve": CURVED_SUFFIXES + FLAT_SUFFIXES + FEM_SUFFIXES,
-           "improve": FLAT_SUFFIXES + CURVED_SUFFIXES, "boolean": FLAT_SUFFIXES + CURVED_SUFFIXES,
-           "quality": ()}
+OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
+           "boolean": SUFFIXES, "quality": ()}
+# Commands whose meshes have faces of a shape, of which patches are made.
+WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": ()}
 _FLAT_HEADING = {"Display": "Flat triangles"}
@@ -42,6 +40,7 @@ examples:
   meshquality triangulate part.step -o part.ply              max. deviation 0.003 of the size
   meshquality triangulate part.FCStd --object Body -o part.stl --chord-height 0.05
   meshquality triangulate part.step --local-sizes "Face3=0.5, Edge7=0.2" --json
+  meshquality triangulate duct.step --patches bc.json -o duct.stl --ascii --scale 0.001
   cat part.brep | meshquality triangulate - --input-format brep -o - --format ply > part.ply
 """,
     "curve": """
@@ -49,6 +48,7 @@ examples:
   meshquality curve part.step --order 3 -o part.vtu
   meshquality curve part.step --volume -o part.inp           quadratic tetrahedra for CalculiX
   meshquality curve part.step -o part.stl --deviation 0.01   flat triangles
+  meshquality curve part.step --volume --patches bc.json -o part.cgns --scale 0.001
 """,
     "boolean": """
 examples:
@@ -96,8 +96,8 @@ def parser(batched="triangulate"):
                 "Triangulates a CAD shape with a guaranteed smallest angle and deviation.")
     _add_single(commands, "curve", "mesh a CAD shape with curved elements",
                 "Meshes a CAD shape with curved triangles or tetrahedra, each proven valid.\n"
-                "By the extension of the output, .msh and .vtu hold the curved elements, .inp and\n"
-                ".unv those of order 1 and 2 for FEM programs, the others flat triangles.")
+                "By the extension of the output, .msh, .msh2 and .vtu hold the curved elements, .inp, .unv,\n"
+                ".nas, .bdf, .cgns and .exo those of order 1 and 2, .su2 straight ones, the others flat triangles.")
     _add_single(commands, "boolean", "unite, intersect or subtract closed meshes and shapes",
                 "Boolean of two or more meshes or CAD shapes, applied in their order. The result\n"
                 "is closed and free of self-intersections.")
@@ -136,6 +136,8 @@ def _add_single(commands, name, title, description):
                          help=f"mesh file: {' '.join(OUTPUTS[name])}; -: standard output")
         one.add_argument("--format", metavar="NAME",
                          help="format of the mesh, whatever the extension: " + _names(OUTPUTS[name]))
+    if name in WITH_PATCHES:
+        _add_writing(one, with_patches=True)
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
     if name != "improve":
         one.add_argument("--object", metavar="NAME",
@@ -152,6 +154,20 @@ def _add_single(commands, name, title, description):
     if name == "curve":
         _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)
     return one
+
+
+def _add_writing(one, with_patches):
+    """What is written of a mesh; `with_patches` has a file that names faces, which fits one part only."""
+    file = one.add_argument_group("file")
+    if with_patches:
+        file.add_argument("--patches", metavar="FILE.json",
+                          help='named groups of faces: {"inlet": ["Face1", "Face4"]}, or {"inlet": {"faces": ["Face1"], '
+                               '"colour": "#ff0000"}}')
+    file.add_argument("--patch-rest", metavar="NAME",
+                      help="name of the patch of all other faces (default: each face is one by its own name)")
+    file.add_argument("--scale", type=float, default=1.0, metavar="FACTOR",
+                      help="factor of the coordinates, which are mm: 0.001 for metres (default: 1)")
+    file.add_argument("--ascii", action="store_true", help="STL as text, with one solid a patch")
 
 
 def _add_strict(one, start):
@@ -202,6 +218,8 @@ def _add_batch(commands, batched):
                          help="compare files by content; default: by size and time of change")
     one.add_argument("--json", action="store_true",
                      help="print a summary as one JSON object on stdout")
+    if batched in WITH_PATCHES:
+        _add_writing(one, with_patches=False)
     _add_strict(one, "all parts are done, but a mesh")
     _add_options(one, TABLES[batched])
     if batched == "curve":

@@ -13,9 +13,10 @@ import FreeCAD
 import MeshQuality as mq
 from MeshQuality import files, limits
 from MeshQuality.cli.exit_status import DONE, FAILED, USAGE
-from MeshQuality.cli.parser import CURVED_SUFFIXES, FEM_SUFFIXES, MESH_SUFFIXES
+from MeshQuality.cli.parser import MESH_SUFFIXES
 from MeshQuality.compat import extension
 from MeshQuality.core import convert, hidden_parts, verdict
+from MeshQuality.formats import CURVED_SUFFIXES
 from MeshQuality.phrases import Text
 
 _STAGE = 39  # characters, in a line of 80
@@ -163,33 +164,51 @@ def sizes_in(shape, objects, path, sizes):
     """
     found = {}
     for name, size in (sizes or {}).items():
-        plain = _name_in_file(shape, objects, path, name) if "." in name else name
+        plain = _name_in_file(shape, objects, path, name, "local_sizes names") if "." in name else name
         found[plain] = min(size, found.get(plain, size))
     return found or None
 
 
-def _name_in_file(shape, objects, path, name):
+def patches_in(shape, objects, path, patches):
+    """The same of patches: {name: faces}, or {name: {"faces": faces, ...}}. What is not so is left as it is, to be refused
+    with all else.
+    """
+    def plain(name, face):
+        return _name_in_file(shape, objects, path, face, f"patch {name!r} names") \
+            if isinstance(face, str) and "." in face else face
+
+    found = {}
+    for name, said in (patches or {}).items():
+        faces = said.get("faces") if isinstance(said, dict) else said
+        if isinstance(faces, list):
+            faces = [plain(name, face) for face in faces]
+            said = {**said, "faces": faces} if isinstance(said, dict) else faces
+        found[name] = said
+    return found if patches is not None else None
+
+
+def _name_in_file(shape, objects, path, name, said):
     if not objects:
         element = name.rpartition(".")[2]
-        raise mq.InvalidInput(f"local_sizes names {name}, but '{path}' has no objects with names, as FCStd files have: "
+        raise mq.InvalidInput(f"{said} {name}, but '{path}' has no objects with names, as FCStd files have: "
                               f"name the sub-element of the whole shape, such as {element}")
     first, rest = name.split(".", 1)
     owners = [obj for obj in objects if obj.Name == first] or [obj for obj in objects if obj.Label == first]
     if owners:
         plain = next(iter(convert.resolve_sizes(owners[0], {rest: 1.0})))
-        return convert.name_in(shape, _element(owners[0], plain, name))
+        return convert.name_in(shape, _element(owners[0], plain, f"{said} {name}"))
     if len(objects) == 1:
         return next(iter(convert.resolve_sizes(objects[0], {name: 1.0})))
-    raise mq.InvalidInput(f"local_sizes names {name}, but '{path}' has no '{first}' among the objects that are meshed: "
+    raise mq.InvalidInput(f"{said} {name}, but '{path}' has no '{first}' among the objects that are meshed: "
                           f"begin with one of {', '.join(obj.Name for obj in objects)}")
 
 
-def _element(obj, plain, name):
+def _element(obj, plain, said):
     shape = convert.shape_of(obj)
     try:
         return shape.getElement(plain)
     except Exception as error:  # noqa: BLE001 - FreeCAD raises many types, some of them its own
-        raise mq.InvalidInput(f"local_sizes names {name}, but {convert.label_of(obj)} has no {plain}") from error
+        raise mq.InvalidInput(f"{said}, but {convert.label_of(obj)} has no {plain}") from error
 
 
 def read_mesh(path):
@@ -261,15 +280,24 @@ def written(job, write):
     return f" in {path}"
 
 
-def write_curved(mesh, path, deviation):
-    """Writes a CurvedMesh: its elements, or flat triangles, by extension."""
-    suffix = os.path.splitext(path)[1].lower()
-    if suffix in CURVED_SUFFIXES:
-        mesh.write(path)
-    elif suffix in FEM_SUFFIXES:
-        mesh.to_fem_mesh().write(path)
-    else:
-        mesh.tessellate(deviation).surface().write(path)
+def write_curved(mesh, path, deviation, **how):
+    """Writes a CurvedMesh: its elements, or flat triangles, by format."""
+    if f".{how['format']}" not in CURVED_SUFFIXES:
+        mesh = mq.SurfaceMesh(mesh.tessellate(deviation).surface())
+    mesh.write(path, **how)
+
+
+def writing_of(job, shape, objects):
+    """What `write` of a mesh takes of the job: format, patches and so on."""
+    how = {**job.get("writing", {}), "format": (job["suffix"] or ".")[1:]}
+    if "patches" in how:
+        how["patches"] = patches_in(shape, objects, job["input"], how["patches"])
+    return how
+
+
+def patches_of(how):
+    """Those of them that the work on the shape takes, too, so that faults are found before."""
+    return {name: how[name] for name in ("patches", "patch_rest") if name in how}
 
 
 def _count(number, noun):
@@ -281,18 +309,20 @@ def triangulate(job):
     shape, objects = read_shape_and_objects(job["input"], job.get("object"))
     values = {**job["options"],
               "local_sizes": sizes_in(shape, objects, job["input"], job["options"].get("local_sizes"))}
-    mesh = mq.triangulate(shape, **values, progress=progress_line())
-    report, where = mesh.report, written(job, mesh.write)
+    how = writing_of(job, shape, objects)
+    mesh = mq.triangulate(shape, **values, **patches_of(how), progress=progress_line())
+    report, where = mesh.report, written(job, lambda path: mesh.write(path, **how))
     return report, _count(report.triangles, "triangle") + where, \
         verdict.of_triangulation(mesh, verdict.must_be_closed(shape), values, shape)
 
 
 def curve(job):
     """Likewise."""
-    shape = read_shape(job["input"], job.get("object"))
-    mesh = mq.curve(shape, **job["options"], progress=progress_line())
+    shape, objects = read_shape_and_objects(job["input"], job.get("object"))
+    how = writing_of(job, shape, objects)
+    mesh = mq.curve(shape, **job["options"], **patches_of(how), progress=progress_line())
     report = mesh.report
-    where = written(job, lambda path: write_curved(mesh, path, job.get("deviation")))
+    where = written(job, lambda path: write_curved(mesh, path, job.get("deviation"), **how))
     return report, f"{_count(report.elements, 'element')} of order {mesh.order}{where}", \
         verdict.of_curved(mesh, verdict.must_be_closed(shape), job["options"], shape=shape)
 
@@ -301,7 +331,7 @@ def boolean(job):
     """Likewise."""
     sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
     mesh = mq.boolean(sources, **job["options"], progress=progress_line())
-    report, where = mesh.report, written(job, mesh.write)
+    report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
     return report, f"{_count(report.triangles, 'triangle')}{where}, {report.retained} of them unchanged from the " \
                    "operands", verdict.of_boolean(mesh)
 
@@ -310,7 +340,7 @@ def improve(job):
     """Likewise; the mesh is to be as closed as that before it."""
     given = mesh_of(read_mesh(job["input"]))
     mesh = mq.improve(given, **job["options"], progress=progress_line())
-    report, where = mesh.report, written(job, mesh.write)
+    report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
     return report, _count(report.triangles, "triangle") + where, \
         verdict.of_improvement(mesh, given.report.closed)
 

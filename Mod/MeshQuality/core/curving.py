@@ -8,8 +8,9 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, frames
-from .surface_mesh import SurfaceMesh
+from . import convert, frames, writing
+from .patches import division_for, kept
+from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
 
 # The arrays that make up a curved mesh, and what document objects call them.
 ARRAYS = {
@@ -48,14 +49,17 @@ class CurvedMesh(metaclass=Public):
                        docs/method/validity.md; upper bounds, 1 is best, infinite: it folds
     report             CurveReport; None of a mesh that comes from a document
     straight           SurfaceMesh that was curved, with its report; likewise
+    patches            the names of its patches; empty where none were given
+    triangle_patch     int32 (T,), triangle i is in patches[triangle_patch[i]]; empty likewise
 
     The arrays are read-only views of the core's memory.
     """
 
-    __slots__ = ("_curved", "_distortions", "_measured")
+    __slots__ = ("_curved", "_distortions", "_measured", "_patches")
 
-    def __init__(self, curved, measured=True):
+    def __init__(self, curved, measured=True, patches=None):
         self._curved = curved
+        self._patches = patches
         self._measured = measured
         self._distortions = {}
 
@@ -82,6 +86,9 @@ class CurvedMesh(metaclass=Public):
     triangle_quality = property(lambda self: self._curved.triangle_quality, doc="float64 (T,)")
     tetrahedron_quality = property(lambda self: self._curved.tetrahedron_quality,
                                    doc="float64 (E,)")
+
+    patches = property(names_of_patches, doc="names of the patches")
+    triangle_patch = property(numbers_of_patches, doc="int32 (T,)")
 
     @property
     def triangle_distortion(self):
@@ -180,11 +187,19 @@ class CurvedMesh(metaclass=Public):
             add(element)
         return mesh
 
-    def write(self, path):
-        """Writes .msh (Gmsh 4.1, ASCII, with a physical group a CAD entity) or .vtu (VTK) by
-        extension, in mm. Raises IoError naming the path.
+    def write(self, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None):  # noqa: A002
+        """Writes into a file; one that is there is replaced once the new one is complete.
+
+        path    the extension says the format: .msh (Gmsh 4.1, with a physical group a CAD edge, patch and solid),
+                .msh2 (Gmsh 2.2) and .vtu (VTK) hold all orders, .inp .unv .nas .bdf .cgns .exo orders 1 and 2, .su2
+                order 1
+        The others are as for SurfaceMesh.write. Raises InvalidInput naming patch, face or order and the remedy; IoError
+        naming the path.
         """
-        self._curved.write(convert.file_name(path))
+        writing.write(self, path, patches, patch_rest, scale, ascii, format)
+
+    def _write_core(self, path, name, patches, scale, _ascii):
+        self._curved.write(path, name, **writing.arguments_of(patches), scale=scale)
 
     def __repr__(self):
         count, kind = len(self.elements), "tetrahedron" if len(self.tetrahedra) else "triangle"
@@ -244,7 +259,8 @@ def store_in(obj, curved, lists):
 
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
-          min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False):
+          min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False,
+          patches=None, patch_rest=None):
     """A mesh of curved elements on a shape, proven valid element by element.
 
     shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
@@ -259,6 +275,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     imprint        solids that share an area have the same elements there, so that the mesh of an assembly is
                    conforming
     progress       callable(fraction 0..1, stage); returning False cancels
+    patches, patch_rest
+                   named groups of faces, as for triangulate; of a SurfaceMesh that has patches these are the default
 
     Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -269,6 +287,9 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         "chord_height": chord_height, "chord_height_relative": chord_height_relative,
         "max_edge": max_edge, "imprint": imprint,
     })
+    division = None
+    if shape is not None or not isinstance(shape_or_mesh, SurfaceMesh):
+        division = division_for(shape_or_mesh if shape is None else shape, patches, patch_rest)
     module = extension()
     module.set_fill_program(program("meshquality_fill"))
     curving = module.CurveOptions()
@@ -276,8 +297,11 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     if isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:
             raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")
-        return CurvedMesh(module.curve_surface(shape_or_mesh._surface, convert.shape_of(shape),
-                                               curving, progress))
-    straight = module.TriangulateOptions()
-    options.hand_over(values, straight)
-    return CurvedMesh(module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress))
+        if division is None and shape_or_mesh._patches is not None:
+            division = shape_or_mesh._patches.division
+        curved = module.curve_surface(shape_or_mesh._surface, convert.shape_of(shape), curving, progress)
+    else:
+        straight = module.TriangulateOptions()
+        options.hand_over(values, straight)
+        curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
+    return CurvedMesh(curved, patches=kept(division, curved))

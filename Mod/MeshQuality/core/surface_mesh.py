@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """SurfaceMesh: what the algorithms return."""
 
+import numpy as np
+
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert
+from . import convert, writing
 
 
 class SurfaceMesh(metaclass=Public):
@@ -19,14 +21,17 @@ class SurfaceMesh(metaclass=Public):
                        -1: none; empty where no solid shares a face with another (imprint=True)
     vertex_entity  int32 (V, 2), (dimension 0|1|2, index into Vertexes|Edges|Faces)
     report         MeshReport
+    patches        the names of its patches; empty where none were given
+    triangle_patch int32 (T,), triangle i is in patches[triangle_patch[i]]; empty likewise
 
     The arrays are read-only views of the core's memory, without a copy; each keeps it alive.
     """
 
-    __slots__ = ("_surface",)
+    __slots__ = ("_patches", "_surface")
 
-    def __init__(self, surface):
+    def __init__(self, surface, patches=None):
         self._surface = surface
+        self._patches = patches
 
     vertices = property(lambda self: self._surface.vertices, doc="float64 (V, 3), mm")
     origin = property(lambda self: self._surface.origin, doc="float64 (3,), mm")
@@ -36,6 +41,8 @@ class SurfaceMesh(metaclass=Public):
     triangle_opposite = property(lambda self: self._surface.triangle_opposite, doc="int32 (T,)")
     vertex_entity = property(lambda self: self._surface.vertex_entity, doc="int32 (V, 2)")
     report = property(lambda self: self._surface.report, doc="MeshReport")
+    patches = property(lambda self: names_of_patches(self), doc="names of the patches")
+    triangle_patch = property(lambda self: numbers_of_patches(self), doc="int32 (T,)")
 
     def to_mesh(self):
         """A Mesh.Mesh with the same triangles in the same order and one segment a CAD face.
@@ -44,15 +51,39 @@ class SurfaceMesh(metaclass=Public):
         """
         return convert.mesh_of_surface(self._surface)
 
-    def write(self, path):
-        """Writes .stl, .ply, .obj, .off, .msh (Gmsh 4.1) or .vtu by extension, in mm.
+    def write(self, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None):  # noqa: A002
+        """Writes into a file; one that is there is replaced once the new one is complete.
 
-        Raises IoError naming the path.
+        path        the extension says the format: .stl .ply .obj .off .msh (Gmsh 4.1) .msh2 (Gmsh 2.2) .vtu
+                    .su2 .cgns .inp .unv .nas .bdf .exo .tri .eMesh .fms .3mf .amf
+        patches     {"inlet": ["Face1", "Face4"], ...}, or {"inlet": {"faces": [...], "colour": "#ff0000"}}; None:
+                    those that the mesh was made with
+        patch_rest  name of the patch of all other faces; None: each is one by its own name
+        scale       factor of the coordinates, which are mm: 0.001 for metres
+        ascii       STL as text, with one solid a patch
+        format      such as "msh2", whatever the extension
+
+        Raises InvalidInput naming patch, face and remedy; IoError naming the path.
         """
-        self._surface.write(convert.file_name(path))
+        writing.write(self, path, patches, patch_rest, scale, ascii, format)
+
+    def _write_core(self, path, name, patches, scale, ascii):  # noqa: A002
+        self._surface.write(path, name, **writing.arguments_of(patches), scale=scale, ascii=ascii)
 
     def __repr__(self):
         return repr(self.report).replace(type(self.report).__name__, type(self).__name__, 1)
+
+
+def names_of_patches(mesh):
+    """A tuple of names; empty where a mesh was made without patches."""
+    return () if mesh._patches is None else mesh._patches.names
+
+
+def numbers_of_patches(mesh):
+    """int32 (T,), read-only; empty likewise."""
+    found = np.zeros(0, dtype=np.int32) if mesh._patches is None else mesh._patches.of_triangle.view()
+    found.flags.writeable = False
+    return found
 
 
 def surface_of(mesh, measured=True):

@@ -6,6 +6,7 @@ from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
 from . import convert
+from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh
 
 
@@ -15,7 +16,7 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                 progress=None, insertion="off-centre", allow_missing_faces=False,
                 connectivity="pseudo-delaunay", refine_samples=True, seed=0, local_sizes=None,
                 edges_per_circle=None, growth_rate=None, keep_edges="all", feature_angle=10.0, cache=None, sew=True,
-                imprint=False):
+                imprint=False, patches=None, patch_rest=None):
     """A triangle mesh of a shape with a guaranteed smallest angle and a bound on its distance.
 
     shape                  Part.Shape with faces, or a document object that has one
@@ -53,6 +54,11 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
 
     cache                  a MeshCache of earlier calls: faces that an edit left alone keep their triangles
 
+    patches                named groups of faces for the files of solvers: {"inlet": ["Face1", "Box.Face4"], ...}, or
+                           {"inlet": {"faces": ["Face1"], "colour": "#ff0000"}}; names as in local_sizes. They are
+                           checked before the work, kept as mesh.patches, and are the default of mesh.write
+    patch_rest             name of the patch of all other faces; None: each is one by its own name
+
     Returns a SurfaceMesh. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
@@ -66,13 +72,19 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
         "keep_edges": keep_edges, "feature_angle": feature_angle, "sew": sew, "imprint": imprint,
     })
     options.require_callable(progress)
+    return _meshed(shape, values, progress, cache, division_for(shape, patches, patch_rest))
+
+
+def _meshed(shape, values, progress, cache, division):
+    """The SurfaceMesh of a shape with checked options."""
     live_shape = convert.shape_of(shape)
     values = convert.with_resolved_sizes(shape, values)
     module = extension()
     core_options = module.TriangulateOptions()
     core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
-    return SurfaceMesh(module.triangulate(live_shape, core_options, progress, _core_cache(cache)))
+    surface = module.triangulate(live_shape, core_options, progress, _core_cache(cache))
+    return SurfaceMesh(surface, kept(division, surface))
 
 
 class MeshCache(metaclass=Public):

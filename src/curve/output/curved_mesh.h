@@ -10,6 +10,7 @@
 #include "base/stopwatch.h"
 #include "curve/surface/curved_surface.h"
 #include "curve/volume/tetrahedral_mesh.h"
+#include "mesh/io/export_mesh.h"
 #include "mesh/quality/mesh_report.h"
 #include "mesh/triangle_mesh.h"
 
@@ -88,14 +89,31 @@ void classify_on_original_entities(CurvedMesh& mesh, const geometry::Topology& t
 /// @throws InvalidInput naming the list that is wrong.
 void require_sound(const CurvedMesh& mesh);
 
+/// FreeCAD's name of a CAD entity: "Face7" of (2, 6).
+std::string name_of(int dimension, int index);
+
+/// The mesh as writers see it, with its patches; without any each face is one by its own name, as are edges and solids.
+/// @throws InvalidInput where there is not one patch for each triangle
+mesh::ExportMesh exported(const CurvedMesh& mesh, const mesh::Patches& patches = {}, double scale = 1.0);
+
 /// Writes .msh or .vtu by extension. @throws IoError naming the path.
 void write(const CurvedMesh& mesh, const std::string& path);
 
-/// Text of a Gmsh .msh file, 4.1 ASCII, with a physical group for each CAD edge, face and volume by FreeCAD's names.
-std::string to_msh(const CurvedMesh& mesh);
+/// Writes "msh", "vtu" or another format of mesh/io/io.h that knows elements of the order. @throws IoError naming the
+/// path, InvalidInput for a format that does not
+void write_curved(const mesh::ExportMesh& mesh, const std::string& path, const std::string& format);
+
+/// Text of a Gmsh .msh file, 4.1 ASCII, with a physical group for each CAD edge, patch and volume.
+std::string curved_msh(const mesh::ExportMesh& mesh);
+inline std::string to_msh(const CurvedMesh& mesh) {
+    return curved_msh(exported(mesh));
+}
 
 /// Text of a VTK .vtu file: tetrahedra where there are any, triangles otherwise; as Lagrange cells from order 3 on.
-std::string to_vtu(const CurvedMesh& mesh);
+std::string curved_vtu(const mesh::ExportMesh& mesh);
+inline std::string to_vtu(const CurvedMesh& mesh) {
+    return curved_vtu(exported(mesh));
+}
 
 /// A text of a dozen lines for people.
 std::string to_text(const CurveReport& report);

@@ -1,58 +1,36 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
 #include "curve/output/curved_mesh.h"
+#include "mesh/io/io_formats.h"
 
 namespace mq::curve {
 
 namespace {
 
-/// Gmsh's element types by dimension and order.
-int gmsh_type(int dimension, int order) {
-    // Gmsh's type numbers; rows: dimension, columns: order.
-    static constexpr std::array<std::array<int, 5>, 3> kTypes{
-        {{1, 8, 26, 27, 28}, {2, 9, 21, 23, 25}, {4, 11, 29, 30, 31}}};
-    return kTypes[static_cast<std::size_t>(dimension - 1)][static_cast<std::size_t>(order - 1)];
-}
-
-std::string name_of(int dimension, int index) {
-    // FreeCAD's names of entities, by dimension.
-    static constexpr std::array<const char*, 4> kNames{"Vertex", "Edge", "Face", "Solid"};
-    return kNames[static_cast<std::size_t>(dimension)] + std::to_string(index + 1);
-}
-
-/// Elements of one dimension, sorted by the entity they lie on.
-struct Group {
-    int dimension;
-    int per_element;
-    const std::vector<std::int32_t>& nodes;
-    const std::vector<std::int32_t>& entity;
-
-    std::map<int, std::vector<std::size_t>> by_entity() const {
-        std::map<int, std::vector<std::size_t>> result;
-        for (std::size_t i = 0; i < entity.size(); ++i) {
-            result[entity[i]].push_back(i);
-        }
-        return result;
+/// The elements of one dimension by the entity that they lie on.
+std::map<int, std::vector<std::size_t>> by_entity(const mesh::Elements& elements) {
+    std::map<int, std::vector<std::size_t>> result;
+    for (std::size_t i = 0; i < elements.entity.size(); ++i) {
+        result[elements.entity[i]].push_back(i);
     }
-};
+    return result;
+}
 
 class Writer {
   public:
-    explicit Writer(const CurvedMesh& mesh)
-        : mesh_(mesh),
-          groups_{{1, mesh.nodes_per_edge(), mesh.edges, mesh.edge_entity},
-                  {2, mesh.nodes_per_triangle(), mesh.triangles, mesh.triangle_face},
-                  {3, mesh.nodes_per_tetrahedron(), mesh.tetrahedra, mesh.tetrahedron_volume}} {
+    explicit Writer(const mesh::ExportMesh& mesh) : mesh_(mesh) {
         for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
             const mesh::VertexEntity& entity = mesh.node_entity[i];
             nodes_of_[{entity[0], entity[1]}].push_back(i);
         }
-        for (const Group& group : groups_) {
-            for (const auto& [entity, elements] : group.by_entity()) {
-                nodes_of_.try_emplace({group.dimension, entity});
+        for (int dimension = 1; dimension <= 3; ++dimension) {
+            for (const auto& [entity, elements] : by_entity(of(dimension))) {
+                nodes_of_.try_emplace({dimension, entity});
+                if (dimension == 2) {
+                    patch_of_[entity] = of(2).group[elements.front()];
+                }
             }
         }
     }
@@ -73,23 +51,39 @@ class Writer {
         return text;
     }
 
+    const mesh::Elements& of(int dimension) const { return mesh_.elements[static_cast<std::size_t>(dimension)]; }
+
+    /// Number from 1 of the physical group of an entity: its patch where there are such, the entity itself otherwise; 0
+    /// for a face without triangles, which is in no patch.
+    int physical_of(const std::pair<int, int>& entity) const {
+        if (entity.first != 2 || !mesh_.patches_given) {
+            return entity.second + 1;
+        }
+        const auto found = patch_of_.find(entity.second);
+        return found == patch_of_.end() ? 0 : found->second + 1;
+    }
+
     void physical_names() {
-        std::string lines;
-        int count = 0;
+        std::map<std::pair<int, int>, std::string> names;
         for (const auto& [entity, nodes] : nodes_of_) {
-            if (entity.first > 0) {
-                lines += std::to_string(entity.first) + " " + std::to_string(entity.second + 1) + " \"" +
-                         name_of(entity.first, entity.second) + "\"\n";
-                ++count;
+            const int group = physical_of(entity);
+            if (entity.first > 0 && group > 0) {
+                const bool patch = entity.first == 2 && mesh_.patches_given;
+                names[{entity.first, group}] = patch ? mesh_.patches()[static_cast<std::size_t>(group - 1)].name
+                                                     : name_of(entity.first, entity.second);
             }
         }
-        out_ += "$PhysicalNames\n" + std::to_string(count) + "\n" + lines + "$EndPhysicalNames\n";
+        out_ += "$PhysicalNames\n" + std::to_string(names.size()) + "\n";
+        for (const auto& [group, name] : names) {
+            out_ += std::to_string(group.first) + " " + std::to_string(group.second) + " \"" + name + "\"\n";
+        }
+        out_ += "$EndPhysicalNames\n";
     }
 
     Box box_of(const std::vector<std::size_t>& nodes) const {
         Box box;
         for (const std::size_t i : nodes) {
-            box.add(mesh_.nodes[i]);
+            box.add(mesh_.point(i));
         }
         if (nodes.empty()) {
             box.add(Vec3::Zero());
@@ -110,7 +104,9 @@ class Writer {
             for (Eigen::Index i = 0; i < 3 && entity.first > 0; ++i) {
                 lines += " " + number(box.high[i]);
             }
-            lines += entity.first == 0 ? " 0\n" : " 1 " + std::to_string(entity.second + 1) + " 0\n";
+            const int group = entity.first == 0 ? 0 : physical_of(entity);
+            const std::string end = entity.first == 0 ? "\n" : " 0\n";
+            lines += group == 0 ? " 0" + end : " 1 " + std::to_string(group) + end;
         }
         out_ += "$Entities\n";
         for (std::size_t i = 0; i < 4; ++i) {
@@ -129,7 +125,7 @@ class Writer {
                 out_ += std::to_string(i + 1) + "\n";
             }
             for (const std::size_t i : nodes) {
-                const Vec3& p = mesh_.nodes[i];
+                const Vec3 p = mesh_.point(i);
                 out_ += number(p.x()) + " " + number(p.y()) + " " + number(p.z()) + "\n";
             }
         }
@@ -140,19 +136,16 @@ class Writer {
         std::string lines;
         std::size_t blocks = 0;
         std::size_t next = 1;
-        for (const Group& group : groups_) {
-            for (const auto& [entity, elements] : group.by_entity()) {
+        for (int dimension = 1; dimension <= 3; ++dimension) {
+            const mesh::Elements& all = of(dimension);
+            for (const auto& [entity, elements] : by_entity(all)) {
                 ++blocks;
-                lines += std::to_string(group.dimension) + " " + std::to_string(entity + 1) + " " +
-                         std::to_string(gmsh_type(group.dimension, mesh_.order)) + " " +
+                lines += std::to_string(dimension) + " " + std::to_string(entity + 1) + " " +
+                         std::to_string(mesh::gmsh_type(dimension, mesh_.order)) + " " +
                          std::to_string(elements.size()) + "\n";
                 for (const std::size_t e : elements) {
                     lines += std::to_string(next++);
-                    const auto per = static_cast<std::size_t>(group.per_element);
-                    for (std::size_t k = 0; k < per; ++k) {
-                        lines += " " + std::to_string(group.nodes[e * per + k] + 1);
-                    }
-                    lines += "\n";
+                    mesh::append_nodes(lines, all.of(e), all.width, 1);
                 }
             }
         }
@@ -160,15 +153,15 @@ class Writer {
         out_ += "$Elements\n" + std::to_string(blocks) + " " + count + " 1 " + count + "\n" + lines + "$EndElements\n";
     }
 
-    const CurvedMesh& mesh_;
-    std::vector<Group> groups_;
+    const mesh::ExportMesh& mesh_;
+    std::map<int, int> patch_of_;                                       // by CAD face
     std::map<std::pair<int, int>, std::vector<std::size_t>> nodes_of_;  // by dimension and entity
     std::string out_;
 };
 
 }  // namespace
 
-std::string to_msh(const CurvedMesh& mesh) {
+std::string curved_msh(const mesh::ExportMesh& mesh) {
     return Writer(mesh).run();
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 
 #include "base/error.h"
 #include "curve/bezier/node_orders.h"
 #include "curve/output/curved_mesh.h"
+#include "mesh/io/io.h"
 
 namespace mq::curve {
 
@@ -50,10 +50,11 @@ std::vector<std::int32_t> reordered(const std::vector<std::int32_t>& nodes, cons
     return result;
 }
 
-std::string points_of(const CurvedMesh& mesh) {
+std::string points_of(const mesh::ExportMesh& mesh) {
     std::string values;
     char line[96];
-    for (const Vec3& p : mesh.nodes) {
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+        const Vec3 p = mesh.point(i);
         std::snprintf(line, sizeof line, "%.17g %.17g %.17g\n", p.x(), p.y(), p.z());
         values += line;
     }
@@ -63,11 +64,12 @@ std::string points_of(const CurvedMesh& mesh) {
 
 }  // namespace
 
-std::string to_vtu(const CurvedMesh& mesh) {
-    const bool volume = !mesh.tetrahedra.empty();
+std::string curved_vtu(const mesh::ExportMesh& mesh) {
+    const bool volume = mesh.tetrahedra().size() > 0;
     const Lattice& lattice = Lattice::of(volume ? 3 : 2, mesh.order);
-    const std::vector<std::int32_t> nodes = reordered(volume ? mesh.tetrahedra : mesh.triangles, lattice);
-    const std::vector<std::int32_t>& entity = volume ? mesh.tetrahedron_volume : mesh.triangle_face;
+    const mesh::Elements& elements = volume ? mesh.tetrahedra() : mesh.triangles();
+    const std::vector<std::int32_t> nodes = reordered(elements.nodes, lattice);
+    const std::vector<std::int32_t>& entity = elements.entity;
     std::vector<std::int32_t> offsets;
     for (std::size_t i = 1; i <= entity.size(); ++i) {
         offsets.push_back(static_cast<std::int32_t>(i) * lattice.size());
@@ -76,26 +78,27 @@ std::string to_vtu(const CurvedMesh& mesh) {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" byte_order=\"LittleEndian\">\n"
            "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
            std::to_string(mesh.nodes.size()) + "\" NumberOfCells=\"" + std::to_string(entity.size()) + "\">\n" +
-           "<CellData>\n" + data_array("Int32", volume ? "cad_solid" : "cad_face", joined(entity)) + "</CellData>\n" +
-           points_of(mesh) + "<Cells>\n" + data_array("Int32", "connectivity", joined(nodes)) +
+           "<CellData>\n" + data_array("Int32", volume ? "cad_solid" : "cad_face", joined(entity)) +
+           (mesh.patches_given && !volume ? data_array("Int32", "patch", joined(elements.group)) : "") +
+           "</CellData>\n" + points_of(mesh) + "<Cells>\n" + data_array("Int32", "connectivity", joined(nodes)) +
            data_array("Int32", "offsets", joined(offsets)) + data_array("UInt8", "types", joined(types)) +
            "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
+void write_curved(const mesh::ExportMesh& mesh, const std::string& path, const std::string& format) {
+    if (format == "msh" || format == "vtu") {
+        mesh::save(path, format == "msh" ? curved_msh(mesh) : curved_vtu(mesh));
+    } else {
+        mesh::write(mesh, path, format);
+    }
+}
+
 void write(const CurvedMesh& mesh, const std::string& path) {
-    const auto ends_with = [&](const std::string& end) {
-        return path.size() >= end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
-    };
-    const bool msh = ends_with(".msh");
-    if (!msh && !ends_with(".vtu")) {
+    const std::string extension = mesh::extension_of(path);
+    if (extension != ".msh" && extension != ".vtu") {
         throw IoError("'" + path + "' has no known extension: curved meshes are written as .msh or .vtu");
     }
-    std::ofstream stream(path, std::ios::binary);
-    stream << (msh ? to_msh(mesh) : to_vtu(mesh));
-    stream.close();
-    if (!stream) {
-        throw IoError("cannot write '" + path + "'");
-    }
+    write_curved(exported(mesh), path, extension.substr(1));
 }
 
 }  // namespace mq::curve

@@ -9,18 +9,45 @@
 #include <utility>
 
 #include "base/error.h"
-#include "mesh/edge_table.h"
 #include "mesh/io/io_formats.h"
 
 namespace mq::mesh {
 
 namespace {
 
-using Writer = std::string (*)(const TriangleMesh&);
+struct Format {
+    const char* name;
+    std::string (*write)(const ExportMesh&);
+    int most_order;
+};
 
-/// The writers by file extension.
-constexpr std::array<std::pair<const char*, Writer>, 6> kWriters{
-    {{".stl", to_stl}, {".ply", to_ply}, {".obj", to_obj}, {".off", to_off}, {".msh", to_msh}, {".vtu", to_vtu}}};
+/// The writers by extension. The first ones can do without patches.
+constexpr std::size_t kPlain = 6;
+constexpr std::array<Format, 17> kFormats{{{"stl", to_stl, 1},
+                                           {"ply", to_ply, 1},
+                                           {"obj", to_obj, 1},
+                                           {"off", to_off, 1},
+                                           {"msh", to_msh, 1},
+                                           {"vtu", to_vtu, 1},
+                                           {"3mf", to_3mf_model, 1},
+                                           {"amf", to_amf, 1},
+                                           {"tri", to_tri, 1},
+                                           {"emesh", to_emesh, 1},
+                                           {"fms", to_fms, 1},
+                                           {"su2", to_su2, 1},
+                                           {"nas", to_nastran, 2},
+                                           {"bdf", to_nastran, 2},
+                                           {"inp", to_abaqus, 2},
+                                           {"unv", to_unv, 2},
+                                           {"msh2", to_msh2, 5}}};
+
+const Format* format_of(const std::string& name, std::size_t among) {
+    const auto end = kFormats.begin() + static_cast<std::ptrdiff_t>(among);
+    const auto found = std::find_if(kFormats.begin(), end, [&](const Format& format) { return name == format.name; });
+    return found == end ? nullptr : &*found;
+}
+
+}  // namespace
 
 std::string extension_of(const std::string& path) {
     const std::size_t dot = path.find_last_of("./\\");
@@ -50,18 +77,26 @@ void save(const std::string& path, const std::string& bytes) {
     }
 }
 
-}  // namespace
-
 void write(const TriangleMesh& mesh, const std::string& path) {
     const std::string extension = extension_of(path);
-    for (const auto& [name, writer] : kWriters) {
-        if (extension == name) {
-            require_valid(mesh);
-            save(path, writer(mesh));
-            return;
-        }
+    const Format* format = extension.empty() ? nullptr : format_of(extension.substr(1), kPlain);
+    if (format == nullptr) {
+        throw IoError("cannot write '" + path + "': the extension must be .stl, .ply, .obj, .off, .msh or .vtu");
     }
-    throw IoError("cannot write '" + path + "': the extension must be .stl, .ply, .obj, .off, .msh or .vtu");
+    save(path, format->write(exported(mesh)));
+}
+
+void write(const ExportMesh& mesh, const std::string& path, const std::string& format, bool ascii) {
+    const Format* found = format_of(format, kFormats.size());
+    if (found == nullptr) {
+        throw IoError("cannot write '" + path + "': " + format + " is no format of meshes that is known here");
+    }
+    if (mesh.order > found->most_order) {
+        throw InvalidInput("." + format + " files hold elements of an order up to " +
+                           std::to_string(found->most_order) + ", not " + std::to_string(mesh.order) +
+                           ": use .msh or .vtu");
+    }
+    save(path, ascii && format == "stl" ? to_stl_text(mesh) : found->write(mesh));
 }
 
 }  // namespace mq::mesh

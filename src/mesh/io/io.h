@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/io/export_mesh.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
@@ -12,6 +13,18 @@ namespace mq::mesh {
 /// .vtu. Coordinates are in the model's frame (origin added), with all digits where the format allows.
 /// @throws IoError naming the path.
 void write(const TriangleMesh& mesh, const std::string& path);
+
+/// Writes a mesh in one of the formats, named as extensions without the full stop: the above, and those that need what
+/// an ExportMesh has besides, such as "su2" or "inp". `ascii` chooses the text form of "stl".
+/// @throws IoError naming the path, and for a format that is not known here
+/// @throws InvalidInput where the format does not know elements of the order
+void write(const ExportMesh& mesh, const std::string& path, const std::string& format, bool ascii = false);
+
+/// The extension of a path in lower case with its full stop; empty without one.
+std::string extension_of(const std::string& path);
+
+/// Writes the bytes into a file. @throws IoError naming the path
+void save(const std::string& path, const std::string& bytes);
 
 /// FreeCAD's own binary mesh format (BMS) of the mesh in its local frame: the fastest way into a Mesh.Mesh, which
 /// keeps shared vertices and the order of the triangles.

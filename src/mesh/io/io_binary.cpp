@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 
 #include "mesh/edge_table.h"
@@ -8,11 +9,23 @@
 
 namespace mq::mesh {
 
-bool fits_single_precision(const TriangleMesh& mesh) {
-    for (const Vec3& p : mesh.vertices) {
+namespace {
+
+Vec3 normal_of(const ExportMesh& mesh, const std::int32_t* t) {
+    const Vec3& a = mesh.nodes[static_cast<std::size_t>(t[0])];
+    const Vec3 cross =
+        (mesh.nodes[static_cast<std::size_t>(t[1])] - a).cross(mesh.nodes[static_cast<std::size_t>(t[2])] - a);
+    const double length = cross.norm();
+    return length > 0.0 ? Vec3(cross / length) : Vec3::Zero();
+}
+
+}  // namespace
+
+bool fits_single_precision(const ExportMesh& mesh) {
+    for (std::size_t k = 0; k < mesh.nodes.size(); ++k) {
+        const Vec3 p = mesh.point(k);
         for (int i = 0; i < 3; ++i) {
-            const double value = p[i] + mesh.origin[i];
-            if (static_cast<double>(static_cast<float>(value)) != value) {
+            if (static_cast<double>(static_cast<float>(p[i])) != p[i]) {
                 return false;
             }
         }
@@ -20,45 +33,99 @@ bool fits_single_precision(const TriangleMesh& mesh) {
     return true;
 }
 
-std::string to_stl(const TriangleMesh& mesh) {
+std::string to_stl(const ExportMesh& mesh) {
+    constexpr std::int32_t kMostPatches = 0x7fff;  // the highest bit makes a colour of the attribute
+    const Elements& triangles = mesh.triangles();
     std::string out = "MeshQuality";
     out.resize(80, ' ');
-    out.reserve(84 + 50 * mesh.triangles.size());
-    append_bytes(out, static_cast<std::uint32_t>(mesh.triangles.size()));
-    for (const Triangle& t : mesh.triangles) {
-        const Vec3& a = mesh.vertices[t[0]];
-        const Vec3 cross = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
-        const double length = cross.norm();
-        append_point<float>(out, length > 0.0 ? Vec3(cross / length) : Vec3::Zero());
-        for (const std::int32_t v : t) {
-            append_point<float>(out, mesh.vertices[v] + mesh.origin);
+    out.reserve(84 + 50 * triangles.size());
+    append_bytes(out, static_cast<std::uint32_t>(triangles.size()));
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        const std::int32_t* t = triangles.of(k);
+        append_point<float>(out, normal_of(mesh, t));
+        for (std::size_t i = 0; i < 3; ++i) {
+            append_point<float>(out, mesh.point(static_cast<std::size_t>(t[i])));
         }
-        append_bytes(out, std::uint16_t{0});
+        const std::int32_t attribute = mesh.patches_given ? std::min(triangles.group[k], kMostPatches) : 0;
+        append_bytes(out, static_cast<std::uint16_t>(attribute));
     }
     return out;
 }
 
-std::string to_ply(const TriangleMesh& mesh) {
+std::string to_stl_text(const ExportMesh& mesh) {
     const bool single = fits_single_precision(mesh);
+    const auto append = [&](std::string& out, const Vec3& p) {
+        for (int i = 0; i < 3; ++i) {
+            out += ' ';
+            if (single) {
+                append_number(out, static_cast<float>(p[i]));
+            } else {
+                append_number(out, p[i]);
+            }
+        }
+        out += '\n';
+    };
+    // The corners of the whole file once: each is in about six triangles.
+    std::vector<std::string> points(mesh.nodes.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        append(points[i], mesh.point(i));
+    }
+    std::string out;
+    const auto patches = mesh.triangles().by_group(mesh.patches().size());
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        out += "solid " + mesh.patches()[p].name + "\n";
+        for (const std::int32_t k : patches[p]) {
+            const std::int32_t* t = mesh.triangles().of(static_cast<std::size_t>(k));
+            const Vec3 normal = normal_of(mesh, t);
+            out += "facet normal";
+            for (int i = 0; i < 3; ++i) {
+                out += ' ';
+                append_number(out, static_cast<float>(normal[i]));
+            }
+            out += "\nouter loop\n";
+            for (std::size_t i = 0; i < 3; ++i) {
+                out += "vertex" + points[static_cast<std::size_t>(t[i])];
+            }
+            out += "endloop\nendfacet\n";
+        }
+        out += "endsolid " + mesh.patches()[p].name + "\n";
+    }
+    return out;
+}
+
+std::string to_ply(const ExportMesh& mesh) {
+    const bool single = fits_single_precision(mesh);
+    const Elements& triangles = mesh.triangles();
+    const bool has_face = mesh.patches_given && !triangles.entity.empty();
     const std::string real = single ? "float" : "double";
-    std::string out = "ply\nformat binary_little_endian 1.0\ncomment MeshQuality\nelement vertex " +
-                      std::to_string(mesh.vertices.size()) + "\n";
+    std::string out = "ply\nformat binary_little_endian 1.0\ncomment MeshQuality\n";
+    for (std::size_t p = 0; mesh.patches_given && p < mesh.patches().size(); ++p) {
+        out += "comment patch " + std::to_string(p) + " " + mesh.patches()[p].name + "\n";
+    }
+    out += "element vertex " + std::to_string(mesh.nodes.size()) + "\n";
     for (const char* axis : {"x", "y", "z"}) {
         out += "property " + real + " " + axis + "\n";
     }
-    out += "element face " + std::to_string(mesh.triangles.size()) +
-           "\nproperty list uchar int vertex_indices\nend_header\n";
-    out.reserve(out.size() + 24 * mesh.vertices.size() + 13 * mesh.triangles.size());
-    for (const Vec3& p : mesh.vertices) {
+    out += "element face " + std::to_string(triangles.size()) + "\nproperty list uchar int vertex_indices\n";
+    out += std::string(has_face ? "property int face\n" : "") + (mesh.patches_given ? "property int patch\n" : "");
+    out += "end_header\n";
+    out.reserve(out.size() + 24 * mesh.nodes.size() + 21 * triangles.size());
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         if (single) {
-            append_point<float>(out, p + mesh.origin);
+            append_point<float>(out, mesh.point(i));
         } else {
-            append_point<double>(out, p + mesh.origin);
+            append_point<double>(out, mesh.point(i));
         }
     }
-    for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
         append_bytes(out, std::uint8_t{3});
-        append_bytes(out, t);
+        out.append(reinterpret_cast<const char*>(triangles.of(k)), 3 * sizeof(std::int32_t));
+        if (has_face) {
+            append_bytes(out, triangles.entity[k]);
+        }
+        if (mesh.patches_given) {
+            append_bytes(out, triangles.group[k]);
+        }
     }
     return out;
 }

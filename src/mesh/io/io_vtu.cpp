@@ -42,52 +42,58 @@ std::string bytes_of(const Values& values) {
     return out;
 }
 
-std::string points_array(const TriangleMesh& mesh) {
+std::string points_array(const ExportMesh& mesh) {
     const bool single = fits_single_precision(mesh);
     std::string bytes;
-    for (const Vec3& p : mesh.vertices) {
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         if (single) {
-            append_point<float>(bytes, p + mesh.origin);
+            append_point<float>(bytes, mesh.point(i));
         } else {
-            append_point<double>(bytes, p + mesh.origin);
+            append_point<double>(bytes, mesh.point(i));
         }
     }
     return data_array(
         single ? "type=\"Float32\" NumberOfComponents=\"3\"" : "type=\"Float64\" NumberOfComponents=\"3\"", bytes);
 }
 
-std::string cells(const TriangleMesh& mesh) {
+std::string cells(const ExportMesh& mesh) {
     // VTK's cell type of a triangle.
     constexpr std::uint8_t kVtkTriangle = 5;
-    std::string connectivity;
+    const std::size_t count = mesh.triangles().size();
     std::vector<std::int32_t> offsets;
-    for (const Triangle& t : mesh.triangles) {
-        append_bytes(connectivity, t);
-        offsets.push_back(static_cast<std::int32_t>(connectivity.size() / sizeof(std::int32_t)));
+    for (std::size_t k = 1; k <= count; ++k) {
+        offsets.push_back(static_cast<std::int32_t>(3 * k));
     }
-    const std::vector<std::uint8_t> types(mesh.triangles.size(), kVtkTriangle);
-    return "<Cells>\n" + data_array("type=\"Int32\" Name=\"connectivity\"", connectivity) +
+    const std::vector<std::uint8_t> types(count, kVtkTriangle);
+    return "<Cells>\n" +
+           data_array("type=\"Int32\" Name=\"connectivity\"", bytes_of<std::int32_t>(mesh.triangles().nodes)) +
            data_array("type=\"Int32\" Name=\"offsets\"", bytes_of<std::int32_t>(offsets)) +
            data_array("type=\"UInt8\" Name=\"types\"", bytes_of<std::uint8_t>(types)) + "</Cells>\n";
 }
 
 }  // namespace
 
-std::string to_vtu(const TriangleMesh& mesh) {
+std::string to_vtu(const ExportMesh& mesh) {
     std::string out =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
         "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-        std::to_string(mesh.vertices.size()) + "\" NumberOfCells=\"" + std::to_string(mesh.triangles.size()) + "\">\n";
-    if (!mesh.vertex_entity.empty()) {
+        std::to_string(mesh.nodes.size()) + "\" NumberOfCells=\"" + std::to_string(mesh.triangles().size()) + "\">\n";
+    if (!mesh.node_entity.empty()) {
         out += "<PointData>\n" +
                data_array("type=\"Int32\" Name=\"cad_entity\" NumberOfComponents=\"2\"",
-                          bytes_of<VertexEntity>(mesh.vertex_entity)) +
+                          bytes_of<VertexEntity>(mesh.node_entity)) +
                "</PointData>\n";
     }
-    if (!mesh.triangle_face.empty()) {
-        out += "<CellData>\n" +
-               data_array("type=\"Int32\" Name=\"cad_face\"", bytes_of<std::int32_t>(mesh.triangle_face)) +
-               "</CellData>\n";
+    const Elements& triangles = mesh.triangles();
+    if (!triangles.entity.empty() || mesh.patches_given) {
+        out += "<CellData>\n";
+        if (!triangles.entity.empty()) {
+            out += data_array("type=\"Int32\" Name=\"cad_face\"", bytes_of<std::int32_t>(triangles.entity));
+        }
+        if (mesh.patches_given) {
+            out += data_array("type=\"Int32\" Name=\"patch\"", bytes_of<std::int32_t>(triangles.group));
+        }
+        out += "</CellData>\n";
     }
     out += "<Points>\n" + points_array(mesh) + "</Points>\n" + cells(mesh);
     return out + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";

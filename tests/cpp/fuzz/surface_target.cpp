@@ -22,8 +22,9 @@ namespace {
 using mesh::TriangleMesh;
 
 void write_all(const TriangleMesh& mesh) {
-    const std::string texts[] = {mesh::to_stl(mesh), mesh::to_ply(mesh), mesh::to_obj(mesh), mesh::to_off(mesh),
-                                 mesh::to_msh(mesh), mesh::to_vtu(mesh), mesh::to_bms(mesh)};
+    const mesh::ExportMesh whole = mesh::exported(mesh);
+    const std::string texts[] = {mesh::to_stl(whole), mesh::to_ply(whole), mesh::to_obj(whole), mesh::to_off(whole),
+                                 mesh::to_msh(whole), mesh::to_vtu(whole), mesh::to_bms(mesh)};
     for (const std::string& text : texts) {
         fuzz::require(!text.empty(), "every format is written");
     }

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Patches: named groups of the faces of a shape, by which files for solvers and printers tell triangles apart."""
+
+import colorsys
+import re
+from typing import NamedTuple
+
+import numpy as np
+
+from ..errors import InvalidInput
+from . import convert
+
+_FACE = re.compile(r"Face([1-9][0-9]{0,8})")
+_COLOUR = re.compile(r"#([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})")
+_NO_FACE = "Surface"  # the patch of triangles that lie on no face of a shape
+_GOLDEN = 0.618034  # of the circle of hues: neighbours in the list differ most
+
+
+class Division(NamedTuple):
+    """Which face belongs to which patch: names, colours, {index of a face: index of its patch}, and the name of the patch
+    of all other faces; None: each is one by its own name.
+    """
+
+    names: tuple
+    colours: tuple
+    patch_of: dict
+    rest: str = None
+
+
+class Patches(NamedTuple):
+    """The patches of a mesh: names, colours (red, green, blue) or None, and by triangle the index of its patch. `given`:
+    they were asked for, by `division`.
+    """
+
+    names: tuple
+    colours: tuple
+    of_triangle: np.ndarray
+    given: bool
+    division: Division
+
+
+def division_of(patches, rest=None, resolve=None):
+    """The Division of {"inlet": ["Face1", ...]} or {"inlet": {"faces": [...], "colour": "#ff0000"}}.
+
+    `resolve` gives the name "Face12" of a name that is a path, such as "Box.Face3". None where neither is given.
+    Raises InvalidInput naming patch, face and remedy.
+    """
+    if patches is None and rest is None:
+        return None
+    if patches is not None and not hasattr(patches, "items"):
+        raise InvalidInput(f"patches = {patches!r} is not possible: give a dict such as {{'inlet': ['Face1', 'Face4']}}")
+    if rest is not None:
+        _require_name(rest, "patch_rest")
+    names, colours, patch_of = [], [], {}
+    for name, said in (patches or {}).items():
+        _require_name(name, "the name of a patch")
+        faces, colour = _faces_and_colour(name, said)
+        for face in faces:
+            _add_face(patch_of, names, name, face, resolve)
+        names.append(name)
+        colours.append(colour)
+    return Division(tuple(names), tuple(colours), patch_of, rest)
+
+
+def _require_name(name, what):
+    if not isinstance(name, str) or not name.strip() or name != name.strip() or not name.isprintable():
+        raise InvalidInput(f"{name!r} is not possible as {what}: give a text that is not empty, without blanks at its ends")
+
+
+def _faces_and_colour(name, said):
+    colour = None
+    if hasattr(said, "items"):
+        unknown = sorted(set(said) - {"faces", "colour"})
+        if unknown or "faces" not in said:
+            raise InvalidInput(f"patch {name!r} needs 'faces' and may have a 'colour'"
+                               + (f", not {unknown[0]!r}" if unknown else ""))
+        colour = _colour_of(name, said.get("colour"))
+        said = said["faces"]
+    if isinstance(said, str) or not hasattr(said, "__iter__"):
+        raise InvalidInput(f"patch {name!r} has {said!r} for its faces: give a list such as ['Face1', 'Face4']")
+    return list(said), colour
+
+
+def _colour_of(name, text):
+    found = None if text is None else _COLOUR.fullmatch(str(text))
+    if text is not None and not found:
+        raise InvalidInput(f"patch {name!r} has the colour {text!r}: give it as '#rrggbb', such as '#ff0000'")
+    return found and tuple(int(part, 16) for part in found.groups())
+
+
+def _add_face(patch_of, names, name, face, resolve):
+    found = _FACE.fullmatch(face.rpartition(".")[2]) if isinstance(face, str) else None
+    if not found or "." in face and resolve is None:
+        raise InvalidInput(f"patch {name!r} names {face!r}, which is no face: give names such as Face1")
+    plain = resolve(face) if "." in face else face
+    index = int(_FACE.fullmatch(plain)[1]) - 1
+    if index in patch_of:
+        other = (*names, name)[patch_of[index]]
+        where = f"twice in patch {name!r}" if other == name else f"in patch {other!r} and in patch {name!r}"
+        raise InvalidInput(f"{face} is {where}: a face belongs to one patch; name it once")
+    patch_of[index] = len(names)
+
+
+def division_for(source, patches, rest=None):
+    """The same for a shape or a document object, which must have the faces. Names are those of local sizes: "Box.Face3"
+    of a container or a link.
+    """
+    def resolve(name):
+        try:
+            return next(iter(convert.resolve_sizes(source, {name: 1.0})))
+        except InvalidInput:
+            raise InvalidInput(f"a patch names {name}, but {convert.label_of(source)} does not hold that: name a face as "
+                               "local_sizes does") from None
+
+    division = division_of(patches, rest, resolve)
+    if division is not None and division.patch_of:
+        require_faces(division, convert.shape_of(source).countElement("Face"), convert.label_of(source))
+    return division
+
+
+def kept(division, surface):
+    """The Patches that a mesh of the core keeps; None without a division."""
+    return None if division is None else patches_of(division, surface.triangle_face, len(surface.triangles))
+
+
+def require_faces(division, count, what):
+    """Raises InvalidInput where a patch names a face beyond the `count` ones of what is meshed."""
+    if division is None:
+        return
+    for index, patch in division.patch_of.items():
+        if index >= count:
+            there = f"has faces Face1 to Face{count}" if count else "has no faces"
+            raise InvalidInput(f"patch {division.names[patch]!r} names Face{index + 1}, but {what} {there}: take it out "
+                               "or name another one")
+
+
+def patches_of(division, triangle_face, count):
+    """The Patches of a mesh with `count` triangles on these faces; without a division each face is one."""
+    given = division is not None
+    if not given:
+        division = Division((), (), {})
+    face = np.asarray(triangle_face, dtype=np.int64)
+    if not len(face):
+        if division.patch_of:
+            raise InvalidInput("patches name faces, but the mesh does not know those of a shape: take a mesh of "
+                               "triangulate or curve, or leave patches out")
+        face = np.full(count, -1, dtype=np.int64)
+    most = int(face.max(initial=-1))
+    # Index -1, the last one, is that of triangles on no face.
+    patch = np.full(most + 2, -1, dtype=np.int32)
+    for index, number in division.patch_of.items():
+        if index <= most:
+            patch[index] = number
+    names, colours = list(division.names), list(division.colours)
+    for index in np.unique(face).tolist():
+        if patch[index] < 0:
+            name = division.rest or (f"Face{index + 1}" if index >= 0 else _NO_FACE)
+            if name in division.names and not division.rest:
+                raise InvalidInput(f"patch {name!r} has the name of a face that is in no patch: give it another name, or "
+                                   "name the patch of all other faces by patch_rest")
+            if name not in names:
+                names.append(name)
+                colours.append(None)
+            patch[index] = names.index(name) if division.rest else len(names) - 1
+    return Patches(tuple(names), tuple(colours), patch[face], given, division)
+
+
+def colour_of(patches, i):
+    """The colour of a patch, red, green, blue from 0 to 255: its own, or one that differs from its neighbours'."""
+    if patches.colours[i]:
+        return patches.colours[i]
+    return tuple(round(255 * part) for part in colorsys.hsv_to_rgb(i * _GOLDEN % 1.0, 0.55, 0.9))

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How meshes are written into files: in which format, with which patches, and so that a file that is there is lost only
+to a complete one.
+"""
+
+import math
+import os
+import zipfile
+
+from .. import files, formats
+from ..errors import InvalidInput, IoError
+from . import cgns_file, convert, exodus_file
+from .patches import colour_of, division_of, patches_of, require_faces
+
+_3MF_MODEL = "3D/3dmodel.model"
+_3MF_PARTS = {
+    "[Content_Types].xml":
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        '<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">'
+        '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
+        '<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>\n',
+    "_rels/.rels":
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        '<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">'
+        f'<Relationship Target="/{_3MF_MODEL}" Id="rel0" '
+        'Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>\n',
+}
+_FASTEST = 1  # of zlib's levels: a third of the time of the usual one, for files a tenth larger
+
+
+def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None):  # noqa: A002
+    """Writes a SurfaceMesh or a CurvedMesh; see their `write`."""
+    name = convert.file_name(path)
+    suffix = _suffix_of(mesh, os.fsdecode(name), format)
+    scale = _checked_scale(scale)
+    if ascii:
+        formats.check_text(suffix)
+    found = _patches_for(mesh, patches, patch_rest)
+    formats.check_names(suffix, found.names, _solids_of(mesh), ascii=bool(ascii))
+    atomically(os.fsdecode(name), suffix, lambda ready: _write_as(mesh, ready, suffix, found, scale, bool(ascii)))
+
+
+def _suffix_of(mesh, path, name):
+    order = getattr(mesh, "order", 0)
+    known = formats.CURVED_SUFFIXES if order else formats.SUFFIXES
+    kind = "curved elements are" if order else "a mesh is"
+    if name is not None:
+        suffix = formats.known_suffix(f".{str(name).lstrip('.')}", known)
+        if suffix is None:
+            raise InvalidInput(f"format = {name!r} is not known: {kind} written as one of "
+                               + ", ".join(other[1:] for other in known))
+    else:
+        suffix = formats.known_suffix(os.path.splitext(path)[1], known)
+        if suffix is None:
+            flat = formats.known_suffix(os.path.splitext(path)[1]) and "; tessellate() gives flat triangles"
+            raise IoError(f"cannot write '{path}': {kind} written into files with a name that ends in one of "
+                          f"{' '.join(known)}{flat or ''}")
+    if order:
+        formats.check_order(suffix, order)
+    return suffix
+
+
+def _checked_scale(scale):
+    if isinstance(scale, bool) or not isinstance(scale, (int, float)) or not 0.0 < scale < math.inf:
+        raise InvalidInput(f"scale = {scale!r} is not possible: give a number greater than 0, such as 0.001 for metres")
+    return float(scale)
+
+
+def _patches_for(mesh, patches, patch_rest):
+    """Those given here, those that the mesh was made with, or each face by its own name."""
+    division = division_of(patches, patch_rest)
+    if division is None and mesh._patches is not None:
+        return mesh._patches
+    face, count = mesh.triangle_face, len(mesh.triangles)
+    if len(face):
+        require_faces(division, int(face.max()) + 1, "the mesh")
+    return patches_of(division, face, count)
+
+
+def _solids_of(mesh):
+    solids = getattr(mesh, "tetrahedron_solid", ())
+    return [f"Solid{index + 1}" for index in sorted(set(solids.tolist()))] if len(solids) else []
+
+
+def _write_as(mesh, path, suffix, patches, scale, ascii):  # noqa: A002
+    if suffix == ".cgns":
+        cgns_file.write(mesh, path, patches, _solids_of(mesh), scale)
+    elif suffix == ".exo":
+        exodus_file.write(mesh, path, patches, _solids_of(mesh), scale)
+    elif suffix == ".3mf":
+        _write_3mf(mesh, path, patches, scale)
+    else:
+        mesh._write_core(os.fsencode(path), suffix[1:].lower(), patches, scale, ascii)
+
+
+def _write_3mf(mesh, path, patches, scale):
+    model = files.unfinished(path, ".model")
+    try:
+        mesh._write_core(os.fsencode(model), "3mf", patches, scale, False)
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=_FASTEST) as container:
+            for name, text in _3MF_PARTS.items():
+                container.writestr(name, text)
+            container.write(model, _3MF_MODEL)
+    finally:
+        files.remove_if_there(model)
+
+
+def arguments_of(patches):
+    """What the core's writers take of Patches."""
+    return {"names": list(patches.names), "patch": patches.of_triangle, "given": patches.given,
+            "colours": [colour_of(patches, i) for i in range(len(patches.names))]}
+
+
+def atomically(path, suffix, write_into):
+    """Has `write_into` write a file beside the path, which gets the name once it is complete. What is no regular file,
+    and a file in a folder that takes no other, is written at once.
+
+    Raises IoError naming the path.
+    """
+    target = os.path.realpath(path)
+    folder = os.path.dirname(target)
+    direct = os.path.exists(target) and not (os.path.isfile(target) and os.access(folder, os.W_OK))
+    ready = target if direct else files.unfinished(target, suffix)
+    try:
+        write_into(ready)
+        if not direct:
+            files.put_in_place(ready, target)
+    except (IoError, OSError) as error:
+        text = str(error).replace(os.path.basename(ready), os.path.basename(target)).replace(target, path)
+        raise IoError(text) from error
+    finally:
+        if not direct:
+            files.remove_if_there(ready)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The formats of files that meshes are written in: one table for Python, the command line and its help. Imports nothing
+of FreeCAD.
+"""
+
+import re
+from typing import NamedTuple
+
+from .errors import InvalidInput
+
+WORD = r"""[^\s"'`/\\;:,{}()\[\]<>$|=*]+"""
+HIGHEST_ORDER = 5
+
+
+class Names(NamedTuple):
+    """What names of patches a format can hold: a pattern of the whole name with what it says in words, the greatest
+    length, and whether names that differ in case only are one.
+    """
+
+    pattern: str = r"[^\x00-\x1f\x7f]+"
+    words: str = "no control characters"
+    longest: int = 127
+    folded: bool = False
+
+
+class Format(NamedTuple):
+    """A format. `curved` is the highest order of the elements of curved meshes in it; 0: it holds flat triangles alone.
+    `text` says whether there is a text form to choose beside the binary one.
+    """
+
+    title: str
+    curved: int = 0
+    names: Names = None
+    text: bool = False
+    solids: bool = False
+
+
+_ONE_WORD = Names(WORD, "no blanks, quotes or brackets")
+_QUOTED = Names(r'[^"\x00-\x1f\x7f]+', "no double quotes")
+_ABAQUS = Names(r"[A-Za-z][A-Za-z0-9_.\-]*", "a letter first, then letters, digits, _ - and . alone", 80, True)
+
+# By extension as it is written; it is told from others in lower case.
+FORMATS = {
+    ".stl": Format("STL", text=True),
+    ".ply": Format("PLY"),
+    ".obj": Format("Wavefront OBJ", names=_ONE_WORD),
+    ".off": Format("OFF"),
+    ".msh": Format("Gmsh 4.1", HIGHEST_ORDER, _QUOTED),
+    ".msh2": Format("Gmsh 2.2", HIGHEST_ORDER, _QUOTED),
+    ".vtu": Format("VTK unstructured grid", HIGHEST_ORDER),
+    ".su2": Format("SU2", 1, _ONE_WORD),
+    ".cgns": Format("CGNS", 2, Names(r"[^/\x00-\x1f\x7f]+", "no slashes", 32), solids=True),
+    ".inp": Format("Abaqus and CalculiX", 2, _ABAQUS, solids=True),
+    ".unv": Format("I-DEAS universal file", 2, Names(longest=40), solids=True),
+    ".nas": Format("Nastran bulk data", 2, Names(longest=40), solids=True),
+    ".bdf": Format("Nastran bulk data", 2, Names(longest=40), solids=True),
+    ".exo": Format("Exodus II", 2, Names(longest=32), solids=True),
+    ".tri": Format("Cart3D"),
+    ".eMesh": Format("edges for OpenFOAM"),
+    ".fms": Format("surface for cfMesh", names=_ONE_WORD),
+    ".3mf": Format("3MF for printing", names=Names()),
+    ".amf": Format("AMF for printing"),
+}
+SUFFIXES = tuple(FORMATS)
+CURVED_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if form.curved)
+FLAT_ONLY_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if not form.curved)
+_TEXT_ONLY = Format("STL as text", names=_ONE_WORD)
+
+
+def known_suffix(text, known=SUFFIXES):
+    """The extension of the table that a text is in any case; None where none is."""
+    return next((suffix for suffix in known if suffix.lower() == text.lower()), None)
+
+
+def check_order(suffix, order):
+    """Raises InvalidInput where a format does not hold curved elements of an order."""
+    most = FORMATS[suffix].curved
+    if order > most:
+        others = " ".join(other for other, form in FORMATS.items() if form.curved >= order)
+        held = f"elements of order {'1' if most == 1 else f'1 to {most}'}" if most else "flat triangles alone"
+        raise InvalidInput(f"{suffix} files hold {held}, not elements of order {order}: choose one of {others}")
+
+
+def check_text(suffix):
+    """Raises InvalidInput where a format has no text form to choose."""
+    if not FORMATS[suffix].text:
+        raise InvalidInput(f"{suffix} files have no other form as text: leave ascii out, which is for "
+                           + " ".join(other for other, form in FORMATS.items() if form.text))
+
+
+def check_names(suffix, names, solids=(), ascii=False):  # noqa: A002 - the option is called so
+    """Raises InvalidInput naming a patch that a format cannot hold by its name, and the remedy."""
+    form = _TEXT_ONLY if ascii else FORMATS[suffix]
+    rule, taken = form.names, {name: f"solid {name}" for name in solids} if form.solids else {}
+    if rule is None:
+        return
+    if rule.folded:
+        taken = {name.casefold(): said for name, said in taken.items()}
+    for name in names:
+        if not re.fullmatch(rule.pattern, name):
+            plain = re.sub(r"\W+", "_", name, flags=re.ASCII).strip("_")
+            plain = plain if re.fullmatch(rule.pattern, plain) else f"patch_{plain}"
+            raise InvalidInput(f"{suffix} files cannot hold a patch called {name!r}: names there have {rule.words}; "
+                               f"call it {plain!r}, for example")
+        if len(name.encode()) > rule.longest:
+            raise InvalidInput(f"{suffix} files cannot hold a patch called {name!r}: names there have at most "
+                               f"{rule.longest} characters; give it a shorter one")
+        key = name.casefold() if rule.folded else name
+        if key in taken:
+            raise InvalidInput(f"{suffix} files cannot tell patch {name!r} from {taken[key]}: give one of them another "
+                               "name")
+        taken[key] = f"patch {name}"

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <array>
+#include <cstdio>
+
+#include "mesh/io/io_formats.h"
+
+namespace mq::mesh {
+
+namespace {
+
+std::string escaped(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += c;
+        }
+    }
+    return out;
+}
+
+/// Numbers of the file; those of single precision with as few digits as that takes.
+class Numbers {
+  public:
+    explicit Numbers(const ExportMesh& mesh) : single_(fits_single_precision(mesh)) {}
+
+    void append(std::string& out, double value) const {
+        if (single_) {
+            append_number(out, static_cast<float>(value));
+        } else {
+            append_number(out, value);
+        }
+    }
+
+  private:
+    bool single_;
+};
+
+/// The unit of scaled coordinates, which formats for printing name.
+std::string unit_of(double scale) {
+    return scale == 0.001 ? "meter" : "millimeter";
+}
+
+std::string colour_text(const Group& group) {
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02X%02X%02X", group.colour[0], group.colour[1], group.colour[2]);
+    return text;
+}
+
+void append_materials(std::string& out, const ExportMesh& mesh) {
+    out += "<basematerials id=\"1\">\n";
+    for (const Group& patch : mesh.patches()) {
+        out += "<base name=\"" + escaped(patch.name) + "\" displaycolor=\"" + colour_text(patch) + "\"/>\n";
+    }
+    out += "</basematerials>\n";
+}
+
+}  // namespace
+
+std::string to_3mf_model(const ExportMesh& mesh) {
+    const Numbers numbers(mesh);
+    std::string out =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"" + unit_of(mesh.scale) +
+        "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<metadata "
+        "name=\"Application\">MeshQuality</metadata>\n<resources>\n";
+    if (mesh.patches_given) {
+        append_materials(out, mesh);
+    }
+    out += std::string("<object id=\"2\" type=\"model\"") + (mesh.patches_given ? " pid=\"1\" pindex=\"0\"" : "") +
+           ">\n<mesh>\n<vertices>\n";
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+        const Vec3 p = mesh.point(i);
+        out += "<vertex x=\"";
+        numbers.append(out, p.x());
+        out += "\" y=\"";
+        numbers.append(out, p.y());
+        out += "\" z=\"";
+        numbers.append(out, p.z());
+        out += "\"/>\n";
+    }
+    out += "</vertices>\n<triangles>\n";
+    constexpr std::array<const char*, 3> kCorners{"<triangle v1=\"", "\" v2=\"", "\" v3=\""};
+    for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            out += kCorners[i];
+            append_number(out, static_cast<long long>(mesh.triangles().of(k)[i]));
+        }
+        if (mesh.patches_given) {
+            out += "\" pid=\"1\" p1=\"";
+            append_number(out, static_cast<long long>(mesh.triangles().group[k]));
+        }
+        out += "\"/>\n";
+    }
+    return out +
+           "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"2\"/>\n</build>\n</model>\n";
+}
+
+std::string to_amf(const ExportMesh& mesh) {
+    const Numbers numbers(mesh);
+    std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<amf unit=\"" + unit_of(mesh.scale) +
+                      "\" version=\"1.1\">\n<metadata type=\"cad\">MeshQuality</metadata>\n<object id=\"1\">\n<mesh>\n"
+                      "<vertices>\n";
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+        const Vec3 p = mesh.point(i);
+        out += "<vertex><coordinates><x>";
+        numbers.append(out, p.x());
+        out += "</x><y>";
+        numbers.append(out, p.y());
+        out += "</y><z>";
+        numbers.append(out, p.z());
+        out += "</z></coordinates></vertex>\n";
+    }
+    out += "</vertices>\n<volume>\n";
+    std::vector<std::string> colours;
+    for (const Group& patch : mesh.patches()) {
+        std::string& text = colours.emplace_back("<color>");
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::string name(1, "rgb"[i]);
+            text += "<" + name + ">";
+            append_number(text, patch.colour[i] / 255.0F);
+            text += "</" + name + ">";
+        }
+        text += "</color>";
+    }
+    constexpr std::array<const char*, 4> kCorners{"<v1>", "</v1><v2>", "</v2><v3>", "</v3>"};
+    for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
+        out += "<triangle>";
+        if (mesh.patches_given) {
+            out += colours[static_cast<std::size_t>(mesh.triangles().group[k])];
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            out += kCorners[i];
+            append_number(out, static_cast<long long>(mesh.triangles().of(k)[i]));
+        }
+        out += std::string(kCorners[3]) + "</triangle>\n";
+    }
+    return out + "</volume>\n</mesh>\n</object>\n</amf>\n";
+}
+
+}  // namespace mq::mesh
