@@ -19,7 +19,9 @@ Meshes for scripts
 Objects of the document, which follow what they are made of
     add_quality_mesh, add_curved_mesh, add_boolean, add_improved_mesh
     update              gives such an object other options, and computes it
-    export_curved_mesh  writes its curved elements
+    set_patches         names groups of faces, for files
+    suggested_patches   groups that the document knows: labels, colours, references of an analysis
+    export_mesh         writes its mesh into a file, with its patches
 
 Results and reports
     A mesh has NumPy arrays (vertices, triangles, ...), to_mesh() for a Mesh.Mesh, write(path) by extension, and its
@@ -65,7 +67,10 @@ _LAZY = {
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
     "add_boolean": "MeshQuality.features.boolean",
-    "export_curved_mesh": "MeshQuality.core.export",
+    "export_curved_mesh": "MeshQuality.features.export",
+    "export_mesh": "MeshQuality.features.export",
+    "set_patches": "MeshQuality.features.transactions",
+    "suggested_patches": "MeshQuality.core.patch_names",
     "update": "MeshQuality.features.transactions",
     "SurfaceMesh": "MeshQuality.core.surface_mesh",
     "MeshReport": "MeshQuality._core",

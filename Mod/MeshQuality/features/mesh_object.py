@@ -13,7 +13,7 @@ from .. import options, phrases
 from ..compat import PlainState, attribute_of, property_of, without_traceback
 from ..core import convert, frames, hidden_parts, verdict
 from ..errors import Error, InvalidInput
-from . import aliases, distance_bound, placement
+from . import aliases, distance_bound, patches, placement
 from .gui_hooks import window
 from .properties import add_hidden, add_measured, add_options, add_property, clear_mesh, options_of
 from .recompute_work import Work
@@ -133,6 +133,9 @@ class MeshObject(PlainState):
             finally:
                 self._clearing = False
 
+    def follow(self, obj):
+        """Has what names sub-elements of the sources follow their change."""
+
     def lacks_source(self, obj):
         """Whether something that it is made of was deleted, or never chosen."""
         return None in self.sources(obj)
@@ -156,6 +159,7 @@ class MeshObject(PlainState):
                     raise result
                 finished = self.take(obj, result)
                 placement.record(obj, self.frame_of_result(obj, work, result), work.arrangement)
+                self.follow(obj)
                 window().stop_in_background(obj)
                 obj.Fingerprint, obj.Status = work.fingerprint, UP_TO_DATE
                 if finished is not None:
@@ -274,6 +278,16 @@ class SourceMesh(OfOneSource):
 
     SOURCE, NEEDS = "The object whose shape is meshed", "a shape"
     HIDDEN = (FACE_RUNS,)
+
+    def add_properties(self, obj):
+        """As for all, and patches."""
+        super().add_properties(obj)
+        patches.add_patch_properties(obj)
+
+    def follow(self, obj):
+        """Patches keep their faces."""
+        for sentence in patches.follow_source(obj, self.sources(obj)[0]):
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {sentence}\n")
 
     def onDocumentRestored(self, obj):
         """The mesh gets its segments back, which FreeCAD does not save."""

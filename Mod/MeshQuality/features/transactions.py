@@ -10,7 +10,8 @@ from ..core import convert, frames
 from ..errors import Error, InvalidInput
 from . import bindings
 from .gui_hooks import window
-from .mesh_object import MANUAL, UP_TO_DATE, MeshObject, with_precomputed
+from .mesh_object import MANUAL, UP_TO_DATE, MeshObject, SourceMesh, with_precomputed
+from .patches import give_patches
 from .properties import options_of, set_options
 
 
@@ -20,7 +21,7 @@ def add(document, name, title, make):
 
     Returns the object; on an error nothing is added.
     """
-    with _undo_step(document, title):
+    with undo_step(document, title):
         obj = document.addObject("Mesh::FeaturePython", name)
         try:
             proxy = make(obj)
@@ -68,7 +69,7 @@ def update(obj, progress=None, **values):
         done = work, None if proxy.is_result(obj, work) else work.result(progress)
         if progress is not None and done[1] is not None:
             _require_unchanged(obj, label, values, work)
-    with _undo_step(obj.Document, f"Update {obj.Label}"):
+    with undo_step(obj.Document, f"Update {obj.Label}"):
         set_options(obj, table, values)
         if done[1] is None:
             obj.Status = UP_TO_DATE
@@ -80,6 +81,26 @@ def update(obj, progress=None, **values):
         obj.purgeTouched()
         for dependent in obj.InList:
             dependent.touch()
+
+
+def set_patches(obj, patches, patch_rest=None):
+    """Gives a mesh object named groups of the faces of its source; one undo step. The mesh stays as it is.
+
+    obj         of add_quality_mesh or add_curved_mesh
+    patches     {"inlet": ["Face1", "Face4"], ...}, or {"inlet": {"faces": [...], "colour": "#ff0000"}}; of a
+                container also "Box.Face1"; None: no patches
+    patch_rest  name of the patch of all other faces; None: each is one by its own name
+
+    After an edit of the source the faces of patches are found again by kind, area and place; where that is not
+    possible the property PatchesChanged and a warning name them. Raises InvalidInput naming patch, face and remedy.
+    """
+    obj = frames.linked_of(obj)[0]
+    if not isinstance(getattr(obj, "Proxy", None), SourceMesh):
+        raise InvalidInput(f"{convert.label_of(obj)} has no patches: give an object of add_quality_mesh or "
+                           "add_curved_mesh")
+    with undo_step(obj.Document, f"Patches of {obj.Label}"):
+        give_patches(obj, obj.Proxy.sources(obj)[0], patches, patch_rest)
+        obj.purgeTouched()
 
 
 def _require_unchanged(obj, label, values, work):
@@ -97,7 +118,7 @@ def _require_unchanged(obj, label, values, work):
 
 
 @contextmanager
-def _undo_step(document, title):
+def undo_step(document, title):
     """One undo step, or changes of the transaction that is open; none after an error."""
     # A transaction that was opened shows in the document only after its first change.
     own_transaction = not (document.HasPendingTransaction or FreeCAD.getActiveTransaction())

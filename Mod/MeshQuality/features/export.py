@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Writes what document objects hold into files, by their patches."""
+
+import os
+from functools import partial
+
+import FreeCAD
+import numpy as np
+
+from .. import formats
+from ..compat import extension, property_of
+from ..core import convert, frames
+from ..core.curving import holds_elements, taken_from
+from ..core.patches import division_for, division_of, kept
+from ..core.surface_mesh import SurfaceMesh
+from ..errors import InvalidInput, IoError
+from .mesh_object import faces_of_runs
+from .patches import patches_of_object
+
+_written = {}  # (file asked for, scale, ascii) -> file that holds its content already
+
+
+def export_mesh(obj, path, patches=None, patch_rest=None, scale=1.0, ascii=False):  # noqa: A002 - an option of write
+    """Writes the mesh of a document object into a file, with its patches.
+
+    obj      any object with a mesh, or a link to one: the mesh is written where that stands
+    path     the extension says the format, as for SurfaceMesh.write; of add_curved_mesh the curved elements are
+             written where the format holds them, else the flat triangles that are shown
+    patches, patch_rest
+             as for SurfaceMesh.write; None: those of set_patches
+    scale, ascii
+             as for SurfaceMesh.write
+
+    Raises InvalidInput for other objects and for what the format cannot hold; IoError naming the path.
+    """
+    path = checked(obj, path)
+    ready = _written.pop((path, scale, bool(ascii)), None)
+    if ready is not None and patches is None and patch_rest is None:
+        os.replace(ready, path)
+    else:
+        maker_of(obj, path, patches, patch_rest)().write(path, scale=scale, ascii=ascii)
+
+
+def export_curved_mesh(obj, path):
+    """Writes the curved elements of a document object of add_curved_mesh; see export_mesh.
+
+    obj   such an object, or a link to one: the elements are written where that stands
+    path  as for CurvedMesh.write; an existing file is replaced
+
+    Raises InvalidInput for other objects, IoError naming the path.
+    """
+    if not holds_elements(obj):
+        taken_from(obj)  # says why
+    path = checked(obj, path, formats.CURVED_SUFFIXES)
+    export_mesh(obj, path)
+
+
+def suffixes_for(obj):
+    """The extensions of the formats that hold the mesh of an object."""
+    order = _order_of(obj)
+    return tuple(suffix for suffix, form in formats.FORMATS.items()
+                 if not order or not form.curved or form.curved >= order)
+
+
+def _order_of(source):
+    return frames.linked_of(source)[0].ElementsOrder if holds_elements(source) else 0
+
+
+def checked(obj, path, known=None):
+    """The path as absolute text; raises IoError where nothing can be written there."""
+    known = suffixes_for(obj) if known is None else known
+    endings = "one of " + " ".join(known)
+    path = os.fsdecode(convert.file_name(path))
+    if not path:
+        raise IoError(f"the file has no name: give one that ends in {endings}")
+    path = os.path.abspath(path)
+    folder, extension_of_path = os.path.dirname(path), os.path.splitext(path)[1]
+    if os.path.isdir(path):
+        raise IoError(f"{path} is a folder and cannot be written: give the name of a file that ends in {endings}")
+    if formats.known_suffix(extension_of_path, known) is None:
+        order = _order_of(obj)
+        what = f"curved elements of order {order} are" if order else "a mesh is"
+        raise IoError(f"{path}: {what} written into files with a name that ends in {endings}")
+    if not os.path.isdir(folder):
+        raise IoError(f"{path}: there is no folder {folder}")
+    if not os.access(folder, os.W_OK):
+        raise IoError(f"{path} cannot be written")
+    return path
+
+
+def maker_of(obj, path, patches=None, patch_rest=None):
+    """A function that makes what is written of the object as it is now into this file; any thread may call it."""
+    suffix = formats.known_suffix(os.path.splitext(path)[1])
+    curved = holds_elements(obj) and formats.FORMATS[suffix].curved
+    make = taken_from(obj) if curved else _flat_maker(obj)
+    if patches is None and patch_rest is None:
+        patches, patch_rest = patches_of_object(obj)
+    return partial(_with_patches, make, _division(obj, patches, patch_rest))
+
+
+def _division(obj, patches, patch_rest):
+    holder = frames.linked_of(obj)[0]
+    source = holder.Proxy.sources(holder)[0] if patches and hasattr(holder, "FaceRuns") else None
+    return division_of(patches, patch_rest) if source is None else division_for(source, patches, patch_rest)
+
+
+def _with_patches(make, division):
+    mesh = make()
+    mesh._patches = kept(division, mesh)
+    return mesh
+
+
+def _flat_maker(source):
+    if not isinstance(frames.object_of(source), FreeCAD.DocumentObject) or not convert.is_mesh(source):
+        raise InvalidInput(f"{convert.label_of(source)} holds no mesh: give an object with a mesh, or a link to one")
+    copy, holder = convert.MeshCopy(source), frames.linked_of(source)[0]
+    runs = list(property_of(holder, "FaceRuns") or ()) if "FaceRuns" in holder.PropertiesList else []
+
+    def make():
+        vertices, triangles = copy.arrays
+        if not len(triangles):
+            raise InvalidInput(f"{convert.label_of(source)} has no triangles: compute it first")
+        faces = faces_of_runs(runs, len(triangles)).astype(np.int32)
+        return SurfaceMesh(extension().surface_from_arrays(vertices, triangles, faces, False))
+
+    return make
+
+
+def write_ahead(make, path, scale=1.0, ascii=False):  # noqa: A002
+    """Writes what maker_of made beside a checked path, for the export_mesh that follows; any thread may call it. Returns
+    what takes the file away again if it was not taken.
+    """
+    stem, suffix = os.path.splitext(path)
+    ready = f"{stem}.part{suffix}"
+    try:
+        make().write(ready, scale=scale, ascii=ascii)
+    except BaseException:
+        _remove(ready)
+        raise
+    key = path, scale, bool(ascii)
+    _written[key] = ready
+    return lambda: _remove(_written.pop(key, ready))
+
+
+def _remove(path):
+    if os.path.exists(path):
+        os.remove(path)
+

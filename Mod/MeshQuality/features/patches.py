@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Patches of document objects: named groups of the faces of their source, kept beside the mesh and written with it."""
+
+import json
+import re
+
+import numpy as np
+
+from ..compat import property_of
+from ..core import convert, frames
+from ..core.patches import division_for
+from ..errors import InvalidInput
+from .properties import add_hidden, add_property
+
+PATCHES, REST, CHANGED = "Patches", "PatchRest", "PatchesChanged"
+_FACES = ("PatchFaces", "App::PropertyString",
+          "What the faces of the source were like when the patches were last right: their kinds, areas and centres")
+_LINE = re.compile(r"(?P<name>[^:]*?)\s*(?P<colour>#[0-9a-fA-F]{6})?\s*:(?P<faces>[^:]*)")
+_FACE = re.compile(r"Face([1-9][0-9]{0,8})")
+_SAME = 1e-6  # of the size, and of an area: the same face
+
+
+def add_patch_properties(obj):
+    """Adds those that the object has not got yet."""
+    add_property(obj, "App::PropertyStringList", PATCHES, "Patches",
+                 "Named groups of faces, one a line: \"inlet: Face1, Face4\", or with a colour \"inlet #ff0000: Face1\"")
+    add_property(obj, "App::PropertyString", REST, "Patches",
+                 "Name of the patch of all other faces; empty: each is one by its own name")
+    add_property(obj, "App::PropertyStringList", CHANGED, "Patches",
+                 "Faces of patches that an edit of the source may have exchanged; choose them anew")
+    obj.setEditorMode(CHANGED, 1)
+    add_hidden(obj, "Patches", (_FACES,))
+
+
+def patches_of_lines(lines):
+    """{name: {"faces": [...], "colour": "#ff0000"}} of the property; raises InvalidInput naming the line."""
+    found = {}
+    for line in lines:
+        if not line.strip():
+            continue
+        parts = _LINE.fullmatch(line.strip())
+        if not parts or not parts["name"]:
+            raise InvalidInput(f"the patch {line!r} is not possible: write its name, a colon and its faces, such as "
+                               "\"inlet: Face1, Face4\"")
+        if parts["name"] in found:
+            raise InvalidInput(f"there are two patches called {parts['name']!r}: put their faces into one")
+        faces = [face.strip() for face in parts["faces"].split(",")]
+        found[parts["name"]] = {"faces": [face for face in faces if face]}
+        if parts["colour"]:
+            found[parts["name"]]["colour"] = parts["colour"]
+    return found
+
+
+def lines_of_patches(patches):
+    """The inverse, of what patches= takes."""
+    lines = []
+    for name, said in patches.items():
+        faces, colour = (said["faces"], said.get("colour")) if hasattr(said, "items") else (said, None)
+        lines.append(f"{name}{f' {colour}' if colour else ''}: {', '.join(faces)}")
+    return lines
+
+
+def patches_of_object(obj):
+    """(patches, patch_rest) of a document object, as write and export_mesh take them; (None, None): it has none."""
+    obj = frames.linked_of(obj)[0]
+    patches = patches_of_lines(property_of(obj, PATCHES) or []) if PATCHES in obj.PropertiesList else {}
+    rest = property_of(obj, REST) or None if REST in obj.PropertiesList else None
+    return patches or None, rest
+
+
+def give_patches(obj, source, patches, patch_rest):
+    """Sets the properties; raises InvalidInput where they are not possible, and then changes nothing."""
+    division_for(source, patches, patch_rest)
+    lines = lines_of_patches(patches or {})
+    patches_of_lines(lines)  # names that the property cannot hold
+    obj.Patches, obj.PatchRest, obj.PatchesChanged = lines, patch_rest or "", []
+    obj.PatchFaces = _described(convert.own_shape_of(source)) if lines else ""
+
+
+def follow_source(obj, source):
+    """Finds the faces of the patches again in a source that has changed; returns sentences about those that it does not
+    find.
+    """
+    if not obj.Patches:
+        return []
+    before, now = json.loads(obj.PatchFaces or "[]"), json.loads(_described(convert.own_shape_of(source)))
+    patches, lost = patches_of_lines(obj.Patches), []
+    if before and before != now:
+        places = _Places(before, now)
+        for name, said in patches.items():
+            said["faces"] = [_followed(face, name, places, lost) for face in said["faces"]]
+    obj.Patches, obj.PatchesChanged = lines_of_patches(patches), lost
+    obj.PatchFaces = json.dumps(now)
+    return lost
+
+
+def _followed(face, patch, places, lost):
+    """The present name of a face; what is below a container keeps its own."""
+    found = _FACE.fullmatch(face)
+    if not found:
+        return face
+    index = places.of(int(found[1]) - 1)
+    if index is None:
+        lost.append(f"{face} of patch {patch!r} may be another face after the edit: choose the faces of the patch anew")
+        return face
+    return f"Face{index + 1}"
+
+
+def _described(shape):
+    """Kind, area and centre of each face, as text."""
+    return json.dumps([[face.Surface.TypeId if hasattr(face.Surface, "TypeId") else type(face.Surface).__name__,
+                        face.Area, *face.CenterOfMass] for face in shape.Faces])
+
+
+class _Places:
+    """Which face of a shape is which one of that before an edit."""
+
+    def __init__(self, before, now):
+        self._before, self._now = before, now
+        numbers = np.array([face[2:] for face in before + now], dtype=float).reshape(-1, 3)
+        self._near = _SAME * max(float(np.ptp(numbers, axis=0).max(initial=0.0)), 1.0)
+        # An edit of dimensions alone leaves the kinds of all faces, and FreeCAD then their numbers.
+        self._same_kinds = [face[0] for face in before] == [face[0] for face in now]
+
+    def of(self, index):
+        """The present number of a face; None: not known."""
+        if index >= len(self._before):
+            return None
+        wanted = self._before[index]
+        same = [i for i, face in enumerate(self._now) if self._is_same(wanted, face)]
+        if index in same or self._same_kinds and not same:
+            return index
+        return same[0] if len(same) == 1 else None
+
+    def _is_same(self, one, other):
+        return one[0] == other[0] and abs(one[1] - other[1]) <= _SAME * max(one[1], other[1]) \
+            and max(abs(a - b) for a, b in zip(one[2:], other[2:])) <= self._near
