@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Export of curved meshes: selection, the file, errors in the panel, cancel, the macro."""
+"""Export of meshes: selection, formats, the file, errors in the panel, cancel, the macro."""
 
 import os
 from unittest import mock
@@ -30,10 +30,10 @@ class Export(gui_helpers.PanelTest):
         panel.accept()
         self.until(lambda: panel.job is None)
 
-    def test_it_is_for_one_curved_mesh(self):
+    def test_it_is_for_one_mesh(self):
         box, command = self.box(), commands.Export()
         curved, plain = mq.add_curved_mesh(box), mq.add_quality_mesh(box)
-        for chosen, active in (((curved,), True), ((plain,), False), ((box,), False), ((), False),
+        for chosen, active in (((curved,), True), ((plain,), True), ((box,), False), ((), False),
                                ((curved, plain), False)):
             self.select(*chosen)
             self.assertEqual(command.IsActive(), active)
@@ -57,7 +57,7 @@ class Export(gui_helpers.PanelTest):
     def test_what_is_wrong_with_a_path_is_said_in_the_panel(self):
         obj = self.curved()
         os.mkdir(os.path.join(self.folder, "folder.msh"))
-        for name, words in (("part.stl", "ends in .msh or .vtu"), ("none/part.msh", "no folder"),
+        for name, words in (("part.docx", "ends in one of"), ("none/part.msh", "no folder"),
                             ("folder.msh", "cannot be written")):
             panel = self.panel_for(obj, name)
             self.write(panel)
@@ -71,9 +71,9 @@ class Export(gui_helpers.PanelTest):
 
     def test_a_name_without_an_ending_gets_that_of_the_format(self):
         obj = self.curved()
-        for index, ending in enumerate((".msh", ".vtu")):
+        for ending in (".msh", ".vtu"):
             panel = self.panel_for(obj, "part")
-            panel.formats.setCurrentIndex(index)
+            panel.formats.setCurrentIndex(panel.formats.findData(ending))
             self.write(panel)
             self.assertEqual(panel.said, "")
             self.assertTrue(os.path.isfile(os.path.join(self.folder, "part" + ending)))
@@ -82,7 +82,7 @@ class Export(gui_helpers.PanelTest):
     def test_the_format_follows_the_name_and_the_name_the_format(self):
         panel = self.panel_for(self.curved(), "part.vtu")
         self.assertEqual(panel.formats.currentData(), ".vtu")
-        panel.formats.setCurrentIndex(0)
+        panel.formats.setCurrentIndex(panel.formats.findData(".msh"))
         self.assertTrue(panel.path.property("fileName").endswith("part.msh"))
 
     def test_without_a_name_it_says_what_to_do(self):

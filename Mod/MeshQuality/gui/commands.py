@@ -15,6 +15,7 @@ from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
 from .panels.export_panel import ExportPanel
 from .panels.mesh_panel import MeshPanel
+from .panels.patches_panel import PatchesPanel
 from .trial import Trial
 from .update import update_in_background
 
@@ -134,15 +135,31 @@ class Improve(_Command):
 
 class Export(_Command):
     NAME = "MeshQuality_Export"
-    TEXT = "Export curved mesh"
-    TIP = "Write the curved elements of the selected mesh into a file for Gmsh, ParaView or a solver"
+    TEXT = "Export mesh"
+    TIP = "Write the selected mesh into a file for a solver or a printer, with the names of its patches"
     KEYS = "Q, E"
 
     def Activated(self):
         FreeCADGui.Control.showDialog(ExportPanel(self.selected()[0]))
 
     def selected(self):
-        return _if_one(holds_elements)
+        return _if_one(lambda source: holds_elements(source) or convert.is_mesh(source))
+
+
+class Patches(_Command):
+    NAME = "MeshQuality_Patches"
+    TEXT = "Patches"
+    TIP = "Name groups of faces of the selected mesh, such as inlet and wall, for files"
+    KEYS = "Q, P"
+
+    def Activated(self):
+        FreeCADGui.Control.showDialog(PatchesPanel(self.selected()[0]))
+
+    def selected(self):
+        found = list(dict.fromkeys(frames.linked_of(source)[0] for source in _selected()))
+        fits = len(found) == 1 and isinstance(getattr(found[0], "Proxy", None), mesh_object.SourceMesh) \
+            and not found[0].Proxy.lacks_source(found[0])
+        return found if fits else []
 
 
 class Update(_Command):
@@ -194,7 +211,7 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, Boolean, Improve, Analyse, Update, Export)
+_COMMANDS = (Triangulate, Quick, Curve, Boolean, Improve, Analyse, Update, Patches, Export)
 
 
 def panel_of(obj):

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel of patches, and the export of a mesh by them."""
+
+import os
+
+import FreeCAD
+import FreeCADGui
+import gui_helpers
+
+import MeshQuality as mq
+from MeshQuality.gui import commands
+from MeshQuality.gui.panels import export_panel, patches_panel
+
+
+class Patches(gui_helpers.PanelTest):
+    def quality(self):
+        self.part = self.box()
+        obj = mq.add_quality_mesh(self.part, chord_height=0.5)
+        self.select(obj)
+        return obj
+
+    def panel_for(self, obj):
+        panel = patches_panel.PatchesPanel(obj)
+        FreeCADGui.Control.showDialog(panel)
+        gui_helpers.wait()
+        return panel
+
+    def pick(self, *faces):
+        FreeCADGui.Selection.clearSelection()
+        for face in faces:
+            FreeCADGui.Selection.addSelection(self.part, face)
+
+    def test_it_is_for_one_mesh_of_a_source(self):
+        obj, command = self.quality(), commands.Patches()
+        improved = mq.add_improved_mesh(obj)
+        for chosen, active in (((obj,), True), ((self.part,), False), ((improved,), False), ((), False)):
+            self.select(*chosen)
+            self.assertEqual(command.IsActive(), active)
+
+    def test_selected_faces_become_patches(self):
+        obj = self.quality()
+        panel = self.panel_for(obj)
+        self.assertTrue(self.part.ViewObject.Visibility)
+        self.pick("Face1", "Face2")
+        panel.new.click()
+        panel.table.item(0, 0).setText("inlet")
+        self.pick("Face2", "Face3")
+        panel.new.click()
+        panel.table.item(1, 0).setText("outlet")
+        self.pick("Face4")
+        panel.more.click()
+        panel.rest.setText("walls")
+        self.assertEqual(panel.patches(), {"inlet": {"faces": ["Face1"]}, "outlet": {"faces": ["Face2", "Face3", "Face4"]}})
+        gui_helpers.wait()
+        self.narrow(panel, "panel_patches")
+        self.assertTrue(panel.accept())
+        self.assertEqual(list(obj.Patches), ["inlet: Face1", "outlet: Face2, Face3, Face4"])
+        self.assertEqual(obj.PatchRest, "walls")
+        self.assertFalse(self.part.ViewObject.Visibility)
+        self.assertTrue(obj.ViewObject.Visibility)
+
+    def test_marked_patches_show_their_faces(self):
+        obj = self.quality()
+        mq.set_patches(obj, {"inlet": {"faces": ["Face1", "Face5"], "colour": "#00ff00"}})
+        panel = self.panel_for(obj)
+        panel.table.selectRow(0)
+        chosen = FreeCADGui.Selection.getSelectionEx()
+        self.assertEqual([list(one.SubElementNames) for one in chosen], [["Face1", "Face5"]])
+        panel.remove.click()
+        self.assertEqual(panel.patches(), {})
+        panel.reject()
+        self.assertEqual(list(obj.Patches), ["inlet #00ff00: Face1, Face5"])
+
+    def test_what_is_wrong_is_said_in_the_panel(self):
+        panel = self.panel_for(self.quality())
+        FreeCADGui.Selection.clearSelection()
+        panel.new.click()
+        self.assertIn("Select faces", panel.said)
+        panel.more.click()
+        self.assertIn("Mark one patch", panel.said)
+        self.pick("Face1")
+        panel.new.click()
+        panel.table.item(0, 0).setText("a:b")
+        self.assertFalse(panel.accept())
+        self.assertIn("a:b", panel.said)
+        panel.names.setCurrentIndex(panel.names.findData("labels"))
+        panel.names.activated.emit(panel.names.currentIndex())
+        self.assertIn("holds no parts", panel.said)
+        panel.reject()
+
+    def test_colours_of_faces_are_patches(self):
+        obj = self.quality()
+        red, grey = (1.0, 0.0, 0.0, 0.0), (0.8, 0.8, 0.8, 0.0)
+        self.part.ViewObject.DiffuseColor = [red, grey, grey, grey, grey, red]
+        panel = self.panel_for(obj)
+        panel.names.activated.emit(panel.names.findData("colours"))
+        self.assertEqual(panel.patches()["colour_ff0000"], {"faces": ["Face1", "Face6"], "colour": "#ff0000"})
+        panel.reject()
+
+    def test_export_writes_them(self):
+        obj = self.quality()
+        mq.set_patches(obj, {"inlet": ["Face1"]}, patch_rest="walls")
+        panel = export_panel.ExportPanel(obj)
+        FreeCADGui.Control.showDialog(panel)
+        panel.path.setProperty("fileName", os.path.join(self.folder, "part.stl"))
+        gui_helpers.wait()
+        panel.text.setChecked(True)
+        panel.unit.setCurrentIndex(panel.unit.findData(0.001))
+        gui_helpers.wait()
+        self.narrow(panel, "panel_export_patches")
+        panel.accept()
+        self.until(lambda: panel.job is None)
+        self.assertEqual(panel.said, "")
+        with open(os.path.join(self.folder, "part.stl"), encoding="utf-8") as stream:
+            text = stream.read()
+        self.assertEqual([line.split()[1] for line in text.splitlines() if line.startswith("solid")], ["inlet", "walls"])
+        largest = max(abs(float(word)) for line in text.splitlines() if "vertex" in line for word in line.split()[1:])
+        self.assertLess(largest, 0.1)
+
+    def test_undo(self):
+        obj = self.quality()
+        panel = self.panel_for(obj)
+        self.pick("Face1")
+        panel.new.click()
+        panel.accept()
+        self.assertEqual(list(obj.Patches), ["patch_1: Face1"])
+        FreeCAD.ActiveDocument.undo()
+        self.assertEqual(list(obj.Patches), [])
