@@ -14,13 +14,14 @@ HIGHEST_ORDER = 5
 
 class Names(NamedTuple):
     """What names of patches a format can hold: a pattern of the whole name with what it says in words, the greatest
-    length, and whether names that differ in case only are one.
+    length, whether names that differ in case only are one, and what is put behind a name for another one.
     """
 
     pattern: str = r"[^\x00-\x1f\x7f]+"
     words: str = "no control characters"
     longest: int = 127
     folded: bool = False
+    more: str = ""
 
 
 class Format(NamedTuple):
@@ -37,7 +38,7 @@ class Format(NamedTuple):
 
 _ONE_WORD = Names(WORD, "no blanks, quotes or brackets")
 _QUOTED = Names(r'[^"\x00-\x1f\x7f]+', "no double quotes")
-_ABAQUS = Names(r"[A-Za-z][A-Za-z0-9_.\-]*", "a letter first, then letters, digits, _ - and . alone", 80, True)
+_ABAQUS = Names(r"[A-Za-z][A-Za-z0-9_.\-]*", "a letter first, then letters, digits, _ - and . alone", 72, True, "_surface")
 
 # By extension as it is written; it is told from others in lower case.
 FORMATS = {
@@ -96,6 +97,8 @@ def check_names(suffix, names, solids=(), ascii=False):  # noqa: A002 - the opti
         return
     if rule.folded:
         taken = {name.casefold(): said for name, said in taken.items()}
+    if rule.more:
+        taken.update({(name + rule.more).casefold(): f"the surface of patch {name}" for name in names})
     for name in names:
         if not re.fullmatch(rule.pattern, name):
             plain = re.sub(r"\W+", "_", name, flags=re.ASCII).strip("_")

@@ -108,15 +108,15 @@ class Written(helpers.DocumentTest):
         self.mesh = mq.triangulate(box(), patches={"in": ["Face1"]}, patch_rest="walls")
         self.path = os.path.join(self.folder, "a.obj")
 
-    def names(self, path=None):
-        with open(path or self.path, encoding="utf-8") as stream:
+    def groups(self):
+        with open(self.path, encoding="utf-8") as stream:
             return [line[2:].strip() for line in stream if line.startswith("g ")]
 
     def test_those_of_the_mesh_are_the_default(self):
         self.mesh.write(self.path)
-        self.assertEqual(self.names(), ["in", "walls"])
+        self.assertEqual(self.groups(), ["in", "walls"])
         self.mesh.write(self.path, patches={"out": ["Face2"]}, patch_rest="rest")
-        self.assertEqual(self.names(), ["out", "rest"])
+        self.assertEqual(self.groups(), ["out", "rest"])
         with self.assertRaisesRegex(mq.InvalidInput, "patch 'a' names Face9, but the mesh has faces Face1 to Face6"):
             self.mesh.write(self.path, patches={"a": ["Face9"]})
 
@@ -126,14 +126,16 @@ class Written(helpers.DocumentTest):
                 (self.mesh, ".obj", "in let", "no blanks.*'in_let'"), (self.mesh, ".fms", "a;b", "a_b"),
                 (self.mesh, ".su2", "in let", "in_let"), (self.mesh, ".msh", 'in "let"', "no double quotes"),
                 (self.mesh, ".inp", "1st", "'patch_1st'"), (self.mesh, ".inp", "ä", "letter"),
-                (self.mesh, ".inp", "x" * 81, "at most 80"), (self.mesh, ".cgns", "x" * 33, "at most 32"),
+                (self.mesh, ".inp", "x" * 73, "at most 72"), (self.mesh, ".cgns", "x" * 33, "at most 32"),
                 (self.mesh, ".cgns", "a/b", "no slashes"), (self.mesh, ".unv", "x" * 41, "at most 40"),
                 (self.mesh, ".exo", "x" * 33, "at most 32"), (solid, ".inp", "SOLID1", "solid Solid1")):
             with self.subTest(suffix=suffix, name=name), self.assertRaisesRegex(mq.InvalidInput, said):
                 mesh.write(self.path, patches={name: ["Face1"]}, format=suffix[1:])
         with self.assertRaisesRegex(mq.InvalidInput, "'INLET' from patch inlet"):
             self.mesh.write(self.path, patches={"inlet": ["Face1"], "INLET": ["Face2"]}, format="inp")
-        with self.assertRaisesRegex(mq.InvalidInput, "STL as text|stl"):
+        with self.assertRaisesRegex(mq.InvalidInput, "surface of patch inlet"):
+            self.mesh.write(self.path, patches={"inlet": ["Face1"], "Inlet_Surface": ["Face2"]}, format="inp")
+        with self.assertRaisesRegex(mq.InvalidInput, ".stl files cannot hold"):
             self.mesh.write(os.path.join(self.folder, "a.stl"), patches={"in let": ["Face1"]}, ascii=True)
         self.assertEqual(os.listdir(self.folder), [])
 
@@ -180,7 +182,7 @@ class Written(helpers.DocumentTest):
         self.mesh.write(link, patches={"out": ["Face2"]})
         self.assertTrue(os.path.islink(link))
         self.assertEqual(os.stat(self.path).st_mode & 0o777, 0o640)
-        self.assertIn("out", self.names())
+        self.assertIn("out", self.groups())
 
 
 class CommandLine(helpers.DocumentTest):

@@ -10,6 +10,9 @@ namespace {
 constexpr std::size_t kPerLine =
     8;  ///< numbers of a set in one line; Abaqus takes 16, and 132 characters are CalculiX's
 
+/// What the name of a patch's sides ends with: CalculiX 2.20 ends where a surface has the name of a set.
+constexpr const char* kSurface = "_surface";
+
 void append_set(std::string& out, const std::string& head, const std::vector<std::int32_t>& numbers) {
     if (numbers.empty()) {
         return;
@@ -75,7 +78,7 @@ void append_sides(std::string& out, const ExportMesh& mesh) {
         elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
         append_set(out, "*ELSET, ELSET=" + mesh.patches()[p].name + "\n", elements);
         if (!sides.empty()) {
-            out += "*SURFACE, NAME=" + mesh.patches()[p].name + ", TYPE=ELEMENT\n" + sides;
+            out += "*SURFACE, NAME=" + mesh.patches()[p].name + kSurface + ", TYPE=ELEMENT\n" + sides;
         }
     }
 }

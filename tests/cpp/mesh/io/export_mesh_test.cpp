@@ -31,7 +31,7 @@ TEST(ExportMesh, PointsHaveOriginAndScale) {
     TriangleMesh far = tetrahedron();
     far.origin = Vec3(1000, 0, 0);
     const ExportMesh mesh = exported(far, {}, 0.001);
-    EXPECT_EQ(mesh.point(1), Vec3(1.001, 0, 0));
+    EXPECT_EQ(mesh.point(1), Vec3(1001.0 * 0.001, 0, 0));
 }
 
 TEST(ExportMesh, ElementsAndNodesByPatch) {

@@ -45,8 +45,8 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
 }
 
 TEST(PatchFormats, StlHasOneSolidAPatch) {
-    expect_parts(to_stl_text(patched()), {"solid inlet\nfacet normal ", "outer loop\nvertex 0 0 0\n", "endloop\nendfacet\n",
-                                          "endsolid inlet\nsolid walls\n", "endsolid walls\n"});
+    expect_parts(to_stl_text(patched()), {"solid inlet\nfacet normal ", "outer loop\nvertex 0 0 0\n",
+                                          "endloop\nendfacet\n", "endsolid inlet\nsolid walls\n", "endsolid walls\n"});
     const std::string binary = to_stl(patched());
     EXPECT_EQ(binary[84 + 48], 1);
     EXPECT_EQ(binary[84 + 50 + 48], 0);
@@ -56,7 +56,8 @@ TEST(PatchFormats, StlHasOneSolidAPatch) {
 TEST(PatchFormats, ObjAndPly) {
     expect_parts(to_obj(patched()), {"g inlet\nf 1 2 4\n", "g walls\nf 1 3 2\n"});
     const std::string ply = to_ply(patched());
-    expect_parts(ply, {"comment patch 0 inlet\ncomment patch 1 walls\n", "property int face\nproperty int patch\nend_header\n"});
+    expect_parts(
+        ply, {"comment patch 0 inlet\ncomment patch 1 walls\n", "property int face\nproperty int patch\nend_header\n"});
     const std::size_t body = ply.find("end_header\n") + 11;
     EXPECT_EQ(ply.size(), body + 4 * 12 + 4 * 21);
 }
@@ -88,8 +89,8 @@ TEST(PatchFormats, NastranHasLongFieldsAndAPropertyAPatch) {
         EXPECT_EQ(text.find('\n', at) - at, 72u);
     }
     expect_parts(text, {"-1.25e-07", "CTRIA3         1       1       1       3       2\n"});
-    expect_parts(to_nastran(filled()), {"$ property 3: solid Solid1\n", "CTETRA         5       3       1       2       3       4\n",
-                                        "ENDDATA\n"});
+    expect_parts(to_nastran(filled()), {"$ property 3: solid Solid1\n",
+                                        "CTETRA         5       3       1       2       3       4\n", "ENDDATA\n"});
 }
 
 TEST(PatchFormats, AbaqusHasSetsAndSidesAPatch) {
@@ -97,23 +98,24 @@ TEST(PatchFormats, AbaqusHasSetsAndSidesAPatch) {
                                         "*ELEMENT, TYPE=S3, ELSET=walls\n1,1,3,2\n", "*NSET, NSET=inlet\n1, 2, 4\n"});
     // Triangle 2 has corners 1, 2, 4: side 2 of the tetrahedron 1, 2, 3, 4.
     expect_parts(to_abaqus(filled()), {"*ELEMENT, TYPE=C3D4, ELSET=Solid1\n1,1,2,3,4\n", "*ELSET, ELSET=inlet\n1\n",
-                                       "*SURFACE, NAME=inlet, TYPE=ELEMENT\n1, S2\n"});
+                                       "*SURFACE, NAME=inlet_surface, TYPE=ELEMENT\n1, S2\n"});
     EXPECT_EQ(to_abaqus(filled()).find("TYPE=S3"), std::string::npos) << "a volume has no shells";
 }
 
 TEST(PatchFormats, UnvHasGroups) {
-    expect_parts(to_unv(filled()), {"    -1\n  2411\n         1         1         1        11\n",
-                                    "   0.0000000000000000E+00", "    -1\n    -1\n  2412\n",
-                                    "         1        91         2         1         7         3\n         1         3",
-                                    "         5       111         3         1         7         4\n", "  2467\n", "inlet\n",
-                                    "walls\n", "Solid1\n", "    -1\n"});
+    expect_parts(to_unv(filled()),
+                 {"    -1\n  2411\n         1         1         1        11\n", "   0.0000000000000000E+00",
+                  "    -1\n    -1\n  2412\n",
+                  "         1        91         2         1         7         3\n         1         3",
+                  "         5       111         3         1         7         4\n", "  2467\n", "inlet\n", "walls\n",
+                  "Solid1\n", "    -1\n"});
 }
 
 TEST(PatchFormats, FoamEdgesAndCfMesh) {
     expect_parts(to_emesh(patched()), {"class       featureEdgeMesh;", "4\n(\n(0 0 0)\n", "6\n(\n(0 1)\n"});
-    expect_parts(to_fms(patched()), {"2\n(\ninlet wall\nwalls wall\n)\n4\n(\n(0 0 0)\n", "4\n(\n((0 2 1) 1)\n((0 1 3) 0)\n",
-                                     "6\n(\n(0 1)\n", "0\n(\n)\n0\n(\n)\n2\n(\nsharpEdges 8 6( 0 1 2 3 4 5)\n",
-                                     "patchBorders 8 3("});
+    expect_parts(to_fms(patched()),
+                 {"2\n(\ninlet wall\nwalls wall\n)\n4\n(\n(0 0 0)\n", "4\n(\n((0 2 1) 1)\n((0 1 3) 0)\n",
+                  "6\n(\n(0 1)\n", "0\n(\n)\n0\n(\n)\n2\n(\nsharpEdges 8 6( 0 1 2 3 4 5)\n", "patchBorders 8 3("});
 }
 
 TEST(PatchFormats, PrintingHasColoursAPatch) {
@@ -121,8 +123,9 @@ TEST(PatchFormats, PrintingHasColoursAPatch) {
                                            "<vertex x=\"1\" y=\"0\" z=\"0\"/>\n",
                                            "<triangle v1=\"0\" v2=\"2\" v3=\"1\" pid=\"1\" p1=\"1\"/>\n"});
     EXPECT_EQ(to_3mf_model(exported(tetrahedron())).find("material"), std::string::npos);
-    expect_parts(to_amf(patched(0.001)), {"unit=\"meter\"", "<x>0.001</x>",
-                                          "<triangle><color><r>0</r><g>0</g><b>1</b></color><v1>0</v1><v2>2</v2><v3>1</v3>"});
+    expect_parts(to_amf(patched(0.001)),
+                 {"unit=\"meter\"", "<x>0.001</x>",
+                  "<triangle><color><r>0</r><g>0</g><b>1</b></color><v1>0</v1><v2>2</v2><v3>1</v3>"});
     ExportMesh odd = patched();
     odd.groups[2][0].name = "a<b & \"c\"";
     expect_parts(to_3mf_model(odd), {"a&lt;b &amp; &quot;c&quot;"});
