@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """imprint: solids that touch have the same triangles on both sides."""
 
+import os
+import tempfile
 import unittest
 
 import numpy as np
@@ -146,3 +148,35 @@ class Contacts(unittest.TestCase):
         between = {tuple(sorted(pair)) for pair in shared.values() if len(set(pair)) == 2}
         self.assertEqual(between, set(CONTACTS))
         self.assertEqual(len({tuple(node) for node in mesh.nodes.tolist()}), len(mesh.nodes))
+
+    def test_what_lies_between_two_solids_is_a_patch(self):
+        mesh = mq.triangulate(assembly(), chord_height=0.1, imprint=True, patch_rest="outside")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "regions.stl")
+            mesh.write(path, ascii=True, interfaces=True)
+            found, name = {}, None
+            with open(path, encoding="utf-8") as stream:
+                for line in stream:
+                    words = line.split()
+                    if words[0] == "solid":
+                        name = words[1]
+                    elif words[0] == "facet":
+                        found[name] = found.get(name, 0) + 1
+            counts = {frozenset((a, b)): count for a, b, count, _ in mesh.report.contacts}
+            for (a, b) in CONTACTS:
+                for one, other in ((a, b), (b, a)):
+                    self.assertEqual(found.pop(f"Solid{one + 1}_to_Solid{other + 1}"), counts[frozenset((a, b))])
+            self.assertEqual(found, {"outside": int((mesh.triangle_opposite < 0).sum())})
+            with self.assertRaisesRegex(mq.InvalidInput, "imprint=True"):
+                mq.triangulate(Part.makeBox(1, 1, 1)).write(path, interfaces=True)
+
+    def test_each_solid_alone_is_closed(self):
+        shape = assembly()
+        mesh = mq.triangulate(shape, chord_height=0.02, imprint=True, patch_rest="all")
+        for number, solid in enumerate(shape.Solids):
+            part = mesh.of_solid(number)
+            self.assertTrue(part.report.closed and part.report.manifold)
+            self.assertAlmostEqual(part.report.volume / solid.Volume, 1, 1)
+            self.assertEqual(part.patches, ("all",))
+        with self.assertRaisesRegex(mq.InvalidInput, "Solid9"):
+            mesh.of_solid(8)

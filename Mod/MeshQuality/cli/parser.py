@@ -137,7 +137,7 @@ def _add_single(commands, name, title, description):
         one.add_argument("--format", metavar="NAME",
                          help="format of the mesh, whatever the extension: " + _names(OUTPUTS[name]))
     if name in WITH_PATCHES:
-        _add_writing(one, with_patches=True)
+        _add_writing(one, with_patches=True, with_interfaces=name == "triangulate")
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
     if name != "improve":
         one.add_argument("--object", metavar="NAME",
@@ -156,7 +156,7 @@ def _add_single(commands, name, title, description):
     return one
 
 
-def _add_writing(one, with_patches):
+def _add_writing(one, with_patches, with_interfaces=False):
     """What is written of a mesh; `with_patches` has a file that names faces, which fits one part only."""
     file = one.add_argument_group("file")
     if with_patches:
@@ -167,6 +167,10 @@ def _add_writing(one, with_patches):
                       help="name of the patch of all other faces (default: each face is one by its own name)")
     file.add_argument("--scale", type=float, default=1.0, metavar="FACTOR",
                       help="factor of the coordinates, which are mm: 0.001 for metres (default: 1)")
+    if with_interfaces:
+        file.add_argument("--interfaces", action="store_true",
+                          help="with --imprint: what lies between two solids is a patch of its own, Solid1_to_Solid2 on "
+                               "the side of the first")
     file.add_argument("--ascii", action="store_true", help="STL as text, with one solid a patch")
 
 

@@ -165,6 +165,29 @@ def patches_of(division, triangle_face, count):
     return Patches(tuple(names), tuple(colours), patch[face], given, division)
 
 
+def with_interfaces(patches, mesh):
+    """The Patches of a SurfaceMesh in which triangles between two solids are patches of their own: on the side of the
+    first one "Solid1_to_Solid2", and "Solid2_to_Solid1" on the other, as solvers of several regions call them.
+    """
+    opposite = mesh.triangle_opposite
+    if not len(opposite):
+        raise InvalidInput("no solid shares triangles with another one: mesh an assembly with imprint=True, or leave "
+                           "interfaces out")
+    here = np.flatnonzero(opposite >= 0)
+    own, other = mesh.triangle_solid[here], mesh.triangle_solid[opposite[here]]
+    pairs, number = np.unique(np.column_stack((own, other)), axis=0, return_inverse=True)
+    names = [f"Solid{one + 1}_to_Solid{two + 1}" for one, two in pairs.tolist()]
+    taken = next((name for name in names if name in patches.names), None)
+    if taken:
+        raise InvalidInput(f"patch {taken!r} has the name of an interface: give it another name")
+    of_triangle = patches.of_triangle.copy()
+    of_triangle[here] = len(patches.names) + number.reshape(-1)
+    used = np.unique(of_triangle).tolist()  # a face that a contact covers leaves nothing of its patch
+    all_names, all_colours = [*patches.names, *names], [*patches.colours, *[None] * len(names)]
+    return patches._replace(names=tuple(all_names[i] for i in used), colours=tuple(all_colours[i] for i in used),
+                            of_triangle=np.searchsorted(used, of_triangle).astype(np.int32), given=True)
+
+
 def colour_of(patches, i):
     """The colour of a patch, red, green, blue from 0 to 255: its own, or one that differs from its neighbours'."""
     if patches.colours[i]:

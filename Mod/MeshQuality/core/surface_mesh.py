@@ -7,6 +7,7 @@ from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
 from . import convert, writing
+from .patches import kept
 
 
 class SurfaceMesh(metaclass=Public):
@@ -51,7 +52,25 @@ class SurfaceMesh(metaclass=Public):
         """
         return convert.mesh_of_surface(self._surface)
 
-    def write(self, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None):  # noqa: A002
+    def of_solid(self, number):
+        """The SurfaceMesh of the triangles that bound shape.Solids[number], closed as that is.
+
+        Raises InvalidInput where no triangle does.
+        """
+        chosen = np.flatnonzero(self.triangle_solid == number)
+        if not len(chosen):
+            raise InvalidInput(f"no triangle bounds Solid{number + 1}: the mesh has the solids "
+                               + ", ".join(f"Solid{i + 1}" for i in np.unique(self.triangle_solid).tolist() if i >= 0))
+        corners, vertices = self.triangles[chosen], self.vertices + self.origin
+        used, numbers = np.unique(corners, return_inverse=True)
+        part = SurfaceMesh(extension().surface_from_arrays(
+            vertices[used], numbers.reshape(-1, 3).astype(np.int32), self.triangle_face[chosen], True))
+        if self._patches is not None:
+            part._patches = kept(self._patches.division, part)
+        return part
+
+    def write(self, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None,  # noqa: A002
+              interfaces=False):
         """Writes into a file; one that is there is replaced once the new one is complete.
 
         path        the extension says the format: .stl .ply .obj .off .msh (Gmsh 4.1) .msh2 (Gmsh 2.2) .vtu
@@ -62,10 +81,12 @@ class SurfaceMesh(metaclass=Public):
         scale       factor of the coordinates, which are mm: 0.001 for metres
         ascii       STL as text, with one solid a patch
         format      such as "msh2", whatever the extension
+        interfaces  of a mesh of imprint=True: triangles between two solids are patches of their own,
+                    "Solid1_to_Solid2" on the side of the first and "Solid2_to_Solid1" on the other
 
         Raises InvalidInput naming patch, face and remedy; IoError naming the path.
         """
-        writing.write(self, path, patches, patch_rest, scale, ascii, format)
+        writing.write(self, path, patches, patch_rest, scale, ascii, format, interfaces)
 
     def _write_core(self, path, name, patches, scale, ascii):  # noqa: A002
         self._surface.write(path, name, **writing.arguments_of(patches), scale=scale, ascii=ascii)

@@ -10,7 +10,7 @@ import zipfile
 from .. import files, formats
 from ..errors import InvalidInput, IoError
 from . import cgns_file, convert, exodus_file
-from .patches import colour_of, division_of, patches_of, require_faces
+from .patches import colour_of, division_of, patches_of, require_faces, with_interfaces
 
 _3MF_MODEL = "3D/3dmodel.model"
 _3MF_PARTS = {
@@ -28,7 +28,8 @@ _3MF_PARTS = {
 _FASTEST = 1  # of zlib's levels: a third of the time of the usual one, for files a tenth larger
 
 
-def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None):  # noqa: A002
+def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None,  # noqa: A002
+          interfaces=False):
     """Writes a SurfaceMesh or a CurvedMesh; see their `write`."""
     name = convert.file_name(path)
     suffix = _suffix_of(mesh, os.fsdecode(name), format)
@@ -36,6 +37,8 @@ def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, for
     if ascii:
         formats.check_text(suffix)
     found = _patches_for(mesh, patches, patch_rest)
+    if interfaces:
+        found = with_interfaces(found, mesh)
     formats.check_names(suffix, found.names, _solids_of(mesh), ascii=bool(ascii))
     atomically(os.fsdecode(name), suffix, lambda ready: _write_as(mesh, ready, suffix, found, scale, bool(ascii)))
 
