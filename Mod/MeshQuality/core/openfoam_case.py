@@ -1,0 +1,297 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A folder with a surface mesh and what OpenFOAM's snappyHexMesh and cfMesh need to fill it, or the space around it."""
+
+import os
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InvalidInput, IoError
+from . import writing
+from .patches import patches_of
+
+FLOWS = ("internal", "external")
+MOST_LEVELS = 6  # of refinement: cells 64 times as short as those of the background
+_MARGIN = 0.05  # of the size, by which the background is larger than the part for flows inside
+_FAR = (2.0, 4.0)  # sizes of the part between it and the sides of the background, before and behind it along x
+_OPEN = ("inlet", "outlet", "opening", "farfield")  # patches called so are open, all others walls
+_WALL, _PATCH = "wall", "patch"
+_HEADER = """FoamFile
+{{
+    version 2.0;
+    format ascii;
+    class dictionary;
+    object {};
+}}
+"""
+
+
+@dataclass(frozen=True)
+class Case:
+    """What the files say, in metres (or what `scale` makes of mm).
+
+    name      of the surface
+    cell      length of the cells of the background
+    low, high corners of the background
+    inside    a point of the space that is meshed
+    levels    by patch the least and the greatest level of refinement
+    types     by patch "wall" or "patch"
+    flow      one of FLOWS
+    """
+
+    name: str
+    cell: float
+    low: np.ndarray
+    high: np.ndarray
+    inside: np.ndarray
+    levels: dict
+    types: dict
+    flow: str
+
+
+def write_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0.001, types=None):
+    """Writes the files; see mq.write_openfoam_case. Returns the Case."""
+    case = case_of(mesh, name, flow, cell, scale, types or {})
+    for path in ("constant/triSurface", "system"):
+        try:
+            os.makedirs(os.path.join(folder, path), exist_ok=True)
+        except OSError as error:
+            raise IoError(f"{os.path.join(folder, path)} cannot be made: {error.strerror}") from error
+    surface = os.path.join(folder, "constant", "triSurface", name)
+    writing.write(mesh, f"{surface}.stl", scale=scale, ascii=True)
+    for suffix in (".eMesh", ".fms"):
+        writing.write(mesh, f"{surface}{suffix}", scale=scale)
+    for path, text in _texts(case).items():
+        writing.atomically(os.path.join(folder, path), "", lambda ready, text=text: _save(ready, text))
+    return case
+
+
+def _save(path, text):
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(text)
+
+
+def case_of(mesh, name, flow, cell, scale, types):
+    """The Case of a SurfaceMesh."""
+    if flow not in FLOWS:
+        raise InvalidInput(f"flow = {flow!r} is not possible: give 'internal' for the space inside of the part, 'external' "
+                           "for that around it")
+    if not mesh.report.closed:
+        raise InvalidInput(f"the mesh has {mesh.report.border_edges} open edges: meshers of flows need a closed surface; "
+                           "close the part, or mesh all of its faces")
+    corners = (mesh.vertices + mesh.origin)[mesh.triangles] * scale
+    low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
+    size = float((high - low).max())
+    cell = size / 20 if cell is None else cell * scale
+    if not 0.0 < cell < size:
+        raise InvalidInput(f"cell = {cell / scale:g} mm is not possible: give a length between 0 and the size of the part, "
+                           f"{size / scale:g} mm")
+    patches = mesh._patches or patches_of(None, mesh.triangle_face, len(mesh.triangles))
+    unknown = sorted(set(types) - set(patches.names))
+    if unknown:
+        raise InvalidInput(f"types name {unknown[0]!r}, which is no patch: there are {', '.join(patches.names)}")
+    levels = {patch: _levels(corners[patches.of_triangle == i], cell) for i, patch in enumerate(patches.names)}
+    if flow == "internal":
+        low, high, inside = low - _MARGIN * size, high + _MARGIN * size, _point_inside(corners)
+    else:
+        before, behind = _FAR[0] * size, np.array([_FAR[1], _FAR[0], _FAR[0]]) * size
+        # Off the planes of the cells, on which no such point may lie.
+        low, high, inside = low - before, high + behind, low - before + np.array([0.37, 0.41, 0.43]) * cell
+    kinds = {patch: types.get(patch, _PATCH if patch.lower().startswith(_OPEN) else _WALL) for patch in patches.names}
+    return Case(name, cell, low, high, inside, levels, kinds, flow)
+
+
+def _levels(corners, cell):
+    """Levels at which cells are as large as triangles, which are small where the surface bends: as those on the larger
+    half of the area, and as those on all but a tenth of it.
+    """
+    areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    order = np.argsort(areas)
+    share = np.cumsum(areas[order]) / areas.sum()
+    lengths = np.sqrt(areas[order])
+    least, most = (int(np.clip(np.ceil(np.log2(cell / lengths[np.searchsorted(share, part)])), 0, MOST_LEVELS))
+                   for part in (0.5, 0.1))
+    return least, most
+
+
+def _point_inside(corners):
+    """A point inside of a closed surface: halfway from its largest triangle to what lies opposite to that."""
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    areas = np.linalg.norm(normals, axis=1)
+    for largest in np.argsort(-areas, kind="stable")[:100]:
+        start, way = corners[largest].mean(axis=0), -normals[largest] / areas[largest]
+        hits = _hits(corners, start, way)
+        hits = np.sort(hits[hits > 1e-9 * np.ptp(corners)])
+        if len(hits):
+            return start + 0.5 * hits[0] * way
+    raise InvalidInput("no point inside of the mesh was found: it encloses no space")
+
+
+def _hits(corners, start, way):
+    """The distances at which a ray meets triangles (Moeller and Trumbore 1997)."""
+    one, two = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    across = np.cross(way, two)
+    scale = np.einsum("ij,ij->i", one, across)
+    scale[scale == 0.0] = np.nan  # parallel: what follows is false
+    from_corner = start - corners[:, 0]
+    u = np.einsum("ij,ij->i", from_corner, across) / scale
+    turned = np.cross(from_corner, one)
+    v = turned @ way / scale
+    distance = np.einsum("ij,ij->i", two, turned) / scale
+    return distance[(u >= 0.0) & (v >= 0.0) & (u + v <= 1.0)]
+
+
+def _texts(case):
+    """{path: text} of the dictionaries."""
+    return {
+        "system/controlDict": _HEADER.format("controlDict") + _CONTROL,
+        "system/fvSchemes": _HEADER.format("fvSchemes") + _SCHEMES,
+        "system/fvSolution": _HEADER.format("fvSolution"),
+        "system/blockMeshDict": _block(case),
+        "system/snappyHexMeshDict": _snappy(case),
+        "system/meshDict": _cfmesh(case),
+    }
+
+
+def _vector(point):
+    return "(" + " ".join(repr(float(number)) for number in point) + ")"
+
+
+def _block(case):
+    cells = np.maximum(np.ceil((case.high - case.low) / case.cell), 1).astype(int)
+    high = case.low + cells * case.cell
+    corners = [np.where([i in (1, 2, 5, 6), i in (2, 3, 6, 7), i > 3], high, case.low) for i in range(8)]
+    sides = {"xMin": "(0 4 7 3)", "xMax": "(1 2 6 5)", "yMin": "(0 1 5 4)", "yMax": "(3 7 6 2)", "zMin": "(0 3 2 1)",
+             "zMax": "(4 5 6 7)"}
+    walls = "\n".join(f"    {name} {{ type patch; faces ({face}); }}" for name, face in sides.items())
+    return (f"{_HEADER.format('blockMeshDict')}scale 1;\nvertices\n(\n"
+            + "\n".join(f"    {_vector(corner)}" for corner in corners)
+            + f"\n);\nblocks\n(\n    hex (0 1 2 3 4 5 6 7) ({cells[0]} {cells[1]} {cells[2]}) simpleGrading (1 1 1)\n);\n"
+            f"boundary\n(\n{walls}\n);\n")
+
+
+def _snappy(case):
+    regions = "\n".join(f'            "{patch}" {{ name {patch}; }}' for patch in case.levels)
+    levels = "\n".join(
+        f'                "{patch}" {{ level ({least} {most}); patchInfo {{ type {case.types[patch]}; }} }}'
+        for patch, (least, most) in case.levels.items())
+    lowest = min(least for least, _ in case.levels.values())
+    highest = max(most for _, most in case.levels.values())
+    return _HEADER.format("snappyHexMeshDict") + _SNAPPY.format(
+        name=case.name, regions=regions, levels=levels, lowest=lowest, highest=highest, inside=_vector(case.inside))
+
+
+def _cfmesh(case):
+    refined = "\n".join(f'    "{patch}" {{ additionalRefinementLevels {most}; }}'
+                        for patch, (_, most) in case.levels.items() if most)
+    kinds = "\n".join(f'        "{patch}" {{ type {kind}; }}' for patch, kind in case.types.items())
+    return (f'{_HEADER.format("meshDict")}surfaceFile "constant/triSurface/{case.name}.fms";\nmaxCellSize {case.cell!r};\n'
+            f"localRefinement\n{{\n{refined}\n}}\nrenameBoundary\n{{\n    newPatchNames\n    {{\n{kinds}\n    }}\n}}\n")
+
+
+_CONTROL = """application simpleFoam;
+startFrom latestTime;
+startTime 0;
+stopAt endTime;
+endTime 100;
+deltaT 1;
+writeControl timeStep;
+writeInterval 100;
+writeFormat ascii;
+writePrecision 10;
+"""
+_SCHEMES = """ddtSchemes { default steadyState; }
+gradSchemes { default Gauss linear; }
+divSchemes { default none; }
+laplacianSchemes { default Gauss linear corrected; }
+interpolationSchemes { default linear; }
+snGradSchemes { default corrected; }
+"""
+_SNAPPY = """castellatedMesh true;
+snap true;
+addLayers false;
+geometry
+{{
+    {name}.stl
+    {{
+        type triSurfaceMesh;
+        name {name};
+        regions
+        {{
+{regions}
+        }}
+    }}
+}}
+castellatedMeshControls
+{{
+    maxLocalCells 2000000;
+    maxGlobalCells 10000000;
+    minRefinementCells 0;
+    nCellsBetweenLevels 3;
+    resolveFeatureAngle 30;
+    allowFreeStandingZoneFaces true;
+    locationInMesh {inside};
+    features ( {{ file "{name}.eMesh"; level {highest}; }} );
+    refinementSurfaces
+    {{
+        {name}
+        {{
+            level ({lowest} {highest});
+            regions
+            {{
+{levels}
+            }}
+        }}
+    }}
+    refinementRegions {{}}
+}}
+snapControls
+{{
+    nSmoothPatch 3;
+    tolerance 2.0;
+    nSolveIter 100;
+    nRelaxIter 5;
+    nFeatureSnapIter 10;
+    implicitFeatureSnap false;
+    explicitFeatureSnap true;
+    multiRegionFeatureSnap true;
+}}
+addLayersControls
+{{
+    relativeSizes true;
+    layers {{}}
+    expansionRatio 1.2;
+    finalLayerThickness 0.3;
+    minThickness 0.1;
+    nGrow 0;
+    featureAngle 60;
+    nRelaxIter 3;
+    nSmoothSurfaceNormals 1;
+    nSmoothNormals 3;
+    nSmoothThickness 10;
+    maxFaceThicknessRatio 0.5;
+    maxThicknessToMedialRatio 0.3;
+    minMedianAxisAngle 90;
+    nBufferCellsNoExtrude 0;
+    nLayerIter 50;
+}}
+meshQualityControls
+{{
+    maxNonOrtho 65;
+    maxBoundarySkewness 20;
+    maxInternalSkewness 4;
+    maxConcave 80;
+    minVol 1e-30;
+    minTetQuality 1e-15;
+    minArea -1;
+    minTwist 0.02;
+    minDeterminant 0.001;
+    minFaceWeight 0.05;
+    minVolRatio 0.01;
+    minTriangleTwist -1;
+    nSmoothScale 4;
+    errorReduction 0.75;
+    relaxed {{ maxNonOrtho 75; }}
+}}
+mergeTolerance 1e-6;
+"""
