@@ -48,6 +48,30 @@ class Details(unittest.TestCase):
             self.assertLess(len(mesh.triangles), 100)
             self.assertEqual(len(mesh.report.exempt), 0)
 
+    @staticmethod
+    def horn(length):
+        """A plate between two arcs that touch the line y = 0: one at the tip, one this far from it."""
+        def on_arc(radius, start, turn):
+            return FreeCAD.Vector(start + radius * math.sin(turn), radius - radius * math.cos(turn), 0)
+
+        tip, node, end = on_arc(2, 0, 0), on_arc(10, length, 0), on_arc(2, 0, 1.2)
+        turn = math.asin((end.x - length) / 10)
+        upper = Part.Arc(tip, on_arc(2, 0, 0.5), end).toShape()
+        lower = Part.Arc(node, on_arc(10, length, turn / 2), on_arc(10, length, turn)).toShape()
+        line = Part.makeLine(tip, node)
+        side = Part.makeLine(on_arc(10, length, turn), end)
+        plate = Part.Face(Part.Wire(Part.__sortEdges__([upper, line, lower, side])))
+        below = FreeCAD.Vector(0, 0, -1)
+        shell = Part.Shell([plate, upper.extrude(-below), line.extrude(below), lower.extrude(below)])
+        shell.sewShape()
+        return shell
+
+    def test_a_tip_beside_a_narrow_corner_is_taken_off(self):
+        report = mq.triangulate(self.horn(0.02), min_angle=25, chord_height=0.02).report
+        self.assertEqual([reason.cause for _, reason in report.exempt_reasons], ["narrow_corner"])
+        self.assertGreaterEqual(report.min_angle_unexempted, 25)
+        self.assertTrue(any("Face1: has a spike" in str(note) for note in report.notes), report.notes)
+
     def test_a_finer_distance_keeps_it(self):
         mesh = mq.triangulate(self.cut_plate(), chord_height=0.001)
         self.assertEqual(len(set(mesh.triangle_face.tolist())), 7)

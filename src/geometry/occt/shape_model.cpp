@@ -103,7 +103,9 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
     topology_.detail = join.detail ? join.detail(topology_.box) : 0.0;
     const OpenCascadeWait wait(progress, "reading the shape");
     sew_collapsed_pieces(entities, topology_, live_, progress);
-    remove_spikes(topology_, live_, progress);
+    if (remove_spikes(topology_, live_, progress)) {
+        sew_collapsed_pieces(entities, topology_, live_, progress);  // what is left of a face can be thin, too
+    }
     topology_.sewn = join.sew && topology_.detail > 0.0;
     if (topology_.sewn) {
         for (const int turned : join_loose_faces(topology_, live_, progress)) {

@@ -19,18 +19,23 @@ class Spikes : EdgeJoining {
     Spikes(Topology& topology, ShapeMap& live, const Progress* progress)
         : EdgeJoining(topology, live), progress_(progress) {}
 
-    void run() {
+    bool run() {
+        bool any = false;
         for (Face& face : topology_.faces) {
             check_cancelled(progress_);
             for (Loop& loop : face.loops) {
                 while (remove_one(loop)) {
+                    any = true;
                 }
             }
         }
         rename_nodes();
+        return any;
     }
 
   private:
+    static constexpr double kWidestTip = 45.0 * kDegree;  // Radians: between its sides.
+
     /// Two neighbours on a loop, seen from the longer one; edges shorter than the detail may lie between them.
     struct Sides {
         int longer;             // use of the edge that goes on beyond the spike
@@ -75,7 +80,8 @@ class Spikes : EdgeJoining {
     std::optional<Spike> spike_between(const Sides& sides) const {
         const int a = edge_of(sides.longer);
         const int b = edge_of(sides.shorter);
-        if (!parts_two_faces(sides.longer) || !parts_two_faces(sides.shorter) || a == b || !leave_together(sides)) {
+        if (!parts_two_faces(sides.longer) || !parts_two_faces(sides.shorter) || a == b ||
+            tip_angle(sides) >= kWidestTip) {
             return std::nullopt;
         }
         const double own = tolerance(a) + tolerance(b);
@@ -104,13 +110,11 @@ class Spikes : EdgeJoining {
         return is_side(edge_of(use)) && use_of(opposite_use(use)).face != use_of(use).face;
     }
 
-    /// Whether both edges leave the tip in about the same direction.
-    bool leave_together(const Sides& sides) const {
-        // Fraction of the edges' ranges over which their directions are measured, and the largest angle between those.
-        constexpr double kStep = 0.01;
-        constexpr double kMost = 45.0 * kDegree;
+    /// Radians: the angle between the directions in which both edges leave the tip.
+    double tip_angle(const Sides& sides) const {
+        constexpr double kStep = 0.01;  // Fraction of the edges' ranges over which their directions are measured.
         return angle_between(direction_at(sides.longer, !sides.ascending, kStep),
-                             direction_at(sides.shorter, sides.ascending, kStep)) < kMost;
+                             direction_at(sides.shorter, sides.ascending, kStep));
     }
 
     /// From an end of a use into its edge: from its start, or back from its end.
@@ -129,11 +133,14 @@ class Spikes : EdgeJoining {
     }
 
     /// Whether the border leaves the longer edge at the end of the shorter one into the face, by DetailCorners::kLeast
-    /// or more. Around a slit, which the border passes on its other side, it leaves away from the face.
+    /// or more, or at a corner no narrower than the one that is taken off with the tip. Around a slit, which the border
+    /// passes on its other side, it leaves away from the face.
     bool opens(const Sides& sides, const Answer& foot) const {
         const std::optional<Vec3> into = conormal(sides.longer, foot.t);
         const Vec3 leaving = point_along(sides.beyond, sides.ascending) - foot.point;
-        return into && angle_between(*into, leaving) <= 0.5 * M_PI - DetailCorners::kLeast;
+        const double least =
+            sides.tips.empty() ? std::min(tip_angle(sides), DetailCorners::kLeast) : DetailCorners::kLeast;
+        return into && angle_between(*into, leaving) <= 0.5 * M_PI - least;
     }
 
     /// Whether the faces beyond the tip keep a corner where they lose its edge.
@@ -183,8 +190,8 @@ class Spikes : EdgeJoining {
 
 }  // namespace
 
-void remove_spikes(Topology& topology, ShapeMap& live, const Progress* progress) {
-    Spikes(topology, live, progress).run();
+bool remove_spikes(Topology& topology, ShapeMap& live, const Progress* progress) {
+    return Spikes(topology, live, progress).run();
 }
 
 }  // namespace mq::geometry

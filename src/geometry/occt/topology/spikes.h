@@ -8,9 +8,11 @@ namespace mq::geometry {
 /// Takes spikes off faces: places where a border runs along one edge and back along another, no farther apart than
 /// their tolerances or `topology.detail`. The longer edge is divided where the shorter one ends (Topology::parts_of);
 /// the piece beside the shorter one is joined with it, and bounds the two faces on their other sides.
-/// `topology.faults` names the faces. Spikes stay where a corner of less than DetailCorners::kLeast would be left, or
-/// where the other faces lie on each other. To be called after sew_collapsed_pieces.
+/// `topology.faults` names the faces. Spikes stay where a corner would be left that is narrower than theirs and than
+/// DetailCorners::kLeast, or where the other faces lie on each other. To be called after sew_collapsed_pieces, and
+/// before it again: what is left of a face can be as thin.
+/// @return whether there were any
 /// @throws Cancelled
-void remove_spikes(Topology& topology, ShapeMap& live, const Progress* progress);
+bool remove_spikes(Topology& topology, ShapeMap& live, const Progress* progress);
 
 }  // namespace mq::geometry

@@ -46,6 +46,32 @@ TopoDS_Shell spiked(double width, double rise) {
     return shell;
 }
 
+/// The face between x = 1 and a border that leaves it at a tip this far above y = 1, lies this much to its left at y =
+/// 1 and that much at y = 0. Beyond the border lies a face in the plane, beyond x = 1 one that rises.
+TopoDS_Shell tapering(double length, double at_one, double at_zero) {
+    const TopoDS_Vertex tip = vertex(1.0, 1.0 + length, 0.0);
+    const TopoDS_Vertex middle = vertex(1.0 - at_one, 1.0, 0.0);
+    const TopoDS_Vertex foot = vertex(1.0, 0.0, 0.0);
+    const TopoDS_Vertex end = at_zero > 0.0 ? vertex(1.0 - at_zero, 0.0, 0.0) : foot;
+    const TopoDS_Vertex low = vertex(0.0, 0.0, 0.0);
+    const TopoDS_Vertex left = vertex(0.0, 2.0, 0.0);
+    const TopoDS_Vertex risen = vertex(2.0, 1.0, 1.0);
+    const TopoDS_Edge longer = line(foot, tip);
+    const TopoDS_Edge shorter = line(tip, middle);
+    const TopoDS_Edge beyond = line(middle, end);
+    std::vector<TopoDS_Edge> edges{longer, shorter, beyond};
+    if (at_zero > 0.0) {
+        edges.push_back(line(end, foot));
+    }
+    TopoDS_Shell shell;
+    BRep_Builder builder;
+    builder.MakeShell(shell);
+    builder.Add(shell, planar_face(edges));
+    builder.Add(shell, planar_face({shorter, line(tip, left), line(left, low), line(low, end), beyond}));
+    builder.Add(shell, planar_face({longer, line(foot, risen), line(risen, tip)}));
+    return shell;
+}
+
 /// A detail of 0.005 mm.
 VirtualTopology finely() {
     return {[](const Box&) { return 5e-3; }, true};
@@ -78,6 +104,26 @@ TEST(Spikes, ASpikeIsTakenOffAndTheFacesBesideItMeet) {
         }
         EXPECT_EQ(between, 1) << width;
     }
+}
+
+TEST(Spikes, ANarrowCornerMayBeLeftWhereANarrowerOneIsTakenOff) {
+    const auto wider = make_shape_model(tapering(1.0, 1e-3, 0.2), nullptr, Creases::Keep, finely());
+    EXPECT_TRUE(has_spike(wider->topology()));
+    EXPECT_EQ(wider->topology().faces[0].loops.front().uses.size(), 3U);
+    const auto narrower = make_shape_model(tapering(0.02, 4e-3, 6e-3), nullptr, Creases::Keep, finely());
+    EXPECT_FALSE(has_spike(narrower->topology()));
+    EXPECT_EQ(narrower->topology().faces[0].loops.front().uses.size(), 4U);
+}
+
+TEST(Spikes, AThinFaceWithUnequalNumbersOfEdgesIsNoFace) {
+    const auto model = make_shape_model(tapering(1.0, 1e-3, 0.0), nullptr, Creases::Keep, finely());
+    const Topology& topology = model->topology();
+    EXPECT_TRUE(has_spike(topology));
+    EXPECT_TRUE(topology.faces[0].no_area);
+    EXPECT_TRUE(topology.faces[0].loops.empty());
+    const auto shared = std::count_if(topology.edges.begin(), topology.edges.end(),
+                                      [](const Edge& edge) { return edge.uses.size() == 2; });
+    EXPECT_EQ(shared, 2);
 }
 
 TEST(Spikes, WiderOnesStayAndThoseBetweenFacesThatLieOnEachOther) {
