@@ -12,6 +12,7 @@ from .patches import patches_of
 
 FLOWS = ("internal", "external")
 MOST_LEVELS = 6  # of refinement: cells 64 times as short as those of the background
+_CELLS = {"internal": 20, "external": 4}  # of the background along the part
 _MARGIN = 0.05  # of the size, by which the background is larger than the part for flows inside
 _FAR = (2.0, 4.0)  # sizes of the part between it and the sides of the background, before and behind it along x
 _OPEN = ("inlet", "outlet", "opening", "farfield")  # patches called so are open, all others walls
@@ -82,7 +83,7 @@ def case_of(mesh, name, flow, cell, scale, types):
     corners = (mesh.vertices + mesh.origin)[mesh.triangles] * scale
     low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
     size = float((high - low).max())
-    cell = size / 20 if cell is None else cell * scale
+    cell = size / _CELLS[flow] if cell is None else cell * scale
     if not 0.0 < cell < size:
         raise InvalidInput(f"cell = {cell / scale:g} mm is not possible: give a length between 0 and the size of the part, "
                            f"{size / scale:g} mm")
