@@ -22,6 +22,7 @@ Objects of the document, which follow what they are made of
     set_patches         names groups of faces, for files
     suggested_patches   groups that the document knows: labels, colours, references of an analysis
     export_mesh         writes its mesh into a file, with its patches
+    write_openfoam_case writes a folder in which OpenFOAM meshes a flow inside or around
 
 Results and reports
     A mesh has NumPy arrays (vertices, triangles, ...), to_mesh() for a Mesh.Mesh, write(path) by extension, and its
@@ -69,6 +70,7 @@ _LAZY = {
     "add_boolean": "MeshQuality.features.boolean",
     "export_curved_mesh": "MeshQuality.features.export",
     "export_mesh": "MeshQuality.features.export",
+    "write_openfoam_case": "MeshQuality.features.cfd",
     "set_patches": "MeshQuality.features.transactions",
     "suggested_patches": "MeshQuality.core.patch_names",
     "update": "MeshQuality.features.transactions",

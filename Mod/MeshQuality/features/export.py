@@ -98,6 +98,11 @@ def maker_of(obj, path, patches=None, patch_rest=None):
     return partial(_with_patches, make, _division(obj, patches, patch_rest))
 
 
+def flat_mesh_of(obj):
+    """The SurfaceMesh that a document object shows, with its patches, measured."""
+    return _with_patches(_flat_maker(obj, measured=True), _division(obj, *patches_of_object(obj)))
+
+
 def _division(obj, patches, patch_rest):
     holder = frames.linked_of(obj)[0]
     source = holder.Proxy.sources(holder)[0] if patches and hasattr(holder, "FaceRuns") else None
@@ -110,7 +115,7 @@ def _with_patches(make, division):
     return mesh
 
 
-def _flat_maker(source):
+def _flat_maker(source, measured=False):
     if not isinstance(frames.object_of(source), FreeCAD.DocumentObject) or not convert.is_mesh(source):
         raise InvalidInput(f"{convert.label_of(source)} holds no mesh: give an object with a mesh, or a link to one")
     copy, holder = convert.MeshCopy(source), frames.linked_of(source)[0]
@@ -121,7 +126,7 @@ def _flat_maker(source):
         if not len(triangles):
             raise InvalidInput(f"{convert.label_of(source)} has no triangles: compute it first")
         faces = faces_of_runs(runs, len(triangles)).astype(np.int32)
-        return SurfaceMesh(extension().surface_from_arrays(vertices, triangles, faces, False))
+        return SurfaceMesh(extension().surface_from_arrays(vertices, triangles, faces, measured))
 
     return make
 

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Folders for meshers of flows, of document objects and of meshes."""
+
+import os
+
+from ..core import convert, openfoam_case
+from ..core.surface_mesh import SurfaceMesh
+from ..errors import InvalidInput
+from .export import flat_mesh_of
+
+
+def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0.001, types=None):
+    """Writes a case in which OpenFOAM's blockMesh and snappyHexMesh, or cfMesh's cartesianMesh, fill a part or the space
+    around it, with the names of its patches.
+
+    mesh    closed SurfaceMesh, or a document object with one, which has patches by set_patches
+    folder  of the case; it is made where it is not there, and files of these names in it are replaced:
+            constant/triSurface/NAME.stl, .eMesh (sharp edges and borders of patches) and .fms; system/blockMeshDict,
+            snappyHexMeshDict, meshDict (of cfMesh), controlDict, fvSchemes, fvSolution
+    name    of the surface in the case
+    flow    "internal": inside of the part; "external": around it, with the wind along x
+    cell    mm, cells of the background; None: 1/20 of the part inside, 1/4 around it
+    scale   factor of the coordinates; 0.001: metres, which OpenFOAM takes
+    types   {patch: "wall" or "patch"}; others are walls, but for those with names that begin with inlet, outlet,
+            opening or farfield
+
+    Surfaces get levels of refinement at which cells are as large as the triangles there, at most 6.
+    Returns the levels: {patch: (least, greatest)}. Raises InvalidInput for a mesh that is open; IoError.
+    """
+    if not isinstance(name, str) or not name.isidentifier() or not name.isascii():
+        raise InvalidInput(f"name = {name!r} is not possible: give letters, digits and _ only, a letter first")
+    for patch, kind in (types or {}).items():
+        if kind not in ("wall", "patch"):
+            raise InvalidInput(f"types says {kind!r} of patch {patch!r}: give 'wall' or 'patch'")
+    surface = mesh if isinstance(mesh, SurfaceMesh) else flat_mesh_of(mesh)
+    folder = os.fsdecode(convert.file_name(folder))
+    return openfoam_case.write_case(surface, folder, name, flow, cell, scale, types).levels
