@@ -17,7 +17,7 @@ Meshes for scripts
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
-    add_quality_mesh, add_curved_mesh, add_boolean, add_improved_mesh
+    add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_improved_mesh
     update              gives such an object other options, and computes it
     set_patches         names groups of faces, for files
     suggested_patches   groups that the document knows: labels, colours, references of an analysis
@@ -67,6 +67,7 @@ _LAZY = {
     "Solid": "MeshQuality.core.solid",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
+    "add_fem_mesh": "MeshQuality.features.fem_mesh",
     "add_boolean": "MeshQuality.features.boolean",
     "export_curved_mesh": "MeshQuality.features.export",
     "export_mesh": "MeshQuality.features.export",

@@ -8,7 +8,7 @@ import json
 import math
 import numbers
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from . import phrases
 from .errors import InvalidInput
@@ -348,6 +348,15 @@ CURVE = (
 )
 
 
+_OF_FEM = {
+    "order": {"high": 2, "help": "1: straight sides; 2: quadratic elements, which follow curved faces and bend as "
+                                 "they should"},
+    "volume": {"default": True, "help": "Fill the solids with tetrahedra; off, and where there is no solid: triangles "
+                                        "for shells"},
+}
+FEM = tuple(replace(option, **_OF_FEM.get(option.name, {})) for option in CURVE)
+
+
 # Options of the document object, beside those of CURVE.
 CURVED_DISPLAY = (
     Option("deviation", float, None, unit="mm", low=0.0, group="Display",
@@ -411,6 +420,7 @@ CURVE_PRESETS = (
     _fineness("Coarse", 0.03, order=2), _fineness("Medium", 0.01, order=2),
     _fineness("Fine", 0.005, order=3), _fineness("Very fine", 0.001, order=3),
 )
+FEM_PRESETS = tuple(replace(preset, values={**preset.values, "order": 2}) for preset in CURVE_PRESETS)
 FIRST_PRESET = "Medium"  # where nothing was chosen yet
 
 

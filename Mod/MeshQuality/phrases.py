@@ -108,6 +108,8 @@ IN_ITS_SOURCE = "it is made of {name} and cannot lie in that, as each would wait
                 "it follows, too"
 TAKEN_OUT = "it is made of {name} and cannot lie in that, as each would wait for the other: it was taken out again, and " \
             "follows from outside, too"
+# A FEM mesh in an analysis that has one.
+MORE_MESHES = "the analysis {name} has another mesh, {name2}: FreeCAD solves on one mesh only; take the others out"
 
 # Errors that a panel can meet.
 BOUND_BY_EXPRESSION = (
@@ -134,7 +136,7 @@ SOURCE_DELETED = "Source is empty: the source was deleted; choose another one, o
 SOURCE_GONE = "The source was deleted. Close this panel."
 DOCUMENT_CLOSED = "The document was closed. Close this panel."
 ERRORS = (
-    IN_ITS_SOURCE, TAKEN_OUT, BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
+    IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES, BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
     TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_MESH, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )

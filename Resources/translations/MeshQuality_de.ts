@@ -379,6 +379,18 @@
         <source>Join faces that belong to no shell, as those of most IGES files, where their borders lie together; the report says how far apart they were</source>
         <translation>Flächen ohne Hülle, wie die der meisten IGES-Dateien, verbinden, wo ihre Ränder aufeinanderliegen; der Bericht sagt, wie weit sie auseinanderlagen</translation>
     </message>
+    <message>
+        <source>1: straight sides; 2: quadratic elements, which follow curved faces and bend as they should</source>
+        <translation>1: gerade Seiten; 2: quadratische Elemente, die gekrümmten Flächen folgen und sich richtig biegen</translation>
+    </message>
+    <message>
+        <source>Fill the solids with tetrahedra; off, and where there is no solid: triangles for shells</source>
+        <translation>Füllt die Körper mit Tetraedern; aus, und wo es keinen Körper gibt: Dreiecke für Schalen</translation>
+    </message>
+    <message>
+        <source>The source, as FreeCAD&apos;s FEM workbench looks it up</source>
+        <translation>Die Quelle, unter dem Namen, unter dem FreeCADs FEM-Arbeitsbereich sie sucht</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1810,6 +1822,18 @@
         <source>Join loose faces</source>
         <translation>Lose Flächen verbinden</translation>
     </message>
+    <message>
+        <source>1: straight sides; 2: quadratic elements, which follow curved faces and bend as they should</source>
+        <translation>1: gerade Seiten; 2: quadratische Elemente, die gekrümmten Flächen folgen und sich richtig biegen</translation>
+    </message>
+    <message>
+        <source>Fill the solids with tetrahedra; off, and where there is no solid: triangles for shells</source>
+        <translation>Füllt die Körper mit Tetraedern; aus, und wo es keinen Körper gibt: Dreiecke für Schalen</translation>
+    </message>
+    <message>
+        <source>the analysis {name} has another mesh, {name2}: FreeCAD solves on one mesh only; take the others out</source>
+        <translation>die Analyse {name} hat ein weiteres Netz, {name2}: FreeCAD rechnet nur auf einem Netz; die anderen herausnehmen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -1904,6 +1928,17 @@
     <message>
         <source>Write the curved elements of the selected mesh into a file for Gmsh, ParaView or a solver</source>
         <translation>Schreibt die gekrümmten Elemente des gewählten Netzes in eine Datei für Gmsh, ParaView oder einen Löser</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_FemMesh</name>
+    <message>
+        <source>FEM mesh...</source>
+        <translation>FEM-Netz...</translation>
+    </message>
+    <message>
+        <source>Mesh the selected shapes for FreeCAD&apos;s FEM workbench, in the active analysis</source>
+        <translation>Ausgewählte Formen für FreeCADs FEM-Arbeitsbereich vernetzen, in der aktiven Analyse</translation>
     </message>
 </context>
 <context>

@@ -180,3 +180,11 @@ class Contacts(unittest.TestCase):
             self.assertEqual(part.patches, ("all",))
         with self.assertRaisesRegex(mq.InvalidInput, "Solid9"):
             mesh.of_solid(8)
+
+    def test_groups_of_a_fem_mesh_have_both_names(self):
+        shape = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, Vector(0, 0, 10))])
+        mesh = mq.curve(shape, volume=True, chord_height=0.1, imprint=True)
+        fem = mesh.to_fem_mesh(groups=True)
+        groups = {fem.getGroupName(group): sorted(fem.getGroupElements(group)) for group in fem.Groups}
+        self.assertEqual(groups["Face6"], groups["Face11"])  # the top of the lower box is the bottom of the upper one
+        self.assertEqual(sum(name.startswith("Face") for name in groups), 12)

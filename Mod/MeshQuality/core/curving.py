@@ -8,7 +8,7 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, frames, writing
+from . import convert, fem, frames, writing
 from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
 
@@ -20,7 +20,6 @@ ARRAYS = {
     "TriangleQuality": "triangle_quality", "TetrahedronNodes": "tetrahedra",
     "TetrahedronSolid": "tetrahedron_solid", "TetrahedronQuality": "tetrahedron_quality",
 }
-_FEM_TETRAHEDRON = (1, 0, 2, 3, 4, 6, 5, 9, 7, 8)
 
 
 class CurvedMesh(metaclass=Public):
@@ -36,6 +35,7 @@ class CurvedMesh(metaclass=Public):
                        int32 (T,), the CAD face of the solid on the other side of triangle i, or -1; empty where
                        no solid shares a face with another (imprint=True)
     edges              int32 (L, order + 1), on the CAD edges
+    edge_entity        int32 (L,), element i of edges lies on shape.Edges[edge_entity[i]]
     tetrahedra         int32 (E, nodes per tetrahedron), empty without volume
     tetrahedron_solid  int32 (E,), tetrahedron i lies in shape.Solids[tetrahedron_solid[i]]
     node_entity        int32 (N, 2), (dimension 0|1|2|3, index)
@@ -79,6 +79,7 @@ class CurvedMesh(metaclass=Public):
     triangle_face = property(lambda self: self._curved.triangle_face, doc="int32 (T,)")
     triangle_face_behind = property(lambda self: self._curved.triangle_face_behind, doc="int32 (T,)")
     edges = property(lambda self: self._curved.edges, doc="int32 (L, order + 1)")
+    edge_entity = property(lambda self: self._curved.edge_entity, doc="int32 (L,)")
     tetrahedra = property(lambda self: self._curved.tetrahedra,
                           doc="int32 (E, nodes per tetrahedron)")
     tetrahedron_solid = property(lambda self: self._curved.tetrahedron_solid, doc="int32 (E,)")
@@ -162,30 +163,16 @@ class CurvedMesh(metaclass=Public):
         """A Mesh.Mesh of the curved triangles as `tessellate` cuts them; one segment a CAD face."""
         return convert.mesh_of_surface(self.tessellate(deviation).surface())
 
-    def to_fem_mesh(self):
+    def to_fem_mesh(self, groups=False):
         """A Fem.FemMesh of a mesh of order 1 or 2: tetrahedra of a volume, triangles otherwise.
 
-        Node i + 1 is nodes[i]; element i + 1 is elements[i]. Raises InvalidInput for higher orders,
-        which FreeCAD's FEM meshes cannot hold.
+        groups   also the triangles of a volume and the edges on the CAD edges, and a group for each CAD
+                 entity by FreeCAD's name: Solid1, Face1, Edge1
+        Node i + 1 is nodes[i]; element i + 1 is elements[i]. With groups the triangles of a volume come next in
+        their order, and then the edges. Raises InvalidInput for higher orders, which FreeCAD's FEM meshes
+        cannot hold; Error where FreeCAD is built without its FEM workbench.
         """
-        if self.order > 2:
-            raise InvalidInput(f"a FEM mesh of FreeCAD has order 1 or 2, not {self.order}: curve "
-                               "with order=2")
-        import Fem
-
-        mesh = Fem.FemMesh()
-        for i, point in enumerate(self.nodes.tolist(), 1):
-            mesh.addNode(*point, i)
-        volume = len(self.tetrahedra) > 0
-        # FreeCAD's tetrahedra are turned the other way round than Gmsh's, and their middle nodes
-        # come in another order; triangles are alike.
-        order = _FEM_TETRAHEDRON if volume else range(6)
-        count = self.elements.shape[1]
-        elements = self.elements[:, [k for k in order if k < count]] + 1
-        add = mesh.addVolume if volume else mesh.addFace
-        for element in elements.tolist():
-            add(element)
-        return mesh
+        return fem.mesh_of(fem.elements_of(self, groups))
 
     def write(self, path, patches=None, patch_rest=None, scale=1.0, ascii=False, format=None):  # noqa: A002
         """Writes into a file; one that is there is replaced once the new one is complete.

@@ -137,4 +137,4 @@ def add_boolean(a, b=None, operation="union", **values):
         properties.set_options(obj, options.BOOLEAN, checked)
         return proxy
 
-    return transactions.add(document, "Boolean", "Boolean", make)
+    return transactions.add(document, MeshBoolean, "Boolean", "Boolean", make)

@@ -16,7 +16,7 @@ from . import mesh_object, properties, transactions
 from .gui_hooks import window
 
 # Name, type, what it says, where the report has it. All read-only.
-_MEASURED = (
+_REPORTED = (
     ("Elements", "App::PropertyInteger", "Number of tetrahedra, or of triangles without a volume",
      "elements"),
     ("Vertices", "App::PropertyInteger", "Number of corners of elements", "vertices"),
@@ -49,7 +49,9 @@ _MEASURED = (
     ("Notes", "App::PropertyStringList", "Other remarks about the computation", "notes"),
 )
 
-# Name, type, what it says: beside mesh_object.PROMISES.
+# Of every mesh of curved elements: name, type, what it says.
+MEASURED = tuple((name, kind, text) for name, kind, text, _ in _REPORTED)
+# The same, beside mesh_object.PROMISES.
 PROMISES = (
     ("Invalid", "App::PropertyInteger",
      "Number of elements that are not proven valid; 0 is required"),
@@ -63,8 +65,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
     OPTIONS = options.CURVE + options.CURVED_DISPLAY
     PRESETS = options.CURVE_PRESETS
     BOUND_BEFORE = options.RELATIVE
-    PROMISES = PROMISES
-    MEASURED = tuple((name, kind, text) for name, kind, text, _ in _MEASURED)
+    PROMISES, MEASURED = PROMISES, MEASURED
     HIDDEN = (
         *mesh_object.SourceMesh.HIDDEN,
         ("ElementsOrder", "App::PropertyInteger", "Order of the stored elements"),
@@ -95,7 +96,7 @@ class CurvedMeshObject(mesh_object.SourceMesh):
         curved = held[1]() if kept \
             else curve(shape, **_elements_values(values), progress=progress)
         tessellation = curved.tessellate(values["deviation"], progress)
-        proof = None if kept else _Proof(curved, shape, values)
+        proof = None if kept else Proof(curved, shape, values)
         surface = tessellation.surface()
         return Result(curved, fingerprint, tessellation.deviation,
                       convert.mesh_of_surface(surface),
@@ -110,10 +111,8 @@ class CurvedMeshObject(mesh_object.SourceMesh):
     def take(self, obj, result):
         """Shows the elements and their report; those that were kept have been shown before."""
         if result.proof is not None:
-            proof = result.proof
             store_in(obj, result.curved, result.lists)
-            show_report(obj, result.curved.report)
-            mesh_object.show_certificate(obj, proof.topology, proof.closed, proof.findings)
+            result.proof.show(obj)
             obj.ElementsFingerprint = result.fingerprint
         obj.ShownDeviation, obj.FaceRuns = result.deviation, result.face_runs
         self.drawing = result.drawing
@@ -146,13 +145,19 @@ class Result:
     drawing: object
 
 
-class _Proof:
-    """What the certificate is made of: the topology of the elements' corners, and the findings."""
+class Proof:
+    """What the certificate of a CurvedMesh is made of: its report, the topology of the elements' corners, and the findings."""
 
     def __init__(self, curved, shape, values):
+        self.report = curved.report
         self.topology = verdict.topology_of_corners(curved)
         self.closed = verdict.must_be_closed(shape)
         self.findings = verdict.of_curved(curved, self.closed, values, self.topology, shape)
+
+    def show(self, obj):
+        """Fills the groups Quality and Certificate."""
+        show_report(obj, self.report)
+        mesh_object.show_certificate(obj, self.topology, self.closed, self.findings)
 
 
 def _elements_values(values):
@@ -166,7 +171,7 @@ def _elements_fingerprint(shape, values):
 
 def show_report(obj, report):
     """Fills the group Quality."""
-    for name, _, _, field in _MEASURED:
+    for name, _, _, field in _REPORTED:
         value = getattr(report, field)
         if field == "repairs":
             value = [f"{what}: {count}" for what, count in value.items() if count]

@@ -31,6 +31,10 @@ class Windowless:
         """Number of triangles above which a new mesh does not follow its source by itself."""
         return math.inf
 
+    def analysis_for(self, source):
+        """The analysis of FreeCAD's FEM workbench that a mesh of this source is meant for; None: the window knows none."""
+        return None
+
     def show_in_place_of_sources(self, obj):
         """Shows an object that was added where its sources were seen."""
 

@@ -53,9 +53,11 @@ FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
 
 
 class MeshObject(PlainState):
-    """Proxy of a Mesh::FeaturePython. Its state is in the object's properties.
+    """Proxy of a document object that holds a mesh. Its state is in the object's properties.
 
     A subclass has
+    TYPE, MESH          the type of the object, and the property that holds its mesh
+    size(obj)           how many triangles or elements that mesh has
     COMMAND             the command that adds one, by which it also gets its icon
     CALL                the function of the API that adds one
     OPTIONS, PRESETS    the table of its options, and values of them that go together
@@ -70,11 +72,14 @@ class MeshObject(PlainState):
                         where these are not new
     BOUND_BEFORE        the bound on the distance in older versions, where neither value was given
     TAKES_MESHES        whether of a container the meshes in it count, too, and not its shape alone
+    LEAVES_CONTAINERS   whether the mesh is where the source's own placement has it, whatever containers around
+                        the source say, and not where the document has the source
     An error leaves the last good mesh as it is.
     """
 
+    TYPE, MESH = "Mesh::FeaturePython", "Mesh"
     PRESETS = PROMISES = ()
-    TAKES_MESHES = False
+    TAKES_MESHES = LEAVES_CONTAINERS = False
     BOUND_BEFORE = options.UNBOUNDED
     _clearing = False
     _precomputed = None  # what with_precomputed gave
@@ -88,7 +93,7 @@ class MeshObject(PlainState):
         for name, kind, text in (*PROMISES, *self.PROMISES):
             if not add_property(obj, kind, name, "Certificate", text):
                 obj.setGroupOfProperty(name, "Certificate")  # older versions had some elsewhere
-            elif name == "Certificate" and obj.Mesh.CountFacets:
+            elif name == "Certificate" and self.size(obj):
                 obj.Certificate = verdict.UNKNOWN
             obj.setEditorMode(name, 1)
         add_hidden(obj, "Certificate", (CERTIFICATE_DATA, CERTIFICATE_FACES, CERTIFICATE_PLACE, FINGERPRINT, STATUS_DATA))
@@ -135,6 +140,10 @@ class MeshObject(PlainState):
 
     def follow(self, obj):
         """Has what names sub-elements of the sources follow their change."""
+
+    def size(self, obj):
+        """Number of triangles of the mesh that it holds."""
+        return obj.Mesh.CountFacets
 
     def lacks_source(self, obj):
         """Whether something that it is made of was deleted, or never chosen."""
@@ -256,7 +265,7 @@ class OfOneSource(MeshObject):
 
     def holds_mesh(self, obj):
         """There is no mesh without a triangle."""
-        return obj.Mesh.CountFacets > 0
+        return self.size(obj) > 0
 
     def add_properties(self, obj):
         """Adds those properties that the object has not got yet."""
@@ -270,13 +279,30 @@ class OfOneSource(MeshObject):
         self.add_common_properties(obj)
 
 
-class SourceMesh(OfOneSource):
-    """Proxy of an object that meshes the shape of its Source, with one segment a CAD face.
+class ShapeMesh(OfOneSource):
+    """Proxy of an object that meshes the shape of its Source.
 
     A subclass has the class method compute(shape, values, progress), and take(obj, result).
     """
 
     SOURCE, NEEDS = "The object whose shape is meshed", "a shape"
+
+    @classmethod
+    def work_on(cls, sources, values, obj=None):
+        """To mesh the source with these options."""
+        require_source(sources, obj)
+        values = options.check(cls.OPTIONS, values)
+        own = convert.own_shape_of(sources[0])
+        shape = own if cls.LEAVES_CONTAINERS else convert.shape_of(sources[0])
+        # Names of sub-elements of a container are found here, where documents may be asked.
+        found = convert.with_resolved_sizes(sources[0], values)
+        return Work(sources, values, partial(fingerprint_of, own, found),
+                    partial(cls.compute, shape, found))
+
+
+class SourceMesh(ShapeMesh):
+    """The same of a mesh with one segment a CAD face."""
+
     HIDDEN = (FACE_RUNS,)
 
     def add_properties(self, obj):
@@ -298,17 +324,6 @@ class SourceMesh(OfOneSource):
             convert.add_segments(mesh, segments)
             obj.Mesh = mesh
             obj.purgeTouched()
-
-    @classmethod
-    def work_on(cls, sources, values, obj=None):
-        """To mesh the source with these options."""
-        require_source(sources, obj)
-        values = options.check(cls.OPTIONS, values)
-        own, shape = convert.own_shape_of(sources[0]), convert.shape_of(sources[0])
-        # Names of sub-elements of a container are found here, where documents may be asked.
-        found = convert.with_resolved_sizes(sources[0], values)
-        return Work(sources, values, partial(fingerprint_of, own, found),
-                    partial(cls.compute, shape, found))
 
 
 def require_source(sources, obj):

@@ -33,7 +33,7 @@ def record(obj, frame, arrangement):
     arrangement  of all sources then, see frames.arrangement_of
     """
     obj.SourceFrame, obj.SourceArrangement = frame, arrangement
-    obj.MeshOrigin = attribute_of(attribute_of(property_of(obj, "Mesh"), "Placement"), "Base")
+    obj.MeshOrigin = attribute_of(attribute_of(property_of(obj, obj.Proxy.MESH), "Placement"), "Base")
 
 
 def follow(obj):
@@ -105,10 +105,13 @@ def _take_out(obj, changed):
 
 def move_to_source(obj):
     """Puts the object where its first source stands now; returns whether it has moved in the document."""
-    wanted = _wanted(obj)
-    if wanted is None:
-        return False
-    own = frames.relative(wanted, frames.frame_of(obj))
+    if obj.Proxy.LEAVES_CONTAINERS:
+        own = FreeCAD.Placement()
+    else:
+        wanted = _wanted(obj)
+        if wanted is None:
+            return False
+        own = frames.relative(wanted, frames.frame_of(obj))
     if frames.same(own, property_of(obj, "Placement")):
         return False
     obj.Placement = own

@@ -15,21 +15,21 @@ from .patches import give_patches
 from .properties import options_of, set_options
 
 
-def add(document, name, title, make):
+def add(document, kind, name, title, make):
     """Adds an object and computes it, as one undo step of its own or within the transaction that is open.
-    `make(obj)` gives it its properties and returns its proxy.
+    `kind` is the class of its proxy; `make(obj)` gives it its properties and returns its proxy.
 
     Returns the object; on an error nothing is added.
     """
     with undo_step(document, title):
-        obj = document.addObject("Mesh::FeaturePython", name)
+        obj = document.addObject(kind.TYPE, name)
         try:
             proxy = make(obj)
             window().attach_view(obj)
             obj.recompute()
             if proxy.error is not None:
                 raise proxy.error
-            if obj.Mesh.CountFacets > window().manual_above():
+            if proxy.size(obj) > window().manual_above():
                 obj.Recompute = MANUAL
             window().show_in_place_of_sources(obj)
             obj.purgeTouched()
@@ -42,7 +42,7 @@ def add(document, name, title, make):
 def update(obj, progress=None, **values):
     """Brings a document object of this package up to date, with changed options; one undo step.
 
-    obj       of add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh
+    obj       of add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean or add_improved_mesh
     progress  callable(fraction 0..1, stage); returning False cancels
     values    options to change; the others stay as they are, but a bound on the distance replaces the
               one that was there
@@ -57,7 +57,7 @@ def update(obj, progress=None, **values):
     proxy = getattr(obj, "Proxy", None)
     if not isinstance(proxy, MeshObject):
         raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
-                           "add_quality_mesh, add_curved_mesh, add_boolean or add_improved_mesh")
+                           "add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean or add_improved_mesh")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
     before = options_of(obj, table)
     values = options.check(table, options.merged(before, options.renamed(table, values)))
@@ -134,9 +134,10 @@ def undo_step(document, title):
         document.commitTransaction()
 
 
-def add_of_source(proxy_class, source, values, name, title, label=None):
+def add_of_source(proxy_class, source, values, name, title, label=None, then=None):
     """Adds an object that is made of `source`, a document object or a pair (document object, path) as in
-    frames; see add. Its label begins with that of the source and ends with `label`, or the title.
+    frames; see add. Its label begins with that of the source and ends with `label`, or the title. then(obj) does what
+    else belongs to the step.
     """
     if not isinstance(frames.object_of(source), FreeCAD.DocumentObject):
         raise InvalidInput(f"a document object with {proxy_class.NEEDS} is needed, not "
@@ -148,6 +149,8 @@ def add_of_source(proxy_class, source, values, name, title, label=None):
         obj.Label = f"{frames.leaf_of(source).Label} {label or title.lower()}"
         obj.Source, obj.SourcePath = frames.object_of(source), frames.path_of(source)
         set_options(obj, proxy_class.OPTIONS, checked)
+        if then is not None:
+            then(obj)
         return proxy
 
-    return add(frames.object_of(source).Document, name, title, make)
+    return add(frames.object_of(source).Document, proxy_class, name, title, make)

@@ -9,7 +9,7 @@ import FreeCADGui
 from ..compat import why_no_extension
 from ..core import convert, frames
 from ..core.curving import holds_elements
-from ..features import boolean, curved_mesh, improved_mesh, mesh_object, quality_mesh
+from ..features import boolean, curved_mesh, fem_mesh, improved_mesh, mesh_object, quality_mesh
 from .panel_operation import Operation
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
@@ -91,6 +91,18 @@ class Curve(_Command):
     TEXT = "Curved mesh"
     TIP = "Mesh the selected shapes with curved elements, each proven valid"
     KEYS = "Q, C"
+
+
+class FemMesh(_Command):
+    KIND = fem_mesh.FemMeshObject
+    NAME = KIND.COMMAND
+    TEXT = "FEM mesh"
+    TIP = "Mesh the selected shapes for FreeCAD's FEM workbench, in the active analysis"
+    KEYS = "Q, F"
+
+    def selected(self):
+        # An analysis may be selected beside the shapes, to say where the mesh belongs.
+        return [source for source in super().selected() if not fem_mesh.is_analysis(frames.leaf_of(source))]
 
 
 class Boolean(_Command):
@@ -211,7 +223,7 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, Boolean, Improve, Analyse, Update, Patches, Export)
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Boolean, Improve, Analyse, Update, Patches, Export)
 
 
 def panel_of(obj):

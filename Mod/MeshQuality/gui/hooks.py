@@ -35,6 +35,12 @@ class Window(Windowless):
         """As preferences.manual_above."""
         return preferences.manual_above()
 
+    def analysis_for(self, source):
+        """As analyses.chosen_for."""
+        from . import analyses  # with it FreeCAD's FEM workbench, which no other object needs
+
+        return analyses.chosen_for(source)
+
     def show_in_place_of_sources(self, obj):
         """As looks.show_in_place_of_sources."""
         looks.show_in_place_of_sources(obj)

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FEM meshes of FreeCAD, made of curved elements of order 1 or 2."""
+
+from collections import deque
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import Error, InvalidInput
+from . import convert
+
+# FreeCAD's tetrahedra are turned the other way round than Gmsh's, and their middle nodes come in another order;
+# triangles and edges are alike.
+_TETRAHEDRON = (1, 0, 2, 3, 4, 6, 5, 9, 7, 8)
+MAX_ORDER = 2
+
+
+@dataclass(frozen=True)
+class Elements:
+    """What a Fem.FemMesh is made of, as Python lists, which any thread may make.
+
+    points  the coordinates of all nodes: x, y, z
+    blocks  [(kind, first number, nodes of each element), ...], the numbers of a block go up by one; kind is
+            "Volume", "Face" or "Edge"
+    groups  [(name, kind, numbers of elements), ...]
+    """
+
+    points: list
+    blocks: list
+    groups: list
+
+
+def module():
+    """FreeCAD's module Fem. Raises Error where FreeCAD is built without it."""
+    try:
+        import Fem
+    except ImportError as error:
+        raise Error(f"this FreeCAD has no FEM workbench ({error}): install a FreeCAD that is built with it") from error
+    return Fem
+
+
+def elements_of(curved, groups):
+    """The Elements of a CurvedMesh: the tetrahedra of a volume mesh, the triangles otherwise.
+
+    groups  whether the triangles on the CAD faces and the edges on the CAD edges are elements, too, and all
+            elements of a CAD entity a group by FreeCAD's name for that: Solid1, Face1, Edge1
+    Raises InvalidInput for higher orders, which FreeCAD's FEM meshes cannot hold.
+    """
+    if curved.order > MAX_ORDER:
+        raise InvalidInput(f"a FEM mesh of FreeCAD has order 1 or 2, not {curved.order}: curve with order=2")
+    kinds = _kinds(curved)
+    behind = curved.triangle_face_behind  # an element between two solids is in the group of either's face
+    blocks, named, first = [], [], 1
+    for kind, nodes, entity, name in kinds if groups else kinds[:1]:
+        blocks.append((kind, first, convert.lists(nodes + 1)))
+        if groups:
+            named += _groups(kind, name, [entity, *([behind] if kind == "Face" and len(behind) else [])], first)
+        first += len(nodes)
+    return Elements([convert.lists(column) for column in np.ascontiguousarray(curved.nodes.T)], blocks, named)
+
+
+def _kinds(curved):
+    """[(kind, nodes by element, CAD entity by element, name of that), ...], of the highest dimension first."""
+    found = [("Face", curved.triangles, curved.triangle_face, "Face"),
+             ("Edge", curved.edges, curved.edge_entity, "Edge")]
+    if len(curved.tetrahedra):
+        count = curved.tetrahedra.shape[1]
+        turned = curved.tetrahedra[:, [k for k in _TETRAHEDRON if k < count]]
+        found.insert(0, ("Volume", turned, curved.tetrahedron_solid, "Solid"))
+    return found
+
+
+def _groups(kind, name, entities, first):
+    """The groups of one kind of element; what lies on no CAD entity is in none.
+
+    entities  arrays of the CAD entity by element: an element is in the group of each
+    """
+    found = {}
+    for entity in entities:
+        for numbers in convert.face_segments(entity):
+            index = int(entity[numbers[0]])
+            if index >= 0:
+                found.setdefault(index, []).extend(convert.lists(numbers + first))
+    for index, numbers in sorted(found.items()):
+        yield f"{name}{index + 1}", kind, numbers
+
+
+def mesh_of(elements):
+    """A Fem.FemMesh of Elements. SMESH keeps lists of all its meshes, so that only the main thread may make one
+    while the window shows others.
+    """
+    mesh = module().FemMesh()
+    # map, as FreeCAD takes one element a call: a loop in Python takes a third longer.
+    _run(map(mesh.addNode, *elements.points, range(1, len(elements.points[0]) + 1)))
+    for kind, first, nodes in elements.blocks:
+        _run(map(getattr(mesh, f"add{kind}"), nodes, range(first, first + len(nodes))))
+    for name, kind, numbers in elements.groups:
+        mesh.addGroupElements(mesh.addGroup(name, kind), numbers)
+    return mesh
+
+
+def _run(calls):
+    deque(calls, maxlen=0)

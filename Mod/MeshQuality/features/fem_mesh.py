@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object "FEM mesh": tetrahedra or shell elements for FreeCAD's FEM workbench that follow a shape of the
+document.
+
+That workbench finds nodes and faces by where they lie on a shape as its own placement has it, without the
+containers around it. So the mesh stays there, too.
+"""
+
+from dataclasses import dataclass
+
+import FreeCAD
+
+from .. import options, phrases
+from ..core import fem, frames
+from ..core.curving import curve
+from ..errors import InvalidInput
+from . import curved_mesh, mesh_object, transactions
+from .gui_hooks import window
+
+PART = ("Part", "App::PropertyLinkGlobal", "The source, as FreeCAD's FEM workbench looks it up")
+_ANALYSIS = "Fem::FemAnalysis"
+
+
+class FemMeshObject(mesh_object.ShapeMesh):
+    """Proxy of a Fem::FemMeshObjectPython that holds elements of order 1 or 2 on its source's shape."""
+
+    TYPE, MESH = "Fem::FemMeshObjectPython", "FemMesh"
+    LEAVES_CONTAINERS = True
+    COMMAND, CALL = "MeshQuality_FemMesh", "add_fem_mesh"
+    OPTIONS, PRESETS = options.FEM, options.FEM_PRESETS
+    BOUND_BEFORE = options.RELATIVE
+    PROMISES, MEASURED = curved_mesh.PROMISES, curved_mesh.MEASURED
+    HIDDEN = (PART,)
+
+    def size(self, obj):
+        """Number of tetrahedra, of a mesh of shells that of triangles."""
+        return obj.FemMesh.VolumeCount or obj.FemMesh.FaceCount
+
+    def onChanged(self, obj, name):
+        """Called by FreeCAD; Part is what Source is."""
+        super().onChanged(obj, name)
+        if name == "Source" and PART[0] in obj.PropertiesList and obj.Part != obj.Source:
+            obj.Part = obj.Source
+
+    @classmethod
+    def compute(cls, shape, values, progress):
+        """The Result."""
+        volume = values["volume"] and bool(shape.Solids)
+        curved = curve(shape, **{**values, "volume": volume}, progress=progress)
+        return Result(fem.elements_of(curved, groups=True), curved_mesh.Proof(curved, shape, values))
+
+    def take(self, obj, result):
+        """Shows the elements and their report."""
+        obj.FemMesh = fem.mesh_of(result.elements)
+        result.proof.show(obj)
+        return result.proof.report, result.proof.findings
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a FEM mesh object computes: the fem.Elements of its mesh, and the curved_mesh.Proof of its certificate."""
+
+    elements: fem.Elements
+    proof: curved_mesh.Proof
+
+
+def is_analysis(obj):
+    """Whether a document object is an analysis of FreeCAD's FEM workbench."""
+    return isinstance(obj, FreeCAD.DocumentObject) and obj.isDerivedFrom(_ANALYSIS)
+
+
+def analysis_around(source):
+    """The analysis that lists the object of a source; None where there is none."""
+    return next((user for user in frames.object_of(source).InList if is_analysis(user)), None)
+
+
+def add_fem_mesh(source, analysis=None, **values):
+    """Adds a document object that keeps a FEM mesh of `source` up to date; one undo step.
+
+    source    document object with a shape: feature, body, link or container
+    analysis  Fem::FemAnalysis that gets the mesh; None: in the window the active one, else the one that lists
+              what is selected, or `source`; else no one
+    values    the options of curve, except progress; order is 1 or 2, volume True unless given, which of a shape
+              without solids makes triangles
+
+    Its property FemMesh is a Fem.FemMesh as CurvedMesh.to_fem_mesh(groups=True) makes it. Returns the object.
+    Raises what curve raises, and then adds nothing; Error where FreeCAD is built without its FEM workbench.
+    """
+    fem.module()
+    if isinstance(frames.object_of(source), FreeCAD.DocumentObject):
+        analysis = _checked(analysis, source) if analysis is not None \
+            else window().analysis_for(source) or analysis_around(source)
+    return transactions.add_of_source(FemMeshObject, source, values, "FemMesh", "FEM mesh", "FEM mesh",
+                                      then=lambda obj: _put_into(analysis, obj))
+
+
+def _checked(analysis, source):
+    document = frames.object_of(source).Document
+    if not is_analysis(analysis) or analysis.Document != document:
+        raise InvalidInput(f"analysis must be a Fem::FemAnalysis of document '{document.Label}', not "
+                           f"{getattr(analysis, 'Label', analysis)!r}")
+    return analysis
+
+
+def _put_into(analysis, obj):
+    if analysis is None:
+        return
+    others = [f"'{other.Label}'" for other in analysis.Group if other.isDerivedFrom("Fem::FemMeshObject")]
+    analysis.addObject(obj)
+    if others:
+        said = phrases.Text(phrases.MORE_MESHES, name=f"'{analysis.Label}'", name2=", ".join(others))
+        FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(said)}\n")

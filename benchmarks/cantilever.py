@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cantilevers for FreeCAD's FEM workbench, solved by CalculiX as its window does. Runs inside FreeCAD.
+
+The beam is a bar with rounded edges, clamped at its face x = 0, whose deflection beam theory knows. The bracket is a
+shaft that a curved fillet joins to a plate.
+"""
+
+import FreeCAD
+import Part
+
+LENGTH, WIDTH, HEIGHT, RADIUS = 100.0, 20.0, 10.0, 3.0  # mm
+YOUNG = 210000.0  # MPa
+POISSON_RATIO = 0.0  # with another one the clamp stiffens the beam, by 1.4 % of this one, which beam theory does not know
+FORCE, PRESSURE = 100.0, 0.1  # N downwards at the free end; MPa on the top
+SHEAR = 10.0 * (1.0 + POISSON_RATIO) / (12.0 + 11.0 * POISSON_RATIO)  # coefficient of Cowper for a rectangle
+
+
+def beam():
+    """The bar along x, its longer edges rounded."""
+    box = Part.makeBox(LENGTH, WIDTH, HEIGHT)
+    along = [edge for edge in box.Edges if abs(edge.Vertexes[0].X - edge.Vertexes[1].X) > 1.0]
+    return box.makeFillet(RADIUS, along)
+
+
+def bracket():
+    """A shaft of 10 mm along x on a plate, with a fillet of 4 mm between the two."""
+    x = FreeCAD.Vector(1, 0, 0)
+    plate = Part.makeBox(10, 40, 40, FreeCAD.Vector(0, -20, -20))
+    whole = plate.fuse(Part.makeCylinder(5, 60, FreeCAD.Vector(10, 0, 0), x))
+    root = [edge for edge in whole.Edges if isinstance(edge.Curve, Part.Circle)
+            and abs(edge.CenterOfMass.x - 10.0) < 1e-6]
+    return whole.makeFillet(4.0, root)
+
+
+def deflections():
+    """{"force", "pressure": deflection of the beam's free end in mm}, by Timoshenko's theory."""
+    section = next(face for face in beam().Faces if abs(face.CenterOfMass.x) < 1e-6)
+    stiffness, shear = YOUNG * section.MatrixOfInertia.A22, \
+        SHEAR * section.Area * YOUNG / (2.0 * (1.0 + POISSON_RATIO))
+    load = PRESSURE * (WIDTH - 2.0 * RADIUS)
+    return {"force": FORCE * LENGTH**3 / (3.0 * stiffness) + FORCE * LENGTH / shear,
+            "pressure": load * LENGTH**4 / (8.0 * stiffness) + load * LENGTH**2 / (2.0 * shear)}
+
+
+def face_at(shape, axis, value):
+    """The name of the plane face that lies farthest along an axis ("x" or "z"), or least, by the sign of `value`."""
+    ends = {f"Face{i + 1}": value * getattr(face.CenterOfMass, axis) for i, face in enumerate(shape.Faces)
+            if isinstance(face.Surface, Part.Plane)}
+    return max(ends, key=ends.get)
+
+
+def add_analysis(part, load):
+    """An analysis of a part that is clamped at its least x, with `load` "force" or "pressure", and no mesh yet."""
+    import ObjectsFem
+
+    document, shape = part.Document, part.Shape
+    analysis = ObjectsFem.makeAnalysis(document)
+    solver = ObjectsFem.makeSolverCalculixCcxTools(document)
+    material = ObjectsFem.makeMaterialSolid(document)
+    material.Material = {"Name": "Steel", "YoungsModulus": f"{YOUNG} MPa", "PoissonRatio": str(POISSON_RATIO)}
+    fixed = ObjectsFem.makeConstraintFixed(document)
+    fixed.References = [(part, face_at(shape, "x", -1))]
+    for obj in (solver, material, fixed, _load(part, load)):
+        analysis.addObject(obj)
+    return analysis
+
+
+def _load(part, load):
+    import ObjectsFem
+
+    top = face_at(part.Shape, "z", 1)
+    if load == "pressure":
+        pressure = ObjectsFem.makeConstraintPressure(part.Document)
+        pressure.References, pressure.Pressure = [(part, top)], PRESSURE
+        return pressure
+    force = ObjectsFem.makeConstraintForce(part.Document)
+    force.References, force.Force = [(part, face_at(part.Shape, "x", 1))], FORCE
+    force.Direction, force.Reversed = (part, [top]), True  # against the normal of the top
+    return force
+
+
+def solve(analysis, folder):
+    """The result object of CalculiX, run in this folder. Raises RuntimeError with what is missing or what it said."""
+    from femtools import ccxtools
+
+    solver = next(obj for obj in analysis.Group if "Solver" in obj.Name)
+    tools = ccxtools.FemToolsCcx(analysis, solver)
+    tools.update_objects()
+    tools.setup_working_dir(folder)
+    missing = tools.check_prerequisites()
+    if missing:
+        raise RuntimeError(missing)
+    tools.write_inp_file()
+    if tools.ccx_run() != 0:
+        raise RuntimeError(tools.ccx_stdout[-1000:])
+    tools.purge_results()
+    tools.load_results()
+    return next(obj for obj in analysis.Group if obj.isDerivedFrom("Fem::FemResultObject"))
+
+
+def deflection(result, mesh, face):
+    """Mean displacement downwards of the nodes on a face, mm."""
+    nodes = set(mesh.getNodesByFace(face))
+    moved = [-vector.z for number, vector in zip(result.NodeNumbers, result.DisplacementVectors) if number in nodes]
+    return sum(moved) / len(moved)
