@@ -9,7 +9,7 @@ import gui_helpers
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
-from MeshQuality.gui.panels import export_panel, patches_panel
+from MeshQuality.gui.panels import case_panel, export_panel, patches_panel
 
 
 class Patches(gui_helpers.PanelTest):
@@ -126,3 +126,41 @@ class Patches(gui_helpers.PanelTest):
         self.assertEqual(list(obj.Patches), ["patch_1: Face1"])
         FreeCAD.ActiveDocument.undo()
         self.assertEqual(list(obj.Patches), [])
+
+    def test_a_case_for_openfoam(self):
+        obj = self.quality()
+        mq.set_patches(obj, {"inlet": ["Face1"]}, patch_rest="walls")
+        self.assertTrue(commands.FlowCase().IsActive())
+        panel = case_panel.CasePanel(obj)
+        FreeCADGui.Control.showDialog(panel)
+        folder = os.path.join(self.folder, "case")
+        panel.path.setProperty("fileName", folder)
+        panel.flow.setCurrentIndex(1)
+        panel.cell.setValue(5)
+        self.narrow(panel, "panel_case")
+        panel.accept()
+        self.until(lambda: panel.job is None)
+        self.assertEqual(panel.said, "")
+        self.assertFalse(FreeCADGui.Control.activeDialog())
+        self.assertEqual(sorted(os.listdir(folder)), ["constant", "system"])
+        self.assertEqual(cfd_ready(), {})
+
+    def test_a_case_needs_a_folder_that_can_be_made(self):
+        obj = self.quality()
+        panel = case_panel.CasePanel(obj)
+        FreeCADGui.Control.showDialog(panel)
+        path = os.path.join(self.folder, "file")
+        with open(path, "w", encoding="utf-8"):
+            pass
+        for folder, words in (("", "Choose a folder"), (os.path.join(path, "case"), "cannot be made")):
+            panel.path.setProperty("fileName", folder)
+            panel.accept()
+            self.until(lambda: panel.job is None)
+            self.assertIn(words, panel.said)
+        panel.reject()
+
+
+def cfd_ready():
+    from MeshQuality.features import cfd
+
+    return cfd._ready

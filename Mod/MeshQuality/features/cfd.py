@@ -6,7 +6,9 @@ import os
 from ..core import convert, openfoam_case
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import InvalidInput
-from .export import flat_mesh_of
+from .export import flat_maker_of
+
+_ready = {}  # (folder, flow, cell) of a case that write_ahead has written: its levels
 
 
 def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0.001, types=None):
@@ -32,6 +34,18 @@ def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None
     for patch, kind in (types or {}).items():
         if kind not in ("wall", "patch"):
             raise InvalidInput(f"types says {kind!r} of patch {patch!r}: give 'wall' or 'patch'")
-    surface = mesh if isinstance(mesh, SurfaceMesh) else flat_mesh_of(mesh)
     folder = os.fsdecode(convert.file_name(folder))
+    ready = _ready.pop((folder, flow, cell), None)
+    if ready is not None and (name, scale, types) == ("surface", 0.001, None):
+        return ready
+    surface = mesh if isinstance(mesh, SurfaceMesh) else flat_maker_of(mesh)()
     return openfoam_case.write_case(surface, folder, name, flow, cell, scale, types).levels
+
+
+def write_ahead(make, folder, flow, cell):
+    """Writes the case of what flat_maker_of made, for the write_openfoam_case with these arguments that follows; any
+    thread may call it. Returns what forgets that.
+    """
+    key = folder, flow, cell
+    _ready[key] = openfoam_case.write_case(make(), folder, flow=flow, cell=cell).levels
+    return lambda: _ready.pop(key, None)

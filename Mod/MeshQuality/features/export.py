@@ -98,9 +98,11 @@ def maker_of(obj, path, patches=None, patch_rest=None):
     return partial(_with_patches, make, _division(obj, patches, patch_rest))
 
 
-def flat_mesh_of(obj):
-    """The SurfaceMesh that a document object shows, with its patches, measured."""
-    return _with_patches(_flat_maker(obj, measured=True), _division(obj, *patches_of_object(obj)))
+def flat_maker_of(obj):
+    """A function that makes the SurfaceMesh that a document object shows, with its patches, measured; any thread may call
+    it.
+    """
+    return partial(_with_patches, _flat_maker(obj, measured=True), _division(obj, *patches_of_object(obj)))
 
 
 def _division(obj, patches, patch_rest):

@@ -13,6 +13,7 @@ from ..features import boolean, curved_mesh, fem_mesh, improved_mesh, mesh_objec
 from .panel_operation import Operation
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
+from .panels.case_panel import CasePanel
 from .panels.export_panel import ExportPanel
 from .panels.mesh_panel import MeshPanel
 from .panels.patches_panel import PatchesPanel
@@ -158,6 +159,19 @@ class Export(_Command):
         return _if_one(lambda source: holds_elements(source) or convert.is_mesh(source))
 
 
+class FlowCase(_Command):
+    NAME = CasePanel.COMMAND
+    TEXT = CasePanel.TITLE
+    TIP = "Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it"
+    KEYS = "Q, O"
+
+    def Activated(self):
+        FreeCADGui.Control.showDialog(CasePanel(self.selected()[0]))
+
+    def selected(self):
+        return _if_one(convert.is_mesh)
+
+
 class Patches(_Command):
     NAME = "MeshQuality_Patches"
     TEXT = "Patches"
@@ -223,7 +237,7 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Boolean, Improve, Analyse, Update, Patches, Export)
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Boolean, Improve, Analyse, Update, Patches, Export, FlowCase)
 
 
 def panel_of(obj):

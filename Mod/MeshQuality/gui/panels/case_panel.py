@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that writes a case for OpenFOAM, in the background."""
+
+import os
+from functools import partial
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtGui
+
+from ...errors import Error, InvalidInput
+from ...features import cfd, export
+from ...features.patches import patches_of_object
+from ..panel_operation import name_of
+from ..quantities import QuantityBox
+from ..translation import translated
+from .export_panel import said_of_patches
+from .writing_panel import WritingPanel
+
+translate = FreeCAD.Qt.translate
+
+
+class CasePanel(WritingPanel):
+    """OK writes the folder, then closes.
+
+    source  a document object with a closed mesh, or a link to one, see frames
+    """
+
+    COMMAND, TITLE = "MeshQuality_FlowCase", "OpenFOAM case"
+    DROP = staticmethod(lambda forget: forget())
+
+    def add_fields(self, layout):
+        self.flow = QtGui.QComboBox()
+        for title, flow in ((translate("MeshQuality", "inside of the part"), "internal"),
+                            (translate("MeshQuality", "around the part"), "external")):
+            self.flow.addItem(title, flow)
+        self.cell = QuantityBox("mm")
+        self.cell.setToolTip(translate("MeshQuality", "Length of the cells far from the surface; 0: 1/20 of the part inside, "
+                                                      "1/4 around it. Cells at the surface are as large as its triangles."))
+        self.path = FreeCADGui.UiLoader().createWidget("Gui::FileChooser")
+        self.path.setProperty("mode", 1)  # a folder
+        self.path.setProperty("fileName", os.path.join(self.first_folder(), f"{self.label}_case"))
+        of = QtGui.QLabel(translate("MeshQuality", "Mesh: {}").format(self.label) + "\n" + self._patches())
+        of.setWordWrap(True)
+        layout.addWidget(of)
+        self.add_work(layout)
+        for title, widget in ((translate("MeshQuality", "Flow"), self.flow),
+                              (translate("MeshQuality", "Background cells (0: by the size)"), self.cell),
+                              (translate("MeshQuality", "Folder"), self.path)):
+            layout.addWidget(QtGui.QLabel(title))
+            layout.addWidget(widget)
+        self.fields = (self.flow, self.cell, self.path)
+
+    def _patches(self):
+        try:
+            return said_of_patches(*patches_of_object(self.source))
+        except Error as error:
+            return translated(error)
+
+    def prepare(self):
+        folder = self.path.property("fileName").strip()
+        if not folder:
+            raise InvalidInput(translate("MeshQuality", "Choose a folder, or type its name."))
+        flow, cell = self.flow.currentData(), self.cell.value() or None
+        make = export.flat_maker_of(self.source)
+        line = f"mq.write_openfoam_case({name_of(self.source)}, {folder!r}, flow={flow!r}" \
+            + (f", cell={cell!r})" if cell else ")")
+        return lambda _progress: cfd.write_ahead(make, folder, flow, cell), partial(self._land, folder, line)
+
+    def _land(self, folder, line, forget):
+        try:
+            FreeCADGui.doCommand("import MeshQuality as mq")
+            FreeCADGui.doCommand(line)
+        finally:
+            forget()
+        self.remember_folder(os.path.dirname(os.path.abspath(folder)))
+        FreeCAD.Console.PrintMessage(f"Written: {folder}\n")
