@@ -193,7 +193,7 @@ class CommandLine(helpers.DocumentTest):
         self.patches = self.write({"inlet": ["Face1", "Face2"], "outlet": {"faces": ["Face3"], "colour": "#00ff00"}})
 
     def write(self, said):
-        path = os.path.join(self.folder, "patches.json")
+        path = os.path.join(self.folder, f"patches{len(os.listdir(self.folder))}.json")
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(said if isinstance(said, str) else json.dumps(said))
         return path
