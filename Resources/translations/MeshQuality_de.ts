@@ -391,6 +391,26 @@
         <source>The source, as FreeCAD&apos;s FEM workbench looks it up</source>
         <translation>Die Quelle, unter dem Namen, unter dem FreeCADs FEM-Arbeitsbereich sie sucht</translation>
     </message>
+    <message>
+        <source>Faces of patches that an edit of the source may have exchanged; choose them anew</source>
+        <translation>Flächen von Patches, die eine Änderung der Quelle vertauscht haben kann; neu zu wählen</translation>
+    </message>
+    <message>
+        <source>Give solids that share an area the same triangles on both sides, as analyses of assemblies need; the report names the pairs</source>
+        <translation>Gibt Körpern, die sich in einer Fläche berühren, auf beiden Seiten dieselben Dreiecke, wie Analysen von Baugruppen sie brauchen; der Bericht nennt die Paare</translation>
+    </message>
+    <message>
+        <source>Name of the patch of all other faces; empty: each is one by its own name</source>
+        <translation>Name des Patches aller anderen Flächen; leer: jede ist einer mit ihrem eigenen Namen</translation>
+    </message>
+    <message>
+        <source>Named groups of faces, one a line: &quot;inlet: Face1, Face4&quot;, or with a colour &quot;inlet #ff0000: Face1&quot;</source>
+        <translation>Benannte Gruppen von Flächen, eine je Zeile: „inlet: Face1, Face4“, oder mit einer Farbe „inlet #ff0000: Face1“</translation>
+    </message>
+    <message>
+        <source>What the faces of the source were like when the patches were last right: their kinds, areas and centres</source>
+        <translation>Wie die Flächen der Quelle waren, als die Patches zuletzt stimmten: Arten, Inhalte und Mittelpunkte</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1834,6 +1854,142 @@
         <source>the analysis {name} has another mesh, {name2}: FreeCAD solves on one mesh only; take the others out</source>
         <translation>die Analyse {name} hat ein weiteres Netz, {name2}: FreeCAD rechnet nur auf einem Netz; die anderen herausnehmen</translation>
     </message>
+    <message>
+        <source>inside of the part</source>
+        <translation>im Innern des Teils</translation>
+    </message>
+    <message>
+        <source>around the part</source>
+        <translation>um das Teil herum</translation>
+    </message>
+    <message>
+        <source>Length of the cells far from the surface; 0: 1/20 of the part inside, 1/4 around it. Cells at the surface are as large as its triangles.</source>
+        <translation>Länge der Zellen fern der Oberfläche; 0: 1/20 des Teils im Innern, 1/4 außen. An der Oberfläche sind Zellen so groß wie ihre Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Mesh: {}</source>
+        <translation>Netz: {}</translation>
+    </message>
+    <message>
+        <source>Flow</source>
+        <translation>Strömung</translation>
+    </message>
+    <message>
+        <source>Background cells (0: by the size)</source>
+        <translation>Hintergrundzellen (0: nach der Größe)</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Choose a folder, or type its name.</source>
+        <translation>Wählen Sie einen Ordner oder geben Sie seinen Namen ein.</translation>
+    </message>
+    <message>
+        <source>The unit of the numbers in the file: solvers mostly take metres</source>
+        <translation>Die Einheit der Zahlen in der Datei: Löser nehmen meist Meter</translation>
+    </message>
+    <message>
+        <source>As text, one solid a patch</source>
+        <translation>Als Text, ein „solid“ je Patch</translation>
+    </message>
+    <message>
+        <source>STL as text, which OpenFOAM takes the names of patches from</source>
+        <translation>STL als Text, dem OpenFOAM die Namen der Patches entnimmt</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Patches: {}</source>
+        <translation>Patches: {}</translation>
+    </message>
+    <message>
+        <source>Each face is a patch by its own name; the command Patches names them.</source>
+        <translation>Jede Fläche ist ein Patch mit ihrem eigenen Namen; der Befehl Patches benennt sie.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>each by its own name</source>
+        <translation>jede mit ihrem Namen</translation>
+    </message>
+    <message>
+        <source>Mesh: {}. Select faces in the 3D view, then add them.</source>
+        <translation>Netz: {}. Wählen Sie Flächen in der 3D-Ansicht und fügen Sie sie dann hinzu.</translation>
+    </message>
+    <message>
+        <source>New patch</source>
+        <translation>Neuer Patch</translation>
+    </message>
+    <message>
+        <source>Make a patch of the faces that are selected in the 3D view</source>
+        <translation>Macht aus den in der 3D-Ansicht gewählten Flächen einen Patch</translation>
+    </message>
+    <message>
+        <source>Add faces</source>
+        <translation>Flächen dazu</translation>
+    </message>
+    <message>
+        <source>Add the faces that are selected in the 3D view to the patch that is marked in the list</source>
+        <translation>Fügt die in der 3D-Ansicht gewählten Flächen dem in der Liste markierten Patch hinzu</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Choose the colour of the marked patch</source>
+        <translation>Farbe des markierten Patches wählen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the marked patches from the list</source>
+        <translation>Entfernt die markierten Patches aus der Liste</translation>
+    </message>
+    <message>
+        <source>Take patches from ...</source>
+        <translation>Patches übernehmen von ...</translation>
+    </message>
+    <message>
+        <source>labels of parts</source>
+        <translation>Bezeichnungen der Teile</translation>
+    </message>
+    <message>
+        <source>colours of faces</source>
+        <translation>Farben der Flächen</translation>
+    </message>
+    <message>
+        <source>an analysis (FEM, CfdOF)</source>
+        <translation>einer Analyse (FEM, CfdOF)</translation>
+    </message>
+    <message>
+        <source>All other faces</source>
+        <translation>Alle anderen Flächen</translation>
+    </message>
+    <message>
+        <source>Mark one patch in the list first.</source>
+        <translation>Markieren Sie zuerst einen Patch in der Liste.</translation>
+    </message>
+    <message>
+        <source>Select faces of {} in the 3D view first.</source>
+        <translation>Wählen Sie zuerst Flächen von {} in der 3D-Ansicht.</translation>
+    </message>
+    <message>
+        <source>Give solids that share an area the same triangles on both sides, as analyses of assemblies need; the report names the pairs</source>
+        <translation>Gibt Körpern, die sich in einer Fläche berühren, auf beiden Seiten dieselben Dreiecke, wie Analysen von Baugruppen sie brauchen; der Bericht nennt die Paare</translation>
+    </message>
+    <message>
+        <source>Same triangles where bodies touch</source>
+        <translation>Gleiche Dreiecke, wo sich Körper berühren</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -1922,12 +2078,12 @@
 <context>
     <name>MeshQuality_Export</name>
     <message>
-        <source>Export curved mesh...</source>
-        <translation>Gekrümmtes Netz exportieren...</translation>
+        <source>Export mesh...</source>
+        <translation>Netz exportieren...</translation>
     </message>
     <message>
-        <source>Write the curved elements of the selected mesh into a file for Gmsh, ParaView or a solver</source>
-        <translation>Schreibt die gekrümmten Elemente des gewählten Netzes in eine Datei für Gmsh, ParaView oder einen Löser</translation>
+        <source>Write the selected mesh into a file for a solver or a printer, with the names of its patches</source>
+        <translation>Schreibt das gewählte Netz mit den Namen seiner Patches in eine Datei für einen Löser oder Drucker</translation>
     </message>
 </context>
 <context>
@@ -1939,6 +2095,17 @@
     <message>
         <source>Mesh the selected shapes for FreeCAD&apos;s FEM workbench, in the active analysis</source>
         <translation>Ausgewählte Formen für FreeCADs FEM-Arbeitsbereich vernetzen, in der aktiven Analyse</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_FlowCase</name>
+    <message>
+        <source>OpenFOAM case...</source>
+        <translation>OpenFOAM-Fall...</translation>
+    </message>
+    <message>
+        <source>Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it</source>
+        <translation>Schreibt einen Ordner, in dem OpenFOAM den Raum im gewählten Netz oder um es herum vernetzt</translation>
     </message>
 </context>
 <context>
@@ -1961,6 +2128,17 @@
     <message>
         <source>Improve the triangles of the selected meshes on their surface; sharp edges stay</source>
         <translation>Dreiecke der ausgewählten Netze auf ihrer Oberfläche verbessern; scharfe Kanten bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Patches</name>
+    <message>
+        <source>Name groups of faces of the selected mesh, such as inlet and wall, for files</source>
+        <translation>Benennt Gruppen von Flächen des gewählten Netzes, etwa Einlass und Wand, für Dateien</translation>
+    </message>
+    <message>
+        <source>Patches...</source>
+        <translation>Patches...</translation>
     </message>
 </context>
 <context>

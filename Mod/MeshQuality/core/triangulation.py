@@ -44,14 +44,12 @@ def triangulate(shape, min_angle=25.0, chord_height=None, chord_height_relative=
                            this all along
     allow_missing_faces    mesh the other faces where some fail, and name those in the report
     sew                    join faces without a shell, within a tenth of the distance or length asked for
-    imprint                solids that share an area get the same triangles on both sides; report.contacts names
-                           the pairs
+    imprint                solids that share an area get the same triangles on both sides; see report.contacts
 
     connectivity           of star and sprinkle: samples are joined in space ("pseudo-delaunay") or in
                            the faces' parameters ("parametric")
     refine_samples         of star and sprinkle: refine afterwards, so that the bounds hold
     seed                   of sprinkle's random points
-
     cache                  a MeshCache of earlier calls: faces that an edit left alone keep their triangles
 
     patches                named groups of faces for the files of solvers: {"inlet": ["Face1", "Box.Face4"], ...}, or

@@ -160,8 +160,8 @@ class Export(_Command):
 
 
 class FlowCase(_Command):
-    NAME = CasePanel.COMMAND
-    TEXT = CasePanel.TITLE
+    NAME = "MeshQuality_FlowCase"
+    TEXT = "OpenFOAM case"
     TIP = "Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it"
     KEYS = "Q, O"
 
