@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "geometry/occt/shape_model.h"
 
+#include <BRepBndLib.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
 #include <Standard_Failure.hxx>
 #include <Standard_Version.hxx>
 #include <TopAbs.hxx>
@@ -37,6 +39,18 @@ Answer refused(Status status) {
 bool finite(const Query& query) {
     return std::isfinite(query.u) && std::isfinite(query.v) && std::isfinite(query.t) && std::isfinite(query.t2) &&
            std::isfinite(query.distance) && query.point.allFinite();
+}
+
+/// The box of a shape before its entities are known.
+Box box_of(const TopoDS_Shape& shape) {
+    Bnd_Box bounds;
+    BRepBndLib::Add(shape, bounds, Standard_False);
+    Box box;
+    if (!bounds.IsVoid()) {
+        box.add(to_vec(bounds.CornerMin()));
+        box.add(to_vec(bounds.CornerMax()));
+    }
+    return box;
 }
 
 class ShapeModel final : public Model {
@@ -82,7 +96,8 @@ void ShapeModel::read_topology(const TopoDS_Shape& shape, Creases creases, const
         const OpenCascadeWait wait(progress, "reading the shape");
         entities = ordered(shape, progress);
         if (join.imprint) {
-            entities = imprint_contacts(std::move(entities), failures, progress);
+            const double within = join.detail ? join.detail(box_of(shape)) : 0.0;
+            entities = imprint_contacts(std::move(entities), within, failures, progress);
         }
         if (creases == Creases::Cut) {
             entities = cut_at_creases(std::move(entities), failures, progress);

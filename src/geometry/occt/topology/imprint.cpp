@@ -4,6 +4,7 @@
 #include <BOPAlgo_Builder.hxx>
 #include <BOPTools_AlgoTools.hxx>
 #include <BRepBndLib.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -57,7 +58,7 @@ TopoDS_Compound new_compound() {
 /// The faces of some solids after the general fuse.
 class Fuse {
   public:
-    Fuse(const TopTools_IndexedMapOfShape& solids, const Bodies& bodies, const Progress* progress) {
+    Fuse(const TopTools_IndexedMapOfShape& solids, const Bodies& bodies, double within, const Progress* progress) {
         // Faces rather than solids: solids that overlap would be cut into the parts that they share.
         TopTools_ListOfShape arguments;
         for (const int body : bodies) {
@@ -72,6 +73,7 @@ class Fuse {
         fuse_.SetNonDestructive(true);
         fuse_.SetRunParallel(false);
         fuse_.SetGlue(BOPAlgo_GlueShift);
+        fuse_.SetFuzzyValue(within);
         fuse_.SetToFillHistory(false);
         const Handle(StopWhenCancelled) stop = new StopWhenCancelled(progress);
         fuse_.Perform(stop->Start());
@@ -132,14 +134,19 @@ bool covered(const TopoDS_Shape& face, const TopoDS_Shape& pieces) {
     return change <= kOfArea * area || change <= BRep_Tool::Tolerance(TopoDS::Face(face)) * perimeter_of(face);
 }
 
+bool is_valid(const TopoDS_Shape& faces) {
+    return BRepCheck_Analyzer(faces).IsValid();
+}
+
 /// The solids of which boxes meet.
-Bodies close_bodies(const TopTools_IndexedMapOfShape& solids, const Progress* progress) {
+Bodies close_bodies(const TopTools_IndexedMapOfShape& solids, double within, const Progress* progress) {
     std::vector<Bnd_Box> boxes(static_cast<std::size_t>(solids.Extent()));
     Bodies result;
     for (int i = 1; i <= solids.Extent(); ++i) {
         check_cancelled(progress);
         Bnd_Box& box = boxes[static_cast<std::size_t>(i - 1)];
         BRepBndLib::Add(solids(i), box, Standard_False);
+        box.Enlarge(within);
         for (int k = 1; k < i; ++k) {
             if (!box.IsOut(boxes[static_cast<std::size_t>(k - 1)])) {
                 result.insert({i, k});
@@ -174,7 +181,8 @@ Outcome outcome_of(Fuse& fuse, const TopTools_IndexedMapOfShape& solids, const B
             }
             TopExp_Explorer only(here, TopAbs_FACE);
             const bool unchanged = only.More() && only.Current().IsSame(it.Current());
-            if (!unchanged && bounds_a_solid(it.Current()) && !covered(it.Current(), here)) {
+            if (!unchanged && bounds_a_solid(it.Current()) &&
+                (!covered(it.Current(), here) || (is_valid(it.Current()) && !is_valid(here)))) {
                 outcome.damaged.insert(body);
             }
         }
@@ -248,15 +256,16 @@ std::string names_of(const Bodies& bodies) {
 
 }  // namespace
 
-OrderedShape imprint_contacts(OrderedShape whole, std::vector<std::string>& faults, const Progress* progress) {
+OrderedShape imprint_contacts(OrderedShape whole, double within, std::vector<std::string>& faults,
+                              const Progress* progress) {
     TopTools_IndexedMapOfShape solids;
     TopExp::MapShapes(whole.shape, TopAbs_SOLID, solids);
-    Bodies bodies = close_bodies(solids, progress);
+    Bodies bodies = close_bodies(solids, within, progress);
     Bodies left;
     try {
         // Only bodies in contact, or some edges would be divided where they cross bodies that stay as they are.
         while (bodies.size() > 1) {
-            Fuse fuse(solids, bodies, progress);
+            Fuse fuse(solids, bodies, within, progress);
             if (fuse.failed()) {
                 left.insert(bodies.begin(), bodies.end());
                 break;

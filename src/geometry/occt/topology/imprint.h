@@ -9,13 +9,15 @@
 
 namespace mq::geometry {
 
-/// The shape with one face wherever faces of two solids lie on each other within OpenCASCADE's tolerances, so that both
-/// solids have the same triangles there (OrderedShape::behind). Faces that touch in a part are divided along its
-/// border. The shape itself does not change.
+/// The shape with one face wherever faces of two solids lie on each other within `within` (mm) and their tolerances, so
+/// that both solids have the same triangles there (OrderedShape::behind). Faces that touch in a part are divided along
+/// its border. The shape itself does not change.
 ///
 /// OpenCASCADE's general fuse (BOPAlgo_Builder) does it for coinciding faces only (BOPAlgo_GlueShift): solids that
-/// overlap are not divided where they cross. A solid of which it loses area stays as it is, and `faults` says so.
+/// overlap are not divided where they cross. A solid of which it loses area or makes an invalid face stays as it is,
+/// and `faults` says so.
 /// @throws Cancelled
-OrderedShape imprint_contacts(OrderedShape whole, std::vector<std::string>& faults, const Progress* progress);
+OrderedShape imprint_contacts(OrderedShape whole, double within, std::vector<std::string>& faults,
+                              const Progress* progress);
 
 }  // namespace mq::geometry
