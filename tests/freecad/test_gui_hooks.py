@@ -18,6 +18,7 @@ class Windowless(helpers.DocumentTest):
                 del sys.modules[name]
             mesh = mq.add_quality_mesh(box)
             mq.add_curved_mesh(box)
+            mq.add_fem_mesh(box)
             mq.add_improved_mesh(mesh)
             mq.add_boolean(mesh, box)
             self.assertEqual(gui_modules(), [])
