@@ -50,14 +50,15 @@ def face_at(shape, axis, value):
 
 
 def add_analysis(part, load):
-    """An analysis of a part that is clamped at its least x, with `load` "force" or "pressure", and no mesh yet."""
+    """An analysis of a part that is clamped at its least x, with `load` "force", "pressure" or "weight", and no mesh yet."""
     import ObjectsFem
 
     document, shape = part.Document, part.Shape
     analysis = ObjectsFem.makeAnalysis(document)
     solver = ObjectsFem.makeSolverCalculixCcxTools(document)
     material = ObjectsFem.makeMaterialSolid(document)
-    material.Material = {"Name": "Steel", "YoungsModulus": f"{YOUNG} MPa", "PoissonRatio": str(POISSON_RATIO)}
+    material.Material = {"Name": "Steel", "YoungsModulus": f"{YOUNG} MPa", "PoissonRatio": str(POISSON_RATIO),
+                         "Density": "7900 kg/m^3"}
     fixed = ObjectsFem.makeConstraintFixed(document)
     fixed.References = [(part, face_at(shape, "x", -1))]
     for obj in (solver, material, fixed, _load(part, load)):
@@ -68,6 +69,8 @@ def add_analysis(part, load):
 def _load(part, load):
     import ObjectsFem
 
+    if load == "weight":
+        return ObjectsFem.makeConstraintSelfWeight(part.Document)
     top = face_at(part.Shape, "z", 1)
     if load == "pressure":
         pressure = ObjectsFem.makeConstraintPressure(part.Document)

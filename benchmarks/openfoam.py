@@ -6,8 +6,8 @@
 
 Surfaces: the valid parts of $MESHQUALITY_DATA/cad with closed solids, each as an STL with one solid a face; surfaceCheck must call
 it closed and know the names of all faces. Cases: a pipe with a branch, a flanged elbow and a finned housing, each meshed
-by blockMesh and snappyHexMesh with one set of dictionaries around our surface and around that of FreeCAD's `tessellate`
-at the same distance, which has no patches. Needs Debian's openfoam.
+by blockMesh and snappyHexMesh with our surface and its patches, and with that of FreeCAD's `tessellate` at the same
+distance, which has none; sharp edges and levels are ours for both. Needs Debian's openfoam.
 """
 
 import os
@@ -109,9 +109,12 @@ def cases():
         flow = "internal" if patches else "external"
         mesh = mq.triangulate(solid, chord_height_relative=0.002, patches=patches, patch_rest="walls")
         points, facets = solid.tessellate(mesh.report.chord_height_asked)
+        plain = mq.triangulate(solid, chord_height_relative=0.002, patch_rest="walls")
         with tempfile.TemporaryDirectory() as folder:
             mq.write_openfoam_case(mesh, folder, flow=flow)
             rows.append((name, "MeshQuality", len(mesh.triangles), *meshed(folder)))
+        with tempfile.TemporaryDirectory() as folder:
+            mq.write_openfoam_case(plain, folder, flow=flow)  # the same but for names, then the other surface
             write_plain(os.path.join(folder, "constant", "triSurface", "surface.stl"), points, facets)
             rows.append((name, "FreeCAD", len(facets), *meshed(folder)))
         print(*rows[-2:], sep="\n", flush=True)

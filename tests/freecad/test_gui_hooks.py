@@ -2,7 +2,6 @@
 """Document objects where there is no window: they ask, and load nothing of it."""
 
 import sys
-from unittest import mock
 
 import helpers
 
@@ -13,14 +12,15 @@ from MeshQuality.features import gui_hooks
 class Windowless(helpers.DocumentTest):
     def test_objects_load_nothing_of_the_window(self):
         box = self.box()
-        with mock.patch.dict(sys.modules):
-            for name in gui_modules():  # that other tests have loaded
-                del sys.modules[name]
-            mesh = mq.add_quality_mesh(box)
-            mq.add_curved_mesh(box)
-            mq.add_improved_mesh(mesh)
-            mq.add_boolean(mesh, box)
-            self.assertEqual(gui_modules(), [])
+        # Only these: what objects load meanwhile, such as Fem, cannot be loaded twice.
+        loaded = {name: sys.modules.pop(name) for name in gui_modules()}  # that other tests have loaded
+        self.addCleanup(sys.modules.update, loaded)
+        mesh = mq.add_quality_mesh(box)
+        mq.add_curved_mesh(box)
+        mq.add_fem_mesh(box)
+        mq.add_improved_mesh(mesh)
+        mq.add_boolean(mesh, box)
+        self.assertEqual(gui_modules(), [])
         self.assertIs(gui_hooks.window(), gui_hooks.WINDOWLESS)
 
 

@@ -2,6 +2,7 @@
 """Makes the pictures of docs/pictures/ that show FreeCAD:   python3 tests/gui/run.py doc_pictures"""
 
 import os
+import sys
 
 import FreeCAD
 import FreeCADGui
@@ -14,6 +15,9 @@ import MeshQuality as mq
 from MeshQuality.gui import commands, curved_view, quality_data
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
+
+sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
+import cantilever  # noqa: E402
 
 DOCS = os.path.join(helpers.ROOT, "docs", "pictures")
 
@@ -30,6 +34,14 @@ class Pictures(gui_helpers.GuiTest):
         self.picture("curved_elements", DOCS)
         obj.ViewObject.ColorBy = curved_view.JACOBIAN
         self.picture("curved_jacobian", DOCS)
+
+    def test_fem_mesh(self):
+        source = self.document.addObject("Part::Feature", "Shaft")
+        source.Shape = cantilever.bracket()
+        self.document.recompute()
+        analysis = cantilever.add_analysis(source, "force")
+        mq.add_fem_mesh(source, analysis=analysis, max_edge=6.0)
+        self.picture("fem_mesh", DOCS)
 
     def bracket(self):
         """A part with a fillet, holes and a knife edge."""
