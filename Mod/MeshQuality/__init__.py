@@ -21,7 +21,7 @@ Objects of the document, which follow what they are made of
     update              gives such an object other options, and computes it
     set_patches         names groups of faces, for files
     suggested_patches   groups that the document knows: labels, colours, references of an analysis
-    export_mesh         writes its mesh into a file, with its patches
+    export_mesh         writes its mesh into a file, with its patches; export_curved_mesh: of a curved mesh
     write_openfoam_case writes a folder in which OpenFOAM meshes a flow inside or around
 
 Results and reports
