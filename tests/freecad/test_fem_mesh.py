@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The document object "FEM mesh": its groups, what FreeCAD's constraints find on it, following, undo, files, CalculiX."""
+"""The document object "FEM mesh": groups, what FreeCAD's constraints find on it, following, undo, files, CalculiX."""
 
 import importlib.util
 import os
