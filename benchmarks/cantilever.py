@@ -10,7 +10,8 @@ import Part
 
 LENGTH, WIDTH, HEIGHT, RADIUS = 100.0, 20.0, 10.0, 3.0  # mm
 YOUNG = 210000.0  # MPa
-POISSON_RATIO = 0.0  # with another one the clamp stiffens the beam, by 1.4 % of this one, which beam theory does not know
+# With 0.3 the clamp would stiffen the beam by 1.4 %, which beam theory does not know.
+POISSON_RATIO = 0.0
 FORCE, PRESSURE = 100.0, 0.1  # N downwards at the free end; MPa on the top
 SHEAR = 10.0 * (1.0 + POISSON_RATIO) / (12.0 + 11.0 * POISSON_RATIO)  # coefficient of Cowper for a rectangle
 
@@ -50,7 +51,7 @@ def face_at(shape, axis, value):
 
 
 def add_analysis(part, load):
-    """An analysis of a part that is clamped at its least x, with `load` "force", "pressure" or "weight", and no mesh yet."""
+    """An analysis of a part that is clamped at its least x, without a mesh; `load`: "force", "pressure" or "weight"."""
     import ObjectsFem
 
     document, shape = part.Document, part.Shape

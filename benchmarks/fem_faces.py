@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How many triangles on the surface FreeCAD's constraints find on FEM meshes of given parts, ours and of FreeCAD's Gmsh object.
+"""How many triangles FreeCAD's constraints find on the surface of FEM meshes of given parts, ours and of Gmsh.
 
     /usr/bin/python3 benchmarks/fem_faces.py PART.step ...
 

@@ -87,6 +87,13 @@ def shape_colour(view):
     return tuple(colour or (0.8, 0.8, 0.8))[:3]
 
 
+def fem_source_property():
+    """The property by which FreeCAD's FEM workbench finds what a mesh is of: before FreeCAD 1.0, and since."""
+    import FreeCAD
+
+    return "Part" if FreeCAD.Version()[0] == "0" else "Shape"
+
+
 def flags(buttons):
     """What getStandardButtons of a task panel returns; the flags of Qt 6 are no numbers."""
     return int(getattr(buttons, "value", buttons))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The document object "FEM mesh": its groups, what FreeCAD's constraints find on it, following, undo, files, CalculiX."""
+"""The document object "FEM mesh": groups, what FreeCAD's constraints find on it, following, undo, files, CalculiX."""
 
 import importlib.util
 import os
@@ -16,6 +16,7 @@ import Part
 import MeshQuality as mq
 from MeshQuality import options
 from MeshQuality.core import fem
+from MeshQuality.features import fem_mesh
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
 import cantilever  # noqa: E402
@@ -72,7 +73,7 @@ class Elements(FemObjectTest):
             self.assertEqual((obj.Elements, obj.Invalid), (len(expected.tetrahedra), 0))
             self.assertEqual(obj.MinScaledJacobian, expected.report.min_scaled_jacobian)
             self.assertEqual((obj.Certificate, obj.Label.rstrip("0123456789")), ("met", "Cylinder FEM mesh"))
-            self.assertEqual(obj.Part, source)
+            self.assertEqual(getattr(obj, fem_mesh.PART[0]), source)
             self.assertNotIn("Touched", obj.State)
 
     def test_every_option_is_a_property(self):
@@ -81,7 +82,7 @@ class Elements(FemObjectTest):
             self.assertEqual(obj.getTypeIdOfProperty(option.property_name), option.property_type)
             self.assertTrue(obj.getDocumentationOfProperty(option.property_name))
         self.assertEqual((obj.Order, obj.Volume), (2, True))
-        self.assertEqual(obj.getEditorMode("Part"), ["Hidden"])
+        self.assertEqual(obj.getEditorMode(fem_mesh.PART[0]), ["Hidden"])
 
     def test_groups_have_the_names_of_the_part(self):
         source = self.part(cantilever.bracket())
@@ -188,7 +189,7 @@ class Follows(FemObjectTest):
         self.assertTrue(obj.isValid())
         self.document.removeObject("Cylinder")
         self.document.recompute()
-        self.assertIsNone(obj.Part)
+        self.assertIsNone(getattr(obj, fem_mesh.PART[0]))
         self.assertIn("source was deleted", obj.Status)
         self.assertEqual(obj.FemMesh.VolumeCount, count)
 

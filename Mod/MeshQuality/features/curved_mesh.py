@@ -146,7 +146,7 @@ class Result:
 
 
 class Proof:
-    """What the certificate of a CurvedMesh is made of: its report, the topology of the elements' corners, and the findings."""
+    """What the certificate of a CurvedMesh is made of: its report, the topology of its corners, and the findings."""
 
     def __init__(self, curved, shape, values):
         self.report = curved.report

@@ -11,13 +11,14 @@ from dataclasses import dataclass
 import FreeCAD
 
 from .. import options, phrases
+from ..compat import fem_source_property
 from ..core import fem, frames
 from ..core.curving import curve
 from ..errors import InvalidInput
 from . import curved_mesh, mesh_object, transactions
 from .gui_hooks import window
 
-PART = ("Part", "App::PropertyLinkGlobal", "The source, as FreeCAD's FEM workbench looks it up")
+PART = (fem_source_property(), "App::PropertyLinkGlobal", "The source, as FreeCAD's FEM workbench looks it up")
 _ANALYSIS = "Fem::FemAnalysis"
 
 
@@ -37,10 +38,15 @@ class FemMeshObject(mesh_object.ShapeMesh):
         return obj.FemMesh.VolumeCount or obj.FemMesh.FaceCount
 
     def onChanged(self, obj, name):
-        """Called by FreeCAD; Part is what Source is."""
+        """Called by FreeCAD; what its FEM workbench looks up is the Source."""
         super().onChanged(obj, name)
-        if name == "Source" and PART[0] in obj.PropertiesList and obj.Part != obj.Source:
-            obj.Part = obj.Source
+        if name == "Source" and PART[0] in obj.PropertiesList and not obj.Document.Restoring:
+            _name_source(obj)
+
+    def add_properties(self, obj):
+        """As for all; an object of another version of FreeCAD gets the name that this one looks up."""
+        super().add_properties(obj)
+        _name_source(obj)
 
     @classmethod
     def compute(cls, shape, values, progress):
@@ -54,6 +60,11 @@ class FemMeshObject(mesh_object.ShapeMesh):
         obj.FemMesh = fem.mesh_of(result.elements)
         result.proof.show(obj)
         return result.proof.report, result.proof.findings
+
+
+def _name_source(obj):
+    if getattr(obj, PART[0]) != obj.Source:
+        setattr(obj, PART[0], obj.Source)
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ class Windowless:
         return math.inf
 
     def analysis_for(self, source):
-        """The analysis of FreeCAD's FEM workbench that a mesh of this source is meant for; None: the window knows none."""
+        """The analysis of FreeCAD's FEM workbench that a mesh of this source is meant for, if the window knows one."""
         return None
 
     def show_in_place_of_sources(self, obj):

@@ -5,6 +5,7 @@ from functools import partial
 
 import FreeCAD
 import FreeCADGui
+import Part
 
 from ..compat import why_no_extension
 from ..core import convert, frames
@@ -233,7 +234,8 @@ def _if_one(fits):
 
 def _has_shape(source):
     obj = frames.leaf_of(source)
-    return hasattr(obj, "Shape") or obj.hasExtension("App::GroupExtension") \
+    # FEM meshes have a link of the name Shape.
+    return isinstance(getattr(obj, "Shape", None), Part.Shape) or obj.hasExtension("App::GroupExtension") \
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
