@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from .errors import InvalidInput
 
-WORD = r"""[^\s"'`/\\;:,{}()\[\]<>$|=*]+"""
+WORD = r"""[^\s"'`/\\;:,{}()\[\]<>$|=*#%]+"""
 HIGHEST_ORDER = 5
 
 

@@ -1990,6 +1990,10 @@
         <source>Same triangles where bodies touch</source>
         <translation>Gleiche Dreiecke, wo sich Körper berühren</translation>
     </message>
+    <message>
+        <source>Cancelled; files of the case that were written already stay.</source>
+        <translation>Abgebrochen; schon geschriebene Dateien des Falls bleiben.</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

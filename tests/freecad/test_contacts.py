@@ -5,6 +5,7 @@ import os
 import tempfile
 import unittest
 
+import FreeCAD
 import numpy as np
 import Part
 from FreeCAD import Placement, Rotation, Vector
@@ -36,8 +37,8 @@ class Contacts(unittest.TestCase):
 
         def turned(triangles):
             """From the least corner on, so that the same triangle has the same rows."""
-            first = np.lexsort(triangles.transpose(2, 0, 1)[::-1], axis=-1)[:, 0] if len(triangles) else []
-            return np.stack([np.roll(t, -k, axis=0) for t, k in zip(triangles, first)])
+            first = np.lexsort(triangles.transpose(2, 0, 1)[::-1], axis=-1)[:, 0]
+            return [np.roll(t, -k, axis=0) for t, k in zip(triangles, first)]
 
         np.testing.assert_array_equal(turned(corners[sides]), turned(corners[opposite[sides]][:, ::-1]))
         faces_of = [{face.hashCode() for face in solid.Faces} for solid in shape.Solids]
@@ -178,7 +179,7 @@ class Contacts(unittest.TestCase):
             self.assertTrue(part.report.closed and part.report.manifold)
             self.assertAlmostEqual(part.report.volume / solid.Volume, 1, 1)
             self.assertEqual(part.patches, ("all",))
-        with self.assertRaisesRegex(mq.InvalidInput, "Solid9"):
+        with self.assertRaisesRegex(mq.InvalidInput, "solid 8"):
             mesh.of_solid(8)
 
     def test_groups_of_a_fem_mesh_have_both_names(self):
@@ -188,3 +189,47 @@ class Contacts(unittest.TestCase):
         groups = {fem.getGroupName(group): sorted(fem.getGroupElements(group)) for group in fem.Groups}
         self.assertEqual(groups["Face6"], groups["Face11"])  # the top of the lower box is the bottom of the upper one
         self.assertEqual(sum(name.startswith("Face") for name in groups), 12)
+
+    def test_parts_of_faces_are_physical_groups(self):
+        mesh = mq.triangulate(assembly(), chord_height=0.1, imprint=True)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "regions.msh")
+            mesh.write(path, interfaces=True)
+            with open(path, encoding="utf-8") as stream:
+                text = stream.read()
+        for a, b in CONTACTS:
+            self.assertIn(f'"Solid{a + 1}_to_Solid{b + 1}"', text)
+            self.assertIn(f'"Solid{b + 1}_to_Solid{a + 1}"', text)
+
+    def test_a_solid_inside_of_another_is_no_contact(self):
+        """It touches the top of the outer one from inside: they overlap."""
+        shape = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(4, 4, 4, Vector(3, 3, 6))])
+        mesh = mq.triangulate(shape, imprint=True, patches={"top": ["Face6"]}, patch_rest="rest")
+        self.check(shape, mesh)
+        self.assertEqual(mesh.report.contacts, [])
+        self.assertTrue(any("they overlap there" in note for note in mesh.report.notes), mesh.report.notes)
+        twice = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1)])
+        self.assertEqual(set(mq.triangulate(twice, imprint=True).triangle_solid.tolist()), {0, 1})
+
+    def test_spheres_with_other_seams(self):
+        """The seam of one lies inside of the face that both share."""
+        ball, cavity = Part.makeSphere(5), Part.makeSphere(5)
+        ball.rotate(Vector(), Vector(1, 0, 0), 90)
+        block = Part.makeBox(40, 40, 40, Vector(-20, -20, -20))
+        shape = Part.makeCompound([ball, block.cut(cavity), Part.makeBox(5, 5, 5, Vector(20, 0, 0))])
+        mesh = mq.triangulate(shape, chord_height=0.1, imprint=True)
+        self.check(shape, mesh)
+        self.assertTrue(mesh.report.closed)
+        self.assertEqual([(a, b) for a, b, *_ in mesh.report.contacts], [(0, 1), (1, 2)])
+        self.assertAlmostEqual(mesh.report.contacts[0][3] / (100 * np.pi), 1, 1)
+        self.assertFalse([note for note in mesh.report.notes if "belongs to no face" in note])
+
+    def test_certificates_of_curved_meshes(self):
+        """Solids that share nodes are each manifold."""
+        document = FreeCAD.newDocument("Contacts")
+        self.addCleanup(FreeCAD.closeDocument, "Contacts")
+        holder = document.addObject("Part::Feature", "Assembly")
+        holder.Shape = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(5, 5, 5, Vector(10, 2, 2))])
+        obj = mq.add_curved_mesh(holder, order=2, volume=True, imprint=True)
+        self.assertEqual(obj.Certificate, "met")
+        self.assertTrue(obj.Closed and obj.Manifold)

@@ -81,7 +81,23 @@ class Cases(helpers.DocumentTest):
                             (lambda: mq.write_openfoam_case(self.mesh, self.case, types={"walls": "x"}), "'x'")):
             with self.assertRaisesRegex(mq.InvalidInput, words):
                 call()
+        pipe, _ = tee()
+        umlaut = mq.triangulate(pipe, chord_height=1, patch_rest="w\u00e4nde")
+        bodies = mq.triangulate(Part.makeCompound([pipe, Part.makeBox(1, 1, 1, Vector(100, 0, 0))]), chord_height=1)
+        for call, words in ((lambda: mq.write_openfoam_case(umlaut, self.case), "w\u00e4nde"),
+                            (lambda: mq.write_openfoam_case(bodies, self.case), "2 solids"),
+                            (lambda: mq.write_openfoam_case(self.mesh, self.case, types=["wall"]), "types = "),
+                            (lambda: mq.write_openfoam_case(self.mesh, self.case, cell="1"), "cell = '1'"),
+                            (lambda: mq.write_openfoam_case(self.mesh, self.case, scale=0), "scale = 0")):
+            with self.assertRaisesRegex(mq.InvalidInput, words):
+                call()
+        with self.assertRaisesRegex(mq.IoError, "no folder"):
+            mq.write_openfoam_case(self.mesh, "")
         self.assertFalse(os.path.exists(self.case))
+
+    def test_a_patch_without_faces_is_left_out(self):
+        mesh = mq.triangulate(Part.makeBox(1, 1, 1), patches={"inlet": []}, patch_rest="walls")
+        self.assertEqual(set(mq.write_openfoam_case(mesh, self.case)), {"walls"})
 
     def test_objects_have_their_patches(self):
         box = self.document.addObject("Part::Box", "Box")

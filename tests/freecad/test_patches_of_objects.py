@@ -80,7 +80,7 @@ class OfObjects(unittest.TestCase):
         mq.set_patches(self.obj, PATCHES)
         for patches, words in (({"a": ["Face9"]}, "Face9"), ({"a": ["Face1"], "b": ["Face1"]}, "Face1"),
                                ({"a:b": ["Face1"]}, "a:b"), ({"": ["Face1"]}, "name of a patch"),
-                               ({"a": ["Edge1"]}, "Edge1")):
+                               ({"a": ["Edge1"]}, "Edge1"), ({"a #ff0000": ["Face1"]}, "as a colour does")):
             with self.assertRaisesRegex(mq.InvalidInput, words):
                 mq.set_patches(self.obj, patches)
             self.assertEqual(list(self.obj.Patches), ["inlet: Face1", "outlet #ff0000: Face2"])
@@ -122,6 +122,31 @@ class OfObjects(unittest.TestCase):
         self.assertEqual(list(self.obj.Patches), [f"top: {top}"])
         self.assertEqual(list(self.obj.PatchesChanged), [])
 
+    def test_a_move_keeps_them(self):
+        """Also where a face comes to lie where another one was."""
+        mq.set_patches(self.obj, {"left": ["Face1"], "right": ["Face2"]})
+        for x in (10, 0):
+            self.box.Placement.Base = FreeCAD.Vector(x, 0, 0)
+            self.document.recompute()
+            self.assertEqual(list(self.obj.Patches), ["left: Face1", "right: Face2"])
+            self.assertEqual(list(self.obj.PatchesChanged), [])
+
+    def test_what_was_lost_is_said_until_it_is_chosen_anew(self):
+        mq.set_patches(self.obj, {"top": ["Face6"]})
+        self.obj.Source = self.document.addObject("Part::Sphere", "Ball")
+        self.document.recompute()
+        mq.update(self.obj, min_angle=20)
+        self.assertEqual(len(self.obj.PatchesChanged), 1)
+        mq.set_patches(self.obj, {"all": ["Face1"]})
+        self.assertEqual(list(self.obj.PatchesChanged), [])
+
+    def test_a_line_that_makes_no_sense_does_not_fail_the_mesh(self):
+        self.obj.Patches = ["nonsense"]
+        self.box.Height = 12
+        self.document.recompute()
+        self.assertEqual(self.obj.Status, "up to date")
+        self.assertIn("nonsense", self.obj.PatchesChanged[0])
+
     def test_what_is_not_found_again_is_said(self):
         mq.set_patches(self.obj, {"top": [self.top_of(self.box)]})
         ball = self.document.addObject("Part::Sphere", "Ball")
@@ -150,6 +175,18 @@ class OfObjects(unittest.TestCase):
         mq.set_patches(obj, {"cap": ["Pin.Face2"]}, patch_rest="rest")
         mq.export_mesh(obj, self.path("b.stl"), ascii=True)
         self.assertEqual(set(self.solids_in("b.stl")), {"cap", "rest"})
+
+    def test_labels_that_look_alike(self):
+        part = self.document.addObject("App::Part", "Part")
+        boxes = []
+        for number, label in enumerate(("Bolt-1", "Bolt 1", "\u87ba\u6813", "\u87ba\u6bcd")):
+            box = self.document.addObject("Part::Box", "B")
+            box.Label, box.Placement.Base = label, FreeCAD.Vector(20 * number, 0, 0)
+            boxes.append(box)
+        part.addObjects(boxes)
+        self.document.recompute()
+        self.assertEqual({name: len(said["faces"]) for name, said in mq.suggested_patches(part, "labels").items()},
+                         {"Bolt_1": 6, "Bolt_1_2": 6, "patch": 6, "patch_2": 6})
 
     def test_names_by_an_analysis(self):
         import ObjectsFem

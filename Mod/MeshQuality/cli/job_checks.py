@@ -134,6 +134,8 @@ def take_writing(job, suffix):
         raise Error(f"{flag} is for the mesh in a file: give one with -o")
     if not 0.0 < given["scale"] < float("inf"):
         raise Error(f"--scale {given['scale']:g} is not allowed: it must be greater than 0")
+    if given["interfaces"] and not job.get("options", {}).get("imprint"):
+        raise Error("--interfaces is for solids that share triangles: give --imprint, too")
     if given["ascii"]:
         formats.check_text(suffix)
     if given["patches"] is not None:

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A folder with a surface mesh and what OpenFOAM's snappyHexMesh and cfMesh need to fill it, or the space around it."""
 
+import numbers
 import os
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +13,8 @@ from . import writing
 from .patches import patches_of
 
 FLOWS = ("internal", "external")
+_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.+\-]*")
+_MOST_CELLS = 1000  # along the part
 MOST_LEVELS = 6  # of refinement: cells 64 times as short as those of the background
 _CELLS = {"internal": 20, "external": 4}  # of the background along the part
 _MARGIN = 0.05  # of the size, by which the background is larger than the part for flows inside
@@ -52,7 +56,7 @@ class Case:
 
 def write_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0.001, types=None):
     """Writes the files; see mq.write_openfoam_case. Returns the Case."""
-    case = case_of(mesh, name, flow, cell, scale, types or {})
+    case = case_of(mesh, name, flow, cell, writing.checked_scale(scale), types)
     for path in ("constant/triSurface", "system"):
         try:
             os.makedirs(os.path.join(folder, path), exist_ok=True)
@@ -74,31 +78,45 @@ def _save(path, text):
 
 def case_of(mesh, name, flow, cell, scale, types):
     """The Case of a SurfaceMesh."""
+    types = {} if types is None else types
+    if not isinstance(types, dict):
+        raise InvalidInput(f"types = {types!r} is not possible: give a dict such as {{'top': 'patch'}}")
     if flow not in FLOWS:
         raise InvalidInput(f"flow = {flow!r} is not possible: give 'internal' for the space inside of the part, 'external' "
                            "for that around it")
     if not mesh.report.closed:
         raise InvalidInput(f"the mesh has {mesh.report.border_edges} open edges: meshers of flows need a closed surface; "
                            "close the part, or mesh all of its faces")
+    solids = len(set(mesh.triangle_solid.tolist()))
+    if flow == "internal" and solids > 1:
+        raise InvalidInput(f"the mesh has {solids} solids, and one space is meshed at a time: write a case of mesh.of_solid(i) "
+                           "for each, or unite them first")
     corners = (mesh.vertices + mesh.origin)[mesh.triangles] * scale
     low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
     size = float((high - low).max())
-    cell = size / _CELLS[flow] if cell is None else cell * scale
-    if not 0.0 < cell < size:
-        raise InvalidInput(f"cell = {cell / scale:g} mm is not possible: give a length between 0 and the size of the part, "
-                           f"{size / scale:g} mm")
+    least = size / _MOST_CELLS
+    if cell is not None and (isinstance(cell, bool) or not isinstance(cell, numbers.Real)
+                             or not least <= cell * scale < size):
+        raise InvalidInput(f"cell = {cell!r} is not possible: give a length in mm from {least / scale:.3g} on that is less than "
+                           f"the size of the part, {size / scale:.6g}")
+    cell = size / _CELLS[flow] if cell is None else float(cell) * scale
     patches = mesh._patches or patches_of(None, mesh.triangle_face, len(mesh.triangles))
-    unknown = sorted(set(types) - set(patches.names))
-    if unknown:
-        raise InvalidInput(f"types name {unknown[0]!r}, which is no patch: there are {', '.join(patches.names)}")
-    levels = {patch: _levels(corners[patches.of_triangle == i], cell) for i, patch in enumerate(patches.names)}
+    unknown = next((patch for patch in types if patch not in patches.names), None)
+    if unknown is not None:
+        raise InvalidInput(f"types name {unknown!r}, which is no patch: there are {', '.join(patches.names)}")
+    wrong = next((patch for patch in patches.names if not _NAME.fullmatch(patch)), None)
+    if wrong is not None:
+        raise InvalidInput(f"OpenFOAM cannot hold a patch called {wrong!r}: give it letters without accents, digits, _ - + and . "
+                           "only, a letter first")
+    levels = {patch: _levels(corners[patches.of_triangle == i], cell) for i, patch in enumerate(patches.names)
+              if (patches.of_triangle == i).any()}
     if flow == "internal":
         low, high, inside = low - _MARGIN * size, high + _MARGIN * size, _point_inside(corners)
     else:
         before, behind = _FAR[0] * size, np.array([_FAR[1], _FAR[0], _FAR[0]]) * size
         # Off the planes of the cells, on which no such point may lie.
         low, high, inside = low - before, high + behind, low - before + np.array([0.37, 0.41, 0.43]) * cell
-    kinds = {patch: types.get(patch, _PATCH if patch.lower().startswith(_OPEN) else _WALL) for patch in patches.names}
+    kinds = {patch: types.get(patch, _PATCH if patch.lower().startswith(_OPEN) else _WALL) for patch in levels}
     return Case(name, cell, low, high, inside, levels, kinds, flow)
 
 

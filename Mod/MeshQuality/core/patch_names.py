@@ -4,6 +4,7 @@
 import re
 
 import FreeCAD
+import numpy as np
 
 from ..errors import InvalidInput
 from . import convert, frames
@@ -41,6 +42,31 @@ def plain_name(label):
     return name if name[:1].isalpha() else f"patch_{name}".rstrip("_")
 
 
+def _another(name, taken):
+    """The name, with a number where another patch has it: labels of other letters look alike."""
+    number = 2
+    plain = name
+    while name in taken:
+        name, number = f"{plain}_{number}", number + 1
+    return name
+
+
+class _Finder:
+    """The names of faces in a shape that has them, or copies of them."""
+
+    def __init__(self, whole):
+        self._faces = whole.Faces
+        self._centres = np.array([face.CenterOfMass for face in self._faces], dtype=float).reshape(-1, 3)
+        self._near = 1e-6 * max(whole.BoundBox.DiagonalLength, 1.0)
+
+    def name_of(self, face):
+        """A name such as Face12; None where it is not there."""
+        close = np.abs(self._centres - np.array(face.CenterOfMass)).max(axis=1) <= self._near
+        there = np.flatnonzero(close).tolist()
+        own = [i for i in there if face.isPartner(self._faces[i])]  # neighbours may touch in a whole face
+        return f"Face{(own or there)[0] + 1}" if there else None
+
+
 def _add(found, name, faces, colour=None):
     """Adds faces that are in no patch yet."""
     taken = {face for said in found.values() for face in said["faces"]}
@@ -55,12 +81,12 @@ def _add(found, name, faces, colour=None):
 def _by_labels(source):
     import Part
 
-    found, whole = {}, convert.own_shape_of(source)
+    found, finder = {}, _Finder(convert.own_shape_of(source))
     obj, start = frames.object_of(source), frames.path_of(source)
     for path in leaf_paths(frames.leaf_of(source)):
-        label = obj.getSubObject(start + path + ".", retType=1).Label
-        faces = [convert.name_in(whole, face) for face in Part.getShape(obj, start + path + ".").Faces]
-        _add(found, plain_name(label), [face for face in faces if face])
+        name = _another(plain_name(obj.getSubObject(start + path + ".", retType=1).Label), found)
+        faces = map(finder.name_of, Part.getShape(obj, start + path + ".").Faces)
+        _add(found, name, [face for face in faces if face])
     return found
 
 
@@ -90,12 +116,14 @@ def _by_colours(source):
 
 def _by_analysis(source, analysis):
     found, document = {}, frames.object_of(source).Document
+    if analysis is not None and not hasattr(analysis, "Group"):
+        raise InvalidInput(f"{convert.label_of(analysis)} is no analysis: give one of the FEM workbench or of CfdOF")
     groups = [analysis] if analysis is not None else [obj for obj in document.Objects if hasattr(obj, "Group")]
     for group in groups:
         for member in group.Group:
             faces = [face for obj, names in _references(member, document) for name in names
                      for face in [_face_in(source, obj, name)] if face]
-            _add(found, plain_name(member.Label), faces)
+            _add(found, _another(plain_name(member.Label), found), faces)
     return found
 
 

@@ -57,10 +57,11 @@ class SurfaceMesh(metaclass=Public):
 
         Raises InvalidInput where no triangle does.
         """
+        there = [i for i in np.unique(self.triangle_solid).tolist() if i >= 0]
+        if number not in there:
+            raise InvalidInput(f"no triangle bounds solid {number!r}: give one of {there}" if there else
+                               "the mesh does not know solids: take one of triangulate of a shape with solids")
         chosen = np.flatnonzero(self.triangle_solid == number)
-        if not len(chosen):
-            raise InvalidInput(f"no triangle bounds Solid{number + 1}: the mesh has the solids "
-                               + ", ".join(f"Solid{i + 1}" for i in np.unique(self.triangle_solid).tolist() if i >= 0))
         corners, vertices = self.triangles[chosen], self.vertices + self.origin
         used, numbers = np.unique(corners, return_inverse=True)
         part = SurfaceMesh(extension().surface_from_arrays(

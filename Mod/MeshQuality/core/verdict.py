@@ -174,10 +174,37 @@ def _before_curving(curved, values, shape):
 
 
 def topology_of_corners(curved):
-    """The MeshReport of the triangles between the corners of a CurvedMesh's triangles."""
+    """The MeshReport of the triangles between the corners of a CurvedMesh's triangles. Solids that share triangles each
+    count with their own.
+    """
     corners = curved.triangles[:, :3]
     last = corners.max(initial=-1) + 1
-    return convert.surface_of_arrays(extension(), curved.nodes[:last], corners).report
+    points = curved.nodes[:last]
+    if curved.straight is not None:
+        points, corners = _by_solids(points, corners, curved)
+    return convert.surface_of_arrays(extension(), points, corners).report
+
+
+def _by_solids(points, corners, curved):
+    """The points and triangles, once for each solid that they bound."""
+    straight, count = curved.straight, len(points)
+    first, second = {}, {}
+    for face, solid in dict.fromkeys(zip(straight.triangle_face.tolist(), straight.triangle_solid.tolist())):
+        (second if face in first else first)[face] = solid
+    faces = curved.triangle_face
+    behind = curved.triangle_face_behind if len(curved.triangle_face_behind) else np.full(len(faces), -1)
+    own = np.array([first.get(face, -1) for face in faces.tolist()])
+    other = np.array([first.get(there, -1) if there >= 0 else second.get(face, -1)
+                      for face, there in zip(faces.tolist(), behind.tolist())])
+    shared = np.flatnonzero(other >= 0)
+    if not len(shared):
+        return points, corners
+    # A triangle between two solids is seen from the one that comes first.
+    own[shared], other[shared] = np.minimum(own[shared], other[shared]), np.maximum(own[shared], other[shared])
+    keys = np.concatenate((corners + (own[:, None] + 1) * count,
+                           corners[shared][:, ::-1] + (other[shared, None] + 1) * count)).astype(np.int64)
+    used, numbers = np.unique(keys, return_inverse=True)
+    return points[used % count], numbers.reshape(-1, 3).astype(np.int32)
 
 
 def of_measured(mesh, report, closed):

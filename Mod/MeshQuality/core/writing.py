@@ -4,6 +4,7 @@ to a complete one.
 """
 
 import math
+import numbers
 import os
 import zipfile
 
@@ -33,7 +34,7 @@ def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, for
     """Writes a SurfaceMesh or a CurvedMesh; see their `write`."""
     name = convert.file_name(path)
     suffix = _suffix_of(mesh, os.fsdecode(name), format)
-    scale = _checked_scale(scale)
+    scale = checked_scale(scale)
     if ascii:
         formats.check_text(suffix)
     found = _patches_for(mesh, patches, patch_rest)
@@ -63,8 +64,9 @@ def _suffix_of(mesh, path, name):
     return suffix
 
 
-def _checked_scale(scale):
-    if isinstance(scale, bool) or not isinstance(scale, (int, float)) or not 0.0 < scale < math.inf:
+def checked_scale(scale):
+    """The factor as a float; raises InvalidInput."""
+    if isinstance(scale, bool) or not isinstance(scale, numbers.Real) or not 0.0 < scale < math.inf:
         raise InvalidInput(f"scale = {scale!r} is not possible: give a number greater than 0, such as 0.001 for metres")
     return float(scale)
 

@@ -5,7 +5,7 @@ import os
 
 from ..core import convert, openfoam_case
 from ..core.surface_mesh import SurfaceMesh
-from ..errors import InvalidInput
+from ..errors import InvalidInput, IoError
 from .export import flat_maker_of
 
 _ready = {}  # (folder, flow, cell) of a case that write_ahead has written: its levels
@@ -31,10 +31,12 @@ def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None
     """
     if not isinstance(name, str) or not name.isidentifier() or not name.isascii():
         raise InvalidInput(f"name = {name!r} is not possible: give letters, digits and _ only, a letter first")
-    for patch, kind in (types or {}).items():
+    for patch, kind in (types if isinstance(types, dict) else {}).items():
         if kind not in ("wall", "patch"):
             raise InvalidInput(f"types says {kind!r} of patch {patch!r}: give 'wall' or 'patch'")
     folder = os.fsdecode(convert.file_name(folder))
+    if not folder:
+        raise IoError("the case has no folder: give the name of one")
     ready = _ready.pop((folder, flow, cell), None)
     if ready is not None and (name, scale, types) == ("surface", 0.001, None):
         return ready

@@ -7,7 +7,7 @@ from functools import partial
 import FreeCAD
 import numpy as np
 
-from .. import formats
+from .. import files, formats
 from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
@@ -17,7 +17,7 @@ from ..errors import InvalidInput, IoError
 from .mesh_object import faces_of_runs
 from .patches import patches_of_object
 
-_written = {}  # (file asked for, scale, ascii) -> file that holds its content already
+_written = {}  # what _key gives -> file that holds its content already
 
 
 def export_mesh(obj, path, patches=None, patch_rest=None, scale=1.0, ascii=False):  # noqa: A002 - an option of write
@@ -33,10 +33,12 @@ def export_mesh(obj, path, patches=None, patch_rest=None, scale=1.0, ascii=False
 
     Raises InvalidInput for other objects and for what the format cannot hold; IoError naming the path.
     """
+    if not isinstance(frames.object_of(obj), FreeCAD.DocumentObject):
+        raise InvalidInput(f"{convert.label_of(obj)} holds no mesh: give an object with a mesh, or a link to one")
     path = checked(obj, path)
-    ready = _written.pop((path, scale, bool(ascii)), None)
-    if ready is not None and patches is None and patch_rest is None:
-        os.replace(ready, path)
+    ready = _written.pop(_key(obj, path, scale, ascii), None) if patches is None and patch_rest is None else None
+    if ready is not None:
+        files.put_in_place(ready, os.path.realpath(path))
     else:
         maker_of(obj, path, patches, patch_rest)().write(path, scale=scale, ascii=ascii)
 
@@ -133,23 +135,22 @@ def _flat_maker(source, measured=False):
     return make
 
 
-def write_ahead(make, path, scale=1.0, ascii=False):  # noqa: A002
-    """Writes what maker_of made beside a checked path, for the export_mesh that follows; any thread may call it. Returns
-    what takes the file away again if it was not taken.
+def write_ahead(make, obj, path, scale=1.0, ascii=False):  # noqa: A002
+    """Writes what maker_of made of an object beside a checked path, for the export_mesh that follows; any thread may call
+    it. Returns what takes the file away again if it was not taken.
     """
-    stem, suffix = os.path.splitext(path)
-    ready = f"{stem}.part{suffix}"
+    ready = files.unfinished(os.path.realpath(path), os.path.splitext(path)[1])
     try:
         make().write(ready, scale=scale, ascii=ascii)
     except BaseException:
-        _remove(ready)
+        files.remove_if_there(ready)
         raise
-    key = path, scale, bool(ascii)
+    key = _key(obj, path, scale, ascii)
     _written[key] = ready
-    return lambda: _remove(_written.pop(key, ready))
+    return lambda: files.remove_if_there(_written.pop(key, ready))
 
 
-def _remove(path):
-    if os.path.exists(path):
-        os.remove(path)
+def _key(source, path, scale, ascii):  # noqa: A002
+    obj = frames.object_of(source)
+    return obj.Document.Name, obj.Name, frames.path_of(source), path, scale, bool(ascii)
 

@@ -72,7 +72,9 @@ def give_patches(obj, source, patches, patch_rest):
     """Sets the properties; raises InvalidInput where they are not possible, and then changes nothing."""
     division_for(source, patches, patch_rest)
     lines = lines_of_patches(patches or {})
-    patches_of_lines(lines)  # names that the property cannot hold
+    for name, held in zip(patches or {}, patches_of_lines(lines)):
+        if name != held:
+            raise InvalidInput(f"{name!r} is not possible as the name of a patch: it ends as a colour does; choose another")
     obj.Patches, obj.PatchRest, obj.PatchesChanged = lines, patch_rest or "", []
     obj.PatchFaces = _described(convert.own_shape_of(source)) if lines else ""
 
@@ -83,14 +85,20 @@ def follow_source(obj, source):
     """
     if not obj.Patches:
         return []
-    before, now = json.loads(obj.PatchFaces or "[]"), json.loads(_described(convert.own_shape_of(source)))
-    patches, lost = patches_of_lines(obj.Patches), []
-    if before and before != now:
-        places = _Places(before, now)
+    try:
+        patches, before = patches_of_lines(obj.Patches), json.loads(obj.PatchFaces or "[]")
+    except (InvalidInput, ValueError) as error:  # edited by hand
+        obj.PatchesChanged = [f"the patches are not followed: {error}"]
+        return list(obj.PatchesChanged)
+    described = _described(convert.own_shape_of(source))
+    now, lost = json.loads(described), []
+    if before and [face[0] for face in before] != [face[0] for face in now]:
+        places = _same_faces(before, now)
         for name, said in patches.items():
             said["faces"] = [_followed(face, name, places, lost) for face in said["faces"]]
-    obj.Patches, obj.PatchesChanged = lines_of_patches(patches), lost
-    obj.PatchFaces = json.dumps(now)
+        obj.Patches = lines_of_patches(patches)
+    obj.PatchesChanged = [*obj.PatchesChanged, *lost]  # until they are chosen anew
+    obj.PatchFaces = described
     return lost
 
 
@@ -99,7 +107,7 @@ def _followed(face, patch, places, lost):
     found = _FACE.fullmatch(face)
     if not found:
         return face
-    index = places.of(int(found[1]) - 1)
+    index = places.get(int(found[1]) - 1)
     if index is None:
         lost.append(f"{face} of patch {patch!r} may be another face after the edit: choose the faces of the patch anew")
         return face
@@ -107,31 +115,23 @@ def _followed(face, patch, places, lost):
 
 
 def _described(shape):
-    """Kind, area and centre of each face, as text."""
-    return json.dumps([[face.Surface.TypeId if hasattr(face.Surface, "TypeId") else type(face.Surface).__name__,
-                        face.Area, *face.CenterOfMass] for face in shape.Faces])
+    """Kind, area and centre of each face, as text; centres as if the shape had no placement."""
+    back = shape.Placement.inverse()
+    return json.dumps([[type(face.Surface).__name__, face.Area, *back.multVec(face.CenterOfMass)]
+                       for face in shape.Faces])
 
 
-class _Places:
-    """Which face of a shape is which one of that before an edit."""
-
-    def __init__(self, before, now):
-        self._before, self._now = before, now
-        numbers = np.array([face[2:] for face in before + now], dtype=float).reshape(-1, 3)
-        self._near = _SAME * max(float(np.ptp(numbers, axis=0).max(initial=0.0)), 1.0)
-        # An edit of dimensions alone leaves the kinds of all faces, and FreeCAD then their numbers.
-        self._same_kinds = [face[0] for face in before] == [face[0] for face in now]
-
-    def of(self, index):
-        """The present number of a face; None: not known."""
-        if index >= len(self._before):
-            return None
-        wanted = self._before[index]
-        same = [i for i, face in enumerate(self._now) if self._is_same(wanted, face)]
-        if index in same or self._same_kinds and not same:
-            return index
-        return same[0] if len(same) == 1 else None
-
-    def _is_same(self, one, other):
-        return one[0] == other[0] and abs(one[1] - other[1]) <= _SAME * max(one[1], other[1]) \
-            and max(abs(a - b) for a, b in zip(one[2:], other[2:])) <= self._near
+def _same_faces(before, now):
+    """{number of a face before an edit: its number after it}, of those of which there is one alike, and for which no other
+    is. An edit of dimensions alone leaves the kinds of all faces, and FreeCAD then their numbers: it does not come here.
+    """
+    kinds, numbers = np.array([face[0] for face in now]), np.array([face[1:] for face in now], dtype=float)
+    near = _SAME * max(float(np.ptp(numbers[:, 1:], axis=0).max(initial=0.0)), 1.0)
+    found = {}
+    for index, (kind, *wanted) in enumerate(before):
+        off = np.abs(numbers - wanted)
+        alike = np.flatnonzero((kinds == kind) & (off[:, 0] <= _SAME * wanted[0]) & (off[:, 1:] <= near).all(axis=1))
+        if len(alike) == 1:
+            found[index] = int(alike[0])
+    taken = list(found.values())
+    return {index: place for index, place in found.items() if taken.count(place) == 1}

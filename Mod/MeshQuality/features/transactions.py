@@ -94,7 +94,8 @@ def set_patches(obj, patches, patch_rest=None):
     After an edit of the source the faces of patches are found again by kind, area and place; where that is not
     possible the property PatchesChanged and a warning name them. Raises InvalidInput naming patch, face and remedy.
     """
-    obj = frames.linked_of(obj)[0]
+    if isinstance(obj, FreeCAD.DocumentObject):
+        obj = frames.linked_of(obj)[0]
     if not isinstance(getattr(obj, "Proxy", None), SourceMesh):
         raise InvalidInput(f"{convert.label_of(obj)} has no patches: give an object of add_quality_mesh or "
                            "add_curved_mesh")

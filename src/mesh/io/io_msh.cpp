@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "mesh/io/io_formats.h"
 
@@ -20,9 +21,19 @@ std::map<int, Surface> surfaces_of(const ExportMesh& mesh) {
     const auto& faces = mesh.triangles().entity;
     const int unknown = faces.empty() ? 1 : *std::max_element(faces.begin(), faces.end()) + 2;
     std::map<int, Surface> surfaces;
+    std::map<int, std::int32_t> patch_of_face;
+    std::map<std::pair<int, std::int32_t>, int> parts;
     std::vector<bool> listed(mesh.nodes.size(), false);
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
-        const int tag = faces.empty() || faces[k] < 0 ? unknown : faces[k] + 1;
+        int tag = faces.empty() || faces[k] < 0 ? unknown : faces[k] + 1;
+        if (mesh.patches_given) {
+            // A patch may hold a part of a face: such a part is a surface of its own, after all faces.
+            const auto patch = mesh.triangles().group[k];
+            const int own = patch_of_face.emplace(tag, patch).first->second;
+            tag = patch == own ? tag
+                               : parts.emplace(std::make_pair(tag, patch), unknown + 1 + static_cast<int>(parts.size()))
+                                     .first->second;
+        }
         Surface& surface = surfaces[tag];
         surface.triangles.push_back(static_cast<std::int32_t>(k));
         for (std::size_t i = 0; i < 3; ++i) {

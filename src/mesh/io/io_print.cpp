@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "mesh/io/io_formats.h"
 
@@ -50,7 +52,14 @@ class Numbers {
 
 /// The unit of scaled coordinates, which formats for printing name.
 std::string unit_of(double scale) {
-    return scale == 0.001 ? "meter" : "millimeter";
+    constexpr std::array<std::pair<double, const char*>, 3> kUnits{
+        {{0.001, "meter"}, {0.1, "centimeter"}, {1.0 / 25.4, "inch"}}};
+    for (const auto& [factor, name] : kUnits) {
+        if (std::abs(scale / factor - 1.0) < 1e-6) {
+            return name;
+        }
+    }
+    return "millimeter";
 }
 
 std::string colour_text(const Group& group) {

@@ -57,6 +57,10 @@ class CasePanel(WritingPanel):
         except Error as error:
             return translated(error)
 
+    @staticmethod
+    def said_of_cancelling():
+        return translate("MeshQuality", "Cancelled; files of the case that were written already stay.")
+
     def prepare(self):
         folder = self.path.property("fileName").strip()
         if not folder:

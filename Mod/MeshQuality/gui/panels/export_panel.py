@@ -82,7 +82,7 @@ class ExportPanel(WritingPanel):
             raise IoError(translate("MeshQuality", "Choose a file, or type its name."))
         path = export.checked(self.source, path)
         make, how = export.maker_of(self.source, path), self._options(path)
-        return lambda _progress: export.write_ahead(make, path, **how), partial(self._land, path, how)
+        return lambda _progress: export.write_ahead(make, self.source, path, **how), partial(self._land, path, how)
 
     def _options(self, path):
         """What export_mesh takes beside object and path, where it is not the default."""

@@ -75,6 +75,11 @@ class WritingPanel:
         self.message.say(text, error)
 
     @staticmethod
+    def said_of_cancelling():
+        """What the panel says once the work was cancelled."""
+        return translate("MeshQuality", "Cancelled; no file was written.")
+
+    @staticmethod
     def first_folder():
         """Where files were written the last time."""
         return preferences.stored().GetString("ExportFolder", "") or os.path.expanduser("~")
@@ -109,7 +114,7 @@ class WritingPanel:
         elif job.state == jobs.FAILED:
             self.say(translated(job.error), error=True)
         else:
-            self.say(translate("MeshQuality", "Cancelled; no file was written."))
+            self.say(self.said_of_cancelling())
 
     def _enable(self, enabled):
         self.bar.setVisible(not enabled)

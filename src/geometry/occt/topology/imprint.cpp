@@ -16,11 +16,13 @@
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <cmath>
@@ -45,14 +47,24 @@ class StopWhenCancelled final : public Message_ProgressIndicator {
     const Progress* progress_;
 };
 
-bool bounds_a_solid(const TopoDS_Shape& face) {
-    return face.Orientation() == TopAbs_FORWARD || face.Orientation() == TopAbs_REVERSED;
+/// Whether a face bounds its solid, or an edge its face.
+bool is_bound(const TopoDS_Shape& part) {
+    return part.Orientation() == TopAbs_FORWARD || part.Orientation() == TopAbs_REVERSED;
 }
 
 TopoDS_Compound new_compound() {
     TopoDS_Compound compound;
     BRep_Builder().MakeCompound(compound);
     return compound;
+}
+
+bool has_inner_edge(const TopoDS_Shape& part) {
+    for (TopExp_Explorer it(part, TopAbs_EDGE); it.More(); it.Next()) {
+        if (it.Current().Orientation() == TopAbs_INTERNAL) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// The faces of some solids after the general fuse.
@@ -96,7 +108,7 @@ class Fuse {
             const TopoDS_Shape* same = fuse_.ShapesSD().Seek(piece);
             piece = same != nullptr ? *same : piece;
             if (entity.ShapeType() == TopAbs_FACE) {
-                piece = turned(TopoDS::Face(piece), TopoDS::Face(entity));
+                piece = turned(TopoDS::Face(without_inner_edges(piece, entity)), TopoDS::Face(entity));
             }
             BRep_Builder().Add(result, piece);
         }
@@ -104,12 +116,30 @@ class Fuse {
     }
 
   private:
+    /// The piece without edges inside it that its face does not have: seams of the other face, and edges of bodies that
+    /// touch there along a line.
+    TopoDS_Shape without_inner_edges(const TopoDS_Shape& piece, const TopoDS_Shape& face) {
+        if (!has_inner_edge(piece) || has_inner_edge(face)) {
+            return piece;
+        }
+        if (!cleared_.IsBound(piece)) {
+            TopoDS_Shape cleared = piece.EmptyCopied();
+            for (TopoDS_Iterator it(piece.Oriented(TopAbs_FORWARD)); it.More(); it.Next()) {
+                if (!has_inner_edge(it.Value())) {
+                    BRep_Builder().Add(cleared, it.Value());
+                }
+            }
+            cleared_.Bind(piece, cleared);
+        }
+        return cleared_.Find(piece).Oriented(piece.Orientation());
+    }
     TopoDS_Shape turned(const TopoDS_Face& piece, const TopoDS_Face& face) {
         const bool other_way = BOPTools_AlgoTools::IsSplitToReverse(piece, face, context_);
         return other_way ? piece.Reversed() : TopoDS_Shape(piece);
     }
 
     BOPAlgo_Builder fuse_;
+    TopTools_DataMapOfShapeShape cleared_;
     Handle(IntTools_Context) context_ = new IntTools_Context;
 };
 
@@ -175,13 +205,15 @@ Outcome outcome_of(Fuse& fuse, const TopTools_IndexedMapOfShape& solids, const B
                 const auto index = static_cast<std::size_t>(pieces.Add(piece.Current()) - 1);
                 if (index == first_owner.size()) {
                     first_owner.push_back(body);
+                } else if (pieces(static_cast<int>(index) + 1).Orientation() == piece.Current().Orientation()) {
+                    outcome.damaged.insert(body);  // both lie on the same side: they overlap
                 } else if (first_owner[index] != body) {
                     outcome.in_contact.insert({first_owner[index], body});
                 }
             }
             TopExp_Explorer only(here, TopAbs_FACE);
             const bool unchanged = only.More() && only.Current().IsSame(it.Current());
-            if (!unchanged && bounds_a_solid(it.Current()) &&
+            if (!unchanged && is_bound(it.Current()) &&
                 (!covered(it.Current(), here) || (is_valid(it.Current()) && !is_valid(here)))) {
                 outcome.damaged.insert(body);
             }
@@ -191,7 +223,7 @@ Outcome outcome_of(Fuse& fuse, const TopTools_IndexedMapOfShape& solids, const B
 }
 
 void add_pieces(TopoDS_Shape& to, const TopoDS_Shape& face, Fuse& fuse) {
-    if (!bounds_a_solid(face)) {
+    if (!is_bound(face)) {
         BRep_Builder().Add(to, face);
         return;
     }
@@ -289,8 +321,9 @@ OrderedShape imprint_contacts(OrderedShape whole, double within, std::vector<std
         left.insert(bodies.begin(), bodies.end());
     }
     if (!left.empty()) {
-        faults.push_back("bodies are not joined where they touch: OpenCASCADE cannot divide their faces there (" +
-                         names_of(left) + ")");
+        faults.push_back(
+            "bodies are not joined where they touch: they overlap there, or OpenCASCADE cannot divide their faces (" +
+            names_of(left) + ")");
     }
     return whole;
 }

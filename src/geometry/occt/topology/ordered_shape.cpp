@@ -31,6 +31,7 @@ class Numbering {
         std::sort(cut_.cut_faces.begin(), cut_.cut_faces.end());
         add_inner_edges();
         add_ends();
+        note_unused_edges();
         return std::move(cut_);
     }
 
@@ -95,6 +96,17 @@ class Numbering {
                 for (TopExp_Explorer it(cut_.edges(e), TopAbs_VERTEX); it.More(); it.Next()) {
                     add(it.Current(), 0, of, cut_.vertices);
                 }
+            }
+        }
+    }
+
+    // Edges of pieces that became one with others, such as seams.
+    void note_unused_edges() {
+        TopTools_IndexedMapOfShape used;
+        TopExp::MapShapes(cut_.shape, TopAbs_EDGE, used);
+        for (int e = 1; e <= cut_.edges.Extent(); ++e) {
+            if (!used.Contains(cut_.edges(e)) && !is_replaced(cut_.edges(e))) {
+                cut_.replaced.Add(cut_.edges(e));
             }
         }
     }
