@@ -182,8 +182,8 @@ class Commands(gui_helpers.PanelTest):
         workbench = FreeCADGui.getWorkbench("MeshQualityWorkbench")
         box = self.box()
         curved = mq.add_curved_mesh(box)
-        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve"}), ((), set()),
-                                 ((box, curved), {"Triangulate", "Curve", "Boolean", "Improve", "Update"}),
+        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh"}), ((), set()),
+                                 ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Update"}),
                                  ((curved,), {"Analyse", "Improve", "Update", "Export"})):
             self.select(*chosen)
             added = []
