@@ -22,16 +22,16 @@ std::map<int, Surface> surfaces_of(const ExportMesh& mesh) {
     const int unknown = faces.empty() ? 1 : *std::max_element(faces.begin(), faces.end()) + 2;
     std::map<int, Surface> surfaces;
     std::map<int, std::int32_t> patch_of_face;
-    std::map<std::pair<int, std::int32_t>, int> parts;
+    std::map<std::pair<int, std::int32_t>, int> pieces;
     std::vector<bool> listed(mesh.nodes.size(), false);
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
         int tag = faces.empty() || faces[k] < 0 ? unknown : faces[k] + 1;
         if (mesh.patches_given) {
-            // A patch may hold a part of a face: such a part is a surface of its own, after all faces.
+            // A patch may hold a piece of a face: that is a surface of its own, after all faces.
             const auto patch = mesh.triangles().group[k];
             const int own = patch_of_face.emplace(tag, patch).first->second;
             tag = patch == own ? tag
-                               : parts.emplace(std::make_pair(tag, patch), unknown + 1 + static_cast<int>(parts.size()))
+                               : pieces.emplace(std::make_pair(tag, patch), unknown + 1 + static_cast<int>(pieces.size()))
                                      .first->second;
         }
         Surface& surface = surfaces[tag];
