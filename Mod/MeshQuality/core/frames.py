@@ -217,5 +217,16 @@ def _source_at(root, path):
     return body if getattr(body, "Tip", None) == leaf else leaf
 
 
+def leaf_paths(obj, path=""):
+    """Paths such as "Part.Box." to what has a shape of its own in a container or a link to one; none in what has one
+    itself.
+    """
+    if "Shape" in obj.PropertiesList:
+        return
+    for name in obj.getSubObjects():
+        below = list(leaf_paths(obj.getSubObject(name, retType=1), path + name))
+        yield from below or [path + name]
+
+
 def _is_plain_group(obj):
     return obj.hasExtension("App::GroupExtension") and not obj.hasExtension("App::GeoFeatureGroupExtension")

@@ -83,21 +83,11 @@ def _by_labels(source):
 
     found, finder = {}, _Finder(convert.own_shape_of(source))
     obj, start = frames.object_of(source), frames.path_of(source)
-    for path in leaf_paths(frames.leaf_of(source)):
-        name = _another(plain_name(obj.getSubObject(start + path + ".", retType=1).Label), found)
-        faces = map(finder.name_of, Part.getShape(obj, start + path + ".").Faces)
+    for path in frames.leaf_paths(frames.leaf_of(source)):
+        name = _another(plain_name(obj.getSubObject(start + path, retType=1).Label), found)
+        faces = map(finder.name_of, Part.getShape(obj, start + path).Faces)
         _add(found, name, [face for face in faces if face])
     return found
-
-
-def leaf_paths(obj, path=""):
-    """Paths to what has a shape of its own in containers and links to them; none in what has one itself."""
-    if "Shape" in obj.PropertiesList:
-        return
-    for name in obj.getSubObjects():
-        child = obj.getSubObject(name, retType=1)
-        below = list(leaf_paths(child, path + name))
-        yield from below or [(path + name).rstrip(".")]
 
 
 def _by_colours(source):

@@ -16,7 +16,7 @@ def sub_element(source, face):
     that it holds, "Box.Face1" is one of them.
     """
     obj, start = frames.object_of(source), frames.path_of(source)
-    leaves = [start + path for path in _leaves(frames.leaf_of(source))]
+    leaves = [start + path for path in frames.leaf_paths(frames.leaf_of(source))]
     if not leaves:
         return start + face
     shape = convert.own_shape_of(source)
@@ -32,16 +32,6 @@ def select_face(source, face):
     """Selects the face "Face7" of a source in the 3D view, also inside of containers."""
     obj, path = frames.path_from_root((frames.object_of(source), sub_element(source, face)))
     FreeCADGui.Selection.addSelection(obj, path)
-
-
-def _leaves(obj, path=""):
-    """Paths to what has a shape of its own, in containers and links to them."""
-    if "Shape" in obj.PropertiesList:
-        return
-    for name in obj.getSubObjects():
-        child = obj.getSubObject(name, retType=1)
-        below = list(_leaves(child, path + name))
-        yield from below or [path + name]
 
 
 def _alike(face, other, near):
