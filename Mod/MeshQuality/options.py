@@ -353,6 +353,7 @@ _OF_FEM = {
                                  "they should"},
     "volume": {"default": True, "help": "Fill the solids with tetrahedra; off, and where there is no solid: triangles "
                                         "for shells"},
+    "imprint": {"default": True},
 }
 FEM = tuple(replace(option, **_OF_FEM.get(option.name, {})) for option in CURVE)
 

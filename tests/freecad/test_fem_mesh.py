@@ -118,6 +118,19 @@ class Elements(FemObjectTest):
             self.assertEqual(mesh.FaceCount, len(mq.curve(source).triangles))
             self.assertEqual(nodes_of(mesh, groups_of(mesh)["Face1"][1]), set(mesh.getNodesByFace(source.Shape.Face1)))
 
+    def test_bodies_that_touch_share_nodes(self):
+        """By default; of a mesh of separate bodies a solver would find two parts that hang on nothing."""
+        source = self.part(Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(4, 4, 4, FreeCAD.Vector(3, 3, 10))]))
+        joined, apart = (mq.add_fem_mesh(source, imprint=imprint) for imprint in (True, False))
+        self.assertEqual(joined.Certificate, "met")
+        self.assertTrue(options.defaults(options.FEM)["imprint"])
+        for obj, shared in ((joined, True), (apart, False)):
+            groups = groups_of(obj.FemMesh)
+            solids = [nodes_of(obj.FemMesh, groups[name][1]) for name in ("Solid1", "Solid2")]
+            self.assertEqual(bool(solids[0] & solids[1]), shared)
+        groups = groups_of(joined.FemMesh)
+        self.assertTrue(groups["Face11"][1] < groups["Face6"][1])  # the bottom of the upper box, in the top of the lower one
+
     def test_without_groups_there_are_elements_of_one_kind(self):
         curved = mq.curve(self.cylinder(), volume=True)
         mesh = curved.to_fem_mesh()
