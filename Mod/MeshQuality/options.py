@@ -266,7 +266,7 @@ def _distance(relative, group, which):
 
 
 def _imprint(group):
-    return Option("imprint", bool, False, title="Same triangles where bodies touch", rare=True, group=group,
+    return Option("imprint", bool, False, title="Join bodies that touch", rare=True, group=group,
                   help="Give solids that share an area the same triangles on both sides, as analyses of "
                        "assemblies need; the report names the pairs")
 

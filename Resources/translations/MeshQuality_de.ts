@@ -1987,12 +1987,16 @@
         <translation>Gibt Körpern, die sich in einer Fläche berühren, auf beiden Seiten dieselben Dreiecke, wie Analysen von Baugruppen sie brauchen; der Bericht nennt die Paare</translation>
     </message>
     <message>
-        <source>Same triangles where bodies touch</source>
-        <translation>Gleiche Dreiecke, wo sich Körper berühren</translation>
-    </message>
-    <message>
         <source>Cancelled; files of the case that were written already stay.</source>
         <translation>Abgebrochen; schon geschriebene Dateien des Falls bleiben.</translation>
+    </message>
+    <message>
+        <source>Patches</source>
+        <translation>Patches</translation>
+    </message>
+    <message>
+        <source>Join bodies that touch</source>
+        <translation>Berührende Körper verbinden</translation>
     </message>
 </context>
 <context>

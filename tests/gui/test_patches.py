@@ -9,7 +9,7 @@ import gui_helpers
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
-from MeshQuality.gui.panels import case_panel, export_panel, patches_panel
+from MeshQuality.gui.panels import case_panel, export_panel, patches_panel, quality_panel
 
 
 class Patches(gui_helpers.PanelTest):
@@ -116,6 +116,18 @@ class Patches(gui_helpers.PanelTest):
         self.assertEqual([line.split()[1] for line in text.splitlines() if line.startswith("solid")], ["inlet", "walls"])
         largest = max(abs(float(word)) for line in text.splitlines() if "vertex" in line for word in line.split()[1:])
         self.assertLess(largest, 0.1)
+
+    def test_the_quality_view_lists_patches(self):
+        obj = self.quality()
+        mq.set_patches(obj, {"inlet": ["Face1"]}, patch_rest="walls")
+        panel = quality_panel.QualityPanel(obj)
+        FreeCADGui.Control.showDialog(panel)
+        self.until(lambda: panel.values is not None)
+        names = [panel.faces.item(row, 0).text() for row in range(panel.faces.rowCount())]
+        self.assertEqual(sorted(names), ["inlet", "walls"])
+        panel.faces.selectRow(names.index("inlet"))
+        self.assertEqual(int(panel.lit.sum()), sum(1 for face in panel.data.face if face == 0))
+        self.assertIn("Patches", panel.tabs.tabText(1))
 
     def test_undo(self):
         obj = self.quality()

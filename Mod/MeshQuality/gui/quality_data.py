@@ -13,8 +13,10 @@ from .. import phrases
 from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
+from ..core.patches import division_for, patches_of
 from ..errors import InvalidInput
 from ..features import mesh_object
+from ..features.patches import patches_of_object
 from ..features.properties import exempt_reasons
 from .quantities import Unit, in_locale
 from .view.colour_scale import GREEN
@@ -150,14 +152,26 @@ class Histogram:
 
 @dataclass(frozen=True)
 class FaceRow:
-    """One CAD face: its index, how many elements lie on it, their worst value, and the mean of those
-    that have a finite one.
+    """One CAD face, or one patch where the mesh has such: its index and name, how many elements lie on it, their worst
+    value, and the mean of those that have a finite one.
     """
 
     face: int
+    name: str
     elements: int
     worst: float
     mean: float
+
+
+def _division_of(obj):
+    """The division into patches of an object; None where it has none, or none that its source still has."""
+    try:
+        patches, rest = patches_of_object(obj)
+        if patches is None and rest is None:
+            return None
+        return division_for(obj.Proxy.sources(obj)[0], patches, rest)
+    except InvalidInput:
+        return None  # the command Patches says what is wrong
 
 
 class QualityData:
@@ -167,6 +181,8 @@ class QualityData:
     corners   float32 (T, 3, 3): the triangles that are drawn, in the document's frame
     element   int (T,): the element that each of them is a part of
     face      int (E,): the CAD face of each element, -1 where there is none
+    group     int (E,): the patch of each element; of a mesh without patches the same as `face`
+    patches   the names of the patches; empty where the mesh has none
     jacobians float64 (E,), of curved elements only
     coarse    float32 (n, 3, 3): triangles that look like those of `corners` from afar; None where
               there are few of these
@@ -186,6 +202,7 @@ class QualityData:
         if obj.Mesh.CountFacets == 0:
             raise InvalidInput(phrases.Text(phrases.NO_TRIANGLES, name=obj.Label))
         self._why = exempt_reasons(obj)
+        self._division = _division_of(obj)
         asked = "AskedChordHeight" in obj.PropertiesList and property_of(obj, "AskedChordHeight").Value
         self.bound = asked or None
         self.tetrahedra = self.shown = 0
@@ -203,6 +220,10 @@ class QualityData:
         """Makes what is drawn; once."""
         if self.corners is None:
             self._prepare()
+            self.group, self.patches = self.face, ()
+            if self._division is not None and len(self.face):
+                found = patches_of(self._division, self.face, len(self.face))
+                self.group, self.patches = found.of_triangle, found.names
             self.coarse = None
             if len(self.corners) > _MANY:
                 self.coarse, self._joined = extension().clustered(self.corners, COARSE)
@@ -290,15 +311,15 @@ class QualityData:
         return extension().triangle_deviations(self._surface, self._shape, progress)
 
     def faces(self, values, measure):
-        """A FaceRow for each CAD face, the worst first."""
-        order = np.argsort(self.face, kind="stable")
-        faces, starts, counts = np.unique(self.face[order], return_index=True, return_counts=True)
+        """A FaceRow for each CAD face or patch, the worst first."""
+        order = np.argsort(self.group, kind="stable")
+        faces, starts, counts = np.unique(self.group[order], return_index=True, return_counts=True)
         finite = np.where(np.isfinite(values), values, 0.0)[order]
         sums = np.add.reduceat(finite, starts)
         known = np.maximum(np.add.reduceat(np.isfinite(values[order]).astype(int), starts), 1)
         extreme = np.minimum if measure.low_is_bad else np.maximum
         worst = extreme.reduceat(values[order], starts)
-        rows = [FaceRow(int(f), int(n), float(w), float(s / k))
+        rows = [FaceRow(int(f), self.patches[f] if self.patches else f"Face{f + 1}", int(n), float(w), float(s / k))
                 for f, n, w, s, k in zip(faces, counts, worst, sums, known) if f >= 0]
         return [rows[i] for i in measure.order(np.array([row.worst for row in rows]))]
 

@@ -47,7 +47,9 @@ class CasePanel(WritingPanel):
         for title, widget in ((translate("MeshQuality", "Flow"), self.flow),
                               (translate("MeshQuality", "Background cells (0: by the size)"), self.cell),
                               (translate("MeshQuality", "Folder"), self.path)):
-            layout.addWidget(QtGui.QLabel(title))
+            label = QtGui.QLabel(title)
+            label.setWordWrap(True)
+            layout.addWidget(label)
             layout.addWidget(widget)
         self.fields = (self.flow, self.cell, self.path)
 

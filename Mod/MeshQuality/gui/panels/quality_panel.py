@@ -257,11 +257,12 @@ class QualityPanel:
     def _list_faces(self, faces):
         self._faces = faces
         unit = self.scale.unit.strip()
-        self.tabs.setTabText(1, translate("MeshQuality", "Faces") + (f" [{unit}]" if unit else ""))
+        title = translate("MeshQuality", "Patches") if self.data.patches else translate("MeshQuality", "Faces")
+        self.tabs.setTabText(1, title + (f" [{unit}]" if unit else ""))
         self.faces.blockSignals(True)
         self.faces.setRowCount(len(faces))
         for i, row in enumerate(faces):
-            texts = (f"Face{row.face + 1}", count_text(row.elements), self.scale.number(row.worst, _DIGITS),
+            texts = (row.name, count_text(row.elements), self.scale.number(row.worst, _DIGITS),
                      self.scale.number(row.mean, _DIGITS))
             for k, text in enumerate(texts):
                 self.faces.setItem(i, k, QtGui.QTableWidgetItem(text))
@@ -282,7 +283,7 @@ class QualityPanel:
 
     def _pick_face(self):
         rows = {index.row() for index in self.faces.selectedIndexes()}
-        self._light_up(np.isin(self.data.face, [self._faces[row].face for row in rows]))
+        self._light_up(np.isin(self.data.group, [self._faces[row].face for row in rows]))
 
     def _light_up(self, chosen):
         self.lit = chosen

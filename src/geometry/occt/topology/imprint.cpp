@@ -47,9 +47,8 @@ class StopWhenCancelled final : public Message_ProgressIndicator {
     const Progress* progress_;
 };
 
-/// Whether a face bounds its solid, or an edge its face.
-bool is_bound(const TopoDS_Shape& part) {
-    return part.Orientation() == TopAbs_FORWARD || part.Orientation() == TopAbs_REVERSED;
+bool bounds_a_solid(const TopoDS_Shape& face) {
+    return face.Orientation() == TopAbs_FORWARD || face.Orientation() == TopAbs_REVERSED;
 }
 
 TopoDS_Compound new_compound() {
@@ -213,7 +212,7 @@ Outcome outcome_of(Fuse& fuse, const TopTools_IndexedMapOfShape& solids, const B
             }
             TopExp_Explorer only(here, TopAbs_FACE);
             const bool unchanged = only.More() && only.Current().IsSame(it.Current());
-            if (!unchanged && is_bound(it.Current()) &&
+            if (!unchanged && bounds_a_solid(it.Current()) &&
                 (!covered(it.Current(), here) || (is_valid(it.Current()) && !is_valid(here)))) {
                 outcome.damaged.insert(body);
             }
@@ -223,7 +222,7 @@ Outcome outcome_of(Fuse& fuse, const TopTools_IndexedMapOfShape& solids, const B
 }
 
 void add_pieces(TopoDS_Shape& to, const TopoDS_Shape& face, Fuse& fuse) {
-    if (!is_bound(face)) {
+    if (!bounds_a_solid(face)) {
         BRep_Builder().Add(to, face);
         return;
     }
