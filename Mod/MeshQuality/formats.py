@@ -78,7 +78,8 @@ def check_order(suffix, order):
     most = FORMATS[suffix].curved
     if order > most:
         others = " ".join(other for other, form in FORMATS.items() if form.curved >= order)
-        held = f"elements of order {'1' if most == 1 else f'1 to {most}'}" if most else "flat triangles alone"
+        orders = {1: "1", 2: "1 and 2"}.get(most, f"1 to {most}")
+        held = f"elements of order {orders}" if most else "flat triangles alone"
         raise InvalidInput(f"{suffix} files hold {held}, not elements of order {order}: choose one of {others}")
 
 

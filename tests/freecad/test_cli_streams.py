@@ -106,8 +106,8 @@ class Streams(helpers.DocumentTest):
         self.assertEqual(status, 0, err)
         with open(output, encoding="ascii") as stream:
             text = stream.read()
-        self.assertIn("*Element, TYPE=C3D10", text)
-        elements = text.partition("*Element")[2].partition("\n")[2].partition("*")[0]
+        self.assertIn("*ELEMENT, TYPE=C3D10", text)
+        elements = text.partition("*ELEMENT")[2].partition("\n")[2].partition("*")[0]
         self.assertEqual(len(re.findall(r"^\d+,", elements, re.MULTILINE)),
                          json.loads(out)["elements"])
 

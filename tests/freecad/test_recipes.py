@@ -87,8 +87,13 @@ class Recipes(helpers.DocumentTest):
 
     def test_for_cfd(self):
         self.follow("docs/use/cfd.md")
-        self.assertEqual(os.listdir("."), ["surface.vtu"])
+        self.assertEqual(sorted(os.listdir(".")), ["case", "surface.vtu"])
         self.assertGreater(len(self.names["wall"]), 0)
+
+    def test_files(self):
+        self.follow("docs/use/files.md")
+        self.assertEqual(sorted(os.listdir(".")), ["duct.fms", "duct.inp", "duct.stl"])
+        self.assertEqual(list(self.names["whole"].Patches), ["Body: Face1, Face2, Face3"])
 
     def test_to_repair(self):
         self.follow("docs/use/repair.md")
