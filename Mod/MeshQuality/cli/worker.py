@@ -289,7 +289,7 @@ def write_curved(mesh, path, deviation, **how):
 
 def writing_of(job, shape, objects):
     """What `write` of a mesh takes of the job: format, patches and so on."""
-    how = {**job.get("writing", {}), "format": (job["suffix"] or ".")[1:]}
+    how = {**job.get("writing", {}), "format": (job.get("suffix") or ".")[1:]}
     if "patches" in how:
         how["patches"] = patches_in(shape, objects, job["input"], how["patches"])
     return how
