@@ -263,3 +263,12 @@ class CommandLine(helpers.DocumentTest):
             text = stream.read()
         self.assertTrue(text.startswith("solid walls\n"))
         self.assertIn("0.03", text)
+
+
+class Folders(helpers.DocumentTest):
+    def test_a_folder_that_is_not_there_is_named(self):
+        mesh = mq.triangulate(box())
+        for suffix in formats.SUFFIXES:
+            path = os.path.join(self.folder, "none", f"part{suffix}")
+            with self.assertRaisesRegex(mq.IoError, f"{path}.*there is no folder"):
+                mesh.write(path)

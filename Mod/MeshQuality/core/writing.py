@@ -124,6 +124,8 @@ def atomically(path, suffix, write_into):
     """
     target = os.path.realpath(path)
     folder = os.path.dirname(target)
+    if not os.path.isdir(folder):
+        raise IoError(f"cannot open '{path}': there is no folder {folder}")
     direct = os.path.exists(target) and not (os.path.isfile(target) and os.access(folder, os.W_OK))
     ready = target if direct else files.unfinished(target, suffix)
     try:
@@ -132,7 +134,7 @@ def atomically(path, suffix, write_into):
             files.put_in_place(ready, target)
     except (IoError, OSError) as error:
         text = str(error).replace(os.path.basename(ready), os.path.basename(target)).replace(target, path)
-        raise IoError(text) from error
+        raise IoError(text if path in text else f"{path} cannot be written: {text}") from error
     finally:
         if not direct:
             files.remove_if_there(ready)
