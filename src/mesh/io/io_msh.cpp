@@ -30,9 +30,10 @@ std::map<int, Surface> surfaces_of(const ExportMesh& mesh) {
             // A patch may hold a piece of a face: that is a surface of its own, after all faces.
             const auto patch = mesh.triangles().group[k];
             const int own = patch_of_face.emplace(tag, patch).first->second;
-            tag = patch == own ? tag
-                               : pieces.emplace(std::make_pair(tag, patch), unknown + 1 + static_cast<int>(pieces.size()))
-                                     .first->second;
+            tag = patch == own
+                      ? tag
+                      : pieces.emplace(std::make_pair(tag, patch), unknown + 1 + static_cast<int>(pieces.size()))
+                            .first->second;
         }
         Surface& surface = surfaces[tag];
         surface.triangles.push_back(static_cast<std::int32_t>(k));
