@@ -29,7 +29,7 @@ def seconds(call):
 def main():
     ball = Part.makeSphere(50)
     ball = ball.cut(Part.makeBox(100, 100, 100))
-    edge = float(os.environ.get("MESHQUALITY_EDGE", "0.29"))
+    edge = float(os.environ.get("MESHQUALITY_EDGE", "0.4"))
     meshing, mesh = seconds(lambda: mq.triangulate(ball, max_edge=edge, patches={"inlet": ["Face1"]}, patch_rest="walls"))
     print(f"{len(mesh.triangles)} triangles, made in {meshing:.1f} CPU s")
     print("\n| format | CPU s | MB |\n|---|---|---|")

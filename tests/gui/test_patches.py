@@ -6,6 +6,7 @@ import os
 import FreeCAD
 import FreeCADGui
 import gui_helpers
+import test_units
 
 import MeshQuality as mq
 from MeshQuality.gui import commands
@@ -129,6 +130,43 @@ class Patches(gui_helpers.PanelTest):
         self.assertEqual(int(panel.lit.sum()), sum(1 for face in panel.data.face if face == 0))
         self.assertIn("Patches", panel.tabs.tabText(1))
 
+    def test_a_part_in_a_moved_container(self):
+        """Its faces are named below the container."""
+        part = self.document.addObject("App::Part", "Outer")
+        self.part = self.box()
+        part.addObject(self.part)
+        part.Placement = FreeCAD.Placement(FreeCAD.Vector(100, 20, 3), FreeCAD.Rotation(10, 20, 30))
+        self.document.recompute()
+        obj = mq.add_quality_mesh(part, chord_height=0.5)
+        panel = self.panel_for(obj)
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(part, f"{self.part.Name}.Face3")
+        panel.new.click()
+        panel.table.item(0, 0).setText("inlet")
+        panel.rest.setText("walls")
+        self.assertEqual(panel.patches(), {"inlet": {"faces": [f"{self.part.Name}.Face3"]}})
+        self.narrow(panel, "panel_patches_nested")
+        self.assertTrue(panel.accept())
+        path = os.path.join(self.folder, "nested.stl")
+        mq.export_mesh(obj, path, ascii=True)
+        with open(path, encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.assertEqual([line.split()[1] for line in lines if line.startswith("solid")], ["inlet", "walls"])
+
+    def test_a_case_of_several_solids_is_refused_inside(self):
+        part = self.document.addObject("App::Part", "Two")
+        for x in (0, 100):
+            box = self.box()
+            box.Placement.Base.x = x
+            part.addObject(box)
+        self.document.recompute()
+        panel = case_panel.CasePanel(mq.add_quality_mesh(part, chord_height=0.5))
+        FreeCADGui.Control.showDialog(panel)
+        panel.path.setProperty("fileName", os.path.join(self.folder, "case"))
+        panel.accept()
+        self.assertIn("2 solids", panel.said)
+        panel.reject()
+
     def test_undo(self):
         obj = self.quality()
         panel = self.panel_for(obj)
@@ -170,6 +208,21 @@ class Patches(gui_helpers.PanelTest):
             self.until(lambda: panel.job is None)
             self.assertIn(words, panel.said)
         panel.reject()
+
+
+class Inches(test_units.UnitsTest):
+    def test_a_case_takes_and_shows_the_users_unit(self):
+        panel = case_panel.CasePanel(mq.add_quality_mesh(self.box(), chord_height=0.5))
+        FreeCADGui.Control.showDialog(panel)
+        panel.cell.setValue(2.54)
+        self.assertIn("0.1", panel.cell.text())
+        self.assertAlmostEqual(panel.cell.value(), 2.54)
+        self.narrow(panel, "panel_case_inches")
+        panel.path.setProperty("fileName", os.path.join(self.folder, "case"))
+        panel.accept()
+        self.until(lambda: panel.job is None)
+        with open(os.path.join(self.folder, "case", "system", "meshDict"), encoding="utf-8") as stream:
+            self.assertIn("maxCellSize 0.00254;", stream.read())
 
 
 def cfd_ready():

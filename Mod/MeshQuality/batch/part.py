@@ -71,7 +71,8 @@ def _run(task, path, scratch, pool, fresh):
     output = task["output_path"]
     ready = unfinished(output, task["suffix"], UNFINISHED_OF_BATCH) if output else None
     job = {"command": task["command"], "options": task["options"], "suffix": task["suffix"],
-           "deviation": task["deviation"], "writing": task.get("writing", {}), "inputs": [path], "input": path, "output": output,
+           "deviation": task["deviation"], "writing": task.get("writing", {}),
+           "inputs": [path], "input": path, "output": output,
            "ready": ready, "scratch": scratch, "seconds": task["seconds"]}
     used = False
     try:

@@ -125,7 +125,9 @@ def require_curved_output(job, suffix):
 
 
 def take_writing(job, suffix):
-    """What is said of the file, {patches, patch_rest, scale, ascii, interfaces} without what is as always; taken out of the job."""
+    """What is said of the file, {patches, patch_rest, scale, ascii, interfaces} without what is as always; taken out of
+    the job.
+    """
     usual = {"patches": None, "patch_rest": None, "scale": 1.0, "ascii": False, "interfaces": False}
     given = {name: job.pop(name, value) for name, value in usual.items()}
     said = {name: value for name, value in given.items() if value != usual[name]}

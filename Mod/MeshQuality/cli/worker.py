@@ -44,8 +44,8 @@ BOOLEAN_REPORT_FIELDS = (
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
-    "chord_height_asked", "volume", "cad_volume", "volume_error", "self_intersections", "overlaps", "crossing_faces", "contacts",
-    "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
+    "chord_height_asked", "volume", "cad_volume", "volume_error", "self_intersections", "overlaps", "crossing_faces",
+    "contacts", "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
 )
 
 

@@ -10,7 +10,7 @@ import tempfile
 import numpy as np
 
 from ..errors import IoError
-from .arrays import element_blocks, points_of, tetrahedra_in_common_order
+from .element_arrays import element_blocks, points_of, tetrahedra_in_common_order
 
 # Of the enumerations of cgnslib.h.
 _MODE_READ, _MODE_WRITE = 0, 1

@@ -403,12 +403,28 @@ def _sub_element_of(source, name):
 
 def name_in(whole, wanted):
     """The name "Face12" of a sub-element in a shape that has it, or a copy of it; else None."""
-    kind = wanted.ShapeType
-    near = 1e-6 * max(whole.BoundBox.DiagonalLength, 1.0)
-    there = [i for i, other in enumerate(_elements(whole, kind)) if _same_place(wanted, other, near)]
-    # Neighbours may touch in a face or an edge. Bodies have copies of what their features have.
-    own = [i for i in there if wanted.isPartner(_elements(whole, kind)[i])]
-    return f"{kind}{(own or there)[0] + 1}" if there else None
+    return ElementFinder(whole, wanted.ShapeType).name_of(wanted)
+
+
+class ElementFinder:
+    """Finds many sub-elements of one kind, "Face", "Edge" or "Vertex", in a shape that has them, or copies of them."""
+
+    def __init__(self, whole, kind):
+        self._kind, self._elements = kind, _elements(whole, kind)
+        self._near = 1e-6 * max(whole.BoundBox.DiagonalLength, 1.0)
+        self._middles = np.array([_middle(element) for element in self._elements], dtype=float).reshape(-1, 3)
+
+    def name_of(self, wanted):
+        """The name "Face12"; None where the shape does not have it."""
+        close = (np.abs(self._middles - np.array(_middle(wanted))) <= self._near).all(axis=1)
+        there = [i for i in np.flatnonzero(close).tolist() if _same_place(wanted, self._elements[i], self._near)]
+        # Neighbours may touch in a face or an edge. Bodies have copies of what their features have.
+        own = [i for i in there if wanted.isPartner(self._elements[i])]
+        return f"{self._kind}{(own or there)[0] + 1}" if there else None
+
+
+def _middle(element):
+    return element.Point if element.ShapeType == "Vertex" else element.CenterOfMass
 
 
 def _elements(shape, kind):

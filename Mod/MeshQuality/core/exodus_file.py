@@ -7,7 +7,7 @@ import numpy as np
 
 from ..errors import IoError
 from ..version import __version__
-from .arrays import element_blocks, points_of, tetrahedra_in_common_order
+from .element_arrays import element_blocks, points_of, tetrahedra_in_common_order
 
 _LONGEST = 32  # characters of a name
 # Side of a tetrahedron, by the corner that is opposite; triangles have sides of another kind.

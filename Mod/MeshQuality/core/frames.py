@@ -37,6 +37,12 @@ def _has_path(source):
         or isinstance(source[1], (list, tuple)) and all(isinstance(name, str) for name in source[1]))
 
 
+def key_of(source):
+    """What tells a document object, or a pair of such a one and a path, from all others: names of document and object."""
+    obj = object_of(source)
+    return obj.Document.Name, obj.Name, path_of(source)
+
+
 def source_of(obj, path=""):
     """The source of an object and a path."""
     return (obj, path) if path and obj is not None else obj

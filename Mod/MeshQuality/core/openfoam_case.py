@@ -87,10 +87,7 @@ def case_of(mesh, name, flow, cell, scale, types):
     if not mesh.report.closed:
         raise InvalidInput(f"the mesh has {mesh.report.border_edges} open edges: meshers of flows need a closed surface; "
                            "close the part, or mesh all of its faces")
-    solids = len(set(mesh.triangle_solid.tolist()))
-    if flow == "internal" and solids > 1:
-        raise InvalidInput(f"the mesh has {solids} solids, and one space is meshed at a time: write a case of mesh.of_solid(i) "
-                           "for each, or unite them first")
+    require_one_space(flow, len(set(mesh.triangle_solid.tolist())))
     corners = (mesh.vertices + mesh.origin)[mesh.triangles] * scale
     low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
     size = float((high - low).max())
@@ -118,6 +115,13 @@ def case_of(mesh, name, flow, cell, scale, types):
         low, high, inside = low - before, high + behind, low - before + np.array([0.37, 0.41, 0.43]) * cell
     kinds = {patch: types.get(patch, _PATCH if patch.lower().startswith(_OPEN) else _WALL) for patch in levels}
     return Case(name, cell, low, high, inside, levels, kinds, flow)
+
+
+def require_one_space(flow, solids):
+    """Raises InvalidInput where there are several spaces inside."""
+    if flow == "internal" and solids > 1:
+        raise InvalidInput(f"the mesh has {solids} solids, and one space is meshed at a time: write a case of mesh.of_solid(i) "
+                           "for each, or unite them first")
 
 
 def _levels(corners, cell):

@@ -4,7 +4,6 @@
 import re
 
 import FreeCAD
-import numpy as np
 
 from ..errors import InvalidInput
 from . import convert, frames
@@ -51,22 +50,6 @@ def _another(name, taken):
     return name
 
 
-class _Finder:
-    """The names of faces in a shape that has them, or copies of them."""
-
-    def __init__(self, whole):
-        self._faces = whole.Faces
-        self._centres = np.array([face.CenterOfMass for face in self._faces], dtype=float).reshape(-1, 3)
-        self._near = 1e-6 * max(whole.BoundBox.DiagonalLength, 1.0)
-
-    def name_of(self, face):
-        """A name such as Face12; None where it is not there."""
-        close = np.abs(self._centres - np.array(face.CenterOfMass)).max(axis=1) <= self._near
-        there = np.flatnonzero(close).tolist()
-        own = [i for i in there if face.isPartner(self._faces[i])]  # neighbours may touch in a whole face
-        return f"Face{(own or there)[0] + 1}" if there else None
-
-
 def _add(found, name, faces, colour=None):
     """Adds faces that are in no patch yet."""
     taken = {face for said in found.values() for face in said["faces"]}
@@ -81,7 +64,7 @@ def _add(found, name, faces, colour=None):
 def _by_labels(source):
     import Part
 
-    found, finder = {}, _Finder(convert.own_shape_of(source))
+    found, finder = {}, convert.ElementFinder(convert.own_shape_of(source), "Face")
     obj, start = frames.object_of(source), frames.path_of(source)
     for path in frames.leaf_paths(frames.leaf_of(source)):
         name = _another(plain_name(obj.getSubObject(start + path, retType=1).Label), found)

@@ -3,12 +3,12 @@
 
 import os
 
-from ..core import convert, openfoam_case
+from ..core import convert, frames, openfoam_case
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import InvalidInput, IoError
 from .export import flat_maker_of
 
-_ready = {}  # (folder, flow, cell) of a case that write_ahead has written: its levels
+_ready = {}  # (key of the object, folder, flow, cell) of a case that write_ahead has written: its levels
 
 
 def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None, scale=0.001, types=None):
@@ -37,17 +37,32 @@ def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None
     folder = os.fsdecode(convert.file_name(folder))
     if not folder:
         raise IoError("the case has no folder: give the name of one")
-    ready = _ready.pop((folder, flow, cell), None)
-    if ready is not None and (name, scale, types) == ("surface", 0.001, None):
-        return ready
-    surface = mesh if isinstance(mesh, SurfaceMesh) else flat_maker_of(mesh)()
+    if isinstance(mesh, SurfaceMesh):
+        surface = mesh
+    else:
+        make = maker_of(mesh, flow)
+        ready = _ready.pop((frames.key_of(mesh), folder, flow, cell), None)
+        if ready is not None and (name, scale, types) == ("surface", 0.001, None):
+            return ready
+        surface = make()
     return openfoam_case.write_case(surface, folder, name, flow, cell, scale, types).levels
 
 
-def write_ahead(make, folder, flow, cell):
-    """Writes the case of what flat_maker_of made, for the write_openfoam_case with these arguments that follows; any
-    thread may call it. Returns what forgets that.
+def maker_of(obj, flow):
+    """A function that makes the SurfaceMesh of a document object for a case; any thread may call it. Raises InvalidInput
+    where it cannot be one.
     """
-    key = folder, flow, cell
+    make = flat_maker_of(obj)
+    holder = frames.linked_of(obj)[0]
+    if hasattr(holder, "FaceRuns"):
+        openfoam_case.require_one_space(flow, len(convert.own_shape_of(holder.Proxy.sources(holder)[0]).Solids))
+    return make
+
+
+def write_ahead(make, obj, folder, flow, cell):
+    """Writes the case of what maker_of made of an object, for the write_openfoam_case with these arguments that follows;
+    any thread may call it. Returns what forgets that.
+    """
+    key = frames.key_of(obj), folder, flow, cell
     _ready[key] = openfoam_case.write_case(make(), folder, flow=flow, cell=cell).levels
     return lambda: _ready.pop(key, None)

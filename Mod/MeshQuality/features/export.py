@@ -151,6 +151,4 @@ def write_ahead(make, obj, path, scale=1.0, ascii=False):  # noqa: A002
 
 
 def _key(source, path, scale, ascii):  # noqa: A002
-    obj = frames.object_of(source)
-    return obj.Document.Name, obj.Name, frames.path_of(source), path, scale, bool(ascii)
-
+    return frames.key_of(source), path, scale, bool(ascii)

@@ -91,8 +91,8 @@ def add_fem_mesh(source, analysis=None, **values):
     source    document object with a shape: feature, body, link or container
     analysis  Fem::FemAnalysis that gets the mesh; None: in the window the active one, else the one that lists
               what is selected, or `source`; else no one
-    values    the options of curve, except progress; order is 1 or 2; imprint and volume are True unless given, which of a shape
-              without solids makes triangles
+    values    the options of curve, except progress; order is 1 or 2, imprint and volume are True unless given; a
+              shape without solids makes triangles
 
     Its property FemMesh is a Fem.FemMesh as CurvedMesh.to_fem_mesh(groups=True) makes it. Returns the object.
     Raises what curve raises, and then adds nothing; Error where FreeCAD is built without its FEM workbench.

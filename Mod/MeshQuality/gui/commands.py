@@ -9,7 +9,6 @@ import Part
 
 from ..compat import why_no_extension
 from ..core import convert, frames
-from ..core.curving import holds_elements
 from ..features import boolean, curved_mesh, fem_mesh, improved_mesh, mesh_object, quality_mesh
 from .panel_operation import Operation
 from .panels import quality_panel
@@ -123,7 +122,19 @@ class Boolean(_Command):
         return [Operation(self.TEXT, self.KIND, selected)]
 
 
-class Analyse(_Command):
+class _OfOneMesh(_Command):
+    """Opens PANEL, a class, for the mesh that is selected."""
+
+    PANEL = None
+
+    def Activated(self):
+        FreeCADGui.Control.showDialog(self.PANEL(self.selected()[0]))
+
+    def selected(self):
+        return _if_one(convert.is_mesh)
+
+
+class Analyse(_OfOneMesh):
     NAME = "MeshQuality_Analyse"
     TEXT = "Analyse quality"
     TIP = "Colour the selected mesh by its quality and find its worst elements"
@@ -131,9 +142,6 @@ class Analyse(_Command):
 
     def Activated(self):
         quality_panel.open_panel(self.selected()[0])
-
-    def selected(self):
-        return _if_one(convert.is_mesh)
 
 
 class Improve(_Command):
@@ -147,40 +155,28 @@ class Improve(_Command):
         return [source for source in _selected() if convert.is_mesh(source)]
 
 
-class Export(_Command):
+class Export(_OfOneMesh):
+    PANEL = ExportPanel
     NAME = "MeshQuality_Export"
     TEXT = "Export mesh"
     TIP = "Write the selected mesh into a file for a solver or a printer, with the names of its patches"
     KEYS = "Q, E"
 
-    def Activated(self):
-        FreeCADGui.Control.showDialog(ExportPanel(self.selected()[0]))
 
-    def selected(self):
-        return _if_one(lambda source: holds_elements(source) or convert.is_mesh(source))
-
-
-class FlowCase(_Command):
+class FlowCase(_OfOneMesh):
+    PANEL = CasePanel
     NAME = "MeshQuality_FlowCase"
     TEXT = "OpenFOAM case"
     TIP = "Write a folder in which OpenFOAM meshes the space inside of the selected mesh, or around it"
     KEYS = "Q, O"
 
-    def Activated(self):
-        FreeCADGui.Control.showDialog(CasePanel(self.selected()[0]))
 
-    def selected(self):
-        return _if_one(convert.is_mesh)
-
-
-class Patches(_Command):
+class Patches(_OfOneMesh):
+    PANEL = PatchesPanel
     NAME = "MeshQuality_Patches"
     TEXT = "Patches"
     TIP = "Name groups of faces of the selected mesh, such as inlet and wall, for files"
     KEYS = "Q, P"
-
-    def Activated(self):
-        FreeCADGui.Control.showDialog(PatchesPanel(self.selected()[0]))
 
     def selected(self):
         found = list(dict.fromkeys(frames.linked_of(source)[0] for source in _selected()))

@@ -179,6 +179,19 @@ class VolumeWriter {
     CancelPace pace_;
 };
 
+bool any_face_has_two_sides(const geometry::Topology& topology) {
+    std::vector<char> met(topology.faces.size(), 0);
+    for (const geometry::Volume& volume : topology.volumes) {
+        for (const auto& side : volume.sides) {
+            if (met[side.face] != 0) {
+                return true;
+            }
+            met[side.face] = 1;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 Output write_out(const ClassifiedMesh& mesh, const geometry::Topology& topology, const Vec3& origin,
@@ -194,7 +207,9 @@ Output write_out(const ClassifiedMesh& mesh, const geometry::Topology& topology,
         VolumeWriter(mesh, topology, volume, flipped, present, corners, vertex_of_root, progress)
             .run(triangles_of_face, out);
     }
-    pair_opposite_triangles(out.mesh, out.source);
+    if (any_face_has_two_sides(topology)) {
+        pair_opposite_triangles(out.mesh, out.source);
+    }
     return out;
 }
 

@@ -9,7 +9,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from ...errors import Error, InvalidInput
-from ...features import cfd, export
+from ...features import cfd
 from ...features.patches import patches_of_object
 from ..panel_operation import name_of
 from ..quantities import QuantityBox
@@ -68,10 +68,10 @@ class CasePanel(WritingPanel):
         if not folder:
             raise InvalidInput(translate("MeshQuality", "Choose a folder, or type its name."))
         flow, cell = self.flow.currentData(), self.cell.value() or None
-        make = export.flat_maker_of(self.source)
+        make = cfd.maker_of(self.source, flow)
         line = f"mq.write_openfoam_case({name_of(self.source)}, {folder!r}, flow={flow!r}" \
             + (f", cell={cell!r})" if cell else ")")
-        return lambda _progress: cfd.write_ahead(make, folder, flow, cell), partial(self._land, folder, line)
+        return lambda _progress: cfd.write_ahead(make, self.source, folder, flow, cell), partial(self._land, folder, line)
 
     def _land(self, folder, line, forget):
         try:

@@ -12,7 +12,6 @@
 #include <GProp_GProps.hxx>
 #include <IntTools_Context.hxx>
 #include <Message_ProgressIndicator.hxx>
-#include <Precision.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
