@@ -2,17 +2,13 @@
 #include "curve/curve.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <map>
+#include <optional>
 #include <set>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "curve/bezier/validity.h"
-#include "curve/output/shape_distortion.h"
-#include "curve/surface/enclosed_volume.h"
+#include "curve/measuring.h"
 #include "curve/surface/repair.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/straighten.h"
@@ -21,149 +17,6 @@
 namespace mq::curve {
 
 namespace {
-
-std::vector<int> living(const CurvedSurface& surface) {
-    std::vector<int> result;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        if (surface.triangles[t].alive) {
-            result.push_back(static_cast<int>(t));
-        }
-    }
-    return result;
-}
-
-/// CurvedSurface figures. `invalid` adds to the count that the report has already.
-/// @param straightened triangles by their index.
-void measure_surface(SurfaceEditor& editor, const geometry::Topology& topology, const std::set<int>& straightened,
-                     CurveReport& report) {
-    const std::vector<int> triangles = living(editor.surface);
-    double sum = 0.0;
-    report.min_distortion = 1.0;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const SurfaceTriangle& triangle = editor.triangle(triangles[i]);
-        const std::string name = "triangle " + std::to_string(i) + " on " + topology.name_of({2, triangle.face});
-        if (straightened.count(triangles[i]) > 0) {
-            report.straightened.push_back(name);
-        }
-        sum += triangle.quality;
-        report.min_distortion = std::min(report.min_distortion, triangle.quality);
-        if (!(triangle.quality > 0.0)) {
-            ++report.invalid;
-            report.invalid_elements.push_back(name);
-        }
-    }
-    report.elements = triangles.size();
-    report.mean_distortion = triangles.empty() ? 0.0 : sum / static_cast<double>(triangles.size());
-    report.min_scaled_jacobian = report.min_distortion;
-    const std::vector<double> distances = editor.placement.deviations(triangles);
-    double squares = 0.0;
-    for (const double d : distances) {
-        report.max_deviation = std::max(report.max_deviation, d);
-        squares += d * d;
-    }
-    report.rms_deviation = distances.empty() ? 0.0 : std::sqrt(squares / static_cast<double>(distances.size()));
-}
-
-void note(const SurfaceRepairs& repairs, CurveReport& report) {
-    report.invalid_before += static_cast<std::size_t>(repairs.invalid_before);
-    const auto add = [&](const char* name, int count) {
-        report.repairs.emplace_back(name, static_cast<std::size_t>(count));
-    };
-    add("surface edges split for turning too far", repairs.bulge_splits);
-    add("surface vertices off the CAD reached", repairs.reached);
-    add("surface edge swaps", repairs.swaps);
-    add("surface edge collapses", repairs.collapses);
-    add("edges curved on model faces", repairs.curved_edges);
-    add("cusps opened", repairs.cusps);
-    add("cusps refined", repairs.cusp_splits);
-    add("faces refined around invalid triangles", repairs.refined_faces);
-    add("vertices of faces put on CAD edges", repairs.snapped);
-    add("surface cavities filled anew", repairs.regrown);
-    add("surface edges split in repair", repairs.splits);
-}
-
-/// Names the worst of the vertices and edges that deviate from the entities at them.
-void note_gaps(SurfaceEditor& editor, const geometry::Topology& topology, CurveReport& report) {
-    std::map<mesh::VertexEntity, double> gaps;
-    for (const int v : editor.surface.off_cad) {
-        const mesh::VertexEntity& entity = editor.surface.shapes.vertices[static_cast<std::size_t>(v)].entity;
-        if (!editor.surface.triangles_of_vertex(v).empty()) {
-            gaps[entity] = std::max(gaps[entity], editor.placement.distance_off_cad(v));
-        }
-    }
-    const auto worst =
-        std::max_element(gaps.begin(), gaps.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (worst == gaps.end()) {
-        return;
-    }
-    char distance[32];
-    std::snprintf(distance, sizeof distance, "%.3g", worst->second);
-    const std::string more = gaps.size() == 1 ? "" : ", and " + std::to_string(gaps.size() - 1) + " more likewise";
-    report.notes.push_back(topology.name_of({worst->first[0], worst->first[1]}) + " deviates " + distance +
-                           " mm from the edges or faces at it, within its tolerance" + more +
-                           ": elements there leave the shape to reach it");
-}
-
-void note(const FilledTetrahedralMesh& filled, CurveReport& report) {
-    const VolumeRepairs& repairs = filled.repairs;
-    report.invalid_before += static_cast<std::size_t>(repairs.invalid_before);
-    report.repairs.emplace_back("edge swaps in regions", repairs.edge_swaps);
-    report.repairs.emplace_back("face swaps in regions", repairs.face_swaps);
-    report.repairs.emplace_back("collapses in regions", repairs.collapses);
-    report.repairs.emplace_back("edges curved in regions", repairs.curved_edges);
-    report.repairs.emplace_back("face nodes relocated in regions", repairs.relocated_faces);
-    report.repairs.emplace_back("inner vertices relocated", repairs.relocations);
-    report.moved_vertices += static_cast<std::size_t>(repairs.relocations);
-    report.repairs.emplace_back("vertices put into regions", repairs.splits);
-    report.repairs.emplace_back("patches of tetrahedra curved inside", repairs.patches);
-    report.notes.insert(report.notes.end(), filled.notes.begin(), filled.notes.end());
-}
-
-/// TetrahedralMesh figures replace those of the surface; invalid triangles stay counted.
-/// @param straightened tetrahedra by their index.
-/// @return the scaled Jacobian of each living tetrahedron.
-std::vector<double> measure_volume(const TetrahedralMesh& volume, const std::set<int>& straightened,
-                                   CurveReport& report) {
-    std::vector<double> qualities;
-    const Lattice& lattice = Lattice::of(3, volume.shapes().order());
-    std::vector<Vec3> control;
-    report.elements = 0;
-    report.min_distortion = 1.0;
-    report.min_scaled_jacobian = 1.0;
-    double sum = 0.0;
-    for (const int t : volume.living()) {
-        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
-        volume.shapes().tetrahedron(tetrahedron.corners, control);
-        const JacobianForm form = jacobian_of(lattice, control);
-        const double straight = volume.straight_jacobian(tetrahedron.corners);
-        const Quality quality = quality_of(form, straight);
-        report.min_distortion = std::min(report.min_distortion, quality.distortion);
-        report.min_scaled_jacobian = std::min(report.min_scaled_jacobian, quality.scaled_jacobian);
-        qualities.push_back(quality.scaled_jacobian);
-        sum += quality.distortion;
-        const std::string name =
-            "tetrahedron " + std::to_string(report.elements) + " of Solid" + std::to_string(tetrahedron.volume + 1);
-        if (straightened.count(t) > 0) {
-            report.straightened.push_back(name);
-        }
-        ++report.elements;
-        if (!(tetrahedron.quality > 0.0)) {
-            ++report.invalid;
-            report.invalid_elements.push_back(name);
-        }
-    }
-    report.mean_distortion = report.elements == 0 ? 0.0 : sum / static_cast<double>(report.elements);
-    return qualities;
-}
-
-double largest_distortion(const CurvedMesh& mesh, bool volume, Progress& progress) {
-    progress.stage("measuring the distortion", 0.95, 1.0);
-    double largest = 0.0;
-    for (const double d : volume ? tetrahedron_distortions(mesh, &progress) : triangle_distortions(mesh, &progress)) {
-        largest = std::max(largest, d);
-    }
-    return largest;
-}
 
 /// Refuses a volume mesh of a shape without solids before any work is done.
 void require_solids(const geometry::Topology& topology, const CurveOptions& options) {
@@ -221,34 +74,15 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     repair(editor, session.topology(), options, watched, report);
     const std::set<int> straight_triangles = options.straighten ? straighten_triangles(editor) : std::set<int>();
     clock.end("repairing the surface");
-    std::vector<Tetrahedron> tetrahedra;
-    std::vector<double> qualities;
+    std::optional<FilledTetrahedralMesh> filled;
     if (options.volume) {
-        FilledTetrahedralMesh filled = fill_and_repair(surface, session.topology(), watched, clock);
-        note(filled, report);
-        TetrahedralMesh& volume = filled.volume;
-        const std::set<int> straight_tetrahedra =
-            options.straighten ? straighten_tetrahedra(volume, editor) : std::set<int>();
-        measure_surface(editor, session.topology(), straight_triangles, report);
-        qualities = measure_volume(volume, straight_tetrahedra, report);
-        for (const int t : volume.living()) {
-            tetrahedra.push_back(volume.tetrahedra[static_cast<std::size_t>(t)]);
-        }
-    } else {
-        measure_surface(editor, session.topology(), straight_triangles, report);
+        filled.emplace(fill_and_repair(surface, session.topology(), watched, clock));
+        note(filled->repairs, report);
+        report.notes.insert(report.notes.end(), filled->notes.begin(), filled->notes.end());
     }
-    note_gaps(editor, session.topology(), report);
-    report.repairs.emplace_back("elements made straight", report.straightened.size());
-    report.volume = enclosed_volume(surface, session.topology());
-    CurvedMesh result = assemble(surface, tetrahedra);
-    result.tetrahedron_quality = std::move(qualities);
-    for (const int t : living(surface)) {
-        result.triangle_quality.push_back(editor.triangle(t).quality);
-    }
-    report.max_shape_distortion = largest_distortion(result, options.volume, watched);
-    classify_on_original_entities(result, session.topology());
+    CurvedMesh result = measured(editor, straight_triangles, filled ? &filled->volume : nullptr, session.topology(),
+                                 options.straighten, report, watched);
     clock.end("measuring");
-    report.vertices = result.vertices;
     report.cpu_seconds = cpu_seconds() - start;
     result.report = std::move(report);
     return result;

@@ -153,6 +153,9 @@ void bind_curved_mesh(py::module_& m) {
     bind_list(cls, "triangle_face", &CurvedMesh::triangle_face);
     bind_list(cls, "triangle_face_behind", &CurvedMesh::triangle_face_behind);
     bind_list(cls, "triangle_quality", &CurvedMesh::triangle_quality);
+    bind_list(cls, "given_node", &CurvedMesh::given_node);
+    bind_list(cls, "given_element", &CurvedMesh::given_element);
+    bind_list(cls, "moved_nodes", &CurvedMesh::moved_nodes);
     bind_list(cls, "tetrahedra", &CurvedMesh::tetrahedra, &CurvedMesh::nodes_per_tetrahedron);
     bind_list(cls, "tetrahedron_solid", &CurvedMesh::tetrahedron_volume);
     bind_list(cls, "tetrahedron_quality", &CurvedMesh::tetrahedron_quality);

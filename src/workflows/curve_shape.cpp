@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "curve/given/curve_given.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
@@ -130,6 +131,15 @@ CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, co
     mesh.straight = surface.mesh;
     mesh.report.straight = surface.report;
     mesh.report.chord_height_asked = surface.report.chord_height_asked;
+    measure_volume(mesh, engine, shape, progress);
+    return mesh;
+}
+
+CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
+                            const curve::CurveOptions& options, bool imprint, Progress& progress) {
+    progress.stage("reading the shape", 0.0, 0.0);
+    const auto model = model_of(engine, shape, geometry::Creases::Keep, {{}, false, imprint}, progress);
+    CurvedMesh mesh = curve::curve_given(engine, model, given, options, &progress);
     measure_volume(mesh, engine, shape, progress);
     return mesh;
 }

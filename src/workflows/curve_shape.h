@@ -3,6 +3,7 @@
 
 #include "base/progress.h"
 #include "curve/curve.h"
+#include "curve/given/given_mesh.h"
 #include "geometry/engine.h"
 #include "triangulate/work_mesh/options.h"
 #include "triangulate/work_mesh/result.h"
@@ -22,5 +23,11 @@ curve::CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shap
 /// @throws as curve::curve.
 curve::CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, const triangulate::Result& surface,
                                 const curve::CurveOptions& options, Progress& progress);
+
+/// Curves a mesh of the shape that another program made, see curve::curve_given.
+/// @param imprint  whether faces of two solids that lie on each other are one, as in meshes that join them
+/// @throws as curve::curve_given.
+curve::CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
+                                   const curve::CurveOptions& options, bool imprint, Progress& progress);
 
 }  // namespace mq::workflows

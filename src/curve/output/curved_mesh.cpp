@@ -20,7 +20,7 @@ class Assembler {
         mesh_.order = surface.shapes.order();
     }
 
-    CurvedMesh run() {
+    CurvedMesh run(std::vector<int>* number) {
         number_vertices();
         for (const SurfaceTriangle& t : surface_.triangles) {
             if (t.alive) {
@@ -32,6 +32,9 @@ class Assembler {
         for (const Tetrahedron& tetrahedron : tetrahedra_) {
             append<4>(tetrahedron.corners, mesh_.tetrahedra, {3, tetrahedron.volume});
             mesh_.tetrahedron_volume.push_back(tetrahedron.volume);
+        }
+        if (number != nullptr) {
+            *number = number_;
         }
         return std::move(mesh_);
     }
@@ -188,8 +191,9 @@ class Assembler {
 
 }  // namespace
 
-CurvedMesh assemble(const CurvedSurface& surface, const std::vector<Tetrahedron>& tetrahedra) {
-    return Assembler(surface, tetrahedra).run();
+CurvedMesh assemble(const CurvedSurface& surface, const std::vector<Tetrahedron>& tetrahedra,
+                    std::vector<int>* number) {
+    return Assembler(surface, tetrahedra).run(number);
 }
 
 void classify_on_original_entities(CurvedMesh& mesh, const geometry::Topology& topology) {

@@ -64,6 +64,11 @@ struct CurvedMesh {
     std::vector<double> triangle_quality;
     /// By tetrahedron: lower bound of min J / J of the straight element; not positive: invalid.
     std::vector<double> tetrahedron_quality;
+    /// Of a mesh that another program made (given/curve_given.h), else empty: by corner, the given node; by element
+    /// (tetrahedra where there are any), the given one with the same corners; -1: none. The given nodes that moved.
+    std::vector<std::int32_t> given_node;
+    std::vector<std::int32_t> given_element;
+    std::vector<std::int32_t> moved_nodes;
     mesh::TriangleMesh straight;  ///< the mesh that was curved; empty where that is not known
     CurveReport report;
 
@@ -77,7 +82,9 @@ std::vector<std::int32_t> tetrahedra_behind(const CurvedMesh& mesh);
 
 /// Numbers the nodes of a surface and of the tetrahedra in it, and lists all elements. Vertices no element uses are
 /// left out.
-CurvedMesh assemble(const CurvedSurface& surface, const std::vector<Tetrahedron>& tetrahedra);
+/// @param number  gets the node of each vertex of the surface, -1 where it is left out
+CurvedMesh assemble(const CurvedSurface& surface, const std::vector<Tetrahedron>& tetrahedra,
+                    std::vector<int>* number = nullptr);
 
 /// Changes the entities from pieces of faces that are cut along creases to those of the original shape
 /// (Topology::of_shape). Creases are no elements then.

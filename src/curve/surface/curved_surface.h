@@ -77,6 +77,20 @@ class CurvedSurface {
     std::vector<std::vector<int>> of_vertex_;
 };
 
+/// Vertices of meshes made by triangulate() are rounded to single precision: this fraction of the model's size is their
+/// largest distance from their curves.
+constexpr double kOnCurve = 2e-7;
+
+/// The mesh vertex at an end of a CAD edge (0 at t0, 1 at t1); -1: none.
+/// @param at_node  by CAD vertex, the mesh vertex there or -1
+int vertex_at_end(const geometry::Edge& edge, std::size_t end, const std::vector<int>& at_node);
+
+/// Finds the parameters of all vertices of a surface whose vertices and triangles know their CAD entities, and the CAD
+/// edge under every mesh edge; sets the vertices exactly on their entities, and the sign of each face.
+/// @param at_node  by CAD vertex, the mesh vertex there or -1
+/// @throws TopologyError when the mesh does not follow an edge of the model, naming it; GeometryError.
+void find_parameters(geometry::Session& session, CurvedSurface& surface, const std::vector<int>& at_node);
+
 /// Takes over a triangulation of the model: joins what volumes share, finds the CAD edge under every mesh edge and the
 /// parameters of all vertices, and sets the vertices exactly on their entities (the triangulation holds them in single
 /// precision).

@@ -2,6 +2,7 @@
 #include "curve/surface/repair.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -14,15 +15,20 @@ namespace {
 class Repair {
   public:
     /// @param reach whether elements may leave the CAD towards vertices that deviate from it.
-    Repair(SurfaceEditor& editor, const Progress& progress, bool reach)
-        : editor_(editor), progress_(progress), reach_(reach) {}
+    Repair(SurfaceEditor& editor, const Progress& progress, RepairScope scope, bool reach)
+        : editor_(editor),
+          progress_(progress),
+          scope_(scope),
+          good_(scope == RepairScope::Poor ? SurfaceTuning::kGoodTriangle : std::numeric_limits<double>::min()),
+          reach_(reach) {}
 
     SurfaceRepairs run() {
         done_.invalid_before = invalid();
         if (reach_) {
             reach_all();
         }
-        for (int round = 0; round < SurfaceTuning::kBulgeRounds && split_bulging(); ++round) {
+        for (int round = 0; scope_ == RepairScope::Poor && round < SurfaceTuning::kBulgeRounds && split_bulging();
+             ++round) {
         }
         for (int round = 0; round < SurfaceTuning::kRepairRounds && snap_all(); ++round) {
         }
@@ -106,6 +112,8 @@ class Repair {
         return any;
     }
 
+    double hardly_valid() const { return std::min(SurfaceTuning::kHardlyValid, good_); }
+
     int invalid() const {
         return static_cast<int>(std::count_if(editor_.surface.triangles.begin(), editor_.surface.triangles.end(),
                                               [](const SurfaceTriangle& t) { return t.alive && !(t.quality > 0.0); }));
@@ -115,8 +123,7 @@ class Repair {
     void reach_all() {
         const std::size_t count = editor_.surface.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
-            if (editor_.surface.triangles[t].alive &&
-                editor_.surface.triangles[t].quality < SurfaceTuning::kGoodTriangle) {
+            if (editor_.surface.triangles[t].alive && editor_.surface.triangles[t].quality < good_) {
                 progress_.check();
                 done_.reached += relax_to_off_cad_vertices(editor_, static_cast<int>(t));
             }
@@ -150,8 +157,7 @@ class Repair {
         int snapped = 0;
         const std::size_t count = editor_.surface.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
-            if (editor_.surface.triangles[t].alive &&
-                editor_.surface.triangles[t].quality <= SurfaceTuning::kHardlyValid) {
+            if (editor_.surface.triangles[t].alive && editor_.surface.triangles[t].quality <= hardly_valid()) {
                 progress_.check();
                 snapped += snap_to_boundary(editor_, static_cast<int>(t), SurfaceEditor::Rule::Refine);
             }
@@ -165,7 +171,7 @@ class Repair {
         std::vector<std::pair<double, int>> bad;
         for (std::size_t t = 0; t < editor_.surface.triangles.size(); ++t) {
             const SurfaceTriangle& triangle = editor_.surface.triangles[t];
-            if (triangle.alive && triangle.quality < SurfaceTuning::kGoodTriangle) {
+            if (triangle.alive && triangle.quality < good_) {
                 bad.emplace_back(triangle.quality, static_cast<int>(t));
             }
         }
@@ -173,7 +179,7 @@ class Repair {
         bool any = false;
         for (const auto& [quality, t] : bad) {
             progress_.check();
-            if (editor_.triangle(t).alive && editor_.triangle(t).quality < SurfaceTuning::kGoodTriangle) {
+            if (editor_.triangle(t).alive && editor_.triangle(t).quality < good_) {
                 any = repair(t, round) || any;
             }
         }
@@ -187,7 +193,7 @@ class Repair {
             done_.reached += reached;
             return true;
         }
-        const int snapped = editor_.triangle(t).quality > SurfaceTuning::kHardlyValid
+        const int snapped = editor_.triangle(t).quality > hardly_valid()
                                 ? 0
                                 : snap_to_boundary(editor_, t, SurfaceEditor::Rule::Refine);
         if (snapped > 0) {
@@ -328,28 +334,30 @@ class Repair {
 
     SurfaceEditor& editor_;
     const Progress& progress_;
+    RepairScope scope_;
+    double good_;  // quality from which triangles stay as they are
     bool reach_;
     SurfaceRepairs done_;
 };
 
 }  // namespace
 
-SurfaceRepairs repair_surface(SurfaceEditor& editor, const Progress& progress) {
+SurfaceRepairs repair_surface(SurfaceEditor& editor, const Progress& progress, RepairScope scope) {
     bool any_off = false;
     for (std::size_t v = 0; v < editor.surface.shapes.vertices.size() && !any_off; ++v) {
         any_off = editor.placement.may_be_off_cad(static_cast<int>(v));
     }
     if (!any_off) {
-        return Repair(editor, progress, false).run();
+        return Repair(editor, progress, scope, false).run();
     }
     const CurvedSurface before = editor.surface;
-    const SurfaceRepairs reached = Repair(editor, progress, true).run();
+    const SurfaceRepairs reached = Repair(editor, progress, scope, true).run();
     if (reached.reached == 0 || reached.invalid_after == 0) {
         return reached;
     }
     // Leaving the CAD repairs one place and may prevent repairs at another.
     const CurvedSurface kept = std::exchange(editor.surface, before);
-    const SurfaceRepairs plain = Repair(editor, progress, false).run();
+    const SurfaceRepairs plain = Repair(editor, progress, scope, false).run();
     if (plain.invalid_after < reached.invalid_after) {
         return plain;
     }

@@ -23,8 +23,13 @@ struct SurfaceRepairs {
     int splits = 0;
 };
 
+/// What is repaired: poor elements, too, as in meshes of our own, or only what is not valid, as in given meshes, which
+/// stay as they are unless they must change.
+enum class RepairScope { Poor, Invalid };
+
 /// Splits edges whose deviation from the chord exceeds the allowable fraction of their length (section 5.5), then
 /// repairs invalid and poor triangles in the paper's order: swap, collapse, curve an edge on the face, refine.
-SurfaceRepairs repair_surface(SurfaceEditor& editor, const Progress& progress);
+/// Valid triangles and edges stay where the scope says so.
+SurfaceRepairs repair_surface(SurfaceEditor& editor, const Progress& progress, RepairScope scope = RepairScope::Poor);
 
 }  // namespace mq::curve

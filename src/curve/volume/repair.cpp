@@ -2,6 +2,7 @@
 #include "curve/volume/repair.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "curve/bezier/locality.h"
 #include "curve/volume/editor.h"
@@ -14,7 +15,12 @@ namespace {
 
 class Repair {
   public:
-    Repair(TetrahedralMesh& volume, const Progress& progress) : volume_(volume), editor_(volume), progress_(progress) {}
+    Repair(TetrahedralMesh& volume, const Progress& progress, RepairScope scope)
+        : volume_(volume),
+          editor_(volume),
+          progress_(progress),
+          good_(scope == RepairScope::Poor ? VolumeTuning::kGoodTetrahedron : std::numeric_limits<double>::min()),
+          free_corner_(scope == RepairScope::Poor ? VolumeTuning::kFreeCorner : 0.0) {}
 
     VolumeRepairs run() {
         volume_.measure(volume_.living());
@@ -52,7 +58,7 @@ class Repair {
     std::vector<int> bad_ones() const {
         std::vector<int> bad;
         for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
-            if (volume_.tetrahedra[t].alive && volume_.tetrahedra[t].quality < VolumeTuning::kGoodTetrahedron) {
+            if (volume_.tetrahedra[t].alive && volume_.tetrahedra[t].quality < good_) {
                 bad.push_back(static_cast<int>(t));
             }
         }
@@ -69,9 +75,7 @@ class Repair {
         for (const int t : bad) {
             progress_.check();
             const double& quality = volume_.tetrahedra[static_cast<std::size_t>(t)].quality;
-            for (int i = 0; i < VolumeTuning::kSingleEdges && quality < VolumeTuning::kGoodTetrahedron &&
-                            curve_region_edge(editor_, t);
-                 ++i) {
+            for (int i = 0; i < VolumeTuning::kSingleEdges && quality < good_ && curve_region_edge(editor_, t); ++i) {
                 ++done_.curved_edges;
             }
             relocate_faces(t);
@@ -80,7 +84,7 @@ class Repair {
 
     void relocate_faces(int t) {
         const std::array<int, 4> v = editor_.tetrahedron(t).corners;
-        for (std::size_t k = 0; k < 4 && editor_.tetrahedron(t).quality < VolumeTuning::kGoodTetrahedron; ++k) {
+        for (std::size_t k = 0; k < 4 && editor_.tetrahedron(t).quality < good_; ++k) {
             const bool moved = relocate_face_nodes(editor_, v[(k + 1) % 4], v[(k + 2) % 4], v[(k + 3) % 4]);
             done_.relocated_faces += moved ? 1 : 0;
         }
@@ -166,9 +170,8 @@ class Repair {
     }
 
     bool any_poor(const std::vector<int>& members) const {
-        return std::any_of(members.begin(), members.end(), [&](int t) {
-            return volume_.tetrahedra[static_cast<std::size_t>(t)].quality < VolumeTuning::kGoodTetrahedron;
-        });
+        return std::any_of(members.begin(), members.end(),
+                           [&](int t) { return volume_.tetrahedra[static_cast<std::size_t>(t)].quality < good_; });
     }
 
     /// Inner vertices of bad elements, all of whose elements are members.
@@ -178,7 +181,7 @@ class Repair {
             const Tetrahedron& tetrahedron = volume_.tetrahedra[static_cast<std::size_t>(t)];
             for (const int v : tetrahedron.corners) {
                 const bool inner = volume_.shapes().vertices[static_cast<std::size_t>(v)].entity[0] == 3;
-                if (inner && tetrahedron.quality < VolumeTuning::kGoodTetrahedron) {
+                if (inner && tetrahedron.quality < good_) {
                     loose.insert(v);
                 }
             }
@@ -192,7 +195,7 @@ class Repair {
         for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
             const Tetrahedron& tetrahedron = volume_.tetrahedra[t];
             if (tetrahedron.alive && tetrahedron.quality < 1.0 &&
-                editor_.score(tetrahedron.corners).fixed < VolumeTuning::kFreeCorner) {
+                editor_.score(tetrahedron.corners).fixed < free_corner_) {
                 progress_.check();
                 any = change(static_cast<int>(t), VolumeEditor::Rule::Free) || any;
             }
@@ -269,13 +272,15 @@ class Repair {
     TetrahedralMesh& volume_;
     VolumeEditor editor_;
     const Progress& progress_;
+    double good_;         // quality from which tetrahedra stay as they are
+    double free_corner_;  // least J of a corner whose three edges are fixed, relative to the straight one
     VolumeRepairs done_;
 };
 
 }  // namespace
 
-VolumeRepairs repair_volume(TetrahedralMesh& volume, const Progress& progress) {
-    return Repair(volume, progress).run();
+VolumeRepairs repair_volume(TetrahedralMesh& volume, const Progress& progress, RepairScope scope) {
+    return Repair(volume, progress, scope).run();
 }
 
 }  // namespace mq::curve

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/progress.h"
+#include "curve/surface/repair.h"
 #include "curve/volume/tetrahedral_mesh.h"
 
 namespace mq::curve {
@@ -24,6 +25,7 @@ struct VolumeRepairs {
 /// First the elements that no curving can help, because three edges on the surface meet in one of their corners nearly
 /// in a plane: swaps, then splits. Then the bad ones with the layers around them form patches, whose inner edges and
 /// faces are curved. Elements that are bad after that are swapped, collapsed or split, and curved again.
-VolumeRepairs repair_volume(TetrahedralMesh& volume, const Progress& progress);
+/// Valid tetrahedra keep their corners where the scope says so.
+VolumeRepairs repair_volume(TetrahedralMesh& volume, const Progress& progress, RepairScope scope = RepairScope::Poor);
 
 }  // namespace mq::curve

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/given/curve_given.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "curve/given/local_remeshing.h"
+#include "curve/given/matching.h"
+#include "curve/measuring.h"
+#include "curve/volume/straighten.h"
+
+namespace mq::curve {
+
+namespace {
+
+/// The given tetrahedra by vertices of the surface, which gets those inside.
+TetrahedraInside tetrahedra_of(const GivenMesh& given, MatchedMesh& matched) {
+    TetrahedraInside inside;
+    for (std::size_t t = 0; t < given.tetrahedra.size(); ++t) {
+        std::array<int, 4> corners{};
+        for (std::size_t k = 0; k < 4; ++k) {
+            int& vertex = matched.vertex_of_node[static_cast<std::size_t>(given.tetrahedra[t][k])];
+            if (vertex < 0) {
+                vertex = matched.surface.add_vertex(
+                    {given.nodes[static_cast<std::size_t>(given.tetrahedra[t][k])], {3, matched.volume[t]}});
+            }
+            corners[k] = vertex;
+        }
+        inside.corners.push_back(corners);
+        inside.volume.push_back(matched.volume[t]);
+    }
+    return inside;
+}
+
+/// By corner of the result: the given node, or -1.
+std::vector<std::int32_t> given_nodes(const std::vector<int>& vertex_of_node, const std::vector<int>& number,
+                                      std::size_t corners) {
+    std::vector<std::int32_t> result(corners, -1);
+    for (std::size_t n = 0; n < vertex_of_node.size(); ++n) {
+        if (vertex_of_node[n] >= 0 && number[static_cast<std::size_t>(vertex_of_node[n])] >= 0) {
+            result[static_cast<std::size_t>(number[static_cast<std::size_t>(vertex_of_node[n])])] =
+                static_cast<std::int32_t>(n);
+        }
+    }
+    return result;
+}
+
+/// By element of the result: the given element with the same corners, or -1.
+template <std::size_t N>
+std::vector<std::int32_t> given_elements(const std::vector<std::array<int, N>>& given, const CurvedMesh& mesh,
+                                         const std::vector<std::int32_t>& nodes, int width) {
+    std::map<std::array<int, N>, std::int32_t> known;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        std::array<int, N> key = given[i];
+        std::sort(key.begin(), key.end());
+        known.emplace(key, static_cast<std::int32_t>(i));
+    }
+    std::vector<std::int32_t> result;
+    for (std::size_t first = 0; first < nodes.size(); first += static_cast<std::size_t>(width)) {
+        std::array<int, N> key{};
+        for (std::size_t k = 0; k < N; ++k) {
+            key[k] = mesh.given_node[static_cast<std::size_t>(nodes[first + k])];
+        }
+        std::sort(key.begin(), key.end());
+        const auto met = known.find(key);
+        result.push_back(met == known.end() ? -1 : met->second);
+    }
+    return result;
+}
+
+/// Says which elements and nodes of the result are the given ones.
+void compare(const GivenMesh& given, CurvedMesh& mesh, CurveReport& report) {
+    report.moved_vertices = 0;
+    for (std::size_t v = 0; v < mesh.vertices; ++v) {
+        const std::int32_t node = mesh.given_node[v];
+        if (node >= 0 && mesh.nodes[v] != given.nodes[static_cast<std::size_t>(node)]) {
+            ++report.moved_vertices;
+            mesh.moved_nodes.push_back(node);
+        }
+    }
+    std::sort(mesh.moved_nodes.begin(), mesh.moved_nodes.end());
+    mesh.given_element = given.tetrahedra.empty()
+                             ? given_elements(given.triangles, mesh, mesh.triangles, mesh.nodes_per_triangle())
+                             : given_elements(given.tetrahedra, mesh, mesh.tetrahedra, mesh.nodes_per_tetrahedron());
+    const auto fresh = std::count(mesh.given_element.begin(), mesh.given_element.end(), -1);
+    const std::size_t before = given.tetrahedra.empty() ? given.triangles.size() : given.tetrahedra.size();
+    report.repairs.emplace_back("given elements replaced",
+                                before - (mesh.given_element.size() - static_cast<std::size_t>(fresh)));
+    report.repairs.emplace_back("elements in their place", static_cast<std::size_t>(fresh));
+}
+
+}  // namespace
+
+CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, GivenMesh given,
+                       const CurveOptions& options, Progress* progress) {
+    CurveOptions checked = options;
+    checked.volume = !given.tetrahedra.empty();
+    checked.validate();
+    require_sound(given);
+    Progress unwatched;
+    Progress& watched = progress != nullptr ? *progress : unwatched;
+    CurveReport report;
+    StageClock clock(report.seconds);
+    const double start = cpu_seconds();
+    const std::size_t turned = orient_tetrahedra(given);
+
+    geometry::Session session(engine, model, &watched);
+    watched.stage("classifying", 0.0, 0.2);
+    MatchedMesh matched = match(session, given, options.order);
+    CurvedSurface& surface = matched.surface;
+    const std::size_t triangles_before = surface.triangles.size();
+    clock.end("classifying");
+    watched.stage("curving the surface", 0.2, 0.4);
+    SurfaceEditor editor(session, surface);
+    editor.placement.place(living(surface));
+    clock.end("curving the surface");
+    watched.stage("repairing the surface", 0.4, 0.5);
+    if (options.repair) {
+        note(repair_surface(editor, watched, RepairScope::Invalid), report);
+    }
+    const std::set<int> straight_triangles = options.straighten ? straighten_triangles(editor) : std::set<int>();
+    clock.end("repairing the surface");
+    std::optional<TetrahedralMesh> volume;
+    if (checked.volume) {
+        watched.stage("filling", 0.5, 0.6);
+        const TetrahedraInside inside = tetrahedra_of(given, matched);
+        LocalRemeshing remeshing;
+        volume.emplace(remesh_locally(surface, triangles_before, inside, remeshing, watched));
+        report.repairs.emplace_back("cavities filled anew", remeshing.cavities);
+        clock.end("filling");
+        watched.stage("repairing the volume", 0.6, 0.95);
+        note(repair_volume(*volume, watched, RepairScope::Invalid), report);
+        clock.end("repairing the volume");
+    }
+    std::vector<int> number;
+    CurvedMesh result = measured(editor, straight_triangles, volume ? &*volume : nullptr, session.topology(),
+                                 options.straighten, report, watched, &number);
+    result.given_node = given_nodes(matched.vertex_of_node, number, result.vertices);
+    compare(given, result, report);
+    if (turned > 0) {
+        report.notes.push_back(std::to_string(turned) +
+                               " tetrahedra of the given mesh were numbered the wrong way round");
+    }
+    clock.end("measuring");
+    report.cpu_seconds = cpu_seconds() - start;
+    result.report = std::move(report);
+    return result;
+}
+
+}  // namespace mq::curve

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/given/edge_chains.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "mesh/intersection/aabb_tree.h"
+
+namespace mq::curve {
+
+namespace {
+
+using geometry::Answer;
+using geometry::Query;
+
+/// Distances of mesh vertices from their CAD edge, as fractions of the model's size: numbers of single precision or
+/// eight digits in a file, then those of programs that place vertices less exactly.
+constexpr std::array<double, 4> kNear{1e-6, 1e-5, 1e-4, 1e-3};
+
+/// The largest distance as a fraction of the shortest mesh edge at a vertex.
+constexpr double kMostOfMeshEdge = 0.25;
+
+class Finder {
+  public:
+    Finder(geometry::Session& session, const SurfaceGraph& graph)
+        : session_(session), topology_(session.topology()), graph_(graph) {}
+
+    EdgeChains run() {
+        find_candidates();
+        result_.of_node.assign(topology_.nodes.size(), -1);
+        result_.chains.resize(topology_.edges.size());
+        for (const Body& body : bodies()) {
+            session_.check();
+            follow(body);
+        }
+        return std::move(result_);
+    }
+
+  private:
+    /// A vertex of the mesh near a CAD edge.
+    struct Near {
+        int vertex;
+        double t;
+        double distance;
+    };
+
+    /// What of the model is connected: bodies may touch, and have vertices and edges of their own in the same place.
+    struct Body {
+        std::vector<int> nodes;
+        std::vector<int> edges;
+    };
+
+    /// By CAD vertex: the mesh vertices in its place, one at most of each connected mesh.
+    using Candidates = std::map<std::size_t, int>;
+
+    std::vector<Body> bodies() const {
+        DisjointSets<std::size_t> joined(topology_.nodes.size());
+        std::vector<std::size_t> node_of_face(topology_.faces.size(), topology_.nodes.size());
+        for (const geometry::Edge& edge : topology_.edges) {
+            for (const int node : edge.nodes) {
+                for (const int use : edge.uses) {
+                    const auto face = static_cast<std::size_t>(topology_.uses[static_cast<std::size_t>(use)].face);
+                    if (node >= 0 && node_of_face[face] == topology_.nodes.size()) {
+                        node_of_face[face] = static_cast<std::size_t>(node);
+                    } else if (node >= 0) {
+                        joined.unite(node_of_face[face], static_cast<std::size_t>(node));
+                    }
+                }
+            }
+        }
+        std::size_t count = 0;
+        const std::vector<std::size_t> number = joined.number(count);
+        std::vector<Body> result(count);
+        for (std::size_t n = 0; n < number.size(); ++n) {
+            result[number[n]].nodes.push_back(static_cast<int>(n));
+        }
+        for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
+            const int node = std::max(topology_.edges[e].nodes[0], topology_.edges[e].nodes[1]);
+            if (node >= 0) {
+                result[number[static_cast<std::size_t>(node)]].edges.push_back(static_cast<int>(e));
+            }
+        }
+        return result;
+    }
+
+    void find_candidates() {
+        std::vector<mesh::Triangle> triangles;
+        DisjointSets<std::size_t> joined(graph_.points.size());
+        for (const auto& t : graph_.triangles) {
+            triangles.push_back({t[0], t[1], t[2]});
+            joined.unite(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]));
+            joined.unite(static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]));
+        }
+        std::size_t count = 0;
+        part_of_ = joined.number(count);
+        const mesh::AabbTree tree(graph_.points, triangles);
+        const double rounding = kNear[0] * topology_.box.largest_side();
+        for (const geometry::Node& node : topology_.nodes) {
+            double least = std::numeric_limits<double>::infinity();
+            for (const int v : triangles[static_cast<std::size_t>(tree.nearest(node.point).triangle)]) {
+                least = std::min(least, (at(v) - node.point).norm());
+            }
+            Box box;
+            box.add(node.point - Vec3::Constant(least + rounding));
+            box.add(node.point + Vec3::Constant(least + rounding));
+            candidates_.emplace_back();
+            tree.for_each_in_box(box, [&](std::int32_t t) {
+                for (const int v : triangles[static_cast<std::size_t>(t)]) {
+                    add_candidate(node, v, least + rounding);
+                }
+            });
+        }
+    }
+
+    void add_candidate(const geometry::Node& node, int v, double near) {
+        const auto distance = [&](int vertex) { return (at(vertex) - node.point).norm(); };
+        if (distance(v) <= near && distance(v) <= reach(v) + node.tolerance) {
+            int& known = candidates_.back().emplace(part_of_[static_cast<std::size_t>(v)], v).first->second;
+            known = distance(v) < distance(known) ? v : known;
+        }
+    }
+
+    /// Follows a body on the connected mesh that has most of its vertices and, among those alike, most of its edges. A
+    /// mesh is taken a second time only where there is no other.
+    void follow(const Body& body) {
+        std::map<std::size_t, std::size_t> met;
+        std::size_t most = 0;
+        for (const int n : body.nodes) {
+            for (const auto& [part, v] : candidates_[static_cast<std::size_t>(n)]) {
+                most = std::max(most, ++met[part]);
+            }
+        }
+        EdgeChains best;
+        std::pair<std::size_t, bool> best_score{0, false};
+        std::size_t best_part = 0;
+        for (const auto& [part, count] : met) {
+            if (count < most) {
+                continue;
+            }
+            EdgeChains chains = follow_on(body, part);
+            const auto followed =
+                static_cast<std::size_t>(std::count_if(chains.chains.begin(), chains.chains.end(),
+                                                       [](const EdgeChain& chain) { return !chain.vertices.empty(); }));
+            const std::pair<std::size_t, bool> score{followed, taken_.count(part) == 0};
+            if (best.of_node.empty() || score > best_score) {
+                best = std::move(chains);
+                best_score = score;
+                best_part = part;
+            }
+        }
+        if (best.of_node.empty()) {
+            return;
+        }
+        taken_.insert(best_part);
+        for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+            result_.of_node[static_cast<std::size_t>(body.nodes[i])] = best.of_node[i];
+        }
+        for (std::size_t i = 0; i < body.edges.size(); ++i) {
+            result_.chains[static_cast<std::size_t>(body.edges[i])] = std::move(best.chains[i]);
+        }
+    }
+
+    /// @return by the body's own vertices and edges.
+    EdgeChains follow_on(const Body& body, std::size_t part) {
+        EdgeChains found;
+        std::map<int, int> of_node;
+        for (const int n : body.nodes) {
+            const Candidates& all = candidates_[static_cast<std::size_t>(n)];
+            const auto own = all.find(part);
+            // A vertex that this mesh does not have may be one of another: bodies may be meshed in pieces.
+            const int v = own != all.end() ? own->second : all.empty() ? -1 : all.begin()->second;
+            found.of_node.push_back(v);
+            of_node.emplace(n, v);
+        }
+        for (const int e : body.edges) {
+            found.chains.push_back(chain_of(e, of_node));
+        }
+        return found;
+    }
+
+    /// The largest distance from the CAD at which a vertex of the mesh may be found.
+    double reach(int vertex) const { return kMostOfMeshEdge * graph_.shortest[static_cast<std::size_t>(vertex)]; }
+
+    EdgeChain chain_of(int e, const std::map<int, int>& of_node) {
+        const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
+        if (edge.degenerate || edge.uses.empty()) {
+            return {};
+        }
+        const auto end = [&](std::size_t k) { return edge.nodes[k] < 0 ? -1 : of_node.at(edge.nodes[k]); };
+        const bool open = edge.nodes[0] >= 0 && edge.nodes[1] >= 0 && edge.nodes[0] != edge.nodes[1];
+        if (open && end(0) >= 0 && end(0) == end(1)) {
+            return {{end(0)}, 0.0};
+        }
+        if (end(0) < 0 || end(1) < 0) {
+            return {};
+        }
+        const double size = topology_.box.largest_side();
+        for (const double near : kNear) {
+            EdgeChain chain = longest_path(near_edge(e, end(0), end(1), near * size + edge.tolerance), end(0), end(1));
+            if (!chain.vertices.empty()) {
+                return chain;
+            }
+        }
+        return {};
+    }
+
+    /// Walks from both ends over mesh edges as long as their vertices are near the CAD edge. Each search for a nearest
+    /// point starts at the parameter of the vertex before.
+    std::vector<Near> near_edge(int e, int first, int last, double allowed) {
+        const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
+        std::map<int, Near> found;
+        std::vector<std::pair<int, double>> front{{first, edge.t0}, {last, edge.t1}};
+        while (!front.empty()) {
+            geometry::Engine::Batch batch;
+            std::vector<int> asked;
+            for (const auto& [v, t] : front) {
+                for (const int next : graph_.neighbours[static_cast<std::size_t>(v)]) {
+                    if (next != first && next != last && found.count(next) == 0) {
+                        batch.push_back(Query::edge_nearest(e, at(next), t, edge.t0, edge.t1));
+                        asked.push_back(next);
+                    }
+                }
+            }
+            front.clear();
+            const auto answers = session_.ask(std::move(batch));
+            for (std::size_t i = 0; i < answers.size(); ++i) {
+                const Answer& answer = answers[i];
+                if (answer.found() && answer.distance <= std::min(allowed, reach(asked[i])) &&
+                    found.emplace(asked[i], Near{asked[i], answer.t, answer.distance}).second) {
+                    front.emplace_back(asked[i], answer.t);
+                }
+            }
+        }
+        std::vector<Near> result;
+        for (const auto& [v, near] : found) {
+            result.push_back(near);
+        }
+        std::sort(result.begin(), result.end(), [](const Near& a, const Near& b) { return a.t < b.t; });
+        return result;
+    }
+
+    /// The path from `first` to `last` with the most vertices, among `inner` with increasing parameters.
+    EdgeChain longest_path(const std::vector<Near>& inner, int first, int last) const {
+        // Position 0 is the first vertex; the last one is handled after all others.
+        std::map<int, std::size_t> position;
+        for (std::size_t i = 0; i < inner.size(); ++i) {
+            position.emplace(inner[i].vertex, i + 1);
+        }
+        constexpr int kNone = -1;
+        std::vector<int> length(inner.size() + 2, kNone);
+        std::vector<std::size_t> before(inner.size() + 2, 0);
+        length[0] = 0;
+        const auto relax = [&](int vertex, std::size_t here) {
+            for (const int other : graph_.neighbours[static_cast<std::size_t>(vertex)]) {
+                const auto known = position.find(other);
+                const std::size_t from = other == first ? 0 : known == position.end() ? here : known->second;
+                if (from < here && length[from] != kNone && length[from] + 1 > length[here]) {
+                    length[here] = length[from] + 1;
+                    before[here] = from;
+                }
+            }
+        };
+        for (std::size_t i = 0; i < inner.size(); ++i) {
+            relax(inner[i].vertex, i + 1);
+        }
+        const std::size_t end = inner.size() + 1;
+        relax(last, end);
+        // A closed edge is a circle of three mesh edges at least.
+        if (length[end] == kNone || (first == last && length[end] < 3)) {
+            return {};
+        }
+        EdgeChain chain{{last}, 0.0};
+        for (std::size_t i = before[end]; i != 0; i = before[i]) {
+            chain.vertices.push_back(inner[i - 1].vertex);
+            chain.distance = std::max(chain.distance, inner[i - 1].distance);
+        }
+        chain.vertices.push_back(first);
+        std::reverse(chain.vertices.begin(), chain.vertices.end());
+        return chain;
+    }
+
+    const Vec3& at(int v) const { return graph_.points[static_cast<std::size_t>(v)]; }
+
+    geometry::Session& session_;
+    const geometry::Topology& topology_;
+    const SurfaceGraph& graph_;
+    std::vector<std::size_t> part_of_;    // by mesh vertex: the connected mesh
+    std::vector<Candidates> candidates_;  // by CAD vertex
+    std::set<std::size_t> taken_;         // connected meshes that bodies were followed on
+    EdgeChains result_;
+};
+
+}  // namespace
+
+SurfaceGraph::SurfaceGraph(const std::vector<Vec3>& given, std::vector<std::array<int, 3>> list)
+    : points(given),
+      triangles(std::move(list)),
+      neighbours(given.size()),
+      shortest(given.size(), std::numeric_limits<double>::infinity()) {
+    for (const auto& t : triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto a = static_cast<std::size_t>(t[k]);
+            const auto b = static_cast<std::size_t>(t[(k + 1) % 3]);
+            neighbours[a].push_back(static_cast<int>(b));
+            neighbours[b].push_back(static_cast<int>(a));
+            const double length = (points[a] - points[b]).norm();
+            shortest[a] = std::min(shortest[a], length);
+            shortest[b] = std::min(shortest[b], length);
+        }
+    }
+    for (auto& list_at : neighbours) {
+        std::sort(list_at.begin(), list_at.end());
+        list_at.erase(std::unique(list_at.begin(), list_at.end()), list_at.end());
+    }
+}
+
+EdgeChains find_edge_chains(geometry::Session& session, const SurfaceGraph& graph) {
+    return Finder(session, graph).run();
+}
+
+}  // namespace mq::curve

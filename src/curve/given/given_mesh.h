@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/vec.h"
+
+/// Meshes that come from elsewhere: found on the CAD, curved, and repaired without changing what is sound.
+namespace mq::curve {
+
+/// The corners of a mesh of triangles and tetrahedra that another program made.
+struct GivenMesh {
+    std::vector<Vec3> nodes;  ///< mm; those that are no corners are left alone
+    /// Of the surface. Where there are tetrahedra, only those between two of them matter: the others are found.
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<std::array<int, 4>> tetrahedra;
+    std::vector<int> regions;  ///< by tetrahedron: a number that differs between bodies; empty: there is one body
+};
+
+/// @throws InvalidInput naming the first element with a node that is not there, not finite or named twice, and an empty
+/// mesh.
+void require_sound(const GivenMesh& mesh);
+
+/// Turns tetrahedra of negative volume round.
+/// @return how many these are.
+std::size_t orient_tetrahedra(GivenMesh& mesh);
+
+/// The four faces of a tetrahedron of positive volume, seen from outside.
+std::array<std::array<int, 3>, 4> outward_faces(const std::array<int, 4>& corners);
+
+/// The triangles on the surface: the faces of one tetrahedron only, those between two bodies, and given triangles that
+/// are faces of tetrahedra; all given triangles where there are no tetrahedra. Each comes once, seen from outside of
+/// the tetrahedron of lower index.
+std::vector<std::array<int, 3>> surface_of(const GivenMesh& mesh);
+
+}  // namespace mq::curve

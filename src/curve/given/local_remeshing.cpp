@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/given/local_remeshing.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "base/error.h"
+#include "curve/given/given_mesh.h"
+#include "curve/volume/mesher/tetrahedral_mesher.h"
+
+namespace mq::curve {
+
+namespace {
+
+/// Layers by which cavities grow at most before all of their volume is filled anew.
+constexpr int kMostLayers = 4;
+
+using Corners = std::array<int, 3>;
+
+/// A cavity: the triangles around it, seen from its outside, and the tetrahedra that were removed for it.
+struct Cavity {
+    int volume = -1;
+    std::vector<Corners> border;
+};
+
+bool closed(const std::vector<Corners>& triangles) {
+    std::map<std::pair<int, int>, int> balance;
+    for (const Corners& t : triangles) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int a = t[k];
+            const int b = t[(k + 1) % 3];
+            balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+        }
+    }
+    return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+class Remesher {
+  public:
+    Remesher(CurvedSurface& surface, std::size_t triangles_before, const TetrahedraInside& inside, LocalRemeshing& done,
+             const Progress& progress)
+        : surface_(surface),
+          triangles_before_(triangles_before),
+          inside_(inside),
+          done_(done),
+          progress_(progress),
+          stale_(inside.corners.size(), 0) {
+        for (std::size_t t = 0; t < inside.corners.size(); ++t) {
+            for (const Corners& face : outward_faces(inside.corners[t])) {
+                at_face_[face_key(face[0], face[1], face[2])].push_back(t);
+            }
+            for (const int v : inside.corners[t]) {
+                at_vertex_[v].push_back(t);
+            }
+        }
+    }
+
+    TetrahedralMesh run() {
+        find_changes();
+        for (std::size_t t = 0; t < stale_.size(); ++t) {
+            stale_[t] = no_longer_fits(inside_.corners[t]) ? 1 : 0;
+        }
+        std::vector<std::pair<Cavity, TetrahedralFilling>> filled;
+        for (int layer = 0;; ++layer) {
+            filled.clear();
+            bool grown = false;
+            for (Cavity& cavity : cavities()) {
+                progress_.check();
+                try {
+                    filled.emplace_back(cavity, filling_of(cavity));
+                } catch (const MeshingFailed& error) {
+                    if (!grow(cavity, layer)) {
+                        throw MeshingFailed("Solid" + std::to_string(cavity.volume + 1) +
+                                            " cannot be filled anew after its surface was repaired: " + error.what());
+                    }
+                    grown = true;
+                }
+            }
+            if (!grown) {
+                return assembled(filled);
+            }
+        }
+    }
+
+  private:
+    const Vec3& point(int v) const { return surface_.shapes.vertices[static_cast<std::size_t>(v)].point; }
+
+    void find_changes() {
+        for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+            const SurfaceTriangle& triangle = surface_.triangles[t];
+            if (triangle.alive) {
+                const Corners& v = triangle.corners;
+                alive_.emplace(face_key(v[0], v[1], v[2]), static_cast<int>(t));
+            }
+        }
+        for (std::size_t t = 0; t < triangles_before_; ++t) {
+            const Corners& v = surface_.triangles[t].corners;
+            const FaceKey key = face_key(v[0], v[1], v[2]);
+            was_.insert(key);
+            if (alive_.count(key) > 0) {
+                continue;
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                if (!surface_.has_edge(v[k], v[(k + 1) % 3])) {
+                    gone_edges_.insert(pair_key(v[k], v[(k + 1) % 3]));
+                }
+                if (surface_.triangles_of_vertex(v[k]).empty()) {
+                    gone_vertices_.insert(v[k]);
+                }
+            }
+        }
+    }
+
+    bool no_longer_fits(const std::array<int, 4>& v) const {
+        for (const Corners& face : outward_faces(v)) {
+            const FaceKey key = face_key(face[0], face[1], face[2]);
+            if (was_.count(key) > 0 && alive_.count(key) == 0) {
+                return true;
+            }
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            if (gone_vertices_.count(v[i]) > 0) {
+                return true;
+            }
+            for (std::size_t k = i + 1; k < 4; ++k) {
+                if (gone_edges_.count(pair_key(v[i], v[k])) > 0) {
+                    return true;
+                }
+            }
+        }
+        return !((point(v[1]) - point(v[0])).cross(point(v[2]) - point(v[0])).dot(point(v[3]) - point(v[0])) > 0.0);
+    }
+
+    /// The borders of all cavities: faces of removed tetrahedra that stay, and new triangles of the surface.
+    std::vector<Cavity> cavities() const {
+        std::map<int, std::map<FaceKey, Corners>> border;  // by volume
+        const auto add = [&](int volume, const Corners& face) {
+            auto& faces = border[volume];
+            const FaceKey key = face_key(face[0], face[1], face[2]);
+            // A new triangle that was a face inside has the cavity on no side of it.
+            if (!faces.emplace(key, face).second) {
+                faces.erase(key);
+            }
+        };
+        for (std::size_t t = 0; t < stale_.size(); ++t) {
+            for (const Corners& face : outward_faces(inside_.corners[t])) {
+                if (stale_[t] && stays(face, t)) {
+                    add(inside_.volume[t], face);
+                }
+            }
+        }
+        for (std::size_t v = 0; v < surface_.volume_faces.size(); ++v) {
+            for (const auto& [face, flipped] : surface_.volume_faces[v]) {
+                for (const auto& [key, t] : alive_) {
+                    const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
+                    if (triangle.face == face && was_.count(key) == 0 && has_tetrahedra(static_cast<int>(v))) {
+                        Corners corners = triangle.corners;
+                        if (flipped) {
+                            std::swap(corners[1], corners[2]);
+                        }
+                        add(static_cast<int>(v), corners);
+                    }
+                }
+            }
+        }
+        std::vector<Cavity> result;
+        for (const auto& [volume, faces] : border) {
+            append_parts(volume, faces, result);
+        }
+        return result;
+    }
+
+    bool has_tetrahedra(int volume) const {
+        return std::find(inside_.volume.begin(), inside_.volume.end(), volume) != inside_.volume.end();
+    }
+
+    /// Whether a face of a removed tetrahedron bounds its cavity.
+    bool stays(const Corners& face, std::size_t t) const {
+        const FaceKey key = face_key(face[0], face[1], face[2]);
+        if (was_.count(key) > 0) {
+            return alive_.count(key) > 0;
+        }
+        const auto& two = at_face_.at(key);
+        return std::none_of(two.begin(), two.end(), [&](std::size_t other) { return other != t && stale_[other]; });
+    }
+
+    /// Each part of a border whose triangles are joined by edges is a cavity of its own.
+    static void append_parts(int volume, const std::map<FaceKey, Corners>& faces, std::vector<Cavity>& result) {
+        std::vector<Corners> list;
+        for (const auto& [key, face] : faces) {
+            list.push_back(face);
+        }
+        DisjointSets<std::size_t> joined(list.size());
+        std::unordered_map<EdgeKey, std::size_t> first;
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto [known, fresh] = first.emplace(pair_key(list[i][k], list[i][(k + 1) % 3]), i);
+                joined.unite(known->second, i);
+            }
+        }
+        std::size_t count = 0;
+        const std::vector<std::size_t> number = joined.number(count);
+        const std::size_t before = result.size();
+        result.resize(before + count);
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            result[before + number[i]].volume = volume;
+            result[before + number[i]].border.push_back(list[i]);
+        }
+    }
+
+    TetrahedralFilling filling_of(const Cavity& cavity) const {
+        if (!closed(cavity.border)) {
+            throw MeshingFailed("the cavity is not closed");
+        }
+        std::vector<Vec3> points;
+        std::unordered_map<int, int> number;
+        std::vector<Corners> triangles;
+        for (const Corners& face : cavity.border) {
+            Corners own{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto [known, fresh] = number.emplace(face[k], static_cast<int>(points.size()));
+                if (fresh) {
+                    points.push_back(point(face[k]));
+                }
+                own[k] = known->second;
+            }
+            triangles.push_back(own);
+        }
+        TetrahedralFilling filling = fill(points, triangles, 1.0, progress_);
+        std::vector<int> vertex(points.size());
+        for (const auto& [v, own] : number) {
+            vertex[static_cast<std::size_t>(own)] = v;
+        }
+        // Points of the border by the surface's numbers; inner points below 0, as they have none yet.
+        for (auto& t : filling.tetrahedra) {
+            for (int& v : t) {
+                const auto index = static_cast<std::size_t>(v);
+                v = index < vertex.size() ? vertex[index] : -1 - static_cast<int>(index - vertex.size());
+            }
+        }
+        return filling;
+    }
+
+    /// Removes the tetrahedra around a cavity, too.
+    /// @return whether these are any.
+    bool grow(const Cavity& cavity, int layer) {
+        bool any = false;
+        const auto remove = [&](std::size_t t) {
+            if (!stale_[t] && inside_.volume[t] == cavity.volume) {
+                stale_[t] = 1;
+                any = true;
+            }
+        };
+        if (layer >= kMostLayers) {
+            for (std::size_t t = 0; t < stale_.size(); ++t) {
+                remove(t);
+            }
+            return any;
+        }
+        for (const Corners& face : cavity.border) {
+            for (const int v : face) {
+                const auto met = at_vertex_.find(v);
+                if (met != at_vertex_.end()) {
+                    std::for_each(met->second.begin(), met->second.end(), remove);
+                }
+            }
+        }
+        return any;
+    }
+
+    TetrahedralMesh assembled(const std::vector<std::pair<Cavity, TetrahedralFilling>>& filled) {
+        TetrahedralMesh mesh(surface_);
+        for (std::size_t t = 0; t < stale_.size(); ++t) {
+            if (stale_[t]) {
+                ++done_.removed;
+            } else {
+                mesh.add(inside_.corners[t], inside_.volume[t]);
+            }
+        }
+        for (const auto& [cavity, filling] : filled) {
+            std::vector<int> inner;
+            for (const Vec3& p : filling.inner_points) {
+                inner.push_back(mesh.add_vertex(p, cavity.volume));
+            }
+            for (std::array<int, 4> t : filling.tetrahedra) {
+                for (int& v : t) {
+                    v = v < 0 ? inner[static_cast<std::size_t>(-1 - v)] : v;
+                }
+                mesh.add(t, cavity.volume);
+                ++done_.added;
+            }
+            ++done_.cavities;
+        }
+        return mesh;
+    }
+
+    CurvedSurface& surface_;
+    std::size_t triangles_before_;
+    const TetrahedraInside& inside_;
+    LocalRemeshing& done_;
+    const Progress& progress_;
+    std::vector<char> stale_;
+    std::map<FaceKey, std::vector<std::size_t>> at_face_;
+    std::unordered_map<int, std::vector<std::size_t>> at_vertex_;
+    std::map<FaceKey, int> alive_;  // triangles of the surface
+    std::set<FaceKey> was_;         // triangles before the repair
+    std::unordered_set<EdgeKey> gone_edges_;
+    std::unordered_set<int> gone_vertices_;
+};
+
+}  // namespace
+
+TetrahedralMesh remesh_locally(CurvedSurface& surface, std::size_t triangles_before, const TetrahedraInside& inside,
+                               LocalRemeshing& done, const Progress& progress) {
+    return Remesher(surface, triangles_before, inside, done, progress).run();
+}
+
+}  // namespace mq::curve

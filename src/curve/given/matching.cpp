@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/given/matching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <queue>
+#include <string>
+#include <utility>
+
+#include "base/disjoint_sets.h"
+#include "base/error.h"
+#include "curve/given/edge_chains.h"
+#include "curve/given/face_matching.h"
+
+namespace mq::curve {
+
+namespace {
+
+/// The largest distance by which boxes of a mesh and its model may differ, as a fraction of the larger one: coarse
+/// meshes of round parts are smaller than these.
+constexpr double kOtherPlace = 0.15;
+
+/// Pieces of a CAD edge whose ends are looked at.
+constexpr int kEdgePoints = 8;
+
+/// Factors between units that files of meshes are written in.
+constexpr std::array<std::pair<double, const char*>, 6> kUnits{{{1000.0, "metres"},
+                                                                {10.0, "centimetres"},
+                                                                {25.4, "inches"},
+                                                                {304.8, "feet"},
+                                                                {1e-3, "micrometres"},
+                                                                {1.0 / 25.4, "a twenty-fifth of a millimetre"}}};
+
+Box box_of(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles) {
+    Box box;
+    for (const auto& t : triangles) {
+        for (const int v : t) {
+            box.add(points[static_cast<std::size_t>(v)]);
+        }
+    }
+    return box;
+}
+
+/// The box of what the model certainly has: points of the edges of its faces. The box of the model itself may be
+/// larger than the model.
+Box box_of_edges(geometry::Session& session) {
+    const geometry::Topology& topology = session.topology();
+    Box box;
+    geometry::Engine::Batch batch;
+    for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+        const geometry::Edge& edge = topology.edges[e];
+        for (int k = 0; k <= kEdgePoints && !edge.degenerate && !edge.uses.empty(); ++k) {
+            batch.push_back(
+                geometry::Query::edge_point(static_cast<int>(e), edge.t0 + (edge.t1 - edge.t0) * k / kEdgePoints));
+        }
+    }
+    for (const geometry::Answer& answer : session.ask(std::move(batch))) {
+        if (answer.found()) {
+            box.add(answer.point);
+        }
+    }
+    return box;
+}
+
+bool holds(const Box& outer, const Box& inner) {
+    const Vec3 margin = Vec3::Constant(kOtherPlace * std::max(outer.largest_side(), inner.largest_side()));
+    return inner.empty() || (((outer.low - margin).array() <= inner.low.array()) &&
+                             (inner.high.array() <= (outer.high + margin).array()))
+                                .all();
+}
+
+/// Refuses a mesh that does not reach from the edges of the model to the model's box, as it may after other units or
+/// another place.
+void require_same_place(const Box& mesh, const Box& edges, const Box& model) {
+    const auto fits = [&](const Box& box) { return holds(box, edges) && holds(model, box); };
+    if (fits(mesh)) {
+        return;
+    }
+    for (const auto& [factor, unit] : kUnits) {
+        Box scaled = mesh;
+        scaled.low *= factor;
+        scaled.high *= factor;
+        if (fits(scaled)) {
+            throw InvalidInput("the given mesh is " + in_digits(std::max(factor, 1.0 / factor), 4) + " times " +
+                               (factor > 1.0 ? "smaller" : "larger") + " than the shape, as if it were in " + unit +
+                               ": read it with scale=" + in_digits(factor, 5));
+        }
+    }
+    const Vec3 shift = model.center() - mesh.center();
+    Box shifted;
+    shifted.add(mesh.low + shift);
+    shifted.add(mesh.high + shift);
+    if (fits(shifted)) {
+        throw InvalidInput("the given mesh lies " + in_digits(shift.norm(), 4) +
+                           " mm beside the shape: move one of them by about (" + in_digits(shift.x(), 5) + ", " +
+                           in_digits(shift.y(), 5) + ", " + in_digits(shift.z(), 5) + ") mm");
+    }
+    throw InvalidInput(
+        "the given mesh is " + in_digits(mesh.largest_side(), 4) + " mm large, the shape " +
+        in_digits(model.largest_side(), 4) +
+        " mm, and one does not lie in the place of the other: give the shape that the mesh was made from");
+}
+
+class Matcher {
+  public:
+    Matcher(geometry::Session& session, const GivenMesh& mesh, int order)
+        : session_(session), topology_(session.topology()), mesh_(mesh), result_{CurvedSurface(order), {}, {}, {}} {}
+
+    MatchedMesh run() {
+        const SurfaceGraph graph(mesh_.nodes, surface_of(mesh_));
+        require_same_place(box_of(mesh_.nodes, graph.triangles), box_of_edges(session_), topology_.box);
+        const EdgeChains chains = find_edge_chains(session_, graph);
+        const std::vector<int> face = match_faces(session_, graph, chains);
+        add_vertices(graph, chains, face);
+        add_triangles(graph, face);
+        turn_alike();
+        find_parameters(session_, result_.surface, at_node_);
+        turn_outward();
+        keep_places();
+        find_volumes();
+        return std::move(result_);
+    }
+
+  private:
+    CurvedSurface& surface() { return result_.surface; }
+    int& vertex_of(int node) { return result_.vertex_of_node[static_cast<std::size_t>(node)]; }
+
+    /// Vertices in the order of the given nodes, each on the entity of lowest dimension that has it.
+    void add_vertices(const SurfaceGraph& graph, const EdgeChains& chains, const std::vector<int>& face) {
+        std::map<int, mesh::VertexEntity> entity;
+        for (std::size_t t = 0; t < graph.triangles.size(); ++t) {
+            for (const int v : graph.triangles[t]) {
+                entity[v] = {2, face[t]};
+            }
+        }
+        for (std::size_t e = 0; e < chains.chains.size(); ++e) {
+            for (const int v : chains.chains[e].vertices) {
+                entity[v] = {1, static_cast<std::int32_t>(e)};
+            }
+        }
+        for (std::size_t n = chains.of_node.size(); n-- > 0;) {
+            if (chains.of_node[n] >= 0) {
+                entity[chains.of_node[n]] = {0, static_cast<std::int32_t>(n)};
+            }
+        }
+        result_.vertex_of_node.assign(mesh_.nodes.size(), -1);
+        for (const auto& [v, on] : entity) {
+            vertex_of(v) = surface().add_vertex({mesh_.nodes[static_cast<std::size_t>(v)], on});
+        }
+        for (const int v : chains.of_node) {
+            at_node_.push_back(v < 0 ? -1 : vertex_of(v));
+        }
+    }
+
+    void add_triangles(const SurfaceGraph& graph, const std::vector<int>& face) {
+        for (std::size_t t = 0; t < graph.triangles.size(); ++t) {
+            const auto& v = graph.triangles[t];
+            surface().add_triangle({vertex_of(v[0]), vertex_of(v[1]), vertex_of(v[2])}, face[t]);
+        }
+    }
+
+    /// Gives neighbours on a face the same orientation: interfaces are seen from either side.
+    void turn_alike() {
+        std::vector<char> done(surface().triangles.size(), 0);
+        for (std::size_t start = 0; start < done.size(); ++start) {
+            if (done[start]) {
+                continue;
+            }
+            done[start] = 1;
+            std::queue<int> open({static_cast<int>(start)});
+            while (!open.empty()) {
+                const int t = open.front();
+                open.pop();
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const int next = neighbour_on_face(t, k);
+                    if (next >= 0 && !done[static_cast<std::size_t>(next)]) {
+                        done[static_cast<std::size_t>(next)] = 1;
+                        turn_against(t, k, next);
+                        open.push(next);
+                    }
+                }
+            }
+        }
+    }
+
+    SurfaceTriangle& triangle(int t) { return surface().triangles[static_cast<std::size_t>(t)]; }
+
+    /// The other triangle of the same face at side k, where there is one.
+    int neighbour_on_face(int t, std::size_t k) {
+        int found = -1;
+        const auto& v = triangle(t).corners;
+        for (const int other : surface().triangles_of_edge(v[k], v[(k + 1) % 3])) {
+            if (other != t && triangle(other).face == triangle(t).face) {
+                if (found >= 0) {
+                    return -1;
+                }
+                found = other;
+            }
+        }
+        return found;
+    }
+
+    void turn_against(int t, std::size_t k, int other) {
+        const int from = triangle(t).corners[k];
+        const int to = triangle(t).corners[(k + 1) % 3];
+        auto& v = triangle(other).corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (v[i] == from && v[(i + 1) % 3] == to) {
+                std::swap(v[1], v[2]);
+                return;
+            }
+        }
+    }
+
+    /// Turns faces round that are seen from inside, and lists the faces of each volume.
+    void turn_outward() {
+        for (SurfaceTriangle& t : surface().triangles) {
+            if (surface().face_sign[static_cast<std::size_t>(t.face)] < 0.0) {
+                std::swap(t.corners[1], t.corners[2]);
+            }
+        }
+        std::fill(surface().face_sign.begin(), surface().face_sign.end(), 1.0);
+        std::vector<char> meshed(topology_.faces.size(), 0);
+        for (const SurfaceTriangle& t : surface().triangles) {
+            meshed[static_cast<std::size_t>(t.face)] = 1;
+        }
+        for (const geometry::Volume& volume : topology_.volumes) {
+            surface().volume_faces.emplace_back();
+            for (const auto& side : volume.sides) {
+                if (meshed[static_cast<std::size_t>(side.face)]) {
+                    surface().volume_faces.back().emplace_back(side.face, side.flipped);
+                }
+            }
+        }
+    }
+
+    /// Given nodes within rounding of the CAD stay where they are, to the last bit.
+    void keep_places() {
+        const double rounding = kOnCurve * topology_.box.largest_side();
+        for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+            const int v = result_.vertex_of_node[n];
+            if (v < 0) {
+                continue;
+            }
+            Vec3& point = surface().shapes.vertices[static_cast<std::size_t>(v)].point;
+            const double distance = (point - mesh_.nodes[n]).norm();
+            if (distance > rounding) {
+                result_.moved.push_back({static_cast<int>(n), distance});
+            } else {
+                point = mesh_.nodes[n];
+            }
+        }
+    }
+
+    /// Tetrahedra that are joined without crossing the surface are in one volume: the one that has most of the
+    /// triangles around them as its sides.
+    void find_volumes() {
+        if (mesh_.tetrahedra.empty()) {
+            return;
+        }
+        std::map<FaceKey, int> on_surface;
+        for (std::size_t t = 0; t < surface().triangles.size(); ++t) {
+            const auto& v = surface().triangles[t].corners;
+            on_surface.emplace(face_key(v[0], v[1], v[2]), static_cast<int>(t));
+        }
+        DisjointSets<std::size_t> joined(mesh_.tetrahedra.size());
+        std::map<std::size_t, std::map<std::pair<int, bool>, std::size_t>> sides;  // by tetrahedron; face, from behind
+        std::map<FaceKey, std::size_t> inner;
+        std::vector<std::pair<std::size_t, std::pair<int, bool>>> touching;
+        for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+            for (const auto& face : outward_faces(mesh_.tetrahedra[t])) {
+                const std::array<int, 3> v{vertex_of(face[0]), vertex_of(face[1]), vertex_of(face[2])};
+                const auto met =
+                    std::min({v[0], v[1], v[2]}) < 0 ? on_surface.end() : on_surface.find(face_key(v[0], v[1], v[2]));
+                if (met != on_surface.end()) {
+                    touching.emplace_back(t, std::make_pair(triangle(met->second).face, !same_turn(v, met->second)));
+                } else {
+                    const auto [other, fresh] = inner.emplace(face_key(face[0], face[1], face[2]), t);
+                    if (!fresh) {
+                        joined.unite(other->second, t);
+                    }
+                }
+            }
+        }
+        for (const auto& [t, side] : touching) {
+            ++sides[joined.find(t)][side];
+        }
+        std::map<std::size_t, int> volume;
+        for (const auto& [root, around] : sides) {
+            volume[root] = volume_with(around);
+        }
+        for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
+            result_.volume.push_back(volume.at(joined.find(t)));
+        }
+    }
+
+    bool same_turn(const std::array<int, 3>& v, int t) {
+        const auto& other = triangle(t).corners;
+        const auto at = std::find(other.begin(), other.end(), v[0]) - other.begin();
+        return other[static_cast<std::size_t>((at + 1) % 3)] == v[1];
+    }
+
+    int volume_with(const std::map<std::pair<int, bool>, std::size_t>& around) const {
+        std::size_t most = 0;
+        int best = -1;
+        for (std::size_t i = 0; i < topology_.volumes.size(); ++i) {
+            std::size_t count = 0;
+            for (const auto& side : topology_.volumes[i].sides) {
+                const auto met = around.find({side.face, side.flipped});
+                count += met == around.end() ? 0 : met->second;
+            }
+            if (count > most) {
+                most = count;
+                best = static_cast<int>(i);
+            }
+        }
+        if (best < 0) {
+            throw TopologyError("tetrahedra of the given mesh lie outside of the shape, at " +
+                                topology_.name_of({2, around.begin()->first.first}) +
+                                ": give the solid that the mesh was made from");
+        }
+        return best;
+    }
+
+    geometry::Session& session_;
+    const geometry::Topology& topology_;
+    const GivenMesh& mesh_;
+    MatchedMesh result_;
+    std::vector<int> at_node_;  // by CAD vertex
+};
+
+}  // namespace
+
+MatchedMesh match(geometry::Session& session, const GivenMesh& mesh, int order) {
+    return Matcher(session, mesh, order).run();
+}
+
+}  // namespace mq::curve

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <vector>
+
+#include "curve/given/given_mesh.h"
+#include "curve/surface/curved_surface.h"
+
+namespace mq::curve {
+
+/// A node of the given mesh that does not lie on its CAD entity.
+struct MovedNode {
+    int node = -1;
+    double distance = 0.0;  ///< to the point of the entity where it is put, mm
+};
+
+/// A given mesh on the model: every vertex, edge and triangle of its surface is classified on a CAD vertex, edge or
+/// face, every tetrahedron in a volume.
+struct MatchedMesh {
+    CurvedSurface surface;
+    std::vector<int> vertex_of_node;  ///< by given node: the vertex of the surface, or -1
+    std::vector<int> volume;          ///< by tetrahedron: the volume of the model
+    std::vector<MovedNode> moved;     ///< farther off than rounding; these are put on the CAD, all others stay
+};
+
+/// Classifies a sound mesh with tetrahedra of positive volume.
+///
+/// The CAD is followed from below: a mesh vertex at each CAD vertex, mesh edges along each CAD edge, and a face for
+/// each region of triangles between these. Seams that the mesh does not follow stay inside their faces.
+/// @throws InvalidInput where the mesh and the model differ in scale or place, naming the factor or the shift;
+/// TopologyError, GeometryError naming the entity and the place.
+MatchedMesh match(geometry::Session& session, const GivenMesh& mesh, int order);
+
+}  // namespace mq::curve

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/numpy.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "curve/given/given_mesh.h"
+#include "python/bindings.h"
+#include "python/freecad/freecad_shape.h"
+#include "python/progress_watch.h"
+#include "python/shared_engine.h"
+#include "workflows/curve_shape.h"
+
+namespace py = pybind11;
+
+namespace mq::python {
+
+namespace {
+
+using Indices = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using CurvedPointer = std::shared_ptr<curve::CurvedMesh>;
+
+template <std::size_t N>
+std::vector<std::array<int, N>> rows_of(const Indices& array, const char* name) {
+    if (array.size() % static_cast<py::ssize_t>(N) != 0) {
+        throw InvalidInput(std::string(name) + " hold " + std::to_string(array.size()) + " numbers: give " +
+                           std::to_string(N) + " for each");
+    }
+    std::vector<std::array<int, N>> rows(static_cast<std::size_t>(array.size()) / N);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (std::size_t k = 0; k < N; ++k) {
+            rows[i][k] = array.data()[N * i + k];
+        }
+    }
+    return rows;
+}
+
+CurvedPointer curve_given(const Numbers& nodes, const Indices& triangles, const Indices& tetrahedra,
+                          const Indices& regions, const PartShape& part, const curve::CurveOptions& options,
+                          bool imprint, const py::object& progress) {
+    if (nodes.ndim() != 2 || nodes.shape(1) != 3) {
+        throw InvalidInput("nodes are no array of shape (N, 3)");
+    }
+    curve::GivenMesh given;
+    for (py::ssize_t i = 0; i < nodes.shape(0); ++i) {
+        given.nodes.emplace_back(nodes.at(i, 0), nodes.at(i, 1), nodes.at(i, 2));
+    }
+    given.triangles = rows_of<3>(triangles, "triangles");
+    given.tetrahedra = rows_of<4>(tetrahedra, "tetrahedra");
+    given.regions.assign(regions.data(), regions.data() + regions.size());
+    geometry::Engine& engine = shared_engine();
+    return watch(progress, [&](Progress& handle) {
+        return std::make_shared<curve::CurvedMesh>(
+            workflows::curve_given_mesh(engine, *part.shape, given, options, imprint, handle));
+    });
+}
+
+}  // namespace
+
+void bind_given(py::module_& m) {
+    m.def("curve_given", &curve_given, py::arg("nodes"), py::arg("triangles"), py::arg("tetrahedra"),
+          py::arg("regions"), py::arg("shape"), py::arg("options"), py::arg("imprint"),
+          py::arg("progress") = py::none(), "Curves the corners of a mesh that another program made of the Part.Shape.");
+}
+
+}  // namespace mq::python
