@@ -23,6 +23,9 @@ namespace {
 TetrahedraInside tetrahedra_of(const GivenMesh& given, MatchedMesh& matched) {
     TetrahedraInside inside;
     for (std::size_t t = 0; t < given.tetrahedra.size(); ++t) {
+        if (matched.volume[t] < 0) {
+            continue;
+        }
         std::array<int, 4> corners{};
         for (std::size_t k = 0; k < 4; ++k) {
             int& vertex = matched.vertex_of_node[static_cast<std::size_t>(given.tetrahedra[t][k])];
@@ -143,6 +146,12 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
                                  options.straighten, report, watched, &number);
     result.given_node = given_nodes(matched.vertex_of_node, number, result.vertices);
     compare(given, result, report);
+    const auto lost = std::count(matched.volume.begin(), matched.volume.end(), -1);
+    if (lost > 0) {
+        report.notes.push_back(
+            std::to_string(lost) +
+            " tetrahedra of the given mesh lie on one another and have no outside: they are removed");
+    }
     if (turned > 0) {
         report.notes.push_back(std::to_string(turned) +
                                " tetrahedra of the given mesh were numbered the wrong way round");

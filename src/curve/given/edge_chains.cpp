@@ -87,6 +87,19 @@ class Finder {
         return result;
     }
 
+    /// Shapes may hold edges of no face, such as annotations: no mesh follows these.
+    std::vector<char> used_nodes() const {
+        std::vector<char> used(topology_.nodes.size(), 0);
+        for (const geometry::Edge& edge : topology_.edges) {
+            for (const int node : edge.nodes) {
+                if (node >= 0 && !edge.uses.empty()) {
+                    used[static_cast<std::size_t>(node)] = 1;
+                }
+            }
+        }
+        return used;
+    }
+
     void find_candidates() {
         std::vector<mesh::Triangle> triangles;
         DisjointSets<std::size_t> joined(graph_.points.size());
@@ -99,7 +112,13 @@ class Finder {
         part_of_ = joined.number(count);
         const mesh::AabbTree tree(graph_.points, triangles);
         const double rounding = kNear[0] * topology_.box.largest_side();
-        for (const geometry::Node& node : topology_.nodes) {
+        const std::vector<char> used = used_nodes();
+        for (std::size_t n = 0; n < topology_.nodes.size(); ++n) {
+            candidates_.emplace_back();
+            if (!used[n]) {
+                continue;
+            }
+            const geometry::Node& node = topology_.nodes[n];
             double least = std::numeric_limits<double>::infinity();
             for (const int v : triangles[static_cast<std::size_t>(tree.nearest(node.point).triangle)]) {
                 least = std::min(least, (at(v) - node.point).norm());
@@ -107,7 +126,6 @@ class Finder {
             Box box;
             box.add(node.point - Vec3::Constant(least + rounding));
             box.add(node.point + Vec3::Constant(least + rounding));
-            candidates_.emplace_back();
             tree.for_each_in_box(box, [&](std::int32_t t) {
                 for (const int v : triangles[static_cast<std::size_t>(t)]) {
                     add_candidate(node, v, least + rounding);

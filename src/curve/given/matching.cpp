@@ -291,7 +291,8 @@ class Matcher {
             volume[root] = volume_with(around);
         }
         for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
-            result_.volume.push_back(volume.at(joined.find(t)));
+            const auto found = volume.find(joined.find(t));
+            result_.volume.push_back(found == volume.end() ? -1 : found->second);
         }
     }
 

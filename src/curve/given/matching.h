@@ -19,8 +19,9 @@ struct MovedNode {
 struct MatchedMesh {
     CurvedSurface surface;
     std::vector<int> vertex_of_node;  ///< by given node: the vertex of the surface, or -1
-    std::vector<int> volume;          ///< by tetrahedron: the volume of the model
-    std::vector<MovedNode> moved;     ///< farther off than rounding; these are put on the CAD, all others stay
+    std::vector<int>
+        volume;  ///< by tetrahedron: the volume of the model; -1: tetrahedra that lie on one another, with no outside
+    std::vector<MovedNode> moved;  ///< farther off than rounding; these are put on the CAD, all others stay
 };
 
 /// Classifies a sound mesh with tetrahedra of positive volume.
