@@ -11,6 +11,7 @@ import zipfile
 from .. import files, formats
 from ..errors import InvalidInput, IoError
 from . import cgns_file, convert, exodus_file
+from .contact_sheets import SHEET, with_sheets
 from .patches import colour_of, division_of, patches_of, require_faces, with_interfaces
 
 _3MF_MODEL = "3D/3dmodel.model"
@@ -37,8 +38,13 @@ def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, for
     scale = checked_scale(scale)
     if ascii:
         formats.check_text(suffix)
+    if interfaces not in (False, True, None, SHEET):
+        raise InvalidInput(f"interfaces = {interfaces!r} is not possible: give True for a patch on each side of a contact, "
+                           f"or {SHEET!r} for one between both solids")
     found = _patches_for(mesh, patches, patch_rest)
-    if interfaces:
+    if interfaces == SHEET:
+        mesh, found = with_sheets(mesh, found)
+    elif interfaces:
         found = with_interfaces(found, mesh)
     formats.check_names(suffix, found.names, _solids_of(mesh), ascii=bool(ascii))
     atomically(os.fsdecode(name), suffix, lambda ready: _write_as(mesh, ready, suffix, found, scale, bool(ascii)))
