@@ -53,7 +53,7 @@ class Output {
         used_ += static_cast<std::size_t>(std::to_chars(first, first + kNumber, value).ptr - first);
     }
 
-    /// Bytes of the whole file so far.
+    /// Bytes that were appended.
     std::size_t size() const { return handed_on_ + used_; }
 
     /// Hands on what is left.
