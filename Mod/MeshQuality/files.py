@@ -84,14 +84,12 @@ def put_in_place(ready, path):
         _move(ready, path)
         return
     if not stat.S_ISREG(old.st_mode):
-        with open(ready, "rb") as source, open(path, "wb", buffering=0) as target:
-            shutil.copyfileobj(source, target)
-        os.remove(ready)
+        fill(ready, path)
         return
     mine = os.stat(ready)
     if old.st_nlink > 1 or (old.st_uid, old.st_gid) != (mine.st_uid, mine.st_gid):
         if os.access(path, os.W_OK):
-            _overwrite(ready, path)
+            fill(ready, path)
             return
     with contextlib.suppress(PermissionError):
         os.chmod(ready, stat.S_IMODE(old.st_mode))
@@ -113,8 +111,15 @@ def _move(ready, path):
         os.remove(ready)
 
 
-def _overwrite(ready, path):
-    """Puts the content into the file that is there; room is made before anything of it is lost."""
+def fill(ready, path):
+    """Puts the content of `ready`, which is removed, into what is there: a file, a pipe or a device. For a file room is made
+    before anything of it is lost.
+    """
+    if not stat.S_ISREG(os.stat(path).st_mode):
+        with open(ready, "rb") as source, open(path, "wb", buffering=0) as target:
+            shutil.copyfileobj(source, target)
+        os.remove(ready)
+        return
     with open(ready, "rb") as source, open(path, "r+b") as target:
         size, before = os.fstat(source.fileno()).st_size, os.fstat(target.fileno()).st_size
         if hasattr(os, "posix_fallocate") and size > 0:

@@ -14,7 +14,8 @@ HIGHEST_ORDER = 5
 
 class Names(NamedTuple):
     """What names of patches a format can hold: a pattern of the whole name with what it says in words, the greatest
-    length, whether names that differ in case only are one, and what is put behind a name for another one.
+    length, whether names that differ in case only are one, what is put behind a name for another one, and names that the
+    format gives to something else.
     """
 
     pattern: str = r"[^\x00-\x1f\x7f]+"
@@ -22,6 +23,7 @@ class Names(NamedTuple):
     longest: int = 127
     folded: bool = False
     more: str = ""
+    reserved: tuple = ()
 
 
 class Format(NamedTuple):
@@ -40,6 +42,13 @@ _ONE_WORD = Names(WORD, "no blanks, quotes or brackets")
 _QUOTED = Names(r'[^"\x00-\x1f\x7f]+', "no double quotes")
 _ABAQUS = Names(r"[A-Za-z][A-Za-z0-9_.\-]*", "a letter first, then letters, digits, _ - and . alone", 72, True, "_surface")
 
+# Names that the standard (CGNS/SIDS) gives to what lies beside families and sections, and that of our zone.
+_CGNS = Names(r"(?!\.{1,2}$)[^/\x00-\x1f\x7f]+", "no slashes, and are not dots alone", 32, reserved=(
+    "ArbitraryGridMotion", "Axisymmetry", "BaseIterativeData", "ConvergenceHistory", "DataClass", "DimensionalUnits",
+    "DiscreteData", "FamilyName", "FlowEquationSet", "FlowSolution", "GlobalConvergenceHistory", "Gravity",
+    "GridCoordinates", "Ordinal", "ReferenceState", "RigidGridMotion", "RotatingCoordinates", "SimulationType", "Zone1",
+    "ZoneBC", "ZoneConvergenceHistory", "ZoneGridConnectivity", "ZoneIterativeData", "ZoneType"))
+
 # By extension as it is written; it is told from others in lower case.
 FORMATS = {
     ".stl": Format("STL", text=True),
@@ -50,7 +59,7 @@ FORMATS = {
     ".msh2": Format("Gmsh 2.2", HIGHEST_ORDER, _QUOTED),
     ".vtu": Format("VTK unstructured grid", HIGHEST_ORDER),
     ".su2": Format("SU2", 1, _ONE_WORD),
-    ".cgns": Format("CGNS", 2, Names(r"[^/\x00-\x1f\x7f]+", "no slashes", 32), solids=True),
+    ".cgns": Format("CGNS", 2, _CGNS, solids=True),
     ".inp": Format("Abaqus and CalculiX", 2, _ABAQUS, solids=True),
     ".unv": Format("I-DEAS universal file", 2, Names(longest=40), solids=True),
     ".nas": Format("Nastran bulk data", 2, Names(longest=40), solids=True),
@@ -106,6 +115,9 @@ def check_names(suffix, names, solids=(), ascii=False):  # noqa: A002 - the opti
             plain = plain if re.fullmatch(rule.pattern, plain) else f"patch_{plain}"
             raise InvalidInput(f"{suffix} files cannot hold a patch called {name!r}: names there have {rule.words}; "
                                f"call it {plain!r}, for example")
+        if name in rule.reserved:
+            raise InvalidInput(f"{suffix} files cannot hold a patch called {name!r}: the format gives this name to "
+                               f"something else; call it {'patch_' + name!r}, for example")
         if len(name.encode()) > rule.longest:
             raise InvalidInput(f"{suffix} files cannot hold a patch called {name!r}: names there have at most "
                                f"{rule.longest} characters; give it a shorter one")

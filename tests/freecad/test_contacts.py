@@ -11,6 +11,7 @@ import Part
 from FreeCAD import Placement, Rotation, Vector
 
 import MeshQuality as mq
+from MeshQuality.cli import parser
 
 
 def assembly():
@@ -170,6 +171,66 @@ class Contacts(unittest.TestCase):
             self.assertEqual(found, {"outside": int((mesh.triangle_opposite < 0).sum())})
             with self.assertRaisesRegex(mq.InvalidInput, "imprint=True"):
                 mq.triangulate(Part.makeBox(1, 1, 1)).write(path, interfaces=True)
+
+    def test_a_contact_is_one_sheet_where_that_is_asked_for(self):
+        """In the file the outside of each solid and the sheets that bound it enclose its volume, edge for edge."""
+        three = [Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, Vector(10, 0, 0)),
+                 Part.makeBox(20, 10, 10, Vector(0, 10, 0))]  # all have the edge from (10, 10, 0) upwards
+        pin = Part.makeCylinder(2, 10, Vector(5, 5, 0))
+        for solids, contacts in ((three[:2], [(1, 2)]), (three, [(1, 2), (1, 3), (2, 3)]),
+                                 ([three[0].cut(pin), Part.makeCylinder(2, 10, Vector(5, 5, 0))], [(1, 2)])):
+            with self.subTest(solids=len(solids), contacts=contacts), tempfile.TemporaryDirectory() as folder:
+                self.check_sheets(Part.makeCompound(solids), contacts, folder)
+
+    def check_sheets(self, shape, contacts, folder):
+        ends = np.cumsum([0] + [len(solid.Faces) for solid in shape.Solids]).tolist()
+        outside = {f"outside{number}": [f"Face{face + 1}" for face in range(ends[number - 1], ends[number])]
+                   for number in range(1, len(ends))}
+        mesh = mq.triangulate(shape, chord_height=0.02, imprint=True, patches=outside)
+        path = os.path.join(folder, "regions")
+        mesh.write(path + ".obj", interfaces="sheet")
+        points, found, name = [], {}, None
+        with open(path + ".obj", encoding="utf-8") as stream:
+            for words in map(str.split, stream):
+                if words[0] == "v":
+                    points.append(tuple(map(float, words[1:])))
+                elif words[0] == "g":
+                    name = words[1]
+                elif words[0] == "f":
+                    found.setdefault(name, []).append([int(word) - 1 for word in words[1:]])
+        self.assertEqual(len(set(points)), len(points))
+        sheets = {f"Solid{a}_and_Solid{b}": (a, b) for a, b in contacts}
+        self.assertEqual(set(found), {*outside, *sheets})
+        self.assertEqual(sum(map(len, found.values())), len(mesh.triangles) - (mesh.triangle_opposite >= 0).sum() // 2)
+        points = np.array(points)
+        for number, solid in enumerate(shape.Solids, 1):
+            around = [found[f"outside{number}"]]
+            around += [np.array(found[sheet])[:, ::1 if number == a else -1] for sheet, (a, b) in sheets.items()
+                       if number in (a, b)]
+            around = np.concatenate(around)
+            edges = set(map(tuple, around[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2).tolist()))
+            self.assertEqual(len(edges), 3 * len(around))
+            self.assertEqual(edges, {(b, a) for a, b in edges})
+            corners = points[around]
+            volume = np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
+            self.assertAlmostEqual(volume / solid.Volume, 1, 1)
+        mesh.write(path + ".fms", interfaces="sheet")
+        with open(path + ".fms", encoding="utf-8") as stream:
+            lines = stream.read().splitlines()
+        self.assertEqual(int(lines[len(found) + 3]), len(points))
+        for suffix in (".msh", ".vtu", ".stl", ".unv"):
+            mesh.write(path + suffix, interfaces="sheet")
+            self.assertGreater(os.path.getsize(path + suffix), 0)
+
+    def test_on_the_command_line(self):
+        for words, interfaces in (([], False), (["--interfaces"], True), (["--interfaces", "sheet"], "sheet"),
+                                  (["--interfaces=sheet"], "sheet")):
+            found = parser.parse(["triangulate", "--imprint", *words, "part.step", "-o", "part.msh"])
+            self.assertEqual((found.input, found.interfaces), ("part.step", interfaces))
+
+    def test_an_odd_choice_of_interfaces_is_refused(self):
+        with self.assertRaisesRegex(mq.InvalidInput, "interfaces = 'one'.*'sheet'"):
+            mq.triangulate(Part.makeBox(1, 1, 1)).write("box.stl", interfaces="one")
 
     def test_each_solid_alone_is_closed(self):
         shape = assembly()

@@ -3,6 +3,10 @@
 
 import json
 import os
+import stat
+import threading
+import unittest
+from pathlib import Path
 
 import FreeCAD
 import helpers
@@ -173,6 +177,43 @@ class Written(helpers.DocumentTest):
         with open(self.path, "rb") as stream:
             self.assertEqual(stream.read(), before)
         self.assertEqual(os.listdir(self.folder), ["a.obj"])
+
+    def test_pipes_get_every_format_and_stay(self):
+        """Libraries of formats remove what is there before they write: as administrator that was /dev/null."""
+        pipe = os.path.join(self.folder, "pipe")
+        os.mkfifo(pipe)
+        for suffix in formats.SUFFIXES:
+            if suffix == ".cgns" and not has_cgns() or suffix == ".exo" and not has_netcdf():
+                continue
+            with self.subTest(suffix):
+                found = []
+                reader = threading.Thread(target=lambda: found.append(Path(pipe).read_bytes()))
+                reader.start()
+                self.mesh.write(pipe, format=suffix[1:])
+                reader.join(60)
+                self.assertTrue(stat.S_ISFIFO(os.stat(pipe).st_mode))
+                self.mesh.write(self.path, format=suffix[1:])
+                self.assertEqual(len(found[0]), os.path.getsize(self.path))
+        self.assertEqual(sorted(os.listdir(self.folder)), ["a.obj", "pipe"])
+
+    def test_where_nothing_can_be_written_the_path_is_named(self):
+        for suffix in formats.SUFFIXES:
+            if suffix == ".cgns" and not has_cgns() or suffix == ".exo" and not has_netcdf():
+                continue
+            path = "/proc/meshquality" + suffix
+            with self.subTest(suffix), self.assertRaises(mq.IoError) as caught:
+                self.mesh.write(path)
+            self.assertIn(path, str(caught.exception))
+            self.assertNotIn(".part", str(caught.exception))
+
+    @unittest.skipUnless(has_cgns(), "the CGNS library is not installed")
+    def test_names_that_cgns_gives_to_something_else(self):
+        for name in ("GridCoordinates", "ZoneBC", "ZoneType", "DataClass", "DimensionalUnits", "Zone1", "."):
+            with self.subTest(name), self.assertRaises(mq.InvalidInput) as caught:
+                self.mesh.write(os.path.join(self.folder, "a.cgns"), patches={name: ["Face1"]})
+            self.assertIn(repr(name), str(caught.exception))
+            self.assertIn("for example", str(caught.exception))
+        self.assertEqual(os.listdir(self.folder), [])
 
     def test_links_and_modes_stay(self):
         link = os.path.join(self.folder, "link.obj")

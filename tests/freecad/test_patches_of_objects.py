@@ -65,6 +65,25 @@ class OfObjects(unittest.TestCase):
         self.assertEqual(self.solids_in("c.stl"), {f"Face{i}": 2 for i in range(1, 7)})
         self.assertEqual(patches_of_object(self.obj), (None, None))
 
+    def test_a_mesh_that_is_out_of_date_is_not_written_by_patches(self):
+        mq.set_patches(self.obj, PATCHES, patch_rest="walls")
+        self.obj.Recompute = "Manual"
+        self.box.Length = 25
+        for recompute in (False, True):
+            if recompute:
+                self.document.recompute()
+            with self.assertRaisesRegex(mq.InvalidInput, "out of date.*recompute"):
+                mq.export_mesh(self.obj, self.path("a.stl"), ascii=True)
+            self.assertEqual(os.listdir(self.path("")), [])
+        self.obj.Recompute = "Automatic"
+        self.document.recompute()
+        mq.export_mesh(self.obj, self.path("a.stl"), ascii=True)
+        self.assertEqual(self.solids_in("a.stl"), {"inlet": 2, "outlet": 2, "walls": self.obj.Mesh.CountFacets - 4})
+        mq.set_patches(self.obj, None)
+        self.box.Length = 35
+        mq.export_mesh(self.obj, self.path("b.stl"))  # with a warning
+        self.assertEqual(os.path.getsize(self.path("b.stl")), 84 + 50 * self.obj.Mesh.CountFacets)
+
     def test_they_are_saved_and_loaded(self):
         mq.set_patches(self.obj, PATCHES, patch_rest="walls")
         self.document.saveAs(self.path("patches.FCStd"))

@@ -5,6 +5,7 @@ Imports nothing of FreeCAD.
 """
 
 import argparse
+import sys
 
 from .. import options
 from ..formats import CURVED_SUFFIXES, FLAT_ONLY_SUFFIXES, SUFFIXES
@@ -168,9 +169,9 @@ def _add_writing(one, with_patches, with_interfaces=False):
     file.add_argument("--scale", type=float, default=1.0, metavar="FACTOR",
                       help="factor of the coordinates, which are mm: 0.001 for metres (default: 1)")
     if with_interfaces:
-        file.add_argument("--interfaces", action="store_true",
+        file.add_argument("--interfaces", nargs="?", const=True, default=False, type=_interfaces, metavar="sheet",
                           help="with --imprint: what lies between two solids is a patch of its own, Solid1_to_Solid2 on "
-                               "the side of the first")
+                               "the side of the first; sheet: one for both, Solid1_and_Solid2, with its triangles once")
     file.add_argument("--ascii", action="store_true", help="STL as text, with one solid a patch")
 
 
@@ -292,7 +293,25 @@ def _metavar(option):
 
 def parse(arguments=None):
     """The arguments as a namespace; ends the program for --help, --version and bad usage."""
+    arguments = _with_plain_interfaces(sys.argv[1:] if arguments is None else arguments)
     return parser(_batched_of(arguments)).parse_args(arguments)
+
+
+def _interfaces(text):
+    if text not in ("", "sheet"):
+        raise argparse.ArgumentTypeError(f"{text!r} is not possible: give sheet, or nothing")
+    return text or True
+
+
+def _with_plain_interfaces(arguments):
+    """`--interfaces` takes the word sheet alone: what else follows is not its value, but the file to read."""
+    given, left = [], list(arguments)
+    while left:
+        word = left.pop(0)
+        if word == "--interfaces":
+            word = "--interfaces=" + (left.pop(0) if left[:1] == ["sheet"] else "")
+        given.append(word)
+    return given
 
 
 def _batched_of(arguments):

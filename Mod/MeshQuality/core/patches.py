@@ -165,9 +165,10 @@ def patches_of(division, triangle_face, count):
     return Patches(tuple(names), tuple(colours), patch[face], given, division)
 
 
-def with_interfaces(patches, mesh):
+def with_interfaces(patches, mesh, link="to"):
     """The Patches of a SurfaceMesh in which triangles between two solids are patches of their own: on the side of the
-    first one "Solid1_to_Solid2", and "Solid2_to_Solid1" on the other, as solvers of several regions call them.
+    first one "Solid1_to_Solid2", and "Solid2_to_Solid1" on the other, as solvers of several regions call them. `link`
+    is the word between the solids.
     """
     opposite = mesh.triangle_opposite
     if not len(opposite):
@@ -176,7 +177,7 @@ def with_interfaces(patches, mesh):
     here = np.flatnonzero(opposite >= 0)
     own, other = mesh.triangle_solid[here], mesh.triangle_solid[opposite[here]]
     pairs, number = np.unique(np.column_stack((own, other)), axis=0, return_inverse=True)
-    names = [f"Solid{one + 1}_to_Solid{two + 1}" for one, two in pairs.tolist()]
+    names = [f"Solid{one + 1}_{link}_Solid{two + 1}" for one, two in pairs.tolist()]
     taken = next((name for name in names if name in patches.names), None)
     if taken:
         raise InvalidInput(f"patch {taken!r} has the name of an interface: give it another name")

@@ -83,7 +83,9 @@ class SurfaceMesh(metaclass=Public):
         ascii       STL as text, with one solid a patch
         format      such as "msh2", whatever the extension
         interfaces  of a mesh of imprint=True: triangles between two solids are patches of their own,
-                    "Solid1_to_Solid2" on the side of the first and "Solid2_to_Solid1" on the other
+                    "Solid1_to_Solid2" on the side of the first and "Solid2_to_Solid1" on the other; "sheet":
+                    they are there once, "Solid1_and_Solid2", with normals into the second solid, and points
+                    in the same place are one, so that the surfaces of all solids are one conforming mesh
 
         Raises InvalidInput naming patch, face and remedy; IoError naming the path.
         """

@@ -6,11 +6,13 @@ to a complete one.
 import math
 import numbers
 import os
+import tempfile
 import zipfile
 
 from .. import files, formats
 from ..errors import InvalidInput, IoError
 from . import cgns_file, convert, exodus_file
+from .contact_sheets import SHEET, with_sheets
 from .patches import colour_of, division_of, patches_of, require_faces, with_interfaces
 
 _3MF_MODEL = "3D/3dmodel.model"
@@ -37,8 +39,13 @@ def write(mesh, path, patches=None, patch_rest=None, scale=1.0, ascii=False, for
     scale = checked_scale(scale)
     if ascii:
         formats.check_text(suffix)
+    if interfaces not in (False, True, None, SHEET):
+        raise InvalidInput(f"interfaces = {interfaces!r} is not possible: give True for a patch on each side of a contact, "
+                           f"or {SHEET!r} for one between both solids")
     found = _patches_for(mesh, patches, patch_rest)
-    if interfaces:
+    if interfaces == SHEET:
+        mesh, found = with_sheets(mesh, found)
+    elif interfaces:
         found = with_interfaces(found, mesh)
     formats.check_names(suffix, found.names, _solids_of(mesh), ascii=bool(ascii))
     atomically(os.fsdecode(name), suffix, lambda ready: _write_as(mesh, ready, suffix, found, scale, bool(ascii)))
@@ -99,7 +106,7 @@ def _write_as(mesh, path, suffix, patches, scale, ascii):  # noqa: A002
 
 
 def _write_3mf(mesh, path, patches, scale):
-    model = files.unfinished(path, ".model")
+    model = path + ".model"
     try:
         mesh._write_core(os.fsencode(model), "3mf", patches, scale, False)
         with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=_FASTEST) as container:
@@ -117,8 +124,9 @@ def arguments_of(patches):
 
 
 def atomically(path, suffix, write_into):
-    """Has `write_into` write a file beside the path, which gets the name once it is complete. What is no regular file,
-    and a file in a folder that takes no other, is written at once.
+    """Has `write_into` write a file beside the path, which gets the name once it is complete. Where the path is a pipe or a
+    device, or a file in a folder that takes no other, it gets the content of one written elsewhere: libraries of formats
+    would remove it first, or want to read back what they wrote.
 
     Raises IoError naming the path.
     """
@@ -126,15 +134,20 @@ def atomically(path, suffix, write_into):
     folder = os.path.dirname(target)
     if not os.path.isdir(folder):
         raise IoError(f"cannot open '{path}': there is no folder {folder}")
-    direct = os.path.exists(target) and not (os.path.isfile(target) and os.access(folder, os.W_OK))
-    ready = target if direct else files.unfinished(target, suffix)
+    elsewhere = os.path.exists(target) and not (os.path.isfile(target) and os.access(folder, os.W_OK))
+    ready = files.unfinished(os.path.join(tempfile.gettempdir(), "") if elsewhere else target, suffix)
     try:
         write_into(ready)
-        if not direct:
+        if elsewhere:
+            files.fill(ready, target)
+        else:
             files.put_in_place(ready, target)
-    except (IoError, OSError) as error:
-        text = str(error).replace(os.path.basename(ready), os.path.basename(target)).replace(target, path)
-        raise IoError(text if path in text else f"{path} cannot be written: {text}") from error
+    except OSError as error:
+        why = error.strerror or str(error)
+        raise IoError(f"cannot write '{path}': {why}; choose another file or folder, or make room there") from error
+    except IoError as error:
+        text = str(error).replace(ready, path).replace(os.path.basename(ready), os.path.basename(target))
+        text = text.replace(target, path)
+        raise IoError(text if path in text else f"cannot write '{path}': {text}") from error
     finally:
-        if not direct:
-            files.remove_if_there(ready)
+        files.remove_if_there(ready)

@@ -13,9 +13,10 @@ from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
 from ..core.patches import division_for, division_of, kept
 from ..core.surface_mesh import SurfaceMesh
-from ..errors import InvalidInput, IoError
-from .mesh_object import faces_of_runs
+from ..errors import Error, InvalidInput, IoError
+from .mesh_object import ShapeMesh, faces_of_runs
 from .patches import patches_of_object
+from .properties import options_of
 
 _written = {}  # what _key gives -> file that holds its content already
 
@@ -31,7 +32,9 @@ def export_mesh(obj, path, patches=None, patch_rest=None, scale=1.0, ascii=False
     scale, ascii
              as for SurfaceMesh.write
 
-    Raises InvalidInput for other objects and for what the format cannot hold; IoError naming the path.
+    Raises InvalidInput for other objects, for what the format cannot hold, and for a mesh with patches that is out of
+    date: they name faces of the source as it is now. Without patches that is a warning in the Report view. IoError naming
+    the path.
     """
     if not isinstance(frames.object_of(obj), FreeCAD.DocumentObject):
         raise InvalidInput(f"{convert.label_of(obj)} holds no mesh: give an object with a mesh, or a link to one")
@@ -109,8 +112,31 @@ def flat_maker_of(obj):
 
 def _division(obj, patches, patch_rest):
     holder = frames.linked_of(obj)[0]
+    _require_current(holder, patches)
     source = holder.Proxy.sources(holder)[0] if patches and hasattr(holder, "FaceRuns") else None
     return division_of(patches, patch_rest) if source is None else division_for(source, patches, patch_rest)
+
+
+def _require_current(holder, patches):
+    """Raises InvalidInput where patches name faces of a source that has changed since it was meshed: other triangles would
+    be in them. Warns where an old mesh is written without.
+    """
+    if not isinstance(getattr(holder, "Proxy", None), ShapeMesh) or not _is_outdated(holder):
+        return
+    text = f"{holder.Label} is out of date: its source or an option has changed since the mesh was made"
+    if patches:
+        raise InvalidInput(f"{text}, and patches name faces as they are now; recompute it first (Update Mesh)")
+    FreeCAD.Console.PrintWarning(f"{text}. The older mesh is written; recompute it (Update Mesh) and export it anew.\n")
+
+
+def _is_outdated(holder):
+    sources, held = holder.Proxy.sources(holder), holder.Proxy.held(holder)
+    if not held or None in sources:
+        return False
+    try:
+        return holder.Proxy.work_on(sources, options_of(holder, holder.Proxy.OPTIONS), holder).fingerprint != held
+    except Error:  # what is asked for now cannot be meshed
+        return True
 
 
 def _with_patches(make, division):

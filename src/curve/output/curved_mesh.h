@@ -11,6 +11,7 @@
 #include "curve/surface/curved_surface.h"
 #include "curve/volume/tetrahedral_mesh.h"
 #include "mesh/io/export_mesh.h"
+#include "mesh/io/output.h"
 #include "mesh/quality/mesh_report.h"
 #include "mesh/triangle_mesh.h"
 
@@ -110,16 +111,16 @@ void write(const CurvedMesh& mesh, const std::string& path);
 /// path, InvalidInput for a format that does not
 void write_curved(const mesh::ExportMesh& mesh, const std::string& path, const std::string& format);
 
-/// Text of a Gmsh .msh file, 4.1 ASCII, with a physical group for each CAD edge, patch and volume.
-std::string curved_msh(const mesh::ExportMesh& mesh);
+/// Appends a Gmsh .msh file, 4.1 ASCII, with a physical group for each CAD edge, patch and volume.
+void curved_msh(mesh::Output& out, const mesh::ExportMesh& mesh);
 inline std::string to_msh(const CurvedMesh& mesh) {
-    return curved_msh(exported(mesh));
+    return mesh::text_of(curved_msh, exported(mesh));
 }
 
-/// Text of a VTK .vtu file: tetrahedra where there are any, triangles otherwise; as Lagrange cells from order 3 on.
-std::string curved_vtu(const mesh::ExportMesh& mesh);
+/// Appends a VTK .vtu file: tetrahedra where there are any, triangles otherwise; as Lagrange cells from order 3 on.
+void curved_vtu(mesh::Output& out, const mesh::ExportMesh& mesh);
 inline std::string to_vtu(const CurvedMesh& mesh) {
-    return curved_vtu(exported(mesh));
+    return mesh::text_of(curved_vtu, exported(mesh));
 }
 
 /// A text of a dozen lines for people.

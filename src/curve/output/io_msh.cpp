@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <array>
-#include <cstdio>
 
 #include "curve/output/curved_mesh.h"
 #include "mesh/io/io_formats.h"
@@ -20,7 +19,7 @@ std::map<int, std::vector<std::size_t>> by_entity(const mesh::Elements& elements
 
 class Writer {
   public:
-    explicit Writer(const mesh::ExportMesh& mesh) : mesh_(mesh) {
+    Writer(mesh::Output& out, const mesh::ExportMesh& mesh) : out_(out), mesh_(mesh) {
         for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
             const mesh::VertexEntity& entity = mesh.node_entity[i];
             nodes_of_[{entity[0], entity[1]}].push_back(i);
@@ -35,22 +34,15 @@ class Writer {
         }
     }
 
-    std::string run() {
-        out_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+    void run() {
+        out_ += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
         physical_names();
         entities();
         nodes();
         elements();
-        return std::move(out_);
     }
 
   private:
-    static std::string number(double value) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.17g", value);
-        return text;
-    }
-
     const mesh::Elements& of(int dimension) const { return mesh_.elements[static_cast<std::size_t>(dimension)]; }
 
     /// Number from 1 of the physical group of an entity: its patch where there are such, the entity itself otherwise; 0
@@ -93,26 +85,29 @@ class Writer {
 
     void entities() {
         std::array<int, 4> counts{};
-        std::string lines;
         for (const auto& [entity, nodes] : nodes_of_) {
             ++counts[static_cast<std::size_t>(entity.first)];
-            const Box box = box_of(nodes);
-            lines += std::to_string(entity.second + 1);
-            for (Eigen::Index i = 0; i < 3; ++i) {
-                lines += " " + number(box.low[i]);
-            }
-            for (Eigen::Index i = 0; i < 3 && entity.first > 0; ++i) {
-                lines += " " + number(box.high[i]);
-            }
-            const int group = entity.first == 0 ? 0 : physical_of(entity);
-            const std::string end = entity.first == 0 ? "\n" : " 0\n";
-            lines += group == 0 ? " 0" + end : " 1 " + std::to_string(group) + end;
         }
         out_ += "$Entities\n";
         for (std::size_t i = 0; i < 4; ++i) {
             out_ += std::to_string(counts[i]) + (i < 3 ? " " : "\n");
         }
-        out_ += lines + "$EndEntities\n";
+        for (const auto& [entity, nodes] : nodes_of_) {
+            const Box box = box_of(nodes);
+            out_.append_number(entity.second + 1);
+            for (Eigen::Index i = 0; i < 3; ++i) {
+                out_ += ' ';
+                out_.append_number(box.low[i]);
+            }
+            for (Eigen::Index i = 0; i < 3 && entity.first > 0; ++i) {
+                out_ += ' ';
+                out_.append_number(box.high[i]);
+            }
+            const int group = entity.first == 0 ? 0 : physical_of(entity);
+            const std::string end = entity.first == 0 ? "\n" : " 0\n";
+            out_ += group == 0 ? " 0" + end : " 1 " + std::to_string(group) + end;
+        }
+        out_ += "$EndEntities\n";
     }
 
     void nodes() {
@@ -122,47 +117,51 @@ class Writer {
             out_ += std::to_string(entity.first) + " " + std::to_string(entity.second + 1) + " 0 " +
                     std::to_string(nodes.size()) + "\n";
             for (const std::size_t i : nodes) {
-                out_ += std::to_string(i + 1) + "\n";
+                out_.append_number(i + 1);
+                out_ += '\n';
             }
             for (const std::size_t i : nodes) {
-                const Vec3 p = mesh_.point(i);
-                out_ += number(p.x()) + " " + number(p.y()) + " " + number(p.z()) + "\n";
+                mesh::append_point_text(out_, mesh_.point(i));
             }
         }
         out_ += "$EndNodes\n";
     }
 
     void elements() {
-        std::string lines;
         std::size_t blocks = 0;
+        std::size_t all_elements = 0;
+        for (int dimension = 1; dimension <= 3; ++dimension) {
+            blocks += by_entity(of(dimension)).size();
+            all_elements += of(dimension).entity.size();
+        }
+        const std::string count = std::to_string(all_elements);
+        out_ += "$Elements\n" + std::to_string(blocks) + " " + count + " 1 " + count + "\n";
         std::size_t next = 1;
         for (int dimension = 1; dimension <= 3; ++dimension) {
             const mesh::Elements& all = of(dimension);
             for (const auto& [entity, elements] : by_entity(all)) {
-                ++blocks;
-                lines += std::to_string(dimension) + " " + std::to_string(entity + 1) + " " +
-                         std::to_string(mesh::gmsh_type(dimension, mesh_.order)) + " " +
-                         std::to_string(elements.size()) + "\n";
+                out_ += std::to_string(dimension) + " " + std::to_string(entity + 1) + " " +
+                        std::to_string(mesh::gmsh_type(dimension, mesh_.order)) + " " +
+                        std::to_string(elements.size()) + "\n";
                 for (const std::size_t e : elements) {
-                    lines += std::to_string(next++);
-                    mesh::append_nodes(lines, all.of(e), all.width, 1);
+                    out_.append_number(next++);
+                    mesh::append_nodes(out_, all.of(e), all.width, 1);
                 }
             }
         }
-        const std::string count = std::to_string(next - 1);
-        out_ += "$Elements\n" + std::to_string(blocks) + " " + count + " 1 " + count + "\n" + lines + "$EndElements\n";
+        out_ += "$EndElements\n";
     }
 
+    mesh::Output& out_;
     const mesh::ExportMesh& mesh_;
     std::map<int, int> patch_of_;                                       // by CAD face
     std::map<std::pair<int, int>, std::vector<std::size_t>> nodes_of_;  // by dimension and entity
-    std::string out_;
 };
 
 }  // namespace
 
-std::string curved_msh(const mesh::ExportMesh& mesh) {
-    return Writer(mesh).run();
+void curved_msh(mesh::Output& out, const mesh::ExportMesh& mesh) {
+    Writer(out, mesh).run();
 }
 
 }  // namespace mq::curve

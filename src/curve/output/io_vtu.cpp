@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
-#include <cstdio>
 
 #include "base/error.h"
 #include "curve/bezier/node_orders.h"
 #include "curve/output/curved_mesh.h"
 #include "mesh/io/io.h"
+#include "mesh/io/io_formats.h"
 
 namespace mq::curve {
 
@@ -19,17 +19,13 @@ int cell_type(int dimension, int order) {
     return kTypes[dimension - 2][std::min(order, 3) - 1];
 }
 
-std::string joined(const std::vector<std::int32_t>& values) {
-    std::string out;
+void append_array(mesh::Output& out, const char* type, const char* name, const std::vector<std::int32_t>& values) {
+    out += std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\" format=\"ascii\">\n";
     for (const std::int32_t value : values) {
-        out += std::to_string(value) + "\n";
+        out.append_number(value);
+        out += '\n';
     }
-    return out;
-}
-
-std::string data_array(const char* type, const char* name, const std::string& values) {
-    return std::string("<DataArray type=\"") + type + "\" Name=\"" + name + "\" format=\"ascii\">\n" + values +
-           "</DataArray>\n";
+    out += "</DataArray>\n";
 }
 
 /// Reorders the elements' nodes from Gmsh's order to VTK's.
@@ -50,44 +46,46 @@ std::vector<std::int32_t> reordered(const std::vector<std::int32_t>& nodes, cons
     return result;
 }
 
-std::string points_of(const mesh::ExportMesh& mesh) {
-    std::string values;
-    char line[96];
+void append_points(mesh::Output& out, const mesh::ExportMesh& mesh) {
+    out += "<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-        const Vec3 p = mesh.point(i);
-        std::snprintf(line, sizeof line, "%.17g %.17g %.17g\n", p.x(), p.y(), p.z());
-        values += line;
+        mesh::append_point_text(out, mesh.point(i));
     }
-    return "<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n" + values +
-           "</DataArray>\n</Points>\n";
+    out += "</DataArray>\n</Points>\n";
 }
 
 }  // namespace
 
-std::string curved_vtu(const mesh::ExportMesh& mesh) {
+void curved_vtu(mesh::Output& out, const mesh::ExportMesh& mesh) {
     const bool volume = mesh.tetrahedra().size() > 0;
     const Lattice& lattice = Lattice::of(volume ? 3 : 2, mesh.order);
     const mesh::Elements& elements = volume ? mesh.tetrahedra() : mesh.triangles();
-    const std::vector<std::int32_t> nodes = reordered(elements.nodes, lattice);
     const std::vector<std::int32_t>& entity = elements.entity;
     std::vector<std::int32_t> offsets;
     for (std::size_t i = 1; i <= entity.size(); ++i) {
         offsets.push_back(static_cast<std::int32_t>(i) * lattice.size());
     }
     const std::vector<std::int32_t> types(entity.size(), cell_type(volume ? 3 : 2, mesh.order));
-    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" byte_order=\"LittleEndian\">\n"
-           "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-           std::to_string(mesh.nodes.size()) + "\" NumberOfCells=\"" + std::to_string(entity.size()) + "\">\n" +
-           "<CellData>\n" + data_array("Int32", volume ? "cad_solid" : "cad_face", joined(entity)) +
-           (mesh.patches_given && !volume ? data_array("Int32", "patch", joined(elements.group)) : "") +
-           "</CellData>\n" + points_of(mesh) + "<Cells>\n" + data_array("Int32", "connectivity", joined(nodes)) +
-           data_array("Int32", "offsets", joined(offsets)) + data_array("UInt8", "types", joined(types)) +
-           "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    out +=
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" byte_order=\"LittleEndian\">\n"
+        "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+        std::to_string(mesh.nodes.size()) + "\" NumberOfCells=\"" + std::to_string(entity.size()) + "\">\n<CellData>\n";
+    append_array(out, "Int32", volume ? "cad_solid" : "cad_face", entity);
+    if (mesh.patches_given && !volume) {
+        append_array(out, "Int32", "patch", elements.group);
+    }
+    out += "</CellData>\n";
+    append_points(out, mesh);
+    out += "<Cells>\n";
+    append_array(out, "Int32", "connectivity", reordered(elements.nodes, lattice));
+    append_array(out, "Int32", "offsets", offsets);
+    append_array(out, "UInt8", "types", types);
+    out += "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 void write_curved(const mesh::ExportMesh& mesh, const std::string& path, const std::string& format) {
     if (format == "msh" || format == "vtu") {
-        mesh::save(path, format == "msh" ? curved_msh(mesh) : curved_vtu(mesh));
+        mesh::save(path, [&](mesh::Output& out) { format == "msh" ? curved_msh(out, mesh) : curved_vtu(out, mesh); });
     } else {
         mesh::write(mesh, path, format);
     }

@@ -17,7 +17,7 @@ namespace {
 
 struct Format {
     const char* name;
-    std::string (*write)(const ExportMesh&);
+    void (*write)(Output&, const ExportMesh&);
     int most_order;
 };
 
@@ -60,7 +60,7 @@ std::string extension_of(const std::string& path) {
     return extension;
 }
 
-void save(const std::string& path, const std::string& bytes) {
+void save(const std::string& path, const std::function<void(Output&)>& append) {
     const auto fail = [&](const char* what) {
         throw IoError(std::string("cannot ") + what + " '" + path + "': " + std::strerror(errno));
     };
@@ -68,10 +68,15 @@ void save(const std::string& path, const std::string& bytes) {
     if (!file) {
         fail("open");
     }
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) {
-        fail("write to");
-    }
-    // A full disk may be reported only when the last buffer is written.
+    std::setvbuf(file.get(), nullptr, _IONBF, 0);  // Output has a buffer
+    Output out([&](const char* bytes, std::size_t count) {
+        if (std::fwrite(bytes, 1, count, file.get()) != count) {
+            fail("write to");
+        }
+    });
+    append(out);
+    out.flush();
+    // A full disk may be reported only when the file is closed.
     if (std::fclose(file.release()) != 0) {
         fail("finish");
     }
@@ -83,7 +88,8 @@ void write(const TriangleMesh& mesh, const std::string& path) {
     if (format == nullptr) {
         throw IoError("cannot write '" + path + "': the extension must be .stl, .ply, .obj, .off, .msh or .vtu");
     }
-    save(path, format->write(exported(mesh)));
+    const ExportMesh whole = exported(mesh);
+    save(path, [&](Output& out) { format->write(out, whole); });
 }
 
 void write(const ExportMesh& mesh, const std::string& path, const std::string& format, bool ascii) {
@@ -96,7 +102,8 @@ void write(const ExportMesh& mesh, const std::string& path, const std::string& f
                            std::to_string(found->most_order) + ", not " + std::to_string(mesh.order) +
                            ": use .msh or .vtu");
     }
-    save(path, ascii && format == "stl" ? to_stl_text(mesh) : found->write(mesh));
+    const auto to_format = ascii && format == "stl" ? to_stl_text : found->write;
+    save(path, [&](Output& out) { to_format(out, mesh); });
 }
 
 }  // namespace mq::mesh

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "mesh/io/export_mesh.h"
+#include "mesh/io/output.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::mesh {
@@ -23,8 +25,8 @@ void write(const ExportMesh& mesh, const std::string& path, const std::string& f
 /// The extension of a path in lower case with its full stop; empty without one.
 std::string extension_of(const std::string& path);
 
-/// Writes the bytes into a file. @throws IoError naming the path
-void save(const std::string& path, const std::string& bytes);
+/// Writes what `append` appends into a file. @throws IoError naming the path
+void save(const std::string& path, const std::function<void(Output&)>& append);
 
 /// FreeCAD's own binary mesh format (BMS) of the mesh in its local frame: the fastest way into a Mesh.Mesh, which
 /// keeps shared vertices and the order of the triangles.

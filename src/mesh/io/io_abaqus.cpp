@@ -13,19 +13,19 @@ constexpr std::size_t kPerLine =
 /// What the name of a patch's sides ends with: CalculiX 2.20 ends where a surface has the name of a set.
 constexpr const char* kSurface = "_surface";
 
-void append_set(std::string& out, const std::string& head, const std::vector<std::int32_t>& numbers) {
+void append_set(Output& out, const std::string& head, const std::vector<std::int32_t>& numbers) {
     if (numbers.empty()) {
         return;
     }
     out += head;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        append_number(out, static_cast<long long>(numbers[i]) + 1);
+        out.append_number(static_cast<long long>(numbers[i]) + 1);
         out += (i + 1) % kPerLine == 0 || i + 1 == numbers.size() ? "\n" : ", ";
     }
 }
 
-void append_element(std::string& out, std::size_t id, const std::vector<std::int32_t>& nodes) {
-    append_number(out, static_cast<long long>(id));
+void append_element(Output& out, std::size_t id, const std::vector<std::int32_t>& nodes) {
+    out.append_number(static_cast<long long>(id));
     append_nodes(out, nodes.data(), nodes.size(), 1, ',');
 }
 
@@ -40,7 +40,7 @@ int side_of(const std::int32_t* tetrahedron, const std::int32_t* triangle) {
     return 0;
 }
 
-void append_tetrahedra(std::string& out, const ExportMesh& mesh) {
+void append_tetrahedra(Output& out, const ExportMesh& mesh) {
     const Elements& tetrahedra = mesh.tetrahedra();
     const auto solids = tetrahedra.by_group(mesh.groups[3].size());
     for (std::size_t s = 0; s < solids.size(); ++s) {
@@ -57,33 +57,37 @@ void append_tetrahedra(std::string& out, const ExportMesh& mesh) {
 }
 
 /// The sides of tetrahedra that make up each patch, for pressures and contacts, and the tetrahedra that have them.
-void append_sides(std::string& out, const ExportMesh& mesh) {
+void append_sides(Output& out, const ExportMesh& mesh) {
     const auto patches = mesh.triangles().by_group(mesh.patches().size());
     for (std::size_t p = 0; p < patches.size(); ++p) {
-        std::vector<std::int32_t> elements;
+        std::vector<std::int32_t> behind;  // by side, one after the other
         std::string sides;
         for (const std::int32_t k : patches[p]) {
             const auto triangle = static_cast<std::size_t>(k);
             const std::int32_t e = mesh.behind[triangle];
             if (e >= 0) {
-                elements.push_back(e);
-                append_number(sides, static_cast<long long>(e) + 1);
-                sides += ", S";
+                behind.push_back(e);
                 sides += static_cast<char>(
                     '0' + side_of(mesh.tetrahedra().of(static_cast<std::size_t>(e)), mesh.triangles().of(triangle)));
-                sides += '\n';
             }
         }
+        std::vector<std::int32_t> elements = behind;
         std::sort(elements.begin(), elements.end());
         elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
         append_set(out, "*ELSET, ELSET=" + mesh.patches()[p].name + "\n", elements);
         if (!sides.empty()) {
-            out += "*SURFACE, NAME=" + mesh.patches()[p].name + kSurface + ", TYPE=ELEMENT\n" + sides;
+            out += "*SURFACE, NAME=" + mesh.patches()[p].name + kSurface + ", TYPE=ELEMENT\n";
+        }
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            out.append_number(static_cast<long long>(behind[i]) + 1);
+            out += ", S";
+            out += sides[i];
+            out += '\n';
         }
     }
 }
 
-void append_triangles(std::string& out, const ExportMesh& mesh) {
+void append_triangles(Output& out, const ExportMesh& mesh) {
     const Elements& triangles = mesh.triangles();
     const auto patches = triangles.by_group(mesh.patches().size());
     for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -100,14 +104,14 @@ void append_triangles(std::string& out, const ExportMesh& mesh) {
 
 }  // namespace
 
-std::string to_abaqus(const ExportMesh& mesh) {
-    std::string out = "*HEADING\nMeshQuality\n*NODE\n";
+void to_abaqus(Output& out, const ExportMesh& mesh) {
+    out += "*HEADING\nMeshQuality\n*NODE\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-        append_number(out, static_cast<long long>(i) + 1);
+        out.append_number(static_cast<long long>(i) + 1);
         const Vec3 p = mesh.point(i);
         for (int axis = 0; axis < 3; ++axis) {
             out += ", ";
-            append_number(out, p[axis]);
+            out.append_number(p[axis]);
         }
         out += '\n';
     }
@@ -123,7 +127,6 @@ std::string to_abaqus(const ExportMesh& mesh) {
     if (mesh.tetrahedra().size() > 0) {
         append_sides(out, mesh);
     }
-    return out;
 }
 
 }  // namespace mq::mesh

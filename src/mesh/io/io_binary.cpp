@@ -19,6 +19,39 @@ Vec3 normal_of(const ExportMesh& mesh, const std::int32_t* t) {
     return length > 0.0 ? Vec3(cross / length) : Vec3::Zero();
 }
 
+/// " x y z\n" of each node, as a text made once: a node is a corner of about six triangles.
+class PointTexts {
+  public:
+    explicit PointTexts(const ExportMesh& mesh) {
+        Output out([&](const char* bytes, std::size_t count) { texts_.append(bytes, count); });
+        const bool single = fits_single_precision(mesh);
+        ends_.reserve(mesh.nodes.size() + 1);
+        ends_.push_back(0);
+        for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
+            const Vec3 p = mesh.point(i);
+            for (int axis = 0; axis < 3; ++axis) {
+                out += ' ';
+                if (single) {
+                    out.append_number(static_cast<float>(p[axis]));
+                } else {
+                    out.append_number(p[axis]);
+                }
+            }
+            out += '\n';
+            ends_.push_back(out.size());
+        }
+        out.flush();
+    }
+
+    std::string_view of(std::size_t node) const {
+        return std::string_view(texts_).substr(ends_[node], ends_[node + 1] - ends_[node]);
+    }
+
+  private:
+    std::string texts_;
+    std::vector<std::size_t> ends_;
+};
+
 }  // namespace
 
 bool fits_single_precision(const ExportMesh& mesh) {
@@ -33,12 +66,12 @@ bool fits_single_precision(const ExportMesh& mesh) {
     return true;
 }
 
-std::string to_stl(const ExportMesh& mesh) {
+void to_stl(Output& out, const ExportMesh& mesh) {
     constexpr std::int32_t kMostPatches = 0x7fff;  // the highest bit makes a colour of the attribute
     const Elements& triangles = mesh.triangles();
-    std::string out = "MeshQuality";
-    out.resize(80, ' ');
-    out.reserve(84 + 50 * triangles.size());
+    const std::string head = "MeshQuality";
+    out += head;
+    out.append(80 - head.size(), ' ');
     append_bytes(out, static_cast<std::uint32_t>(triangles.size()));
     for (std::size_t k = 0; k < triangles.size(); ++k) {
         const std::int32_t* t = triangles.of(k);
@@ -49,28 +82,10 @@ std::string to_stl(const ExportMesh& mesh) {
         const std::int32_t attribute = mesh.patches_given ? std::min(triangles.group[k], kMostPatches) : 0;
         append_bytes(out, static_cast<std::uint16_t>(attribute));
     }
-    return out;
 }
 
-std::string to_stl_text(const ExportMesh& mesh) {
-    const bool single = fits_single_precision(mesh);
-    const auto append = [&](std::string& out, const Vec3& p) {
-        for (int i = 0; i < 3; ++i) {
-            out += ' ';
-            if (single) {
-                append_number(out, static_cast<float>(p[i]));
-            } else {
-                append_number(out, p[i]);
-            }
-        }
-        out += '\n';
-    };
-    // The corners of the whole file once: each is in about six triangles.
-    std::vector<std::string> points(mesh.nodes.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        append(points[i], mesh.point(i));
-    }
-    std::string out;
+void to_stl_text(Output& out, const ExportMesh& mesh) {
+    const PointTexts points(mesh);
     const auto patches = mesh.triangles().by_group(mesh.patches().size());
     for (std::size_t p = 0; p < patches.size(); ++p) {
         out += "solid " + mesh.patches()[p].name + "\n";
@@ -80,25 +95,25 @@ std::string to_stl_text(const ExportMesh& mesh) {
             out += "facet normal";
             for (int i = 0; i < 3; ++i) {
                 out += ' ';
-                append_number(out, static_cast<float>(normal[i]));
+                out.append_number(static_cast<float>(normal[i]));
             }
             out += "\nouter loop\n";
             for (std::size_t i = 0; i < 3; ++i) {
-                out += "vertex" + points[static_cast<std::size_t>(t[i])];
+                out += "vertex";
+                out += points.of(static_cast<std::size_t>(t[i]));
             }
             out += "endloop\nendfacet\n";
         }
         out += "endsolid " + mesh.patches()[p].name + "\n";
     }
-    return out;
 }
 
-std::string to_ply(const ExportMesh& mesh) {
+void to_ply(Output& out, const ExportMesh& mesh) {
     const bool single = fits_single_precision(mesh);
     const Elements& triangles = mesh.triangles();
     const bool has_face = mesh.patches_given && !triangles.entity.empty();
     const std::string real = single ? "float" : "double";
-    std::string out = "ply\nformat binary_little_endian 1.0\ncomment MeshQuality\n";
+    out += "ply\nformat binary_little_endian 1.0\ncomment MeshQuality\n";
     for (std::size_t p = 0; mesh.patches_given && p < mesh.patches().size(); ++p) {
         out += "comment patch " + std::to_string(p) + " " + mesh.patches()[p].name + "\n";
     }
@@ -109,7 +124,6 @@ std::string to_ply(const ExportMesh& mesh) {
     out += "element face " + std::to_string(triangles.size()) + "\nproperty list uchar int vertex_indices\n";
     out += std::string(has_face ? "property int face\n" : "") + (mesh.patches_given ? "property int patch\n" : "");
     out += "end_header\n";
-    out.reserve(out.size() + 24 * mesh.nodes.size() + 21 * triangles.size());
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         if (single) {
             append_point<float>(out, mesh.point(i));
@@ -127,7 +141,6 @@ std::string to_ply(const ExportMesh& mesh) {
             append_bytes(out, triangles.group[k]);
         }
     }
-    return out;
 }
 
 namespace {

@@ -7,32 +7,28 @@ namespace mq::mesh {
 namespace {
 
 /// Opens a list of OpenFOAM.
-void begin_list(std::string& out, std::size_t count) {
-    append_number(out, static_cast<long long>(count));
+void begin_list(Output& out, std::size_t count) {
+    out.append_number(static_cast<long long>(count));
     out += "\n(\n";
 }
 
-void append_foam_point(std::string& out, const Vec3& p) {
+void append_foam_point(Output& out, const Vec3& p) {
     out += '(';
-    append_point_text(out, p);
-    out.back() = ')';
-    out += '\n';
+    append_point_text(out, p, ")\n");
 }
 
-void append_edges(std::string& out, const std::vector<std::array<std::int32_t, 2>>& edges) {
+void append_edges(Output& out, const std::vector<std::array<std::int32_t, 2>>& edges) {
     begin_list(out, edges.size());
     for (const auto& edge : edges) {
         out += '(';
-        append_number(out, static_cast<long long>(edge[0]));
-        append_nodes(out, &edge[1], 1, 0);
-        out.back() = ')';
-        out += '\n';
+        out.append_number(static_cast<long long>(edge[0]));
+        append_nodes(out, &edge[1], 1, 0, ' ', ")\n");
     }
     out += ")\n";
 }
 
 /// A subset of feature edges as cfMesh reads it: name, kind, indices.
-void append_edge_subset(std::string& out, const char* name, const std::vector<bool>& in) {
+void append_edge_subset(Output& out, const char* name, const std::vector<bool>& in) {
     constexpr const char* kFeatureEdges = "8";  // cfMesh's number of this kind of subset
     std::vector<std::int32_t> edges;
     for (std::size_t e = 0; e < in.size(); ++e) {
@@ -41,14 +37,12 @@ void append_edge_subset(std::string& out, const char* name, const std::vector<bo
         }
     }
     out += std::string(name) + " " + kFeatureEdges + " " + std::to_string(edges.size()) + "(";
-    append_nodes(out, edges.data(), edges.size(), 0);
-    out.back() = ')';
-    out += '\n';
+    append_nodes(out, edges.data(), edges.size(), 0, ' ', ")\n");
 }
 
 }  // namespace
 
-std::string to_emesh(const ExportMesh& mesh) {
+void to_emesh(Output& out, const ExportMesh& mesh) {
     FeatureEdges features = feature_edges(mesh);
     std::vector<std::int32_t> number(mesh.nodes.size(), -1);
     std::vector<std::size_t> points;
@@ -62,7 +56,7 @@ std::string to_emesh(const ExportMesh& mesh) {
             node = number[v];
         }
     }
-    std::string out =
+    out +=
         "FoamFile\n{\n    version     2.0;\n    format      ascii;\n    class       featureEdgeMesh;\n    object      "
         "MeshQuality.eMesh;\n}\n\n";
     begin_list(out, points.size());
@@ -71,11 +65,9 @@ std::string to_emesh(const ExportMesh& mesh) {
     }
     out += ")\n\n";
     append_edges(out, features.edges);
-    return out;
 }
 
-std::string to_fms(const ExportMesh& mesh) {
-    std::string out;
+void to_fms(Output& out, const ExportMesh& mesh) {
     begin_list(out, mesh.patches().size());
     for (const Group& patch : mesh.patches()) {
         out += patch.name + " wall\n";
@@ -90,12 +82,9 @@ std::string to_fms(const ExportMesh& mesh) {
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
         const std::int32_t* t = mesh.triangles().of(k);
         out += "((";
-        append_number(out, static_cast<long long>(t[0]));
-        append_nodes(out, t + 1, 2, 0);
-        out.back() = ')';
-        append_nodes(out, &mesh.triangles().group[k], 1, 0);
-        out.back() = ')';
-        out += '\n';
+        out.append_number(static_cast<long long>(t[0]));
+        append_nodes(out, t + 1, 2, 0, ' ', ")");
+        append_nodes(out, &mesh.triangles().group[k], 1, 0, ' ', ")\n");
     }
     out += ")\n";
     const FeatureEdges features = feature_edges(mesh);
@@ -104,7 +93,7 @@ std::string to_fms(const ExportMesh& mesh) {
     begin_list(out, 2);
     append_edge_subset(out, "sharpEdges", features.sharp);
     append_edge_subset(out, "patchBorders", features.border);
-    return out + ")\n";
+    out += ")\n";
 }
 
 }  // namespace mq::mesh

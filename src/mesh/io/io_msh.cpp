@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <map>
+#include <unordered_map>
 #include <utility>
 
 #include "mesh/io/io_formats.h"
@@ -21,7 +22,7 @@ std::map<int, Surface> surfaces_of(const ExportMesh& mesh) {
     const auto& faces = mesh.triangles().entity;
     const int unknown = faces.empty() ? 1 : *std::max_element(faces.begin(), faces.end()) + 2;
     std::map<int, Surface> surfaces;
-    std::map<int, std::int32_t> patch_of_face;
+    std::unordered_map<int, std::int32_t> patch_of_face;
     std::map<std::pair<int, std::int32_t>, int> pieces;
     std::vector<bool> listed(mesh.nodes.size(), false);
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
@@ -29,7 +30,7 @@ std::map<int, Surface> surfaces_of(const ExportMesh& mesh) {
         if (mesh.patches_given) {
             // A patch may hold a piece of a face: that is a surface of its own, after all faces.
             const auto patch = mesh.triangles().group[k];
-            const int own = patch_of_face.emplace(tag, patch).first->second;
+            const int own = patch_of_face.try_emplace(tag, patch).first->second;
             tag = patch == own
                       ? tag
                       : pieces.emplace(std::make_pair(tag, patch), unknown + 1 + static_cast<int>(pieces.size()))
@@ -65,8 +66,8 @@ int group_of(const ExportMesh& mesh, const Surface& surface) {
     return mesh.triangles().entity.empty() ? 0 : std::max(mesh.triangles().entity[first] + 1, 0);
 }
 
-std::string msh_head(const ExportMesh& mesh, const std::map<int, Surface>& surfaces) {
-    std::string out = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
+void append_head(Output& out, const ExportMesh& mesh, const std::map<int, Surface>& surfaces) {
+    out += "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n";
     std::map<int, std::string> names;
     for (const auto& [tag, surface] : surfaces) {
         const int group = group_of(mesh, surface);
@@ -84,24 +85,24 @@ std::string msh_head(const ExportMesh& mesh, const std::map<int, Surface>& surfa
     }
     out += "$Entities\n0 0 " + std::to_string(surfaces.size()) + " 0\n";
     for (const auto& [tag, surface] : surfaces) {
-        append_number(out, static_cast<long long>(tag));
+        out.append_number(static_cast<long long>(tag));
         for (const Vec3* corner : {&surface.box.low, &surface.box.high}) {
             for (int i = 0; i < 3; ++i) {
                 out += ' ';
-                append_number(out, (*corner)[i]);
+                out.append_number((*corner)[i]);
             }
         }
         const int group = group_of(mesh, surface);
         out += group > 0 ? " 1 " + std::to_string(group) + " 0\n" : std::string(" 0 0\n");
     }
-    return out + "$EndEntities\n";
+    out += "$EndEntities\n";
 }
 
 }  // namespace
 
-std::string to_msh(const ExportMesh& mesh) {
+void to_msh(Output& out, const ExportMesh& mesh) {
     const std::map<int, Surface> surfaces = surfaces_of(mesh);
-    std::string out = msh_head(mesh, surfaces);
+    append_head(out, mesh, surfaces);
     const auto begin = [&](const char* section, std::size_t count) {
         out += "$" + std::string(section) + "\n" + std::to_string(surfaces.size()) + " " + std::to_string(count) + " " +
                (count > 0 ? "1 " : "0 ") + std::to_string(count) + "\n";
@@ -110,7 +111,7 @@ std::string to_msh(const ExportMesh& mesh) {
     for (const auto& [tag, surface] : surfaces) {
         out += "2 " + std::to_string(tag) + " 0 " + std::to_string(surface.nodes.size()) + "\n";
         for (const std::int32_t v : surface.nodes) {
-            append_number(out, static_cast<long long>(v) + 1);
+            out.append_number(static_cast<long long>(v) + 1);
             out += '\n';
         }
         for (const std::int32_t v : surface.nodes) {
@@ -125,11 +126,11 @@ std::string to_msh(const ExportMesh& mesh) {
         out += "2 " + std::to_string(tag) + " " + kThreeNodeTriangle + " " + std::to_string(surface.triangles.size()) +
                "\n";
         for (const std::int32_t k : surface.triangles) {
-            append_number(out, static_cast<long long>(k) + 1);
+            out.append_number(static_cast<long long>(k) + 1);
             append_nodes(out, mesh.triangles().of(static_cast<std::size_t>(k)), 3, 1);
         }
     }
-    return out + "$EndElements\n";
+    out += "$EndElements\n";
 }
 
 }  // namespace mq::mesh

@@ -11,7 +11,7 @@ int gmsh_type(int dimension, int order) {
 }
 
 // Gmsh 2.2: each element with its physical group and the CAD entity that it lies on.
-std::string to_msh2(const ExportMesh& mesh) {
+void to_msh2(Output& out, const ExportMesh& mesh) {
     std::string names;
     std::size_t groups = 0;
     std::size_t count = 0;
@@ -23,10 +23,10 @@ std::string to_msh2(const ExportMesh& mesh) {
         }
         count += mesh.elements[dimension].size();
     }
-    std::string out = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" + std::to_string(groups) + "\n" + names +
-                      "$EndPhysicalNames\n$Nodes\n" + std::to_string(mesh.nodes.size()) + "\n";
+    out += "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" + std::to_string(groups) + "\n" + names +
+           "$EndPhysicalNames\n$Nodes\n" + std::to_string(mesh.nodes.size()) + "\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-        append_number(out, static_cast<long long>(i) + 1);
+        out.append_number(static_cast<long long>(i) + 1);
         out += ' ';
         append_point_text(out, mesh.point(i));
     }
@@ -36,16 +36,16 @@ std::string to_msh2(const ExportMesh& mesh) {
         const Elements& elements = mesh.elements[dimension];
         const std::string type = " " + std::to_string(gmsh_type(static_cast<int>(dimension), mesh.order)) + " 2 ";
         for (std::size_t k = 0; k < elements.size(); ++k) {
-            append_number(out, ++number);
+            out.append_number(++number);
             out += type;
-            append_number(out, static_cast<long long>(elements.group[k]) + 1);
+            out.append_number(static_cast<long long>(elements.group[k]) + 1);
             out += ' ';
-            append_number(out,
-                          static_cast<long long>(elements.entity.empty() ? elements.group[k] : elements.entity[k]) + 1);
+            out.append_number(static_cast<long long>(elements.entity.empty() ? elements.group[k] : elements.entity[k]) +
+                              1);
             append_nodes(out, elements.of(k), elements.width, 1);
         }
     }
-    return out + "$EndElements\n";
+    out += "$EndElements\n";
 }
 
 }  // namespace mq::mesh

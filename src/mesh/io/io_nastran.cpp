@@ -13,7 +13,7 @@ constexpr std::size_t kSmall = 8;
 constexpr std::size_t kLarge = 16;
 
 /// Appends a real number in a large field, with as many digits as it takes; Nastran wants a decimal point.
-void append_real(std::string& out, double value) {
+void append_real(Output& out, double value) {
     std::array<char, 40> text;
     for (int digits = 17; digits > 0; --digits) {
         const auto first = text.data();
@@ -29,13 +29,13 @@ void append_real(std::string& out, double value) {
         const auto length = static_cast<std::size_t>(last - first);
         if (length <= kLarge) {
             out.append(kLarge - length, ' ');
-            out.append(first, last);
+            out.append(first, length);
             return;
         }
     }
 }
 
-void append_grid(std::string& out, std::size_t i, const Vec3& p) {
+void append_grid(Output& out, std::size_t i, const Vec3& p) {
     out += "GRID*   ";
     append_column(out, static_cast<long long>(i) + 1, kLarge);
     out.append(kLarge, ' ');  // the basic coordinate system
@@ -47,7 +47,7 @@ void append_grid(std::string& out, std::size_t i, const Vec3& p) {
 }
 
 /// One element: name, number, property and nodes, eight fields a line.
-void append_element(std::string& out, const char* name, std::size_t id, std::size_t property,
+void append_element(Output& out, const char* name, std::size_t id, std::size_t property,
                     const std::vector<std::int32_t>& nodes) {
     out += name;
     append_column(out, static_cast<long long>(id), kSmall);
@@ -66,10 +66,10 @@ void append_element(std::string& out, const char* name, std::size_t id, std::siz
 
 }  // namespace
 
-std::string to_nastran(const ExportMesh& mesh) {
+void to_nastran(Output& out, const ExportMesh& mesh) {
     const Elements& triangles = mesh.triangles();
     const Elements& tetrahedra = mesh.tetrahedra();
-    std::string out = "$ MeshQuality\n";
+    out += "$ MeshQuality\n";
     for (std::size_t p = 0; p < mesh.patches().size(); ++p) {
         out += "$ property " + std::to_string(p + 1) + ": patch " + mesh.patches()[p].name + "\n";
     }
@@ -95,7 +95,7 @@ std::string to_nastran(const ExportMesh& mesh) {
         append_element(out, "CTETRA  ", triangles.size() + e + 1,
                        mesh.patches().size() + static_cast<std::size_t>(tetrahedra.group[e]) + 1, nodes);
     }
-    return out + "ENDDATA\n";
+    out += "ENDDATA\n";
 }
 
 }  // namespace mq::mesh

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -38,11 +39,11 @@ class Numbers {
   public:
     explicit Numbers(const ExportMesh& mesh) : single_(fits_single_precision(mesh)) {}
 
-    void append(std::string& out, double value) const {
+    void append(Output& out, double value) const {
         if (single_) {
-            append_number(out, static_cast<float>(value));
+            out.append_number(static_cast<float>(value));
         } else {
-            append_number(out, value);
+            out.append_number(value);
         }
     }
 
@@ -68,7 +69,12 @@ std::string colour_text(const Group& group) {
     return text;
 }
 
-void append_materials(std::string& out, const ExportMesh& mesh) {
+std::string shortest(float value) {
+    std::array<char, 32> text;
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+void append_materials(Output& out, const ExportMesh& mesh) {
     out += "<basematerials id=\"1\">\n";
     for (const Group& patch : mesh.patches()) {
         out += "<base name=\"" + escaped(patch.name) + "\" displaycolor=\"" + colour_text(patch) + "\"/>\n";
@@ -78,12 +84,11 @@ void append_materials(std::string& out, const ExportMesh& mesh) {
 
 }  // namespace
 
-std::string to_3mf_model(const ExportMesh& mesh) {
+void to_3mf_model(Output& out, const ExportMesh& mesh) {
     const Numbers numbers(mesh);
-    std::string out =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"" + unit_of(mesh.scale) +
-        "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<metadata "
-        "name=\"Application\">MeshQuality</metadata>\n<resources>\n";
+    out += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"" + unit_of(mesh.scale) +
+           "\" xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n<metadata "
+           "name=\"Application\">MeshQuality</metadata>\n<resources>\n";
     if (mesh.patches_given) {
         append_materials(out, mesh);
     }
@@ -104,23 +109,22 @@ std::string to_3mf_model(const ExportMesh& mesh) {
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
         for (std::size_t i = 0; i < 3; ++i) {
             out += kCorners[i];
-            append_number(out, static_cast<long long>(mesh.triangles().of(k)[i]));
+            out.append_number(static_cast<long long>(mesh.triangles().of(k)[i]));
         }
         if (mesh.patches_given) {
             out += "\" pid=\"1\" p1=\"";
-            append_number(out, static_cast<long long>(mesh.triangles().group[k]));
+            out.append_number(static_cast<long long>(mesh.triangles().group[k]));
         }
         out += "\"/>\n";
     }
-    return out +
-           "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"2\"/>\n</build>\n</model>\n";
+    out += "</triangles>\n</mesh>\n</object>\n</resources>\n<build>\n<item objectid=\"2\"/>\n</build>\n</model>\n";
 }
 
-std::string to_amf(const ExportMesh& mesh) {
+void to_amf(Output& out, const ExportMesh& mesh) {
     const Numbers numbers(mesh);
-    std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<amf unit=\"" + unit_of(mesh.scale) +
-                      "\" version=\"1.1\">\n<metadata type=\"cad\">MeshQuality</metadata>\n<object id=\"1\">\n<mesh>\n"
-                      "<vertices>\n";
+    out += "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<amf unit=\"" + unit_of(mesh.scale) +
+           "\" version=\"1.1\">\n<metadata type=\"cad\">MeshQuality</metadata>\n<object id=\"1\">\n<mesh>\n"
+           "<vertices>\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         const Vec3 p = mesh.point(i);
         out += "<vertex><coordinates><x>";
@@ -138,12 +142,12 @@ std::string to_amf(const ExportMesh& mesh) {
         for (std::size_t i = 0; i < 3; ++i) {
             const std::string name(1, "rgb"[i]);
             text += "<" + name + ">";
-            append_number(text, patch.colour[i] / 255.0F);
+            text += shortest(patch.colour[i] / 255.0F);
             text += "</" + name + ">";
         }
         text += "</color>";
     }
-    constexpr std::array<const char*, 4> kCorners{"<v1>", "</v1><v2>", "</v2><v3>", "</v3>"};
+    constexpr std::array<const char*, 3> kCorners{"<v1>", "</v1><v2>", "</v2><v3>"};
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
         out += "<triangle>";
         if (mesh.patches_given) {
@@ -151,11 +155,11 @@ std::string to_amf(const ExportMesh& mesh) {
         }
         for (std::size_t i = 0; i < 3; ++i) {
             out += kCorners[i];
-            append_number(out, static_cast<long long>(mesh.triangles().of(k)[i]));
+            out.append_number(static_cast<long long>(mesh.triangles().of(k)[i]));
         }
-        out += std::string(kCorners[3]) + "</triangle>\n";
+        out += "</v3></triangle>\n";
     }
-    return out + "</volume>\n</mesh>\n</object>\n</amf>\n";
+    out += "</volume>\n</mesh>\n</object>\n</amf>\n";
 }
 
 }  // namespace mq::mesh

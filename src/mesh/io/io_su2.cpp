@@ -5,23 +5,21 @@ namespace mq::mesh {
 
 // SU2 numbers types of elements as VTK does, and nodes from 0. What has no tetrahedra has its triangles as markers
 // only.
-std::string to_su2(const ExportMesh& mesh) {
+void to_su2(Output& out, const ExportMesh& mesh) {
     constexpr const char* kTriangle = "5";
     constexpr const char* kTetrahedron = "10";
     const Elements& tetrahedra = mesh.tetrahedra();
-    std::string out = "% MeshQuality\nNDIME= 3\nNELEM= " + std::to_string(tetrahedra.size()) + "\n";
+    out += "% MeshQuality\nNDIME= 3\nNELEM= " + std::to_string(tetrahedra.size()) + "\n";
     for (std::size_t e = 0; e < tetrahedra.size(); ++e) {
         out += kTetrahedron;
-        append_nodes(out, tetrahedra.of(e), 4, 0);
-        out.back() = ' ';
-        append_number(out, static_cast<long long>(e));
+        append_nodes(out, tetrahedra.of(e), 4, 0, ' ', " ");
+        out.append_number(static_cast<long long>(e));
         out += '\n';
     }
     out += "NPOIN= " + std::to_string(mesh.nodes.size()) + "\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
-        append_point_text(out, mesh.point(i));
-        out.back() = ' ';
-        append_number(out, static_cast<long long>(i));
+        append_point_text(out, mesh.point(i), " ");
+        out.append_number(static_cast<long long>(i));
         out += '\n';
     }
     const auto patches = mesh.triangles().by_group(mesh.patches().size());
@@ -33,7 +31,6 @@ std::string to_su2(const ExportMesh& mesh) {
             append_nodes(out, mesh.triangles().of(static_cast<std::size_t>(k)), 3, 0);
         }
     }
-    return out;
 }
 
 }  // namespace mq::mesh

@@ -6,53 +6,36 @@
 
 namespace mq::mesh {
 
-namespace {
-
-template <typename T>
-void append_chars(std::string& out, T value) {
-    std::array<char, 32> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    out.append(buffer.data(), end);
-}
-
-}  // namespace
-
-void append_number(std::string& out, double value) {
-    append_chars(out, value);
-}
-void append_number(std::string& out, float value) {
-    append_chars(out, value);
-}
-void append_number(std::string& out, long long value) {
-    append_chars(out, value);
-}
-
-void append_point_text(std::string& out, const Vec3& p) {
+void append_point_text(Output& out, const Vec3& p, std::string_view end) {
     for (int i = 0; i < 3; ++i) {
-        append_number(out, p[i]);
-        out += i < 2 ? ' ' : '\n';
+        out.append_number(p[i]);
+        if (i < 2) {
+            out += ' ';
+        }
     }
+    out += end;
 }
 
-void append_nodes(std::string& out, const std::int32_t* nodes, std::size_t count, int first, char separator) {
+void append_nodes(Output& out, const std::int32_t* nodes, std::size_t count, int first, char separator,
+                  std::string_view end) {
     for (std::size_t i = 0; i < count; ++i) {
         out += separator;
-        append_number(out, static_cast<long long>(nodes[i]) + first);
+        out.append_number(static_cast<long long>(nodes[i]) + first);
     }
-    out += '\n';
+    out += end;
 }
 
-void append_column(std::string& out, long long value, std::size_t width) {
+void append_column(Output& out, long long value, std::size_t width) {
     std::array<char, 32> digits;
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
     const auto length = static_cast<std::size_t>(end - digits.data());
     out.append(width > length ? width - length : 0, ' ');
-    out.append(digits.data(), end);
+    out.append(digits.data(), length);
 }
 
 namespace {
 
-void append_faces(std::string& out, const ExportMesh& mesh) {
+void append_faces(Output& out, const ExportMesh& mesh) {
     const Elements& triangles = mesh.triangles();
     std::int32_t face = -1;
     for (std::size_t k = 0; k < triangles.size(); ++k) {
@@ -65,7 +48,7 @@ void append_faces(std::string& out, const ExportMesh& mesh) {
     }
 }
 
-void append_patches(std::string& out, const ExportMesh& mesh) {
+void append_patches(Output& out, const ExportMesh& mesh) {
     const auto patches = mesh.triangles().by_group(mesh.patches().size());
     for (std::size_t p = 0; p < patches.size(); ++p) {
         out += "g " + mesh.patches()[p].name + "\n";
@@ -78,8 +61,8 @@ void append_patches(std::string& out, const ExportMesh& mesh) {
 
 }  // namespace
 
-std::string to_obj(const ExportMesh& mesh) {
-    std::string out = "# MeshQuality\n";
+void to_obj(Output& out, const ExportMesh& mesh) {
+    out += "# MeshQuality\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         out += "v ";
         append_point_text(out, mesh.point(i));
@@ -89,12 +72,10 @@ std::string to_obj(const ExportMesh& mesh) {
     } else {
         append_faces(out, mesh);
     }
-    return out;
 }
 
-std::string to_off(const ExportMesh& mesh) {
-    std::string out =
-        "OFF\n" + std::to_string(mesh.nodes.size()) + " " + std::to_string(mesh.triangles().size()) + " 0\n";
+void to_off(Output& out, const ExportMesh& mesh) {
+    out += "OFF\n" + std::to_string(mesh.nodes.size()) + " " + std::to_string(mesh.triangles().size()) + " 0\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         append_point_text(out, mesh.point(i));
     }
@@ -102,27 +83,25 @@ std::string to_off(const ExportMesh& mesh) {
         out += '3';
         append_nodes(out, mesh.triangles().of(k), 3, 0);
     }
-    return out;
 }
 
-std::string to_tri(const ExportMesh& mesh) {
+void to_tri(Output& out, const ExportMesh& mesh) {
     const Elements& triangles = mesh.triangles();
-    std::string out = std::to_string(mesh.nodes.size()) + " " + std::to_string(triangles.size()) + "\n";
+    out += std::to_string(mesh.nodes.size()) + " " + std::to_string(triangles.size()) + "\n";
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
         append_point_text(out, mesh.point(i));
     }
     for (std::size_t k = 0; k < triangles.size(); ++k) {
         const std::int32_t* t = triangles.of(k);
         for (std::size_t i = 0; i < 3; ++i) {
-            append_number(out, static_cast<long long>(t[i]) + 1);
+            out.append_number(static_cast<long long>(t[i]) + 1);
             out += i < 2 ? ' ' : '\n';
         }
     }
     for (const std::int32_t patch : triangles.group) {
-        append_number(out, static_cast<long long>(patch) + 1);
+        out.append_number(static_cast<long long>(patch) + 1);
         out += '\n';
     }
-    return out;
 }
 
 }  // namespace mq::mesh

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <algorithm>
 #include <charconv>
 
 #include "mesh/io/io_formats.h"
@@ -12,33 +13,33 @@ constexpr std::size_t kColumn = 10;
 constexpr std::size_t kPerLine = 8;
 constexpr std::size_t kRealColumn = 25;
 
-void append_row(std::string& out, std::initializer_list<long long> values) {
+void append_row(Output& out, std::initializer_list<long long> values) {
     for (const long long value : values) {
         append_column(out, value, kColumn);
     }
     out += '\n';
 }
 
-void append_real(std::string& out, double value) {
+void append_real(Output& out, double value) {
     std::array<char, 32> text;
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 16).ptr;
-    out.append(kRealColumn - static_cast<std::size_t>(end - text.data()), ' ');
-    for (auto at = text.data(); at != end; ++at) {
-        out += *at == 'e' ? 'E' : *at;
-    }
+    const auto length = static_cast<std::size_t>(end - text.data());
+    *std::find(text.data(), end, 'e') = 'E';
+    out.append(kRealColumn - length, ' ');
+    out.append(text.data(), length);
 }
 
-void begin(std::string& out, const char* dataset) {
+void begin(Output& out, const char* dataset) {
     out += "    -1\n  " + std::string(dataset) + "\n";
 }
 
-void end(std::string& out) {
+void end(Output& out) {
     out += "    -1\n";
 }
 
 /// Dataset 2411: nodes.
-void append_nodes_2411(std::string& out, const ExportMesh& mesh) {
+void append_nodes_2411(Output& out, const ExportMesh& mesh) {
     constexpr long long kColour = 11;
     begin(out, "2411");
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i) {
@@ -61,7 +62,7 @@ std::vector<std::size_t> node_order(int dimension, int order) {
 }
 
 /// Elements of dataset 2412, numbered from `first` on.
-void append_elements(std::string& out, const ExportMesh& mesh, int dimension, std::size_t first, std::size_t property) {
+void append_elements(Output& out, const ExportMesh& mesh, int dimension, std::size_t first, std::size_t property) {
     // I-DEAS' numbers of thin shell triangles and of solid tetrahedra, by order.
     constexpr long long kTypes[2][2] = {{91, 92}, {111, 118}};
     constexpr long long kColour = 7;
@@ -79,9 +80,8 @@ void append_elements(std::string& out, const ExportMesh& mesh, int dimension, st
 }
 
 /// A group of dataset 2467: its elements, then its nodes.
-void append_group(std::string& out, std::size_t number, const std::string& name,
-                  const std::vector<std::int32_t>& elements, std::size_t first,
-                  const std::vector<std::int32_t>& nodes) {
+void append_group(Output& out, std::size_t number, const std::string& name, const std::vector<std::int32_t>& elements,
+                  std::size_t first, const std::vector<std::int32_t>& nodes) {
     constexpr long long kNode = 7, kElement = 8;
     append_row(out, {static_cast<long long>(number), 0, 0, 0, 0, 0, 0,
                      static_cast<long long>(elements.size() + nodes.size())});
@@ -104,8 +104,7 @@ void append_group(std::string& out, std::size_t number, const std::string& name,
 
 }  // namespace
 
-std::string to_unv(const ExportMesh& mesh) {
-    std::string out;
+void to_unv(Output& out, const ExportMesh& mesh) {
     append_nodes_2411(out, mesh);
     const std::size_t patches = mesh.patches().size();
     const std::size_t first_tetrahedron = mesh.triangles().size() + 1;
@@ -124,7 +123,6 @@ std::string to_unv(const ExportMesh& mesh) {
         append_group(out, patches + s + 1, mesh.groups[3][s].name, solids[s], first_tetrahedron, {});
     }
     end(out);
-    return out;
 }
 
 }  // namespace mq::mesh

@@ -23,8 +23,13 @@ using mesh::TriangleMesh;
 
 void write_all(const TriangleMesh& mesh) {
     const mesh::ExportMesh whole = mesh::exported(mesh);
-    const std::string texts[] = {mesh::to_stl(whole), mesh::to_ply(whole), mesh::to_obj(whole), mesh::to_off(whole),
-                                 mesh::to_msh(whole), mesh::to_vtu(whole), mesh::to_bms(mesh)};
+    const std::string texts[] = {mesh::text_of(mesh::to_stl, whole),
+                                 mesh::text_of(mesh::to_ply, whole),
+                                 mesh::text_of(mesh::to_obj, whole),
+                                 mesh::text_of(mesh::to_off, whole),
+                                 mesh::text_of(mesh::to_msh, whole),
+                                 mesh::text_of(mesh::to_vtu, whole),
+                                 mesh::to_bms(mesh)};
     for (const std::string& text : texts) {
         fuzz::require(!text.empty(), "every format is written");
     }

@@ -34,7 +34,7 @@ TriangleMesh far_tetrahedron() {
 }
 
 TEST(Io, StlHoldsEveryTriangleInOrder) {
-    const std::string bytes = to_stl(exported(tetrahedron()));
+    const std::string bytes = text_of(to_stl, exported(tetrahedron()));
     ASSERT_EQ(bytes.size(), 84u + 4u * 50u);
     EXPECT_EQ(value_at<std::uint32_t>(bytes, 80), 4u);
     EXPECT_EQ(value_at<float>(bytes, 84 + 8), -1.0f);       // normal of (0, 2, 1) looks down
@@ -42,20 +42,21 @@ TEST(Io, StlHoldsEveryTriangleInOrder) {
 }
 
 TEST(Io, PlyIsSingleWhereThatIsExactAndDoubleElsewhere) {
-    const std::string near = to_ply(exported(tetrahedron()));
+    const std::string near = text_of(to_ply, exported(tetrahedron()));
     EXPECT_NE(near.find("property float x"), std::string::npos);
     const std::size_t body = near.find("end_header\n") + 11;
     ASSERT_EQ(near.size(), body + 4 * 12 + 4 * 13);
     EXPECT_EQ(value_at<std::int32_t>(near, body + 48 + 1 + 4), 2);
 
-    const std::string far = to_ply(exported(far_tetrahedron()));
+    const std::string far = text_of(to_ply, exported(far_tetrahedron()));
     EXPECT_NE(far.find("property double x"), std::string::npos);
     EXPECT_EQ(value_at<double>(far, far.find("end_header\n") + 11 + 24), 1e7 + static_cast<double>(0.1f));
 }
 
 TEST(Io, TextFormatsKeepAllDigits) {
     const TriangleMesh mesh = far_tetrahedron();
-    for (const std::string& text : {to_obj(exported(mesh)), to_off(exported(mesh)), to_msh(exported(mesh))}) {
+    for (const std::string& text :
+         {text_of(to_obj, exported(mesh)), text_of(to_off, exported(mesh)), text_of(to_msh, exported(mesh))}) {
         std::istringstream words(text);
         bool found = false;
         for (std::string word; words >> word;) {
@@ -66,12 +67,12 @@ TEST(Io, TextFormatsKeepAllDigits) {
 }
 
 TEST(Io, ObjGroupsByFace) {
-    const std::string text = to_obj(exported(tetrahedron()));
+    const std::string text = text_of(to_obj, exported(tetrahedron()));
     EXPECT_NE(text.find("g Face3\nf 2 3 4\n"), std::string::npos) << text;
 }
 
 TEST(Io, MshHasOneSurfaceAndNameAFace) {
-    const std::string text = to_msh(exported(tetrahedron()));
+    const std::string text = text_of(to_msh, exported(tetrahedron()));
     EXPECT_EQ(text.rfind("$MeshFormat\n4.1 0 8\n", 0), 0u);
     EXPECT_NE(text.find("$PhysicalNames\n4\n2 1 \"Face1\"\n"), std::string::npos) << text;
     EXPECT_NE(text.find("$Entities\n0 0 4 0\n1 0 0 0 1 1 0 1 1 0\n"), std::string::npos) << text;
@@ -81,13 +82,13 @@ TEST(Io, MshHasOneSurfaceAndNameAFace) {
 TEST(Io, MshWithoutCadHasNoNames) {
     TriangleMesh mesh = tetrahedron();
     mesh.triangle_face.clear();
-    const std::string text = to_msh(exported(mesh));
+    const std::string text = text_of(to_msh, exported(mesh));
     EXPECT_EQ(text.find("PhysicalNames"), std::string::npos);
     EXPECT_NE(text.find("$Elements\n1 4 1 4\n2 1 2 4\n"), std::string::npos) << text;
 }
 
 TEST(Io, VtuArraysDecode) {
-    const std::string text = to_vtu(exported(tetrahedron()));
+    const std::string text = text_of(to_vtu, exported(tetrahedron()));
     EXPECT_NE(text.find("NumberOfPoints=\"4\" NumberOfCells=\"4\""), std::string::npos);
     // Types: eight bytes of length 4, then 5 5 5 5.
     EXPECT_NE(text.find("Name=\"types\" format=\"binary\">BAAAAAAAAAAFBQUF<"), std::string::npos) << text;
@@ -144,10 +145,11 @@ TEST(Io, WriteChoosesByExtensionAndNamesThePathOnFailure) {
 
 TEST(Io, EmptyMeshIsWritten) {
     const TriangleMesh empty;
-    EXPECT_EQ(to_stl(exported(empty)).size(), 84u);
-    EXPECT_NE(to_msh(exported(empty)).find("$Nodes\n0 0 0 0\n$EndNodes"), std::string::npos) << to_msh(exported(empty));
+    EXPECT_EQ(text_of(to_stl, exported(empty)).size(), 84u);
+    EXPECT_NE(text_of(to_msh, exported(empty)).find("$Nodes\n0 0 0 0\n$EndNodes"), std::string::npos)
+        << text_of(to_msh, exported(empty));
     EXPECT_EQ(to_bms(empty).size(), 272u + 24u);
-    EXPECT_NE(to_vtu(exported(empty)).find("NumberOfCells=\"0\""), std::string::npos);
+    EXPECT_NE(text_of(to_vtu, exported(empty)).find("NumberOfCells=\"0\""), std::string::npos);
 }
 
 }  // namespace

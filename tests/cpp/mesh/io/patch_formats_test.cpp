@@ -45,17 +45,18 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
 }
 
 TEST(PatchFormats, StlHasOneSolidAPatch) {
-    expect_parts(to_stl_text(patched()), {"solid inlet\nfacet normal ", "outer loop\nvertex 0 0 0\n",
-                                          "endloop\nendfacet\n", "endsolid inlet\nsolid walls\n", "endsolid walls\n"});
-    const std::string binary = to_stl(patched());
+    expect_parts(text_of(to_stl_text, patched()),
+                 {"solid inlet\nfacet normal ", "outer loop\nvertex 0 0 0\n", "endloop\nendfacet\n",
+                  "endsolid inlet\nsolid walls\n", "endsolid walls\n"});
+    const std::string binary = text_of(to_stl, patched());
     EXPECT_EQ(binary[84 + 48], 1);
     EXPECT_EQ(binary[84 + 50 + 48], 0);
-    EXPECT_EQ(to_stl(exported(tetrahedron()))[84 + 48], 0);
+    EXPECT_EQ(text_of(to_stl, exported(tetrahedron()))[84 + 48], 0);
 }
 
 TEST(PatchFormats, ObjAndPly) {
-    expect_parts(to_obj(patched()), {"g inlet\nf 1 2 4\n", "g walls\nf 1 3 2\n"});
-    const std::string ply = to_ply(patched());
+    expect_parts(text_of(to_obj, patched()), {"g inlet\nf 1 2 4\n", "g walls\nf 1 3 2\n"});
+    const std::string ply = text_of(to_ply, patched());
     expect_parts(
         ply, {"comment patch 0 inlet\ncomment patch 1 walls\n", "property int face\nproperty int patch\nend_header\n"});
     const std::size_t body = ply.find("end_header\n") + 11;
@@ -63,47 +64,51 @@ TEST(PatchFormats, ObjAndPly) {
 }
 
 TEST(PatchFormats, GmshHasAPhysicalGroupAPatch) {
-    expect_parts(to_msh(patched()), {"$PhysicalNames\n2\n2 1 \"inlet\"\n2 2 \"walls\"\n$EndPhysicalNames\n",
-                                     "$Entities\n0 0 4 0\n1 0 0 0 1 1 0 1 2 0\n"});
-    expect_parts(to_msh2(filled()), {"2.2 0 8\n", "$PhysicalNames\n3\n2 1 \"inlet\"\n2 2 \"walls\"\n3 1 \"Solid1\"\n",
-                                     "$Elements\n5\n1 2 2 2 1 1 3 2\n", "5 4 2 1 1 1 2 3 4\n"});
+    expect_parts(text_of(to_msh, patched()), {"$PhysicalNames\n2\n2 1 \"inlet\"\n2 2 \"walls\"\n$EndPhysicalNames\n",
+                                              "$Entities\n0 0 4 0\n1 0 0 0 1 1 0 1 2 0\n"});
+    expect_parts(text_of(to_msh2, filled()),
+                 {"2.2 0 8\n", "$PhysicalNames\n3\n2 1 \"inlet\"\n2 2 \"walls\"\n3 1 \"Solid1\"\n",
+                  "$Elements\n5\n1 2 2 2 1 1 3 2\n", "5 4 2 1 1 1 2 3 4\n"});
 }
 
 TEST(PatchFormats, Su2) {
-    expect_parts(to_su2(filled()),
+    expect_parts(text_of(to_su2, filled()),
                  {"NDIME= 3\nNELEM= 1\n10 0 1 2 3 0\nNPOIN= 4\n0 0 0 0\n1 0 0 1\n", "NMARK= 2\nMARKER_TAG= inlet\n",
                   "MARKER_ELEMS= 1\n5 0 1 3\nMARKER_TAG= walls\nMARKER_ELEMS= 3\n"});
 }
 
 TEST(PatchFormats, Cart3dNumbersComponentsFromOne) {
-    expect_parts(to_tri(patched(0.5)), {"4 4\n0 0 0\n0.5 0 0\n", "1 3 2\n1 2 4\n", "\n2\n1\n2\n2\n"});
+    expect_parts(text_of(to_tri, patched(0.5)), {"4 4\n0 0 0\n0.5 0 0\n", "1 3 2\n1 2 4\n", "\n2\n1\n2\n2\n"});
 }
 
 TEST(PatchFormats, NastranHasLongFieldsAndAPropertyAPatch) {
     TriangleMesh mesh = tetrahedron();
     mesh.vertices[1].x() = 0.1f;
     mesh.vertices[2].y() = -1.25e-7;
-    const std::string text = to_nastran(exported(mesh));
+    const std::string text = text_of(to_nastran, exported(mesh));
     expect_parts(text, {"$ property 1: patch Surface\n", "GRID*                  2                0.10000000149012"});
     for (std::size_t at = text.find("GRID*"); at != std::string::npos; at = text.find("GRID*", at + 1)) {
         EXPECT_EQ(text.find('\n', at) - at, 72u);
     }
     expect_parts(text, {"-1.25e-07", "CTRIA3         1       1       1       3       2\n"});
-    expect_parts(to_nastran(filled()), {"$ property 3: solid Solid1\n",
-                                        "CTETRA         5       3       1       2       3       4\n", "ENDDATA\n"});
+    expect_parts(
+        text_of(to_nastran, filled()),
+        {"$ property 3: solid Solid1\n", "CTETRA         5       3       1       2       3       4\n", "ENDDATA\n"});
 }
 
 TEST(PatchFormats, AbaqusHasSetsAndSidesAPatch) {
-    expect_parts(to_abaqus(patched()), {"*NODE\n1, 0, 0, 0\n", "*ELEMENT, TYPE=S3, ELSET=inlet\n2,1,2,4\n",
-                                        "*ELEMENT, TYPE=S3, ELSET=walls\n1,1,3,2\n", "*NSET, NSET=inlet\n1, 2, 4\n"});
+    expect_parts(text_of(to_abaqus, patched()),
+                 {"*NODE\n1, 0, 0, 0\n", "*ELEMENT, TYPE=S3, ELSET=inlet\n2,1,2,4\n",
+                  "*ELEMENT, TYPE=S3, ELSET=walls\n1,1,3,2\n", "*NSET, NSET=inlet\n1, 2, 4\n"});
     // Triangle 2 has corners 1, 2, 4: side 2 of the tetrahedron 1, 2, 3, 4.
-    expect_parts(to_abaqus(filled()), {"*ELEMENT, TYPE=C3D4, ELSET=Solid1\n1,1,2,3,4\n", "*ELSET, ELSET=inlet\n1\n",
-                                       "*SURFACE, NAME=inlet_surface, TYPE=ELEMENT\n1, S2\n"});
-    EXPECT_EQ(to_abaqus(filled()).find("TYPE=S3"), std::string::npos) << "a volume has no shells";
+    expect_parts(text_of(to_abaqus, filled()),
+                 {"*ELEMENT, TYPE=C3D4, ELSET=Solid1\n1,1,2,3,4\n", "*ELSET, ELSET=inlet\n1\n",
+                  "*SURFACE, NAME=inlet_surface, TYPE=ELEMENT\n1, S2\n"});
+    EXPECT_EQ(text_of(to_abaqus, filled()).find("TYPE=S3"), std::string::npos) << "a volume has no shells";
 }
 
 TEST(PatchFormats, UnvHasGroups) {
-    expect_parts(to_unv(filled()),
+    expect_parts(text_of(to_unv, filled()),
                  {"    -1\n  2411\n         1         1         1        11\n", "   0.0000000000000000E+00",
                   "    -1\n    -1\n  2412\n",
                   "         1        91         2         1         7         3\n         1         3",
@@ -112,23 +117,24 @@ TEST(PatchFormats, UnvHasGroups) {
 }
 
 TEST(PatchFormats, FoamEdgesAndCfMesh) {
-    expect_parts(to_emesh(patched()), {"class       featureEdgeMesh;", "4\n(\n(0 0 0)\n", "6\n(\n(0 1)\n"});
-    expect_parts(to_fms(patched()),
+    expect_parts(text_of(to_emesh, patched()), {"class       featureEdgeMesh;", "4\n(\n(0 0 0)\n", "6\n(\n(0 1)\n"});
+    expect_parts(text_of(to_fms, patched()),
                  {"2\n(\ninlet wall\nwalls wall\n)\n4\n(\n(0 0 0)\n", "4\n(\n((0 2 1) 1)\n((0 1 3) 0)\n",
                   "6\n(\n(0 1)\n", "0\n(\n)\n0\n(\n)\n2\n(\nsharpEdges 8 6( 0 1 2 3 4 5)\n", "patchBorders 8 3("});
 }
 
 TEST(PatchFormats, PrintingHasColoursAPatch) {
-    expect_parts(to_3mf_model(patched()), {"unit=\"millimeter\"", "<base name=\"inlet\" displaycolor=\"#FF0080\"/>\n",
-                                           "<vertex x=\"1\" y=\"0\" z=\"0\"/>\n",
-                                           "<triangle v1=\"0\" v2=\"2\" v3=\"1\" pid=\"1\" p1=\"1\"/>\n"});
-    EXPECT_EQ(to_3mf_model(exported(tetrahedron())).find("material"), std::string::npos);
-    expect_parts(to_amf(patched(0.001)),
+    expect_parts(
+        text_of(to_3mf_model, patched()),
+        {"unit=\"millimeter\"", "<base name=\"inlet\" displaycolor=\"#FF0080\"/>\n",
+         "<vertex x=\"1\" y=\"0\" z=\"0\"/>\n", "<triangle v1=\"0\" v2=\"2\" v3=\"1\" pid=\"1\" p1=\"1\"/>\n"});
+    EXPECT_EQ(text_of(to_3mf_model, exported(tetrahedron())).find("material"), std::string::npos);
+    expect_parts(text_of(to_amf, patched(0.001)),
                  {"unit=\"meter\"", "<x>0.001</x>",
                   "<triangle><color><r>0</r><g>0</g><b>1</b></color><v1>0</v1><v2>2</v2><v3>1</v3>"});
     ExportMesh odd = patched();
     odd.groups[2][0].name = "a<b & \"c\"";
-    expect_parts(to_3mf_model(odd), {"a&lt;b &amp; &quot;c&quot;"});
+    expect_parts(text_of(to_3mf_model, odd), {"a&lt;b &amp; &quot;c&quot;"});
 }
 
 TEST(PatchFormats, WhatAFormatDoesNotKnowIsRefused) {
@@ -143,7 +149,7 @@ TEST(PatchFormats, AMeshWithoutTrianglesIsWritten) {
     const ExportMesh empty = exported(TriangleMesh());
     for (const auto writer : {to_stl_text, to_tri, to_emesh, to_fms, to_su2, to_nastran, to_abaqus, to_unv, to_msh2,
                               to_3mf_model, to_amf}) {
-        EXPECT_FALSE(writer(empty).empty());
+        EXPECT_FALSE(text_of(writer, empty).empty());
     }
 }
 
