@@ -411,6 +411,18 @@
         <source>What the faces of the source were like when the patches were last right: their kinds, areas and centres</source>
         <translation>Wie die Flächen der Quelle waren, als die Patches zuletzt stimmten: Arten, Inhalte und Mittelpunkte</translation>
     </message>
+    <message>
+        <source>A point inside of the closed surface, for snappyHexMesh</source>
+        <translation>Ein Punkt im Innern der geschlossenen Oberfläche, für snappyHexMesh</translation>
+    </message>
+    <message>
+        <source>The name of the patch that each face is</source>
+        <translation>Der Name des Patches, der jede Fläche ist</translation>
+    </message>
+    <message>
+        <source>The object whose mesh is taken</source>
+        <translation>Das Objekt, dessen Netz genommen wird</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2070,6 +2082,17 @@
     <message>
         <source>Unite, intersect or subtract the selected meshes and shapes, in the order of selection</source>
         <translation>Ausgewählte Netze und Formen vereinigen, schneiden oder abziehen, in der Reihenfolge der Auswahl</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_CfdSurface</name>
+    <message>
+        <source>CFD surface</source>
+        <translation>CFD-Oberfläche</translation>
+    </message>
+    <message>
+        <source>Make a shape of the selected closed mesh, one face a patch, of which CfdOF takes the triangles</source>
+        <translation>Macht aus dem gewählten geschlossenen Netz eine Form mit einer Fläche je Patch, von der CfdOF die Dreiecke nimmt</translation>
     </message>
 </context>
 <context>

@@ -84,9 +84,7 @@ def case_of(mesh, name, flow, cell, scale, types):
     if flow not in FLOWS:
         raise InvalidInput(f"flow = {flow!r} is not possible: give 'internal' for the space inside of the part, 'external' "
                            "for that around it")
-    if not mesh.report.closed:
-        raise InvalidInput(f"the mesh has {mesh.report.border_edges} open edges: meshers of flows need a closed surface; "
-                           "close the part, or mesh all of its faces")
+    require_closed(mesh)
     require_one_space(flow, len(set(mesh.triangle_solid.tolist())))
     corners = (mesh.vertices + mesh.origin)[mesh.triangles] * scale
     low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
@@ -108,13 +106,20 @@ def case_of(mesh, name, flow, cell, scale, types):
     levels = {patch: _levels(corners[patches.of_triangle == i], cell) for i, patch in enumerate(patches.names)
               if (patches.of_triangle == i).any()}
     if flow == "internal":
-        low, high, inside = low - _MARGIN * size, high + _MARGIN * size, _point_inside(corners)
+        low, high, inside = low - _MARGIN * size, high + _MARGIN * size, point_inside(corners)
     else:
         before, behind = _FAR[0] * size, np.array([_FAR[1], _FAR[0], _FAR[0]]) * size
         # Off the planes of the cells, on which no such point may lie.
         low, high, inside = low - before, high + behind, low - before + np.array([0.37, 0.41, 0.43]) * cell
     kinds = {patch: types.get(patch, _PATCH if patch.lower().startswith(_OPEN) else _WALL) for patch in levels}
     return Case(name, cell, low, high, inside, levels, kinds, flow)
+
+
+def require_closed(mesh):
+    """Raises InvalidInput for a SurfaceMesh that is open."""
+    if not mesh.report.closed:
+        raise InvalidInput(f"the mesh has {mesh.report.border_edges} open edges: meshers of flows need a closed surface; "
+                           "close the part, or mesh all of its faces")
 
 
 def require_one_space(flow, solids):
@@ -137,7 +142,7 @@ def _levels(corners, cell):
     return least, most
 
 
-def _point_inside(corners):
+def point_inside(corners):
     """A point inside of a closed surface: halfway from its largest triangle to what lies opposite to that."""
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     areas = np.linalg.norm(normals, axis=1)

@@ -102,6 +102,8 @@ def set_patches(obj, patches, patch_rest=None):
     with undo_step(obj.Document, f"Patches of {obj.Label}"):
         give_patches(obj, obj.Proxy.sources(obj)[0], patches, patch_rest)
         obj.purgeTouched()
+        for dependent in obj.InList:
+            dependent.touch()
 
 
 def _require_unchanged(obj, label, values, work):
