@@ -99,5 +99,10 @@ def mesh_of(elements):
     return mesh
 
 
+def groups_of(mesh):
+    """{name: numbers of elements or nodes} of a Fem.FemMesh."""
+    return {mesh.getGroupName(group): mesh.getGroupElements(group) for group in mesh.Groups}
+
+
 def _run(calls):
     deque(calls, maxlen=0)

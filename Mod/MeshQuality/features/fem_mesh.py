@@ -15,11 +15,11 @@ from ..compat import fem_source_property
 from ..core import fem, frames
 from ..core.curving import curve
 from ..errors import InvalidInput
-from . import curved_mesh, mesh_object, transactions
+from . import curved_mesh, fem_groups, mesh_object, transactions
+from .fem_groups import is_analysis
 from .gui_hooks import window
 
 PART = (fem_source_property(), "App::PropertyLinkGlobal", "The source, as FreeCAD's FEM workbench looks it up")
-_ANALYSIS = "Fem::FemAnalysis"
 
 
 class FemMeshObject(mesh_object.ShapeMesh):
@@ -57,7 +57,9 @@ class FemMeshObject(mesh_object.ShapeMesh):
 
     def take(self, obj, result):
         """Shows the elements and their report."""
-        obj.FemMesh = fem.mesh_of(result.elements)
+        mesh = fem.mesh_of(result.elements)
+        fem_groups.complete(obj, mesh)
+        obj.FemMesh = mesh
         result.proof.show(obj)
         return result.proof.report, result.proof.findings
 
@@ -73,11 +75,6 @@ class Result:
 
     elements: fem.Elements
     proof: curved_mesh.Proof
-
-
-def is_analysis(obj):
-    """Whether a document object is an analysis of FreeCAD's FEM workbench."""
-    return isinstance(obj, FreeCAD.DocumentObject) and obj.isDerivedFrom(_ANALYSIS)
 
 
 def analysis_around(source):
