@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Groups of nodes for constraints on edges that are looser than their faces, and how they follow the constraints."""
+"""Groups of FEM meshes: of patches, and of nodes for constraints on edges that are looser than their faces."""
 
 import importlib.util
 import os
@@ -115,6 +115,72 @@ class Groups(helpers.DocumentTest):
         self.document.recompute()
         self.assertEqual(self.groups(), set())
         self.assertEqual(self.found(self.fixed), self.nodes_of("Face3"))
+
+
+@unittest.skipUnless(HAS_FEM, "this FreeCAD has no FEM workbench")
+class Patches(helpers.DocumentTest):
+    def setUp(self):
+        super().setUp()
+        self.document.UndoMode = 1
+        self.part = self.box()
+        self.fem = mq.add_fem_mesh(self.part)
+
+    def groups(self, mesh=None):
+        """{name: elements} of those of faces and patches."""
+        mesh = mesh or self.fem.FemMesh
+        return {mesh.getGroupName(group): set(mesh.getGroupElements(group)) for group in mesh.Groups
+                if mesh.getGroupElementType(group) == "Face"}
+
+    def of_patches(self):
+        return {name: elements for name, elements in self.groups().items() if not name.startswith("Face")}
+
+    def test_they_are_groups_of_triangles(self):
+        steps, faces = self.document.UndoCount, self.groups()
+        mq.set_patches(self.fem, {"clamped": ["Face1", "Face2"], "loaded": ["Face6"]}, patch_rest="free")
+        self.assertEqual(self.document.UndoCount, steps + 1)
+        expected = {"clamped": faces["Face1"] | faces["Face2"], "loaded": faces["Face6"],
+                    "free": faces["Face3"] | faces["Face4"] | faces["Face5"]}
+        self.assertEqual(self.of_patches(), expected)
+        self.assertEqual((self.fem.Status, "Touched" in self.fem.State), ("up to date", False))
+        self.document.undo()
+        self.assertEqual((self.of_patches(), list(self.fem.Patches)), ({}, []))
+        self.document.redo()
+        self.assertEqual(self.of_patches(), expected)
+        self.fem.Patches, self.fem.PatchRest = ["other: Face3"], ""  # in the property editor
+        self.document.recompute()
+        self.assertEqual(self.of_patches(), {"other": faces["Face3"]})
+        mq.set_patches(self.fem, None)
+        self.assertEqual(self.groups(), faces)
+
+    def test_files_of_freecad_name_them(self):
+        import Fem
+
+        mq.set_patches(self.fem, {"clamped": ["Face1"], "loaded": ["Face6"]})
+        for suffix in ("unv", "med"):
+            path = os.path.join(self.folder, f"part.{suffix}")
+            self.fem.FemMesh.write(path)
+            found = self.groups(Fem.read(path))
+            self.assertEqual({name: len(found[name]) for name in ("clamped", "loaded")},
+                             {name: len(elements) for name, elements in self.of_patches().items()})
+
+    def test_they_follow_the_part_and_are_saved(self):
+        mq.set_patches(self.fem, {"top": ["Face6"]})
+        self.part.Height = 50
+        self.document.recompute()
+        self.assertEqual(self.of_patches(), {"top": self.groups()["Face6"]})
+        mq.update(self.fem, max_edge=5.0)
+        self.assertEqual(self.of_patches(), {"top": self.groups()["Face6"]})
+        name = self.fem.Name
+        self.reopen()
+        self.fem = self.document.getObject(name)
+        self.assertEqual(self.of_patches(), {"top": self.groups()["Face6"]})
+
+    def test_what_is_refused(self):
+        for patches, rest, words in (({"Face3": ["Face1"]}, None, "name of a group"), ({"a": ["Face1"]}, "Solid1", "name of a group"),
+                                     ({"a": ["Face7"]}, None, "Face7"), ("a", None, "dict")):
+            with self.subTest(patches), self.assertRaisesRegex(mq.InvalidInput, words):
+                mq.set_patches(self.fem, patches, patch_rest=rest)
+            self.assertEqual((list(self.fem.Patches), self.of_patches()), ([], {}))
 
 
 class ImportedPart(Groups):

@@ -22,7 +22,7 @@ from .gui_hooks import window
 PART = (fem_source_property(), "App::PropertyLinkGlobal", "The source, as FreeCAD's FEM workbench looks it up")
 
 
-class FemMeshObject(mesh_object.ShapeMesh):
+class FemMeshObject(mesh_object.PatchedMesh):
     """Proxy of a Fem::FemMeshObjectPython that holds elements of order 1 or 2 on its source's shape."""
 
     TYPE, MESH = "Fem::FemMeshObjectPython", "FemMesh"
@@ -48,6 +48,19 @@ class FemMeshObject(mesh_object.ShapeMesh):
         super().add_properties(obj)
         _name_source(obj)
 
+    def require_patch_names(self, names):
+        """As fem_groups.require_patch_names."""
+        fem_groups.require_patch_names(names)
+
+    def show_patches(self, obj):
+        """Patches are groups."""
+        fem_groups.update(obj)
+
+    def _bring_up_to_date(self, obj):
+        """As for all; patches may have been changed in the property editor."""
+        super()._bring_up_to_date(obj)
+        fem_groups.update(obj)
+
     @classmethod
     def compute(cls, shape, values, progress):
         """The Result."""
@@ -58,6 +71,7 @@ class FemMeshObject(mesh_object.ShapeMesh):
     def take(self, obj, result):
         """Shows the elements and their report."""
         mesh = fem.mesh_of(result.elements)
+        self.follow(obj)  # groups are made of patches
         fem_groups.complete(obj, mesh)
         obj.FemMesh = mesh
         result.proof.show(obj)
