@@ -70,7 +70,7 @@ class FemMeshObject(mesh_object.PatchedMesh):
 
     def take(self, obj, result):
         """Shows the elements and their report."""
-        mesh = fem.mesh_of(result.elements)
+        mesh = result.mesh()
         self.follow(obj)  # groups are made of patches
         fem_groups.complete(obj, mesh)
         obj.FemMesh = mesh
@@ -83,12 +83,23 @@ def _name_source(obj):
         setattr(obj, PART[0], obj.Source)
 
 
-@dataclass(frozen=True)
+@dataclass
 class Result:
     """What a FEM mesh object computes: the fem.Elements of its mesh, and the curved_mesh.Proof of its certificate."""
 
     elements: fem.Elements
     proof: curved_mesh.Proof
+    _made: object = None
+
+    def steps(self):
+        """Makes the Fem.FemMesh on the main thread, which may do other things after each short step."""
+        mesh = fem.module().FemMesh()
+        yield from fem.fill(mesh, self.elements)
+        self._made = mesh
+
+    def mesh(self):
+        """The Fem.FemMesh: that of the steps, if they are done."""
+        return fem.mesh_of(self.elements) if self._made is None else self._made
 
 
 def analysis_around(source):
