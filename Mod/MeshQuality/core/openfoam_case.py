@@ -8,7 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .. import phrases
 from ..errors import InvalidInput, IoError
+from ..phrases import Text
 from . import writing
 from .patches import patches_of
 
@@ -92,8 +94,8 @@ def case_of(mesh, name, flow, cell, scale, types):
     least = size / _MOST_CELLS
     if cell is not None and (isinstance(cell, bool) or not isinstance(cell, numbers.Real)
                              or not least <= cell * scale < size):
-        raise InvalidInput(f"cell = {cell!r} is not possible: give a length in mm from {least / scale:.3g} on that is less than "
-                           f"the size of the part, {size / scale:.6g}")
+        raise InvalidInput(Text(phrases.CASE_CELL, value=repr(cell), length=f"{least / scale:.3g} mm",
+                                length2=f"{size / scale:.6g} mm"))
     cell = size / _CELLS[flow] if cell is None else float(cell) * scale
     patches = mesh._patches or patches_of(None, mesh.triangle_face, len(mesh.triangles))
     unknown = next((patch for patch in types if patch not in patches.names), None)
@@ -101,8 +103,7 @@ def case_of(mesh, name, flow, cell, scale, types):
         raise InvalidInput(f"types name {unknown!r}, which is no patch: there are {', '.join(patches.names)}")
     wrong = next((patch for patch in patches.names if not _NAME.fullmatch(patch)), None)
     if wrong is not None:
-        raise InvalidInput(f"OpenFOAM cannot hold a patch called {wrong!r}: give it letters without accents, digits, _ - + and . "
-                           "only, a letter first")
+        raise InvalidInput(Text(phrases.FOAM_PATCH, name=repr(wrong)))
     levels = {patch: _levels(corners[patches.of_triangle == i], cell) for i, patch in enumerate(patches.names)
               if (patches.of_triangle == i).any()}
     if flow == "internal":
@@ -118,15 +119,13 @@ def case_of(mesh, name, flow, cell, scale, types):
 def require_closed(mesh):
     """Raises InvalidInput for a SurfaceMesh that is open."""
     if not mesh.report.closed:
-        raise InvalidInput(f"the mesh has {mesh.report.border_edges} open edges: meshers of flows need a closed surface; "
-                           "close the part, or mesh all of its faces")
+        raise InvalidInput(Text(phrases.CASE_OPEN, count=str(mesh.report.border_edges)))
 
 
 def require_one_space(flow, solids):
     """Raises InvalidInput where there are several spaces inside."""
     if flow == "internal" and solids > 1:
-        raise InvalidInput(f"the mesh has {solids} solids, and one space is meshed at a time: write a case of mesh.of_solid(i) "
-                           "for each, or unite them first")
+        raise InvalidInput(Text(phrases.CASE_SOLIDS, count=str(solids)))
 
 
 def _levels(corners, cell):
@@ -152,7 +151,7 @@ def point_inside(corners):
         hits = np.sort(hits[hits > 1e-9 * np.ptp(corners)])
         if len(hits):
             return start + 0.5 * hits[0] * way
-    raise InvalidInput("no point inside of the mesh was found: it encloses no space")
+    raise InvalidInput(Text(phrases.CASE_NO_INSIDE))
 
 
 def _hits(corners, start, way):

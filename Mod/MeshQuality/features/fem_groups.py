@@ -9,6 +9,7 @@ import re
 
 import FreeCAD
 
+from .. import phrases
 from ..core import fem, frames
 from ..core.patches import division_for
 from ..errors import InvalidInput
@@ -29,7 +30,7 @@ def require_patch_names(names):
     """Raises InvalidInput where a patch has the name of a group that the mesh has anyway."""
     wrong = next((name for name in names if _OF_SHAPE.fullmatch(name)), None)
     if wrong is not None:
-        raise InvalidInput(f"patch {wrong!r} has the name of a group of the FEM mesh: give it another name")
+        raise InvalidInput(phrases.Text(phrases.PATCH_LIKE_GROUP, name=repr(wrong)))
 
 
 def complete(obj, mesh):

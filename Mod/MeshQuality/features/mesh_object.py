@@ -311,7 +311,7 @@ class PatchedMesh(ShapeMesh):
     def follow(self, obj):
         """Patches keep their faces."""
         for sentence in patches.follow_source(obj, self.sources(obj)[0]):
-            FreeCAD.Console.PrintWarning(f"{obj.Label}: {sentence}\n")
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
 
     def require_patch_names(self, names):
         """Raises InvalidInput where the mesh cannot have patches of these names."""
