@@ -23,6 +23,7 @@ Objects of the document, which follow what they are made of
     suggested_patches   groups that the document knows: labels, colours, references of an analysis
     export_mesh         writes its mesh into a file, with its patches; export_curved_mesh: of a curved mesh
     write_openfoam_case writes a folder in which OpenFOAM meshes a flow inside or around
+    add_cfd_surface     a shape of its patches, which CfdOF meshes
 
 Results and reports
     A mesh has NumPy arrays (vertices, triangles, ...), to_mesh() for a Mesh.Mesh, write(path) by extension, and its
@@ -72,6 +73,7 @@ _LAZY = {
     "export_curved_mesh": "MeshQuality.features.export",
     "export_mesh": "MeshQuality.features.export",
     "write_openfoam_case": "MeshQuality.features.cfd",
+    "add_cfd_surface": "MeshQuality.features.cfd_surface",
     "set_patches": "MeshQuality.features.transactions",
     "suggested_patches": "MeshQuality.core.patch_names",
     "update": "MeshQuality.features.transactions",

@@ -141,6 +141,49 @@ ERRORS = (
     TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_MESH, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
+# Errors of patches, files and cases for meshers of flows.
+PATCH_NAME = "{value} is not possible as the name of a patch: give a text that is not empty, without blanks at its ends"
+PATCH_REST_NAME = "{value} is not possible as patch_rest: give a text that is not empty, without blanks at its ends"
+PATCH_NO_FACE = "patch {name} names {value}, which is no face: give names such as Face1"
+PATCH_FACE_TWICE = "{face} is twice in patch {name}: a face belongs to one patch; name it once"
+PATCH_FACE_IN_TWO = "{face} is in patch {name} and in patch {name2}: a face belongs to one patch; name it once"
+PATCH_ELSEWHERE = "a patch names {value}, but {name} does not hold that: name a face as local_sizes does"
+PATCH_BEYOND = "patch {name} names {face}, but {name2} has faces Face1 to {face2}: take it out or name another one"
+PATCH_LIKE_FACE = "patch {name} has the name of a face that is in no patch: give it another name, or name the patch of all other " \
+                  "faces by patch_rest"
+PATCH_LIKE_GROUP = "patch {name} has the name of a group of the FEM mesh: give it another name"
+PATCH_LIKE_COLOUR = "{value} is not possible as the name of a patch: it ends as a colour does; choose another"
+PATCH_LINE = "the patch {value} is not possible: write its name, a colon and its faces, such as \"inlet: Face1, Face4\""
+PATCHES_ALIKE = "there are two patches called {name}: put their faces into one"
+PATCH_LOST = "{face} of patch {name} may be another face after the edit: choose the faces of the patch anew"
+PATCHES_NOT_FOLLOWED = "the patches are not followed: {text}"
+NO_PATCHES = {
+    "labels": "{name} holds no parts: choose faces, or name patches by an analysis",
+    "colours": "{name} has faces of one colour alone: colour them in the 3D view, or choose faces",
+    "analysis": "{name} has no faces to which an analysis refers: add constraints, or choose faces",
+}
+FILE_PATCH_TOO_LONG = "{value} files cannot hold a patch called {name}: names there have at most {count} characters; give it a " \
+                      "shorter one"
+FOAM_PATCH = "OpenFOAM cannot hold a patch called {name}: give it letters without accents, digits, _ - + and . only, a letter first"
+CASE_OPEN = "the mesh has {count} open edges: meshers of flows need a closed surface; close the part, or mesh all of its faces"
+CASE_SOLIDS = "the mesh has {count} solids, and one space is meshed at a time: write a case of mesh.of_solid(i) for each, or unite " \
+              "them first"
+CASE_CELL = "cell = {value} is not possible: give a length in mm from {length} on that is less than the size of the part, {length2}"
+CASE_NO_INSIDE = "no point inside of the mesh was found: it encloses no space"
+CASE_NO_FOLDER = "the case has no folder: give the name of one"
+FILE_NO_NAME = "the file has no name: give one that ends in one of {value}"
+FILE_IS_FOLDER = "{value} is a folder and cannot be written: give the name of a file that ends in one of {value2}"
+FILE_ENDING = "{value}: a mesh is written into files with a name that ends in one of {value2}"
+FILE_ENDING_CURVED = "{value}: curved elements of order {count} are written into files with a name that ends in one of {value2}"
+FILE_NO_FOLDER = "{value}: there is no folder {value2}"
+FILE_NOT_WRITABLE = "{value} cannot be written"
+NO_TRIANGLES_YET = "{name} has no triangles: compute it first"
+FILE_ERRORS = (
+    PATCH_NAME, PATCH_REST_NAME, PATCH_NO_FACE, PATCH_FACE_TWICE, PATCH_FACE_IN_TWO, PATCH_ELSEWHERE, PATCH_BEYOND, PATCH_LIKE_FACE,
+    PATCH_LIKE_GROUP, PATCH_LIKE_COLOUR, PATCH_LINE, PATCHES_ALIKE, PATCH_LOST, PATCHES_NOT_FOLLOWED, *NO_PATCHES.values(),
+    FILE_PATCH_TOO_LONG, FOAM_PATCH, CASE_OPEN, CASE_SOLIDS, CASE_CELL, CASE_NO_INSIDE, CASE_NO_FOLDER, FILE_NO_NAME,
+    FILE_IS_FOLDER, FILE_ENDING, FILE_ENDING_CURVED, FILE_NO_FOLDER, FILE_NOT_WRITABLE, NO_TRIANGLES_YET,
+)
 # Likewise, of the core: the build compiles these into it (tools/core_phrases). What it says of single faults of shapes
 # is plain text.
 CORE_ERRORS = {
@@ -250,6 +293,11 @@ _SHOWN = {
     NO_BOUND_AND_BOUND: "The max. deviation is given twice, as unlimited and as {number} of the size: give one of them",
     MIN_ABOVE_MAX: "The shortest edge of {length} is longer than the longest edge of {length2}",
     "greater than {length}, or 'none'": "greater than {length}, or without a limit",
+    CASE_SOLIDS: "The mesh has {count} solids, and one space is meshed at a time: unite them first, or take one alone",
+    CASE_CELL: "The length of the cells is not possible: it must be at least {length} and less than the size of the part, {length2}",
+    PATCH_REST_NAME: "{value} is not possible as the name of the other faces: give one without blanks at its ends",
+    PATCH_ELSEWHERE: "A patch names {value}, but {name} does not hold that: select it again in the 3D view",
+    PATCH_LIKE_FACE: "Patch {name} has the name of a face that is in no patch: give it another name, or name all other faces",
     LOCAL_SIZES: "lengths greater than 0 by sub-elements, such as Face3=0.5 mm, Edge7=0.2 mm",
     EXEMPT["min_edge"]: "a further point would make an edge shorter than the shortest that is allowed",
     EXEMPT["budget"]: "the triangle limit was reached",
@@ -287,7 +335,7 @@ _SHOWN = {
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
 _LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT)
-_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
+_PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")
 

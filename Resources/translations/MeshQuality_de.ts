@@ -411,6 +411,18 @@
         <source>What the faces of the source were like when the patches were last right: their kinds, areas and centres</source>
         <translation>Wie die Flächen der Quelle waren, als die Patches zuletzt stimmten: Arten, Inhalte und Mittelpunkte</translation>
     </message>
+    <message>
+        <source>A point inside of the closed surface, for snappyHexMesh</source>
+        <translation>Ein Punkt im Innern der geschlossenen Oberfläche, für snappyHexMesh</translation>
+    </message>
+    <message>
+        <source>The name of the patch that each face is</source>
+        <translation>Der Name des Patches, der jede Fläche ist</translation>
+    </message>
+    <message>
+        <source>The object whose mesh is taken</source>
+        <translation>Das Objekt, dessen Netz genommen wird</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -1998,6 +2010,130 @@
         <source>Join bodies that touch</source>
         <translation>Berührende Körper verbinden</translation>
     </message>
+    <message>
+        <source>A patch names {value}, but {name} does not hold that: select it again in the 3D view</source>
+        <translation>Ein Patch nennt {value}, aber {name} enthält das nicht: Wählen Sie es in der 3D-Ansicht neu</translation>
+    </message>
+    <message>
+        <source>OpenFOAM cannot hold a patch called {name}: give it letters without accents, digits, _ - + and . only, a letter first</source>
+        <translation>OpenFOAM kann keinen Patch namens {name} enthalten: Verwenden Sie nur Buchstaben ohne Akzente, Ziffern, _ - + und ., einen Buchstaben zuerst</translation>
+    </message>
+    <message>
+        <source>Patch {name} has the name of a face that is in no patch: give it another name, or name all other faces</source>
+        <translation>Patch {name} heißt wie eine Fläche, die in keinem Patch ist: Geben Sie ihm einen anderen Namen oder benennen Sie alle anderen Flächen</translation>
+    </message>
+    <message>
+        <source>The length of the cells is not possible: it must be at least {length} and less than the size of the part, {length2}</source>
+        <translation>Die Länge der Zellen ist nicht möglich: Sie muss mindestens {length} und kleiner als die Größe des Teils, {length2}, sein</translation>
+    </message>
+    <message>
+        <source>The mesh has {count} solids, and one space is meshed at a time: unite them first, or take one alone</source>
+        <translation>Das Netz hat {count} Körper, und es wird ein Raum auf einmal vernetzt: Vereinigen Sie sie zuerst oder nehmen Sie einen allein</translation>
+    </message>
+    <message>
+        <source>no point inside of the mesh was found: it encloses no space</source>
+        <translation>kein Punkt im Innern des Netzes wurde gefunden: Es umschließt keinen Raum</translation>
+    </message>
+    <message>
+        <source>patch {name} has the name of a group of the FEM mesh: give it another name</source>
+        <translation>Patch {name} heißt wie eine Gruppe des FEM-Netzes: Geben Sie ihm einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>patch {name} names {face}, but {name2} has faces Face1 to {face2}: take it out or name another one</source>
+        <translation>Patch {name} nennt {face}, aber {name2} hat die Flächen Face1 bis {face2}: Nehmen Sie sie heraus oder nennen Sie eine andere</translation>
+    </message>
+    <message>
+        <source>patch {name} names {value}, which is no face: give names such as Face1</source>
+        <translation>Patch {name} nennt {value}, was keine Fläche ist: Geben Sie Namen wie Face1 an</translation>
+    </message>
+    <message>
+        <source>the case has no folder: give the name of one</source>
+        <translation>der Fall hat keinen Ordner: Geben Sie den Namen eines Ordners an</translation>
+    </message>
+    <message>
+        <source>the file has no name: give one that ends in one of {value}</source>
+        <translation>die Datei hat keinen Namen: Geben Sie einen mit einer dieser Endungen an: {value}</translation>
+    </message>
+    <message>
+        <source>the mesh has {count} open edges: meshers of flows need a closed surface; close the part, or mesh all of its faces</source>
+        <translation>das Netz hat {count} offene Kanten: Vernetzer für Strömungen brauchen eine geschlossene Oberfläche; schließen Sie das Teil oder vernetzen Sie alle seine Flächen</translation>
+    </message>
+    <message>
+        <source>the patch {value} is not possible: write its name, a colon and its faces, such as &quot;inlet: Face1, Face4&quot;</source>
+        <translation>der Patch {value} ist nicht möglich: Schreiben Sie seinen Namen, einen Doppelpunkt und seine Flächen, etwa &quot;inlet: Face1, Face4&quot;</translation>
+    </message>
+    <message>
+        <source>the patches are not followed: {text}</source>
+        <translation>die Patches folgen nicht: {text}</translation>
+    </message>
+    <message>
+        <source>there are two patches called {name}: put their faces into one</source>
+        <translation>zwei Patches heißen {name}: Fassen Sie ihre Flächen zu einem zusammen</translation>
+    </message>
+    <message>
+        <source>{face} is in patch {name} and in patch {name2}: a face belongs to one patch; name it once</source>
+        <translation>{face} steht in Patch {name} und in Patch {name2}: Eine Fläche gehört zu einem Patch; nennen Sie sie einmal</translation>
+    </message>
+    <message>
+        <source>{face} is twice in patch {name}: a face belongs to one patch; name it once</source>
+        <translation>{face} steht zweimal in Patch {name}: Eine Fläche gehört zu einem Patch; nennen Sie sie einmal</translation>
+    </message>
+    <message>
+        <source>{face} of patch {name} may be another face after the edit: choose the faces of the patch anew</source>
+        <translation>{face} von Patch {name} kann nach der Änderung eine andere Fläche sein: Wählen Sie die Flächen des Patches neu</translation>
+    </message>
+    <message>
+        <source>{name} has faces of one colour alone: colour them in the 3D view, or choose faces</source>
+        <translation>{name} hat Flächen von nur einer Farbe: Färben Sie sie in der 3D-Ansicht oder wählen Sie Flächen</translation>
+    </message>
+    <message>
+        <source>{name} has no faces to which an analysis refers: add constraints, or choose faces</source>
+        <translation>{name} hat keine Flächen, auf die sich eine Analyse bezieht: Fügen Sie Randbedingungen hinzu oder wählen Sie Flächen</translation>
+    </message>
+    <message>
+        <source>{name} has no triangles: compute it first</source>
+        <translation>{name} hat keine Dreiecke: Berechnen Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>{name} holds no parts: choose faces, or name patches by an analysis</source>
+        <translation>{name} enthält keine Teile: Wählen Sie Flächen oder benennen Sie Patches nach einer Analyse</translation>
+    </message>
+    <message>
+        <source>{value} cannot be written</source>
+        <translation>{value} kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>{value} files cannot hold a patch called {name}: names there have at most {count} characters; give it a shorter one</source>
+        <translation>{value}-Dateien können keinen Patch namens {name} enthalten: Namen haben dort höchstens {count} Zeichen; geben Sie ihm einen kürzeren</translation>
+    </message>
+    <message>
+        <source>{value} is a folder and cannot be written: give the name of a file that ends in one of {value2}</source>
+        <translation>{value} ist ein Ordner und kann nicht geschrieben werden: Geben Sie den Namen einer Datei mit einer dieser Endungen an: {value2}</translation>
+    </message>
+    <message>
+        <source>{value} is not possible as the name of a patch: give a text that is not empty, without blanks at its ends</source>
+        <translation>{value} ist als Name eines Patches nicht möglich: Geben Sie einen Text an, der nicht leer ist und keine Leerzeichen am Anfang oder Ende hat</translation>
+    </message>
+    <message>
+        <source>{value} is not possible as the name of a patch: it ends as a colour does; choose another</source>
+        <translation>{value} ist als Name eines Patches nicht möglich: Er endet wie eine Farbe; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>{value} is not possible as the name of the other faces: give one without blanks at its ends</source>
+        <translation>{value} ist als Name der anderen Flächen nicht möglich: Geben Sie einen ohne Leerzeichen am Anfang oder Ende an</translation>
+    </message>
+    <message>
+        <source>{value}: a mesh is written into files with a name that ends in one of {value2}</source>
+        <translation>{value}: Ein Netz wird in Dateien mit einer dieser Endungen geschrieben: {value2}</translation>
+    </message>
+    <message>
+        <source>{value}: curved elements of order {count} are written into files with a name that ends in one of {value2}</source>
+        <translation>{value}: Gekrümmte Elemente der Ordnung {count} werden in Dateien mit einer dieser Endungen geschrieben: {value2}</translation>
+    </message>
+    <message>
+        <source>{value}: there is no folder {value2}</source>
+        <translation>{value}: Es gibt keinen Ordner {value2}</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -2070,6 +2206,17 @@
     <message>
         <source>Unite, intersect or subtract the selected meshes and shapes, in the order of selection</source>
         <translation>Ausgewählte Netze und Formen vereinigen, schneiden oder abziehen, in der Reihenfolge der Auswahl</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_CfdSurface</name>
+    <message>
+        <source>CFD surface</source>
+        <translation>CFD-Oberfläche</translation>
+    </message>
+    <message>
+        <source>Make a shape of the selected closed mesh, one face a patch, of which CfdOF takes the triangles</source>
+        <translation>Macht aus dem gewählten geschlossenen Netz eine Form mit einer Fläche je Patch, von der CfdOF die Dreiecke nimmt</translation>
     </message>
 </context>
 <context>

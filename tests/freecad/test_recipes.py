@@ -89,6 +89,7 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/cfd.md")
         self.assertEqual(sorted(os.listdir(".")), ["case", "surface.vtu"])
         self.assertGreater(len(self.names["wall"]), 0)
+        self.assertEqual(self.names["surface"].Patches, ["Face1: inlet", "Face2: outlet", "Face3: walls"])
 
     def test_files(self):
         self.follow("docs/use/files.md")

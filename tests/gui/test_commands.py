@@ -184,7 +184,7 @@ class Commands(gui_helpers.PanelTest):
         curved = mq.add_curved_mesh(box)
         for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh"}), ((), set()),
                                  ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Update"}),
-                                 ((curved,), {"Analyse", "Improve", "Update", "Patches", "Export", "FlowCase"})):
+                                 ((curved,), {"Analyse", "Improve", "Update", "Patches", "Export", "FlowCase", "CfdSurface"})):
             self.select(*chosen)
             added = []
             with mock.patch.object(workbench, "appendContextMenu", create=True,

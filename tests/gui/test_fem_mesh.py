@@ -11,9 +11,10 @@ from unittest import mock
 import FreeCADGui
 import gui_helpers
 import helpers
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 import MeshQuality as mq
+from MeshQuality.core import fem
 from MeshQuality.features import mesh_object
 from MeshQuality.gui import background_recompute, commands, jobs
 
@@ -47,6 +48,24 @@ class FemMesh(gui_helpers.PanelTest):
         self.finish(panel)
         self.assertEqual(panel.said, "")
         return self.document.ActiveObject
+
+    def test_the_window_lives_while_freecads_mesh_is_made(self):
+        ticks, seen = [], []
+        timer = QtCore.QTimer()
+        timer.timeout.connect(lambda: ticks.append(None))
+        timer.start(0)
+        self.addCleanup(timer.stop)
+        fill = fem.fill
+
+        def watched(mesh, elements):
+            for _ in fill(mesh, elements):
+                seen.append(len(ticks))
+                yield
+
+        with mock.patch.object(fem, "fill", watched), mock.patch.object(jobs, "_SLICE", 0.0):
+            obj = self.made(self.part)
+        self.assertGreater(len(set(seen)), 5)
+        self.assertEqual(obj.FemMesh.VolumeCount, obj.Elements)
 
     def test_the_mesh_is_in_the_active_analysis(self):
         self.analysis(active=False)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The panel of patches, and the export of a mesh by them."""
 
+import importlib.util
 import os
+import unittest
 
 import FreeCAD
 import FreeCADGui
@@ -37,6 +39,29 @@ class Patches(gui_helpers.PanelTest):
         for chosen, active in (((obj,), True), ((self.part,), False), ((improved,), False), ((), False)):
             self.select(*chosen)
             self.assertEqual(command.IsActive(), active)
+
+    @unittest.skipUnless(importlib.util.find_spec("Fem"), "this FreeCAD has no FEM workbench")
+    def test_of_a_fem_mesh_they_are_groups(self):
+        self.part = self.box()
+        obj = mq.add_fem_mesh(self.part)
+        self.select(obj)
+        self.assertTrue(commands.Patches().IsActive())
+        panel = self.panel_for(obj)
+        self.pick("Face1", "Face2")
+        panel.new.click()
+        panel.rest.setText("others")
+        gui_helpers.wait()
+        gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "patches_fem.png"))
+        self.assertTrue(panel.accept())
+        names = {obj.FemMesh.getGroupName(group) for group in obj.FemMesh.Groups}
+        self.assertLessEqual({"patch_1", "others", "Face1"}, names)
+        self.assertTrue(obj.ViewObject.Visibility)
+        panel = self.panel_for(obj)
+        self.assertEqual(panel.rest.text(), "others")
+        panel.rest.setText("Face9")
+        self.assertFalse(panel.accept())
+        self.assertIn("Face9", panel.said)
+        panel.reject()
 
     def test_selected_faces_become_patches(self):
         obj = self.quality()

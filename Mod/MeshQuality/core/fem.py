@@ -3,6 +3,7 @@
 
 from collections import deque
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from . import convert
 # triangles and edges are alike.
 _TETRAHEDRON = (1, 0, 2, 3, 4, 6, 5, 9, 7, 8)
 MAX_ORDER = 2
+_STEP = 2000  # nodes or elements: some milliseconds
 
 
 @dataclass(frozen=True)
@@ -90,14 +92,28 @@ def mesh_of(elements):
     while the window shows others.
     """
     mesh = module().FemMesh()
-    # map, as FreeCAD takes one element a call: a loop in Python takes a third longer.
-    _run(map(mesh.addNode, *elements.points, range(1, len(elements.points[0]) + 1)))
-    for kind, first, nodes in elements.blocks:
-        _run(map(getattr(mesh, f"add{kind}"), nodes, range(first, first + len(nodes))))
-    for name, kind, numbers in elements.groups:
-        mesh.addGroupElements(mesh.addGroup(name, kind), numbers)
+    deque(fill(mesh, elements), maxlen=0)
     return mesh
 
 
-def _run(calls):
-    deque(calls, maxlen=0)
+def fill(mesh, elements):
+    """Fills an empty Fem.FemMesh with Elements, as mesh_of; yields after each of many short steps."""
+    # map, as FreeCAD takes one element a call: a loop in Python takes a third longer.
+    count = len(elements.points[0])
+    yield from _in_steps(map(mesh.addNode, *elements.points, range(1, count + 1)), count)
+    for kind, first, nodes in elements.blocks:
+        yield from _in_steps(map(getattr(mesh, f"add{kind}"), nodes, range(first, first + len(nodes))), len(nodes))
+    for name, kind, numbers in elements.groups:
+        mesh.addGroupElements(mesh.addGroup(name, kind), numbers)
+        yield
+
+
+def _in_steps(calls, count):
+    for _ in range(0, count, _STEP):
+        deque(islice(calls, _STEP), maxlen=0)
+        yield
+
+
+def groups_of(mesh):
+    """{name: numbers of elements or nodes} of a Fem.FemMesh."""
+    return {mesh.getGroupName(group): mesh.getGroupElements(group) for group in mesh.Groups}

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .. import phrases
 from ..errors import InvalidInput, IoError
+from ..phrases import Text
 from . import writing
 from .patches import patches_of
 
@@ -84,9 +86,7 @@ def case_of(mesh, name, flow, cell, scale, types):
     if flow not in FLOWS:
         raise InvalidInput(f"flow = {flow!r} is not possible: give 'internal' for the space inside of the part, 'external' "
                            "for that around it")
-    if not mesh.report.closed:
-        raise InvalidInput(f"the mesh has {mesh.report.border_edges} open edges: meshers of flows need a closed surface; "
-                           "close the part, or mesh all of its faces")
+    require_closed(mesh)
     require_one_space(flow, len(set(mesh.triangle_solid.tolist())))
     corners = (mesh.vertices + mesh.origin)[mesh.triangles] * scale
     low, high = corners.min(axis=(0, 1)), corners.max(axis=(0, 1))
@@ -94,8 +94,8 @@ def case_of(mesh, name, flow, cell, scale, types):
     least = size / _MOST_CELLS
     if cell is not None and (isinstance(cell, bool) or not isinstance(cell, numbers.Real)
                              or not least <= cell * scale < size):
-        raise InvalidInput(f"cell = {cell!r} is not possible: give a length in mm from {least / scale:.3g} on that is less than "
-                           f"the size of the part, {size / scale:.6g}")
+        raise InvalidInput(Text(phrases.CASE_CELL, value=repr(cell), length=f"{least / scale:.3g} mm",
+                                length2=f"{size / scale:.6g} mm"))
     cell = size / _CELLS[flow] if cell is None else float(cell) * scale
     patches = mesh._patches or patches_of(None, mesh.triangle_face, len(mesh.triangles))
     unknown = next((patch for patch in types if patch not in patches.names), None)
@@ -103,12 +103,11 @@ def case_of(mesh, name, flow, cell, scale, types):
         raise InvalidInput(f"types name {unknown!r}, which is no patch: there are {', '.join(patches.names)}")
     wrong = next((patch for patch in patches.names if not _NAME.fullmatch(patch)), None)
     if wrong is not None:
-        raise InvalidInput(f"OpenFOAM cannot hold a patch called {wrong!r}: give it letters without accents, digits, _ - + and . "
-                           "only, a letter first")
+        raise InvalidInput(Text(phrases.FOAM_PATCH, name=repr(wrong)))
     levels = {patch: _levels(corners[patches.of_triangle == i], cell) for i, patch in enumerate(patches.names)
               if (patches.of_triangle == i).any()}
     if flow == "internal":
-        low, high, inside = low - _MARGIN * size, high + _MARGIN * size, _point_inside(corners)
+        low, high, inside = low - _MARGIN * size, high + _MARGIN * size, point_inside(corners)
     else:
         before, behind = _FAR[0] * size, np.array([_FAR[1], _FAR[0], _FAR[0]]) * size
         # Off the planes of the cells, on which no such point may lie.
@@ -117,11 +116,16 @@ def case_of(mesh, name, flow, cell, scale, types):
     return Case(name, cell, low, high, inside, levels, kinds, flow)
 
 
+def require_closed(mesh):
+    """Raises InvalidInput for a SurfaceMesh that is open."""
+    if not mesh.report.closed:
+        raise InvalidInput(Text(phrases.CASE_OPEN, count=str(mesh.report.border_edges)))
+
+
 def require_one_space(flow, solids):
     """Raises InvalidInput where there are several spaces inside."""
     if flow == "internal" and solids > 1:
-        raise InvalidInput(f"the mesh has {solids} solids, and one space is meshed at a time: write a case of mesh.of_solid(i) "
-                           "for each, or unite them first")
+        raise InvalidInput(Text(phrases.CASE_SOLIDS, count=str(solids)))
 
 
 def _levels(corners, cell):
@@ -137,7 +141,7 @@ def _levels(corners, cell):
     return least, most
 
 
-def _point_inside(corners):
+def point_inside(corners):
     """A point inside of a closed surface: halfway from its largest triangle to what lies opposite to that."""
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     areas = np.linalg.norm(normals, axis=1)
@@ -147,7 +151,7 @@ def _point_inside(corners):
         hits = np.sort(hits[hits > 1e-9 * np.ptp(corners)])
         if len(hits):
             return start + 0.5 * hits[0] * way
-    raise InvalidInput("no point inside of the mesh was found: it encloses no space")
+    raise InvalidInput(Text(phrases.CASE_NO_INSIDE))
 
 
 def _hits(corners, start, way):

@@ -5,6 +5,7 @@ import re
 
 import FreeCAD
 
+from .. import phrases
 from ..errors import InvalidInput
 from . import convert, frames
 
@@ -28,10 +29,7 @@ def suggested_patches(source, by, analysis=None):
     found = {"labels": _by_labels, "colours": _by_colours,
              "analysis": lambda given: _by_analysis(given, analysis)}[by](source)
     if not found:
-        raise InvalidInput(f"{convert.label_of(source)} " + {
-            "labels": "holds no parts: choose faces, or name patches by an analysis",
-            "colours": "has faces of one colour alone: colour them in the 3D view, or choose faces",
-            "analysis": "has no faces to which an analysis refers: add constraints, or choose faces"}[by])
+        raise InvalidInput(phrases.Text(phrases.NO_PATCHES[by], name=convert.label_of(source)))
     return found
 
 

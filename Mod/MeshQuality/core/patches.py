@@ -7,7 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .. import phrases
 from ..errors import InvalidInput
+from ..phrases import Text
 from . import convert
 
 _FACE = re.compile(r"Face([1-9][0-9]{0,8})")
@@ -50,10 +52,10 @@ def division_of(patches, rest=None, resolve=None):
     if patches is not None and not hasattr(patches, "items"):
         raise InvalidInput(f"patches = {patches!r} is not possible: give a dict such as {{'inlet': ['Face1', 'Face4']}}")
     if rest is not None:
-        _require_name(rest, "patch_rest")
+        _require_name(rest, phrases.PATCH_REST_NAME)
     names, colours, patch_of = [], [], {}
     for name, said in (patches or {}).items():
-        _require_name(name, "the name of a patch")
+        _require_name(name, phrases.PATCH_NAME)
         faces, colour = _faces_and_colour(name, said)
         for face in faces:
             _add_face(patch_of, names, name, face, resolve)
@@ -62,9 +64,9 @@ def division_of(patches, rest=None, resolve=None):
     return Division(tuple(names), tuple(colours), patch_of, rest)
 
 
-def _require_name(name, what):
+def _require_name(name, phrase):
     if not isinstance(name, str) or not name.strip() or name != name.strip() or not name.isprintable():
-        raise InvalidInput(f"{name!r} is not possible as {what}: give a text that is not empty, without blanks at its ends")
+        raise InvalidInput(Text(phrase, value=repr(name)))
 
 
 def _faces_and_colour(name, said):
@@ -91,13 +93,14 @@ def _colour_of(name, text):
 def _add_face(patch_of, names, name, face, resolve):
     found = _FACE.fullmatch(face.rpartition(".")[2]) if isinstance(face, str) else None
     if not found or "." in face and resolve is None:
-        raise InvalidInput(f"patch {name!r} names {face!r}, which is no face: give names such as Face1")
+        raise InvalidInput(Text(phrases.PATCH_NO_FACE, name=repr(name), value=repr(face)))
     plain = resolve(face) if "." in face else face
     index = int(_FACE.fullmatch(plain)[1]) - 1
     if index in patch_of:
         other = (*names, name)[patch_of[index]]
-        where = f"twice in patch {name!r}" if other == name else f"in patch {other!r} and in patch {name!r}"
-        raise InvalidInput(f"{face} is {where}: a face belongs to one patch; name it once")
+        if other == name:
+            raise InvalidInput(Text(phrases.PATCH_FACE_TWICE, face=face, name=repr(name)))
+        raise InvalidInput(Text(phrases.PATCH_FACE_IN_TWO, face=face, name=repr(other), name2=repr(name)))
     patch_of[index] = len(names)
 
 
@@ -109,8 +112,7 @@ def division_for(source, patches, rest=None):
         try:
             return next(iter(convert.resolve_sizes(source, {name: 1.0})))
         except InvalidInput:
-            raise InvalidInput(f"a patch names {name}, but {convert.label_of(source)} does not hold that: name a face as "
-                               "local_sizes does") from None
+            raise InvalidInput(Text(phrases.PATCH_ELSEWHERE, value=name, name=convert.label_of(source))) from None
 
     division = division_of(patches, rest, resolve)
     if division is not None and division.patch_of:
@@ -129,9 +131,10 @@ def require_faces(division, count, what):
         return
     for index, patch in division.patch_of.items():
         if index >= count:
-            there = f"has faces Face1 to Face{count}" if count else "has no faces"
-            raise InvalidInput(f"patch {division.names[patch]!r} names Face{index + 1}, but {what} {there}: take it out "
-                               "or name another one")
+            name, face = repr(division.names[patch]), f"Face{index + 1}"
+            if count:
+                raise InvalidInput(Text(phrases.PATCH_BEYOND, name=name, face=face, name2=what, face2=f"Face{count}"))
+            raise InvalidInput(f"patch {name} names {face}, but {what} has no faces: take it out or name another one")
 
 
 def patches_of(division, triangle_face, count):
@@ -156,8 +159,7 @@ def patches_of(division, triangle_face, count):
         if patch[index] < 0:
             name = division.rest or (f"Face{index + 1}" if index >= 0 else _NO_FACE)
             if name in division.names and not division.rest:
-                raise InvalidInput(f"patch {name!r} has the name of a face that is in no patch: give it another name, or "
-                                   "name the patch of all other faces by patch_rest")
+                raise InvalidInput(Text(phrases.PATCH_LIKE_FACE, name=repr(name)))
             if name not in names:
                 names.append(name)
                 colours.append(None)

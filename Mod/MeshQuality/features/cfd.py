@@ -3,6 +3,7 @@
 
 import os
 
+from .. import phrases
 from ..core import convert, frames, openfoam_case
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import InvalidInput, IoError
@@ -36,7 +37,7 @@ def write_openfoam_case(mesh, folder, name="surface", flow="internal", cell=None
             raise InvalidInput(f"types says {kind!r} of patch {patch!r}: give 'wall' or 'patch'")
     folder = os.fsdecode(convert.file_name(folder))
     if not folder:
-        raise IoError("the case has no folder: give the name of one")
+        raise IoError(phrases.Text(phrases.CASE_NO_FOLDER))
     if isinstance(mesh, SurfaceMesh):
         surface = mesh
     else:

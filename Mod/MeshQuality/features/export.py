@@ -7,13 +7,14 @@ from functools import partial
 import FreeCAD
 import numpy as np
 
-from .. import files, formats
+from .. import files, formats, phrases
 from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
 from ..core.patches import division_for, division_of, kept
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import Error, InvalidInput, IoError
+from ..phrases import Text
 from .mesh_object import ShapeMesh, faces_of_runs
 from .patches import patches_of_object
 from .properties import options_of
@@ -74,22 +75,23 @@ def _order_of(source):
 def checked(obj, path, known=None):
     """The path as absolute text; raises IoError where nothing can be written there."""
     known = suffixes_for(obj) if known is None else known
-    endings = "one of " + " ".join(known)
+    endings = " ".join(known)
     path = os.fsdecode(convert.file_name(path))
     if not path:
-        raise IoError(f"the file has no name: give one that ends in {endings}")
+        raise IoError(Text(phrases.FILE_NO_NAME, value=endings))
     path = os.path.abspath(path)
     folder, extension_of_path = os.path.dirname(path), os.path.splitext(path)[1]
     if os.path.isdir(path):
-        raise IoError(f"{path} is a folder and cannot be written: give the name of a file that ends in {endings}")
+        raise IoError(Text(phrases.FILE_IS_FOLDER, value=path, value2=endings))
     if formats.known_suffix(extension_of_path, known) is None:
         order = _order_of(obj)
-        what = f"curved elements of order {order} are" if order else "a mesh is"
-        raise IoError(f"{path}: {what} written into files with a name that ends in {endings}")
+        if order:
+            raise IoError(Text(phrases.FILE_ENDING_CURVED, value=path, count=str(order), value2=endings))
+        raise IoError(Text(phrases.FILE_ENDING, value=path, value2=endings))
     if not os.path.isdir(folder):
-        raise IoError(f"{path}: there is no folder {folder}")
+        raise IoError(Text(phrases.FILE_NO_FOLDER, value=path, value2=folder))
     if not os.access(folder, os.W_OK):
-        raise IoError(f"{path} cannot be written")
+        raise IoError(Text(phrases.FILE_NOT_WRITABLE, value=path))
     return path
 
 
@@ -154,7 +156,7 @@ def _flat_maker(source, measured=False):
     def make():
         vertices, triangles = copy.arrays
         if not len(triangles):
-            raise InvalidInput(f"{convert.label_of(source)} has no triangles: compute it first")
+            raise InvalidInput(Text(phrases.NO_TRIANGLES_YET, name=convert.label_of(source)))
         faces = faces_of_runs(runs, len(triangles)).astype(np.int32)
         return SurfaceMesh(extension().surface_from_arrays(vertices, triangles, faces, measured))
 

@@ -15,14 +15,14 @@ from ..compat import fem_source_property
 from ..core import fem, frames
 from ..core.curving import curve
 from ..errors import InvalidInput
-from . import curved_mesh, mesh_object, transactions
+from . import curved_mesh, fem_groups, mesh_object, transactions
+from .fem_groups import is_analysis
 from .gui_hooks import window
 
 PART = (fem_source_property(), "App::PropertyLinkGlobal", "The source, as FreeCAD's FEM workbench looks it up")
-_ANALYSIS = "Fem::FemAnalysis"
 
 
-class FemMeshObject(mesh_object.ShapeMesh):
+class FemMeshObject(mesh_object.PatchedMesh):
     """Proxy of a Fem::FemMeshObjectPython that holds elements of order 1 or 2 on its source's shape."""
 
     TYPE, MESH = "Fem::FemMeshObjectPython", "FemMesh"
@@ -48,6 +48,19 @@ class FemMeshObject(mesh_object.ShapeMesh):
         super().add_properties(obj)
         _name_source(obj)
 
+    def require_patch_names(self, names):
+        """As fem_groups.require_patch_names."""
+        fem_groups.require_patch_names(names)
+
+    def show_patches(self, obj):
+        """Patches are groups."""
+        fem_groups.update(obj)
+
+    def _bring_up_to_date(self, obj):
+        """As for all; patches may have been changed in the property editor."""
+        super()._bring_up_to_date(obj)
+        fem_groups.update(obj)
+
     @classmethod
     def compute(cls, shape, values, progress):
         """The Result."""
@@ -57,7 +70,10 @@ class FemMeshObject(mesh_object.ShapeMesh):
 
     def take(self, obj, result):
         """Shows the elements and their report."""
-        obj.FemMesh = fem.mesh_of(result.elements)
+        mesh = result.mesh()
+        self.follow(obj)  # groups are made of patches
+        fem_groups.complete(obj, mesh)
+        obj.FemMesh = mesh
         result.proof.show(obj)
         return result.proof.report, result.proof.findings
 
@@ -67,17 +83,23 @@ def _name_source(obj):
         setattr(obj, PART[0], obj.Source)
 
 
-@dataclass(frozen=True)
+@dataclass
 class Result:
     """What a FEM mesh object computes: the fem.Elements of its mesh, and the curved_mesh.Proof of its certificate."""
 
     elements: fem.Elements
     proof: curved_mesh.Proof
+    _made: object = None
 
+    def steps(self):
+        """Makes the Fem.FemMesh on the main thread, which may do other things after each short step."""
+        mesh = fem.module().FemMesh()
+        yield from fem.fill(mesh, self.elements)
+        self._made = mesh
 
-def is_analysis(obj):
-    """Whether a document object is an analysis of FreeCAD's FEM workbench."""
-    return isinstance(obj, FreeCAD.DocumentObject) and obj.isDerivedFrom(_ANALYSIS)
+    def mesh(self):
+        """The Fem.FemMesh: that of the steps, if they are done."""
+        return fem.mesh_of(self.elements) if self._made is None else self._made
 
 
 def analysis_around(source):

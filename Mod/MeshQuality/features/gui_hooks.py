@@ -38,6 +38,9 @@ class Windowless:
     def show_in_place_of_sources(self, obj):
         """Shows an object that was added where its sources were seen."""
 
+    def show_faces(self, obj, colours):
+        """Shows the faces of an object with a shape in colours: red, green, blue from 0 to 255, in place of its sources."""
+
     def drawing(self):
         """drawing(tessellation, quality), which any thread may call, makes what shows a curved mesh; None: nothing
         shows it.

@@ -300,10 +300,8 @@ class ShapeMesh(OfOneSource):
                     partial(cls.compute, shape, found))
 
 
-class SourceMesh(ShapeMesh):
-    """The same of a mesh with one segment a CAD face."""
-
-    HIDDEN = (FACE_RUNS,)
+class PatchedMesh(ShapeMesh):
+    """The same of a mesh with patches."""
 
     def add_properties(self, obj):
         """As for all, and patches."""
@@ -313,7 +311,19 @@ class SourceMesh(ShapeMesh):
     def follow(self, obj):
         """Patches keep their faces."""
         for sentence in patches.follow_source(obj, self.sources(obj)[0]):
-            FreeCAD.Console.PrintWarning(f"{obj.Label}: {sentence}\n")
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
+
+    def require_patch_names(self, names):
+        """Raises InvalidInput where the mesh cannot have patches of these names."""
+
+    def show_patches(self, obj):
+        """Has the mesh show patches that were given."""
+
+
+class SourceMesh(PatchedMesh):
+    """The same of a mesh with one segment a CAD face."""
+
+    HIDDEN = (FACE_RUNS,)
 
     def onDocumentRestored(self, obj):
         """The mesh gets its segments back, which FreeCAD does not save."""

@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 
+from .. import phrases
 from ..compat import property_of
 from ..core import convert, frames
 from ..core.patches import division_for
@@ -40,10 +41,9 @@ def patches_of_lines(lines):
             continue
         parts = _LINE.fullmatch(line.strip())
         if not parts or not parts["name"]:
-            raise InvalidInput(f"the patch {line!r} is not possible: write its name, a colon and its faces, such as "
-                               "\"inlet: Face1, Face4\"")
+            raise InvalidInput(phrases.Text(phrases.PATCH_LINE, value=repr(line)))
         if parts["name"] in found:
-            raise InvalidInput(f"there are two patches called {parts['name']!r}: put their faces into one")
+            raise InvalidInput(phrases.Text(phrases.PATCHES_ALIKE, name=repr(parts["name"])))
         faces = [face.strip() for face in parts["faces"].split(",")]
         found[parts["name"]] = {"faces": [face for face in faces if face]}
         if parts["colour"]:
@@ -74,7 +74,7 @@ def give_patches(obj, source, patches, patch_rest):
     lines = lines_of_patches(patches or {})
     for name, held in zip(patches or {}, patches_of_lines(lines)):
         if name != held:
-            raise InvalidInput(f"{name!r} is not possible as the name of a patch: it ends as a colour does; choose another")
+            raise InvalidInput(phrases.Text(phrases.PATCH_LIKE_COLOUR, value=repr(name)))
     obj.Patches, obj.PatchRest, obj.PatchesChanged = lines, patch_rest or "", []
     obj.PatchFaces = _described(convert.own_shape_of(source)) if lines else ""
 
@@ -88,8 +88,9 @@ def follow_source(obj, source):
     try:
         patches, before = patches_of_lines(obj.Patches), json.loads(obj.PatchFaces or "[]")
     except (InvalidInput, ValueError) as error:  # edited by hand
-        obj.PatchesChanged = [f"the patches are not followed: {error}"]
-        return list(obj.PatchesChanged)
+        lost = [phrases.Text(phrases.PATCHES_NOT_FOLLOWED, text=phrases.text_of(error))]
+        obj.PatchesChanged = lost
+        return lost
     described = _described(convert.own_shape_of(source))
     now, lost = json.loads(described), []
     if before and [face[0] for face in before] != [face[0] for face in now]:
@@ -109,7 +110,7 @@ def _followed(face, patch, places, lost):
         return face
     index = places.get(int(found[1]) - 1)
     if index is None:
-        lost.append(f"{face} of patch {patch!r} may be another face after the edit: choose the faces of the patch anew")
+        lost.append(phrases.Text(phrases.PATCH_LOST, face=face, name=repr(patch)))
         return face
     return f"Face{index + 1}"
 

@@ -10,7 +10,7 @@ from ..core import convert, frames
 from ..errors import Error, InvalidInput
 from . import bindings
 from .gui_hooks import window
-from .mesh_object import MANUAL, UP_TO_DATE, MeshObject, SourceMesh, with_precomputed
+from .mesh_object import MANUAL, UP_TO_DATE, MeshObject, PatchedMesh, with_precomputed
 from .patches import give_patches
 from .properties import options_of, set_options
 
@@ -86,7 +86,7 @@ def update(obj, progress=None, **values):
 def set_patches(obj, patches, patch_rest=None):
     """Gives a mesh object named groups of the faces of its source; one undo step. The mesh stays as it is.
 
-    obj         of add_quality_mesh or add_curved_mesh
+    obj         of add_quality_mesh, add_curved_mesh or add_fem_mesh, which has them as groups of its triangles
     patches     {"inlet": ["Face1", "Face4"], ...}, or {"inlet": {"faces": [...], "colour": "#ff0000"}}; of a
                 container also "Box.Face1"; None: no patches
     patch_rest  name of the patch of all other faces; None: each is one by its own name
@@ -96,12 +96,16 @@ def set_patches(obj, patches, patch_rest=None):
     """
     if isinstance(obj, FreeCAD.DocumentObject):
         obj = frames.linked_of(obj)[0]
-    if not isinstance(getattr(obj, "Proxy", None), SourceMesh):
-        raise InvalidInput(f"{convert.label_of(obj)} has no patches: give an object of add_quality_mesh or "
-                           "add_curved_mesh")
+    if not isinstance(getattr(obj, "Proxy", None), PatchedMesh):
+        raise InvalidInput(f"{convert.label_of(obj)} has no patches: give an object of add_quality_mesh, "
+                           "add_curved_mesh or add_fem_mesh")
+    obj.Proxy.require_patch_names([*(patches if isinstance(patches, dict) else ()), *filter(None, (patch_rest,))])
     with undo_step(obj.Document, f"Patches of {obj.Label}"):
         give_patches(obj, obj.Proxy.sources(obj)[0], patches, patch_rest)
+        obj.Proxy.show_patches(obj)
         obj.purgeTouched()
+        for dependent in obj.InList:
+            dependent.touch()
 
 
 def _require_unchanged(obj, label, values, work):

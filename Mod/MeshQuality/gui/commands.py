@@ -9,14 +9,16 @@ import Part
 
 from ..compat import why_no_extension
 from ..core import convert, frames
+from ..errors import Error
 from ..features import boolean, curved_mesh, fem_mesh, improved_mesh, mesh_object, quality_mesh
-from .panel_operation import Operation
+from .panel_operation import Operation, name_of
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
 from .panels.case_panel import CasePanel
 from .panels.export_panel import ExportPanel
 from .panels.mesh_panel import MeshPanel
 from .panels.patches_panel import PatchesPanel
+from .translation import translated
 from .trial import Trial
 from .update import update_in_background
 
@@ -171,6 +173,21 @@ class FlowCase(_OfOneMesh):
     KEYS = "Q, O"
 
 
+class CfdSurface(_OfOneMesh):
+    NAME = "MeshQuality_CfdSurface"
+    TEXT = "CFD surface"
+    TIP = "Make a shape of the selected closed mesh, one face a patch, of which CfdOF takes the triangles"
+    KEYS = "Q, S"
+    ASKS = False
+
+    def Activated(self):
+        FreeCADGui.doCommand("import MeshQuality as mq")
+        try:
+            FreeCADGui.doCommand(f"mq.add_cfd_surface({name_of(self.selected()[0])})")
+        except Error as error:
+            FreeCAD.Console.PrintError(f"{translated(error)}\n")
+
+
 class Patches(_OfOneMesh):
     PANEL = PatchesPanel
     NAME = "MeshQuality_Patches"
@@ -180,7 +197,7 @@ class Patches(_OfOneMesh):
 
     def selected(self):
         found = list(dict.fromkeys(frames.linked_of(source)[0] for source in _selected()))
-        fits = len(found) == 1 and isinstance(getattr(found[0], "Proxy", None), mesh_object.SourceMesh) \
+        fits = len(found) == 1 and isinstance(getattr(found[0], "Proxy", None), mesh_object.PatchedMesh) \
             and not found[0].Proxy.lacks_source(found[0])
         return found if fits else []
 
@@ -235,7 +252,7 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Boolean, Improve, Analyse, Update, Patches, Export, FlowCase)
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Boolean, Improve, Analyse, Update, Patches, Export, FlowCase, CfdSurface)
 
 
 def panel_of(obj):

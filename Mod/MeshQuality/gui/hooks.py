@@ -45,6 +45,10 @@ class Window(Windowless):
         """As looks.show_in_place_of_sources."""
         looks.show_in_place_of_sources(obj)
 
+    def show_faces(self, obj, colours):
+        """As looks.show_faces."""
+        looks.show_faces(obj, colours)
+
     def drawing(self):
         """That of the 3D view."""
         # Here, not on the thread that computes: Coin is loaded where the window is.

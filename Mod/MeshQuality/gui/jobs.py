@@ -23,6 +23,7 @@ translate = FreeCAD.Qt.translate
 ADDING = phrases.Text(phrases.ADDING)
 WAITING, RUNNING, DONE, FAILED, CANCELLED = "waiting", "running", "done", "failed", "cancelled"
 _POLL = 30  # ms between two looks at the thread
+_SLICE = 0.03  # s of steps at a look
 _NICENESS = 5
 _PATIENCE = 0.3  # s that a cancelled job has to end in before its user goes on without it
 _GRACE = 5.0  # s that a job has to end in when FreeCAD quits
@@ -41,7 +42,8 @@ class Job(QtCore.QObject):
     """One piece of work.
 
     title    what is shown for it
-    compute  compute(progress) -> result, called on the thread; progress as for triangulate
+    compute  compute(progress) -> result, called on the thread; progress as for triangulate. A result with steps(), an
+             iterator, has that run on the GUI's thread first, bit by bit
     take     take(result), called on the GUI's thread
     wanted   wanted() -> whether the result still has a place to go to, asked on the GUI's thread
     quiet    a failure is not reported
@@ -69,7 +71,7 @@ class Job(QtCore.QObject):
         self.state, self.fraction, self.stage, self.error = WAITING, 0.0, "", None
         self.held_up = ""  # what the result has to wait for once the work has ended
         self.over = False  # whether the job has ended, and its work, too
-        self._result = None
+        self._result = self._steps = None
         self._disposed = self._taken = False  # whether the result was taken or dropped, and taken
         self._given_up = None  # when it was seen to be cancelled
         self._thread = None
@@ -163,8 +165,22 @@ class Job(QtCore.QObject):
                 self.stage = self.taking
             self.changed.emit()
             return  # the window shows it before it has to wait
-        self._disposed = self._taken = True
-        self._take()
+        if self._steps_are_done():
+            self._disposed = self._taken = True
+            self._take()
+
+    def _steps_are_done(self):
+        """Goes on with the steps of the result for a moment; the window does other things before it comes back."""
+        if self._steps is None:
+            self._steps = getattr(self._result, "steps", tuple)()
+        end = time.monotonic() + _SLICE
+        try:
+            for _ in self._steps:
+                if time.monotonic() > end:
+                    return False
+        except (Error, ImportError, MemoryError, RuntimeError) as error:
+            self.error = error
+        return self.error is None
 
     def join(self, seconds):
         """Waits for the thread."""
@@ -191,7 +207,7 @@ class Job(QtCore.QObject):
     def _end(self, state):
         self.state, self.over = state, not self.works
         if self.over:
-            self._result = None
+            self._result = self._steps = None
         if state == FAILED and not self.quiet:
             FreeCAD.Console.PrintError(f"{self.title}: {translated(self.error)}\n")
         self.changed.emit()

@@ -23,6 +23,17 @@ def show_in_place_of_sources(obj):
             source.ViewObject.Visibility = False
 
 
+def show_faces(obj, colours):
+    """Gives the faces of an object with a Source and a shape their colours: red, green, blue from 0 to 255; a new one is
+    seen in place of its source.
+    """
+    view = obj.ViewObject
+    if view.Proxy is None:
+        view.Proxy = 0  # FreeCAD shows no shape of a Python object before
+        obj.Source.ViewObject.Visibility = False
+    view.DiffuseColor = [tuple(part / 255 for part in colour) for colour in colours]
+
+
 def _counts_for_others(source):
     """Whether a container around the object is used by something: what is hidden in it would be lost there."""
     around = frames.containers_of(source)

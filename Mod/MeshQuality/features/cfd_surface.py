@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object "CFD surface": a mesh of the document as a shape, one face a patch, for CfdOF."""
+
+import FreeCAD
+
+from ..compat import PlainState, without_traceback
+from ..core import convert, frames, patch_faces
+from ..core.openfoam_case import point_inside, require_closed
+from ..core.patches import colour_of, patches_of
+from ..errors import Error, InvalidInput
+from .export import flat_maker_of
+from .gui_hooks import window
+from .properties import add_property
+from .transactions import undo_step
+
+
+class CfdSurface(PlainState):
+    """Proxy of a Part::FeaturePython whose faces are the patches of its Source; they have the triangles of that in place of
+    a surface. CfdOF takes it as the Part of its mesh and its faces as those of boundaries, and writes its triangles.
+    """
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        add_property(obj, "App::PropertyLinkGlobal", "Source", "Mesh", "The object whose mesh is taken")
+        add_property(obj, "App::PropertyString", "SourcePath", "Mesh",
+                     "The path from the source to what is meshed, where only a link leads there: Part.Box.")
+        add_property(obj, "App::PropertyStringList", "Patches", "Patches", "The name of the patch that each face is")
+        add_property(obj, "App::PropertyVectorDistance", "PointInside", "Patches",
+                     "A point inside of the closed surface, for snappyHexMesh")
+        for name in ("Patches", "PointInside"):
+            obj.setEditorMode(name, 1)
+
+    @property
+    def execute(self):
+        """What FreeCAD calls to bring the shape up to date; see without_traceback."""
+        return without_traceback(self._bring_up_to_date)
+
+    def _bring_up_to_date(self, obj):
+        mesh = flat_maker_of(frames.source_of(obj.Source, obj.SourcePath))()
+        require_closed(mesh)
+        patches = mesh._patches or patches_of(None, mesh.triangle_face, len(mesh.triangles))
+        points = mesh.vertices + mesh.origin
+        used = sorted(set(patches.of_triangle.tolist()))
+        obj.Shape = patch_faces.shape_of(points, mesh.triangles, patches.of_triangle)
+        obj.Patches = [f"Face{i + 1}: {patches.names[patch]}" for i, patch in enumerate(used)]
+        obj.PointInside = FreeCAD.Vector(*point_inside(points[mesh.triangles]))
+        window().show_faces(obj, [colour_of(patches, patch) for patch in used])
+
+    def onDocumentRestored(self, obj):
+        """The faces get their triangles back, which FreeCAD does not save."""
+        try:
+            self._bring_up_to_date(obj)
+        except Error as error:
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(error)}\n")
+        obj.purgeTouched()
+
+
+def add_cfd_surface(obj):
+    """Adds a shape whose faces are the patches of a mesh of the document, for CfdOF; one undo step.
+
+    obj  document object with a closed mesh, which has patches by set_patches; or a link to one
+
+    CfdOF takes it as the Part of its mesh (snappyHexMesh or cfMesh) and its faces as those of boundaries and refinements;
+    it writes the triangles as they are, so that its options for triangulation do nothing. The property Patches says which
+    face is which patch, PointInside is a point for snappyHexMesh. The shape follows the mesh.
+
+    Returns the object. Raises InvalidInput for other objects and for a mesh that is open, and then adds nothing.
+    """
+    if not isinstance(frames.object_of(obj), FreeCAD.DocumentObject) or not convert.is_mesh(obj):
+        raise InvalidInput(f"{convert.label_of(obj)} holds no mesh: give an object with a mesh, or a link to one")
+    document = frames.object_of(obj).Document
+    with undo_step(document, "CFD surface"):
+        made = document.addObject("Part::FeaturePython", "CfdSurface")
+        try:
+            CfdSurface(made)
+            made.Label = f"{frames.leaf_of(obj).Label} CFD surface"
+            made.Source, made.SourcePath = frames.object_of(obj), frames.path_of(obj)
+            made.Proxy._bring_up_to_date(made)
+            made.purgeTouched()
+        except BaseException:
+            document.removeObject(made.Name)
+            raise
+    return made
