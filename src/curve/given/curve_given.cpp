@@ -13,6 +13,7 @@
 #include "curve/given/local_remeshing.h"
 #include "curve/given/matching.h"
 #include "curve/measuring.h"
+#include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "curve/volume/straighten.h"
 
 namespace mq::curve {
@@ -98,6 +99,45 @@ void compare(const GivenMesh& given, CurvedMesh& mesh, CurveReport& report) {
     report.repairs.emplace_back("elements in their place", static_cast<std::size_t>(fresh));
 }
 
+std::size_t invalid_in(const TetrahedralMesh& volume) {
+    const auto& all = volume.tetrahedra;
+    return static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); }));
+}
+
+/// Where tetrahedra stay invalid, fills ever larger cavities around them anew, with ever more vertices inside, and
+/// repairs again; each result is kept that has fewer of them.
+void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& surface, LocalRemeshing& done,
+                       Progress& progress) {
+    constexpr std::array<double, 3> kGradingFactors{1.0, 0.5, 0.2};
+    for (std::size_t i = 0; i < kGradingFactors.size(); ++i) {
+        const std::size_t before = invalid_in(*volume);
+        if (before == 0) {
+            return;
+        }
+        CurvedSurface kept = surface;
+        const std::vector<Tetrahedron> tetrahedra = volume->tetrahedra;
+        LocalRemeshing tried;
+        try {
+            volume.emplace(
+                remesh_invalid(*volume, surface, static_cast<int>(i) + 1, kGradingFactors[i], tried, progress));
+            repair_volume(*volume, progress, RepairScope::Invalid);
+            if (invalid_in(*volume) < before) {
+                done.cavities += tried.cavities;
+                continue;
+            }
+        } catch (const MeshingFailed&) {  // what was there before is as good
+        }
+        surface = std::move(kept);
+        volume.emplace(surface);
+        for (const Tetrahedron& t : tetrahedra) {
+            if (t.alive) {
+                volume->tetrahedra[static_cast<std::size_t>(volume->add(t.corners, t.volume))].quality = t.quality;
+            }
+        }
+    }
+}
+
 }  // namespace
 
 CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, GivenMesh given,
@@ -135,10 +175,11 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
         const TetrahedraInside inside = tetrahedra_of(given, matched);
         LocalRemeshing remeshing;
         volume.emplace(remesh_locally(surface, triangles_before, inside, remeshing, watched));
-        report.repairs.emplace_back("cavities filled anew", remeshing.cavities);
         clock.end("filling");
         watched.stage("repairing the volume", 0.6, 0.95);
         note(repair_volume(*volume, watched, RepairScope::Invalid), report);
+        remesh_and_repair(volume, surface, remeshing, watched);
+        report.repairs.emplace_back("cavities filled anew", remeshing.cavities);
         clock.end("repairing the volume");
     }
     std::vector<int> number;

@@ -43,11 +43,12 @@ bool closed(const std::vector<Corners>& triangles) {
 
 class Remesher {
   public:
-    Remesher(CurvedSurface& surface, std::size_t triangles_before, const TetrahedraInside& inside, LocalRemeshing& done,
-             const Progress& progress)
+    Remesher(CurvedSurface& surface, std::size_t triangles_before, const TetrahedraInside& inside,
+             double grading_factor, LocalRemeshing& done, const Progress& progress)
         : surface_(surface),
           triangles_before_(triangles_before),
           inside_(inside),
+          grading_factor_(grading_factor),
           done_(done),
           progress_(progress),
           stale_(inside.corners.size(), 0) {
@@ -61,11 +62,37 @@ class Remesher {
         }
     }
 
-    TetrahedralMesh run() {
+    /// Removes what no longer fits the surface.
+    void remove_unfit() {
         find_changes();
         for (std::size_t t = 0; t < stale_.size(); ++t) {
             stale_[t] = no_longer_fits(inside_.corners[t]) ? 1 : 0;
         }
+    }
+
+    /// Removes tetrahedra with layers of those that have a vertex of theirs.
+    void remove_around(const std::vector<std::size_t>& centres, int layers) {
+        find_changes();
+        std::vector<std::size_t> front = centres;
+        for (int layer = 0; layer <= layers; ++layer) {
+            std::vector<std::size_t> next;
+            for (const std::size_t t : front) {
+                stale_[t] = 1;
+                for (const int v : inside_.corners[t]) {
+                    for (const std::size_t other : at_vertex_.at(v)) {
+                        if (!stale_[other] && layer < layers) {
+                            stale_[other] = 1;
+                            next.push_back(other);
+                        }
+                    }
+                }
+            }
+            front = std::move(next);
+        }
+    }
+
+    /// Fills the cavities anew.
+    TetrahedralMesh fill_cavities() {
         std::vector<std::pair<Cavity, TetrahedralFilling>> filled;
         for (int layer = 0;; ++layer) {
             filled.clear();
@@ -232,7 +259,7 @@ class Remesher {
             }
             triangles.push_back(own);
         }
-        TetrahedralFilling filling = fill(points, triangles, 1.0, progress_);
+        TetrahedralFilling filling = fill(points, triangles, grading_factor_, progress_);
         std::vector<int> vertex(points.size());
         for (const auto& [v, own] : number) {
             vertex[static_cast<std::size_t>(own)] = v;
@@ -274,11 +301,35 @@ class Remesher {
         return any;
     }
 
+    /// Forgets the shapes of mesh edges and faces of which only removed tetrahedra have any.
+    void forget_shapes_inside(const std::array<int, 4>& v, const TetrahedralMesh& mesh) {
+        const auto removed = [&](std::size_t t) { return stale_[t] != 0; };
+        for (const Corners& face : outward_faces(v)) {
+            const auto& two = at_face_.at(face_key(face[0], face[1], face[2]));
+            if (!mesh.fixed_face(face[0], face[1], face[2]) && std::all_of(two.begin(), two.end(), removed)) {
+                surface_.shapes.forget_face(face);
+            }
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            for (std::size_t k = i + 1; k < 4; ++k) {
+                const auto& around = at_vertex_.at(v[i]);
+                const bool gone = std::all_of(around.begin(), around.end(), [&](std::size_t t) {
+                    const auto& corners = inside_.corners[t];
+                    return removed(t) || std::find(corners.begin(), corners.end(), v[k]) == corners.end();
+                });
+                if (gone && !mesh.fixed_edge(v[i], v[k])) {
+                    surface_.shapes.forget_edge(v[i], v[k]);
+                }
+            }
+        }
+    }
+
     TetrahedralMesh assembled(const std::vector<std::pair<Cavity, TetrahedralFilling>>& filled) {
         TetrahedralMesh mesh(surface_);
         for (std::size_t t = 0; t < stale_.size(); ++t) {
             if (stale_[t]) {
                 ++done_.removed;
+                forget_shapes_inside(inside_.corners[t], mesh);
             } else {
                 mesh.add(inside_.corners[t], inside_.volume[t]);
             }
@@ -303,6 +354,7 @@ class Remesher {
     CurvedSurface& surface_;
     std::size_t triangles_before_;
     const TetrahedraInside& inside_;
+    double grading_factor_;
     LocalRemeshing& done_;
     const Progress& progress_;
     std::vector<char> stale_;
@@ -318,7 +370,26 @@ class Remesher {
 
 TetrahedralMesh remesh_locally(CurvedSurface& surface, std::size_t triangles_before, const TetrahedraInside& inside,
                                LocalRemeshing& done, const Progress& progress) {
-    return Remesher(surface, triangles_before, inside, done, progress).run();
+    Remesher remesher(surface, triangles_before, inside, 1.0, done, progress);
+    remesher.remove_unfit();
+    return remesher.fill_cavities();
+}
+
+TetrahedralMesh remesh_invalid(const TetrahedralMesh& volume, CurvedSurface& surface, int layers, double grading_factor,
+                               LocalRemeshing& done, const Progress& progress) {
+    TetrahedraInside inside;
+    std::vector<std::size_t> invalid;
+    for (const int t : volume.living()) {
+        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
+        if (!(tetrahedron.quality > 0.0)) {
+            invalid.push_back(inside.corners.size());
+        }
+        inside.corners.push_back(tetrahedron.corners);
+        inside.volume.push_back(tetrahedron.volume);
+    }
+    Remesher remesher(surface, surface.triangles.size(), inside, grading_factor, done, progress);
+    remesher.remove_around(invalid, layers);
+    return remesher.fill_cavities();
 }
 
 }  // namespace mq::curve

@@ -32,4 +32,11 @@ struct LocalRemeshing {
 TetrahedralMesh remesh_locally(CurvedSurface& surface, std::size_t triangles_before, const TetrahedraInside& inside,
                                LocalRemeshing& done, const Progress& progress);
 
+/// Removes the tetrahedra that are not valid, with `layers` of others around them, and fills their cavities anew.
+/// Shapes of mesh edges and faces in the cavities are forgotten.
+/// @param grading_factor  see fill()
+/// @throws MeshingFailed naming the solid that cannot be filled.
+TetrahedralMesh remesh_invalid(const TetrahedralMesh& volume, CurvedSurface& surface, int layers, double grading_factor,
+                               LocalRemeshing& done, const Progress& progress);
+
 }  // namespace mq::curve

@@ -20,7 +20,7 @@ class Repair {
           editor_(volume),
           progress_(progress),
           good_(scope == RepairScope::Poor ? VolumeTuning::kGoodTetrahedron : std::numeric_limits<double>::min()),
-          free_corner_(scope == RepairScope::Poor ? VolumeTuning::kFreeCorner : 0.0) {}
+          freed_(scope == RepairScope::Poor ? 1.0 : good_) {}
 
     VolumeRepairs run() {
         volume_.measure(volume_.living());
@@ -194,8 +194,8 @@ class Repair {
         bool any = false;
         for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
             const Tetrahedron& tetrahedron = volume_.tetrahedra[t];
-            if (tetrahedron.alive && tetrahedron.quality < 1.0 &&
-                editor_.score(tetrahedron.corners).fixed < free_corner_) {
+            if (tetrahedron.alive && tetrahedron.quality < freed_ &&
+                editor_.score(tetrahedron.corners).fixed < VolumeTuning::kFreeCorner) {
                 progress_.check();
                 any = change(static_cast<int>(t), VolumeEditor::Rule::Free) || any;
             }
@@ -272,8 +272,8 @@ class Repair {
     TetrahedralMesh& volume_;
     VolumeEditor editor_;
     const Progress& progress_;
-    double good_;         // quality from which tetrahedra stay as they are
-    double free_corner_;  // least J of a corner whose three edges are fixed, relative to the straight one
+    double good_;   // quality from which tetrahedra stay as they are
+    double freed_;  // quality from which corners with three fixed edges stay as they are
     VolumeRepairs done_;
 };
 
