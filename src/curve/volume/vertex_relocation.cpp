@@ -14,7 +14,9 @@ void relocate_vertex(VolumeEditor& editor, int p, const std::vector<std::array<i
         for (const auto& corners : star) {
             flat = std::min(flat, editor.volume.straight_shape(corners));
         }
-        return std::min(s.quality, 0.3) + 0.3 * flat;
+        // Flat or inverted straight elements are refused by the editor, however good their curved ones are.
+        constexpr double kRefused = -1e6;
+        return flat > VolumeTuning::kLeastShape ? std::min(s.quality, 0.3) + 0.3 * flat : kRefused + flat;
     };
     double best = value();
     double step = 0.25 * size;
