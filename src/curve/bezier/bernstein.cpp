@@ -9,8 +9,7 @@ namespace mq::curve {
 
 namespace {
 
-constexpr int kMaxFactor = 9;    // highest degree of a factor of any product taken
-constexpr int kMaxProduct = 13;  // and of a product: the normal component of a triangle of order 5
+constexpr int kMaxFactor = 9;  // highest degree of a factor of any product taken
 
 std::size_t slot_of(int dimension, int m, int n) {
     // Entries along one axis of the table: degrees 0 to kMaxFactor.
@@ -23,7 +22,7 @@ std::vector<ProductTable> all_products() {
     for (int dimension = 1; dimension <= 3; ++dimension) {
         for (int m = 0; m <= kMaxFactor; ++m) {
             for (int n = 0; n <= kMaxFactor; ++n) {
-                all.emplace_back(dimension, m, m + n <= kMaxProduct ? n : 0);
+                all.emplace_back(dimension, m, m + n <= kMaxDegree ? n : 0);
             }
         }
     }
@@ -141,7 +140,7 @@ ProductTable::ProductTable(int dimension, int m, int n) {
 
 const ProductTable& ProductTable::of(int dimension, int m, int n) {
     static const std::vector<ProductTable> all = all_products();
-    if (m > kMaxFactor || n > kMaxFactor || m + n > kMaxProduct) {
+    if (m > kMaxFactor || n > kMaxFactor || m + n > kMaxDegree) {
         throw InvalidInput("no table for a product of degrees " + std::to_string(m) + " and " + std::to_string(n));
     }
     return all[slot_of(dimension, m, n)];

@@ -22,13 +22,17 @@ std::vector<double> multinomials_of(const ProductLattice& lattice) {
     return all;
 }
 
-/// The nodes from the first of them, in units of their largest distance from it: a power of two, so that this loses
-/// nothing. Returns that distance in these units.
+/// The nodes from their mean, in units of their largest distance from it: a power of two, so that this loses nothing.
+/// Returns that distance in these units.
 double to_local(const std::vector<Vec3>& nodes, std::vector<Vec3>& local) {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& node : nodes) {
+        mean += node / static_cast<double>(nodes.size());
+    }
     local.clear();
     double farthest = 0.0;
     for (const Vec3& node : nodes) {
-        local.push_back(node - nodes[0]);
+        local.push_back(node - mean);
         farthest = std::max(farthest, local.back().lpNorm<Eigen::Infinity>());
     }
     if (!(farthest > 0.0) || !std::isfinite(farthest)) {
@@ -75,22 +79,32 @@ ElementJacobian::Product ElementJacobian::product_of(const ProductLattice& a, co
 
 ElementJacobian::Field ElementJacobian::derivative(const Derivative& derivative, const std::vector<Vec3>& local,
                                                    double size) {
+    // Sums are made of sums of so many products, as errors grow with the number of terms.
+    constexpr std::size_t kTerms = 16;
     const auto count = static_cast<std::size_t>(derivative.lattice.size());
     Field field;
+    std::vector<double> partial(count);
     for (std::size_t k = 0; k < 3; ++k) {
         field.c[k].assign(count, 0.0);
-        for (std::size_t j = 0; j < local.size(); ++j) {
-            const double* column = derivative.from_nodes.col(static_cast<Eigen::Index>(j)).data();
-            const double x = local[j][static_cast<Eigen::Index>(k)];
+        for (std::size_t begin = 0; begin < local.size(); begin += kTerms) {
+            std::fill(partial.begin(), partial.end(), 0.0);
+            for (std::size_t j = begin; j < std::min(begin + kTerms, local.size()); ++j) {
+                const double* column = derivative.from_nodes.col(static_cast<Eigen::Index>(j)).data();
+                const double x = local[j][static_cast<Eigen::Index>(k)];
+                for (std::size_t i = 0; i < count; ++i) {
+                    partial[i] += column[i] * x;
+                }
+            }
             for (std::size_t i = 0; i < count; ++i) {
-                field.c[k][i] += column[i] * x;
+                field.c[k][i] += partial[i];
             }
         }
     }
-    // Beside the sum itself: the nodes' differences, the weights, which are the product of up to three that were
-    // rounded, and the multinomials.
+    // Beside the sums: the nodes' differences, the weights, which are the product of up to three that were rounded, and
+    // the multinomials.
     constexpr double kOther = 10.0;
-    field.error = derivative.gain * size * kUnit * (static_cast<double>(local.size()) + kOther);
+    const auto sums = static_cast<double>(kTerms + local.size() / kTerms + 1);
+    field.error = derivative.gain * size * kUnit * (sums + kOther);
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 v(field.c[0][i], field.c[1][i], field.c[2][i]);
         field.longest = std::max(field.longest, v.norm() / derivative.multinomials[i]);

@@ -7,6 +7,20 @@ namespace mq::curve {
 
 namespace {
 
+/// The lattice of a factor. Lines need degrees beyond those of simplices: the Jacobian of a hexahedron of order 5 has
+/// degree 14 along each axis.
+const Lattice& lattice_of(const ProductLattice::Factor& factor) {
+    static const std::vector<Lattice> lines = [] {
+        std::vector<Lattice> all;
+        for (int degree = 0; degree < 3 * kMaxOrder; ++degree) {
+            all.emplace_back(1, degree);
+        }
+        return all;
+    }();
+    return factor.dimension == 1 ? lines.at(static_cast<std::size_t>(factor.degree))
+                                 : Lattice::of(factor.dimension, factor.degree);
+}
+
 /// Rows of points of a lattice that differ by moves from corner a to corner b: each is a polynomial in one variable.
 std::vector<std::vector<int>> rows_along(const Lattice& lattice, int a, int b) {
     const auto from = static_cast<std::size_t>(a);
@@ -50,7 +64,7 @@ void halve_row(const double* c, const std::vector<int>& at, std::size_t width, s
 
 ProductLattice::ProductLattice(std::vector<Factor> factors) {
     for (const Factor& f : factors) {
-        factors_.push_back(&Lattice::of(f.dimension, f.degree));
+        factors_.push_back(&lattice_of(f));
         size_ *= factors_.back()->size();
     }
     corner_of_factors_.push_back({});

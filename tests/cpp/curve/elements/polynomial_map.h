@@ -118,4 +118,20 @@ inline Vec3 on_reference(ElementKind kind, const ProductPoint& p) {
     return {2.0 * p[0][1] - 1.0, 2.0 * p[1][1] - 1.0, 2.0 * p[2][1] - 1.0};
 }
 
+/// The value of a polynomial on a product of simplices, from its Bernstein coefficients.
+inline double value_at(const ProductLattice& lattice, const std::vector<double>& coefficients, const ProductPoint& at) {
+    double sum = 0.0;
+    for (int i = 0; i < lattice.size(); ++i) {
+        double product = coefficients[static_cast<std::size_t>(i)] * lattice.multinomial(i);
+        for (std::size_t f = 0; f < static_cast<std::size_t>(lattice.factors()); ++f) {
+            const Exponents& e = lattice.factor(static_cast<int>(f)).exponents(lattice.indices(i)[f]);
+            for (std::size_t k = 0; k < 4; ++k) {
+                product *= std::pow(at[f][k], e[k]);
+            }
+        }
+        sum += product;
+    }
+    return sum;
+}
+
 }  // namespace mq::curve

@@ -5,27 +5,11 @@
 
 #include <random>
 
-#include "curve/bezier/bernstein.h"
 #include "curve/elements.h"
+#include "curve/elements/polynomial_map.h"
 
 namespace mq::curve {
 namespace {
-
-double value_at(const ProductLattice& lattice, const std::vector<double>& c, const ProductPoint& at) {
-    std::array<std::vector<double>, 3> values;
-    for (int f = 0; f < lattice.factors(); ++f) {
-        values[static_cast<std::size_t>(f)] = bernstein_values(lattice.factor(f), at[static_cast<std::size_t>(f)]);
-    }
-    double sum = 0.0;
-    for (int i = 0; i < lattice.size(); ++i) {
-        double product = c[static_cast<std::size_t>(i)];
-        for (std::size_t f = 0; f < static_cast<std::size_t>(lattice.factors()); ++f) {
-            product *= values[f][static_cast<std::size_t>(lattice.indices(i)[f])];
-        }
-        sum += product;
-    }
-    return sum;
-}
 
 TEST(ProductLattice, HalvesAreTheSamePolynomial) {
     std::mt19937 random(3);
