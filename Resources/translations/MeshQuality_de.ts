@@ -1998,6 +1998,10 @@
         <source>Join bodies that touch</source>
         <translation>Berührende Körper verbinden</translation>
     </message>
+    <message>
+        <source>checking the elements</source>
+        <translation>Elemente werden geprüft</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
