@@ -91,7 +91,7 @@ class MinimumSearch {
     const Domain& domain_;
     int serial_ = 0;
     double high_ = std::numeric_limits<double>::infinity();
-    int halvings_ = 0;  // of the piece in which `high_` was found
+    int halvings_ = 0;  // that made the piece in which `high_` was found
     Place at_{};
     std::vector<Piece> heap_;  // the piece with the lowest bound is in front
 };

@@ -27,9 +27,9 @@ struct NodalPolynomial {
 /// derivative by z have the determinant of the map from the pyramid. So J is a polynomial in u, v and z of degrees
 /// 3 p - 1, 3 p - 1 and 3 p - 3, which at the apex has a value for each direction in which one leaves it.
 ///
-/// @param nodes  as many as an element has: all of them, or those of a serendipity element. Its space is the part of
-///               the full one in which the inner nodes follow from the others, so that it is completed exactly.
-/// @throws InvalidInput where elements of this kind and order do not have so many nodes
+/// @param nodes  as many as an element has: all of them, or those of a serendipity element. Its space is the
+///               subspace in which the inner nodes follow from the others, so that it is completed exactly.
+/// @throws InvalidInput where elements of this kind and order have another number of nodes
 std::vector<NodalPolynomial> derivatives_of(ElementKind kind, int order, int nodes);
 
 }  // namespace mq::curve

@@ -79,7 +79,7 @@ ElementJacobian::Product ElementJacobian::product_of(const ProductLattice& a, co
 
 ElementJacobian::Field ElementJacobian::derivative(const Derivative& derivative, const std::vector<Vec3>& local,
                                                    double size) {
-    // Sums are made of sums of so many products, as errors grow with the number of terms.
+    // Sums are made of sums of this number of products, as errors grow with the number of terms.
     constexpr std::size_t kTerms = 16;
     const auto count = static_cast<std::size_t>(derivative.lattice.size());
     Field field;

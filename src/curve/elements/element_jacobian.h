@@ -21,7 +21,7 @@ struct ProductForm {
 class ElementJacobian {
   public:
     /// @param nodes  as in `derivatives_of`, which says on what domain J is a polynomial
-    /// @throws InvalidInput where elements of this kind and order do not have so many nodes
+    /// @throws InvalidInput where elements of this kind and order have another number of nodes
     ElementJacobian(ElementKind kind, int order, int nodes);
 
     /// J of a solid element; of a surface element the component of the normal x_r x x_s along its mean in the element.
@@ -42,12 +42,12 @@ class ElementJacobian {
     struct Product {
         ProductLattice lattice;
         std::vector<int> targets;
-        int terms = 0;  // of any sum, at most
+        int terms = 0;  // in the longest sum
     };
     /// Vectors times multinomials, a list a coordinate.
     struct Field {
         std::array<std::vector<double>, 3> c;
-        double longest = 0.0;  // of the vectors as they are, with their error
+        double longest = 0.0;  // vector, without its multinomial, with its error
         double error = 0.0;
     };
 
@@ -59,7 +59,7 @@ class ElementJacobian {
     ProductForm box_product(const Field& r, const Field& s, const Field& t) const;
 
     std::vector<Derivative> derivatives_;
-    std::vector<Product> products_;  // of the last two derivatives, then of the first and that
+    std::vector<Product> products_;  // the last two derivatives, then the first and that
     std::vector<double> multinomials_;
 };
 

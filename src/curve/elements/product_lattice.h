@@ -56,7 +56,7 @@ class ProductLattice {
     std::vector<Indices> corner_of_factors_;
 };
 
-/// A part of a product of simplices: a part of each.
+/// A piece of a product of simplices: one of each.
 using ProductPart = std::array<SimplexPart, 3>;
 /// A point of a product of simplices.
 using ProductPoint = std::array<Barycentric, 3>;
