@@ -12,6 +12,7 @@ void bind_boolean(pybind11::module_& m);
 void bind_curve(pybind11::module_& m);
 void bind_given(pybind11::module_& m);
 void bind_curved_mesh(pybind11::module_& m);
+void bind_elements(pybind11::module_& m);
 void bind_errors(pybind11::module_& m);
 void bind_freecad_mesh(pybind11::module_& m);
 void bind_improve(pybind11::module_& m);

@@ -47,6 +47,7 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_mesh(m);
     mq::python::bind_triangulate(m);
     mq::python::bind_curve(m);
+    mq::python::bind_elements(m);
     mq::python::bind_given(m);
     mq::python::bind_boolean(m);
     mq::python::bind_improve(m);

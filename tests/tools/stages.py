@@ -40,7 +40,7 @@ STAGES = {
         ["boolean/layered_depth"],
         ["boolean"],
     ],
-    "curve": [["curve/bezier"], ["curve/surface"], ["curve/volume/netgen", "curve/volume/mesher"], ["curve/volume"], ["curve/output"],
+    "curve": [["curve/bezier"], ["curve/elements", "curve/surface"], ["curve/volume/netgen", "curve/volume/mesher"], ["curve/volume"], ["curve/output"],
               ["curve"]],
     "improve": [["improve"]],
     "workflows": [["workflows"]],

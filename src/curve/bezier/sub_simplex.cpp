@@ -24,6 +24,14 @@ Barycentric middle_of(const Barycentric& a, const Barycentric& b) {
     return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]), 0.5 * (a[3] + b[3])};
 }
 
+double squared_length(const SimplexPart& part, const std::pair<int, int>& edge) {
+    return squared_distance(part[static_cast<std::size_t>(edge.first)], part[static_cast<std::size_t>(edge.second)]);
+}
+
+bool is_longer(double squared, double than_squared) {
+    return squared > than_squared * kLonger;
+}
+
 std::pair<int, int> longest_edge(const SimplexPart& part, int dimension) {
     std::pair<int, int> longest{0, 1};
     double most = -1.0;
@@ -31,7 +39,7 @@ std::pair<int, int> longest_edge(const SimplexPart& part, int dimension) {
         for (int b = a + 1; b <= dimension; ++b) {
             const double square =
                 squared_distance(part[static_cast<std::size_t>(a)], part[static_cast<std::size_t>(b)]);
-            if (square > most * kLonger) {
+            if (is_longer(square, most)) {
                 most = square;
                 longest = {a, b};
             }

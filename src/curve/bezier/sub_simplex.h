@@ -16,6 +16,10 @@ constexpr SimplexPart kWholeSimplex{
 
 Barycentric middle_of(const Barycentric& a, const Barycentric& b);
 
+double squared_length(const SimplexPart& part, const std::pair<int, int>& edge);
+/// Whether a squared length exceeds another by more than rounding.
+bool is_longer(double squared, double than_squared);
+
 /// The corners at its ends, in barycentric coordinates; among edges that are equal but for rounding the first.
 std::pair<int, int> longest_edge(const SimplexPart& part, int dimension);
 

@@ -4,74 +4,50 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 
+#include "curve/bezier/minimum_search.h"
 #include "curve/bezier/sub_simplex.h"
 
 namespace mq::curve {
 
 namespace {
 
-struct Piece {
-    double low = 0.0;
-    int serial = 0;  // ties go to the older piece, so that the order is fixed
-    std::vector<double> coefficients;
-    SimplexPart part = kWholeSimplex;
-
-    bool operator<(const Piece& other) const { return low != other.low ? low > other.low : serial > other.serial; }
-};
-
-class Search {
+/// A simplex for MinimumSearch, halved across the longest edge of each piece.
+class SimplexDomain {
   public:
-    explicit Search(const JacobianForm& form) : form_(form), dimension_(form.lattice->dimension()) {
-        Piece whole;
-        whole.coefficients = form.coefficients;
-        best_.high = std::numeric_limits<double>::infinity();
-        push(std::move(whole));
-    }
+    using Part = SimplexPart;
 
-    double low() const { return queue_.top().low - form_.rounding; }
-    double high() const { return best_.high; }
-    int pieces() const { return serial_; }
+    explicit SimplexDomain(const JacobianForm& form)
+        : lattice_(*form.lattice),
+          rounding_(form.rounding),
+          halving_rounding_(halving_error(form.lattice->degree(), form.coefficients)) {}
 
-    /// Halves the piece with the lowest bound across its longest edge.
-    void step() {
-        const Piece piece = queue_.top();
-        queue_.pop();
-        const auto [a, b] = longest_edge(piece.part, dimension_);
-        auto [first, second] = halve(*form_.lattice, piece.coefficients, a, b);
-        const auto [first_part, second_part] = halve(piece.part, a, b);
-        push({0.0, 0, std::move(first), first_part});
-        push({0.0, 0, std::move(second), second_part});
-    }
+    Part whole() const { return kWholeSimplex; }
+    int corners() const { return lattice_.dimension() + 1; }
+    int corner(int k) const { return lattice_.corner(k); }
+    Barycentric place(const Part& part, int k) const { return part[static_cast<std::size_t>(k)]; }
+    double rounding() const { return rounding_; }
+    double halving_rounding() const { return halving_rounding_; }
 
-    Minimum result() const {
-        Minimum minimum = best_;
-        minimum.low = low();
-        minimum.pieces = serial_;
-        return minimum;
+    using Half = std::pair<std::vector<double>, Part>;
+    std::pair<Half, Half> halve(const std::vector<double>& coefficients, const Part& part) const {
+        const auto [a, b] = longest_edge(part, lattice_.dimension());
+        auto [first, second] = curve::halve(lattice_, coefficients, a, b);
+        const auto [first_part, second_part] = curve::halve(part, a, b);
+        return {{std::move(first), first_part}, {std::move(second), second_part}};
     }
 
   private:
-    void push(Piece piece) {
-        piece.serial = serial_++;
-        piece.low = *std::min_element(piece.coefficients.begin(), piece.coefficients.end());
-        for (int k = 0; k <= dimension_; ++k) {
-            const double at_corner = piece.coefficients[static_cast<std::size_t>(form_.lattice->corner(k))];
-            if (at_corner < best_.high) {
-                best_.high = at_corner;
-                best_.at = piece.part[static_cast<std::size_t>(k)];
-            }
-        }
-        queue_.push(std::move(piece));
-    }
-
-    const JacobianForm& form_;
-    int dimension_;
-    int serial_ = 0;
-    Minimum best_;
-    std::priority_queue<Piece> queue_;
+    const Lattice& lattice_;
+    double rounding_;
+    double halving_rounding_;
 };
+
+using Search = MinimumSearch<SimplexDomain>;
+
+Minimum result(const Search& search) {
+    return {search.low(), search.high(), search.at(), search.pieces()};
+}
 
 /// Where all coefficients are within the accuracy there is nothing to halve; most elements of a mesh end here.
 bool at_once(const JacobianForm& form, double accuracy, Minimum& minimum) {
@@ -90,11 +66,7 @@ bool at_once(const JacobianForm& form, double accuracy, Minimum& minimum) {
 }
 
 double largest(const JacobianForm& form) {
-    double most = 0.0;
-    for (const double c : form.coefficients) {
-        most = std::max(most, std::abs(c));
-    }
-    return most;
+    return largest_magnitude(form.coefficients);
 }
 
 }  // namespace
@@ -105,11 +77,12 @@ Minimum bound_minimum(const JacobianForm& form, double accuracy, int max_pieces)
     if (at_once(form, least, minimum)) {
         return minimum;
     }
-    Search search(form);
+    const SimplexDomain domain(form);
+    Search search(domain, form.coefficients);
     while (search.high() - search.low() > least && search.pieces() < max_pieces) {
         search.step();
     }
-    return search.result();
+    return result(search);
 }
 
 Validity check_positive(const JacobianForm& form) {
@@ -126,12 +99,13 @@ Validity check_positive(const JacobianForm& form) {
         return validity;
     }
     const double tolerance = kValidityTolerance * largest(form);
-    Search search(form);
+    const SimplexDomain domain(form);
+    Search search(domain, form.coefficients);
     while (search.low() <= 0.0 && search.high() > form.rounding && search.pieces() < kMaxPieces &&
            search.high() > tolerance) {
         search.step();
     }
-    validity.minimum = search.result();
+    validity.minimum = result(search);
     validity.valid = validity.minimum.low > 0.0;
     validity.proven = validity.valid || validity.minimum.high <= form.rounding;
     return validity;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/numpy.h>
+
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "curve/elements/check_elements.h"
+#include "python/bindings.h"
+#include "python/progress_watch.h"
+
+namespace py = pybind11;
+
+namespace mq::python {
+
+namespace {
+
+using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Rows = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
+
+template <typename T>
+py::array_t<T> array_of(const std::vector<T>& list) {
+    return py::array_t<T>(static_cast<py::ssize_t>(list.size()), list.data());
+}
+
+py::tuple checked(const std::string& kind, int order, const Points& nodes, const Rows& connectivity,
+                  const py::object& progress) {
+    if (nodes.ndim() != 2 || nodes.shape(1) != 3) {
+        throw InvalidInput("nodes must be an array of three columns: x, y and z");
+    }
+    if (connectivity.ndim() != 2) {
+        throw InvalidInput("elements must be an array with the nodes of one in each row");
+    }
+    const curve::ElementKind of_kind = curve::element_kind(kind);
+    std::vector<Vec3> points;
+    points.reserve(static_cast<std::size_t>(nodes.shape(0)));
+    const double* at = nodes.data();
+    for (py::ssize_t i = 0; i < nodes.shape(0); ++i, at += 3) {
+        points.emplace_back(at[0], at[1], at[2]);
+    }
+    const std::vector<std::int32_t> rows(connectivity.data(), connectivity.data() + connectivity.size());
+    const auto width = static_cast<int>(connectivity.shape(1));
+    const curve::ElementVerdicts found = watch(progress, [&](Progress& handle) {
+        handle.stage("checking elements", 0.0, 1.0);
+        return curve::check_elements(of_kind, order, points, rows, width, &handle);
+    });
+    return py::make_tuple(array_of(found.low), array_of(found.high), array_of(found.verdict));
+}
+
+}  // namespace
+
+void bind_elements(py::module_& m) {
+    m.def("check_elements", &checked, py::arg("kind"), py::arg("order"), py::arg("nodes"), py::arg("connectivity"),
+          py::arg("progress") = py::none(),
+          "(low, high, verdict) by element: proven bounds of min J / max |J|, and 0 valid, 1 folded, 2 inverted, 3 not "
+          "proven. kind: triangle, quadrilateral, tetrahedron, pyramid, prism or hexahedron; nodes: float64 (N, 3); "
+          "connectivity: int32 (E, n) in Gmsh's order; raises InvalidInput.");
+}
+
+}  // namespace mq::python
