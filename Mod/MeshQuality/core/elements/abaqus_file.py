@@ -87,6 +87,7 @@ class _Reader:
         if not body.strip():
             return
         rows = whole(_numbers(body, count + 1, f"*ELEMENT of type {name}"))
+        _check_rows(body, len(rows), f"*ELEMENT of type {name}")
         order = [0, 2, 1] if (kind, count) == ("line", 3) else kinds.from_convention(kind, count, kinds.RINGS)
         self.parts.sections.append(Section(kind, rows[:, 1:][:, order], rows[:, 0]))
         if "ELSET" in options:
@@ -173,6 +174,13 @@ def _numbers(body, width, what):
     if len(values) % width:
         raise IoError(f"{what} lacks numbers: it has {len(values):,}, which are not rows of {width}; {REMEDY}")
     return values.reshape(-1, width)
+
+
+def _check_rows(body, count, what):
+    """Raises IoError where lines do not end with elements: some programs write more nodes than a type has."""
+    lines = [line.rstrip() for line in body.split(b"\n") if line.strip()]
+    if count not in (len(lines), sum(not line.endswith(b",") for line in lines)):
+        raise IoError(f"{what} has other numbers of nodes than elements of this type have: {REMEDY}")
 
 
 def _options(line):

@@ -107,7 +107,8 @@ class _Assembly:
             indices = np.concatenate([self._indices(section, places) for section in alike[kind, count]])
             self._check(kind, count, indices, numbers)
             geometry = np.concatenate([_geometry(section) for section in alike[kind, count]])
-            self._blocks.append([kind, kinds.order_of(kind, count), self._righted(kind, indices), geometry])
+            indices = self._righted(kind, self._ordered(kind, indices))
+            self._blocks.append([kind, kinds.order_of(kind, count), indices, geometry])
             self._numbers.append(numbers)
 
     def _indices(self, section, places):
@@ -129,6 +130,24 @@ class _Assembly:
             shown = ", ".join(str(number) for number in numbers[again[:5]].tolist())
             more = ", ..." if len(again) > 5 else ""
             self.faults.append(f"{_counted(len(again), kind)} with a corner twice: {shown}{more}")
+
+    def _ordered(self, kind, indices):
+        """The elements of order 2 by the order of nodes in which their middle nodes lie in the middle of edges: some programs
+        write another order than the format has.
+        """
+        count = indices.shape[1]
+        off = _off_middle(self._nodes, kind, indices) if kinds.order_of(kind, count) == 2 else 0
+        if not off:
+            return indices
+        for convention in (kinds.RINGS, kinds.LEVELS):
+            other = indices[:, np.argsort(kinds.from_convention(kind, count, convention))]
+            if off > len(indices) / 2 and _off_middle(self._nodes, kind, other) < len(indices) / 10:
+                self.faults.append(f"{_counted(len(indices), kind)} with their nodes in Gmsh's order, not in that of the format: "
+                                   "taken so")
+                return np.ascontiguousarray(other)
+        self.faults.append(f"{_counted(off, kind)} with a middle node that is farther from the middle of its edge than the "
+                           "edge's ends")
+        return indices
 
     def _righted(self, kind, indices):
         """The elements, mirrored where most of them are inside out: formats differ in what is positive."""
@@ -235,6 +254,16 @@ def _inverted(nodes, kind, indices):
         for second, third in zip(corners[1:], corners[2:]):
             volume += np.einsum("ij,ij->i", corners[0], np.cross(second, third))
     return np.count_nonzero(volume < 0)
+
+
+def _off_middle(nodes, kind, indices):
+    """How many elements of order 2 have a middle node that is farther from the middle of its edge than the ends are."""
+    off = np.zeros(len(indices), dtype=bool)
+    for i, (a, b) in enumerate(kinds.EDGES[kind]):
+        start, end, between = (nodes[indices[:, k]] for k in (a, b, kinds.CORNERS[kind] + i))
+        reach = ((end - start) ** 2).sum(axis=1)
+        off |= ((2 * between - start - end) ** 2).sum(axis=1) > reach
+    return np.count_nonzero(off)
 
 
 def _odd_nodes(nodes, blocks):

@@ -58,7 +58,7 @@ def of_fem_mesh(mesh):
             if count not in known:
                 raise InvalidInput(f"element {found[0][0]} has {count} nodes, which no element of {name} has that is known "
                                    "here: mesh the part with elements of order 1 or 2")
-            order = kinds.from_convention(known[count], count, kinds.RINGS)
+            order = kinds.from_mirrored(known[count], count)
             nodes = np.array([nodes for _, nodes in found], dtype=np.int64)[:, order]
             parts.sections.append(Section(known[count], nodes, np.array([number for number, _ in found])))
     for group in mesh.Groups:

@@ -22,7 +22,7 @@ _CORNERS = {
     "prism": ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1)),
     "hexahedron": ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)),
 }
-_EDGES = {
+EDGES = {
     "line": ((0, 1),),
     "triangle": ((0, 1), (1, 2), (2, 0)),
     "quadrilateral": ((0, 1), (1, 2), (2, 3), (3, 0)),
@@ -100,7 +100,7 @@ def places(kind, count):
     """float64 (count, 3): where the nodes lie in the reference element, in Gmsh's order."""
     corners = np.array(_CORNERS[kind], dtype=float)
     order = order_of(kind, count)
-    found = _fill(kind, corners, order, (_EDGES[kind], FACES[kind]))
+    found = _fill(kind, corners, order, (EDGES[kind], FACES[kind]))
     if _SERENDIPITY.get(kind) == count:
         found = found[:count]
     found.flags.writeable = False
@@ -119,7 +119,7 @@ def _fill(kind, corners, order, sides):
         parts.append(a + (b - a) * np.arange(1, order)[:, None] / order)
     for face in sides[1] if DIMENSION[kind] == 3 and order > 1 else ():
         flat = _FLAT[len(face)]
-        parts.append(_inside(flat, corners[list(face)], order, (_EDGES[flat], ())))
+        parts.append(_inside(flat, corners[list(face)], order, (EDGES[flat], ())))
     if DIMENSION[kind] > 1:
         parts.append(_inside(kind, corners, order, sides))
     return np.concatenate(parts)
@@ -128,7 +128,7 @@ def _fill(kind, corners, order, sides):
 def _inside(kind, corners, order, sides):
     """The nodes inside of an element, edges and faces apart."""
     if kind == "prism":
-        flat = _inside("triangle", corners[:3], order, (_EDGES["triangle"], ()))
+        flat = _inside("triangle", corners[:3], order, (EDGES["triangle"], ()))
         up = corners[3] - corners[0]
         levels = [*{1, order - 1}, *range(2, order - 1)] if order > 1 else []  # of a line within: its ends first
         return np.concatenate([point + np.outer(levels, up) / order for point in flat] or [flat])
@@ -183,9 +183,16 @@ def turned(kind, count):
 def from_convention(kind, count, convention):
     """By which nodes in the order of a Convention get into Gmsh's: nodes[:, order]; of order 1 and 2."""
     corners = np.array(_CORNERS[kind], dtype=float)
-    edges, faces = convention.edges.get(kind, _EDGES[kind]), convention.faces.get(kind, ())
+    edges, faces = convention.edges.get(kind, EDGES[kind]), convention.faces.get(kind, ())
     wanted = [*corners, *(corners[list(part)].mean(axis=0) for part in (*edges, *faces)), corners.mean(axis=0)]
     return np.argsort(matching(kind, count, wanted[:count]))
+
+
+@functools.lru_cache(maxsize=None)
+def from_mirrored(kind, count):
+    """Likewise for MED and SMESH, whose volumes are the other way round than Gmsh's."""
+    order = from_convention(kind, count, RINGS)
+    return order[turned(kind, count)] if DIMENSION[kind] == 3 else order
 
 
 # VTK's edges and faces of tetrahedra of any order.

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What a file of elements holds, and how text and bytes of files become arrays."""
 
-import contextlib
-import os
 import warnings
 from dataclasses import dataclass, field
 
@@ -106,14 +104,6 @@ def unsupported(what):
 def words_of(name):
     """A name in bytes as text."""
     return name.decode("utf-8", errors="replace").strip().strip("\0").strip()
-
-
-@contextlib.contextmanager
-def silent():
-    """Keeps what libraries print about a file off the standard streams: the error has it."""
-    with open(os.devnull, "w", encoding="utf-8") as sink, contextlib.redirect_stdout(sink), \
-            contextlib.redirect_stderr(sink):
-        yield
 
 
 def equal_rows(values, width, most, key):

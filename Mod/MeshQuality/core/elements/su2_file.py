@@ -8,8 +8,10 @@ import numpy as np
 from ...errors import IoError
 from . import kinds
 from .parts import REMEDY, Parts, Section, content, count_within, equal_rows, numbers_in, unsupported, whole, words_of
+from .vtk_cells import CELLS
 
-_TYPES = {3: "line", 5: "triangle", 9: "quadrilateral", 10: "tetrahedron", 12: "hexahedron", 13: "prism", 14: "pyramid"}
+# VTK's numbers, with how many nodes.
+_TYPES = {number: (kind, count) for number, (kind, count) in CELLS.items() if count}
 
 
 def read(path):
@@ -52,19 +54,19 @@ def _elements(count, body):
     """(kind, nodes) of each run of elements of one type; a number of the element may stand behind its nodes."""
     values = whole(numbers_in(body))
     count_within(count, len(values), "elements")
-    numbered = bool(count) and len(body.strip().partition(b"\n")[0].split()) - 1 > _corners(int(values[0]))
+    numbered = bool(count) and len(body.strip().partition(b"\n")[0].split()) - 1 > _nodes(int(values[0]))
     at = 0
     while count > 0:
         if at >= len(values):
             raise IoError(f"{count:,} elements are missing that it announces: it is cut off; {REMEDY}")
-        corners = _corners(int(values[at]))
-        width = 1 + corners + numbered
+        nodes = _nodes(int(values[at]))
+        width, kind = 1 + nodes + numbered, _TYPES[int(values[at])][0]
         rows = equal_rows(values[at:], width, min(count, (len(values) - at) // width), slice(0, 1))
-        yield _TYPES[int(values[at])], rows[:, 1:1 + corners]
+        yield kind, rows[:, 1:1 + nodes][:, kinds.from_convention(kind, nodes, kinds.RINGS)]
         at, count = at + rows.size, count - len(rows)
 
 
-def _corners(number):
+def _nodes(number):
     if number not in _TYPES:
         raise unsupported(f"elements of type {number}")
-    return kinds.CORNERS[_TYPES[number]]
+    return _TYPES[number][1]

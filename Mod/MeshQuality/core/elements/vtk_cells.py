@@ -8,7 +8,7 @@ from . import kinds
 from .parts import REMEDY, Section, runs, unsupported
 
 # By VTK's number the kind and how many nodes; None: Lagrange cells, of any order.
-_CELLS = {3: ("line", 2), 5: ("triangle", 3), 9: ("quadrilateral", 4), 10: ("tetrahedron", 4), 12: ("hexahedron", 8),
+CELLS = {3: ("line", 2), 5: ("triangle", 3), 9: ("quadrilateral", 4), 10: ("tetrahedron", 4), 12: ("hexahedron", 8),
           13: ("prism", 6), 14: ("pyramid", 5), 21: ("line", 3), 22: ("triangle", 6), 23: ("quadrilateral", 8),
           24: ("tetrahedron", 10), 25: ("hexahedron", 20), 26: ("prism", 15), 27: ("pyramid", 13), 28: ("quadrilateral", 9),
           29: ("hexahedron", 27), 32: ("prism", 18), 68: ("line", None), 69: ("triangle", None),
@@ -34,7 +34,7 @@ def add(parts, connectivity, offsets, types, place):
             continue
         kind = _kind(number, count)
         nodes = connectivity[offsets[begin] - count:offsets[end - 1]].reshape(-1, count)
-        order = kinds.from_lagrange(kind, count) if _CELLS[number][1] is None else \
+        order = kinds.from_lagrange(kind, count) if CELLS[number][1] is None else \
             kinds.from_convention(kind, count, kinds.RINGS)
         section = Section(kind, nodes[:, order] + first, _next_numbers(parts, end - begin), _geometry(tables, kind, begin, end))
         parts.sections.append(section)
@@ -45,7 +45,7 @@ def add(parts, connectivity, offsets, types, place):
 
 
 def _kind(number, count):
-    kind, wanted = _CELLS.get(number, (None, None))
+    kind, wanted = CELLS.get(number, (None, None))
     if kind is None:
         raise unsupported(f"{_NAMES.get(number, f'cells of type {number}')} ({count} nodes)")
     if wanted not in (None, count):
