@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes what an ElementMesh has of the Parts of a file: checked indices, one block a kind and order, groups."""
 
+import itertools
 from collections import namedtuple
 from typing import NamedTuple
 
@@ -10,6 +11,7 @@ from ...errors import InvalidInput
 from . import kinds
 
 _MOST = 2**31 - 1
+_SAMPLE = 20000  # elements by which the orientation of all is told
 
 
 class ElementBlock(namedtuple("ElementBlock", "kind order nodes group geometry")):
@@ -39,6 +41,8 @@ class Content(NamedTuple):
 
 def assembled(parts, scale=1.0):
     """The Content of the Parts of a file. Raises InvalidInput naming the element at fault."""
+    if parts.point_numbers is not None:  # nodes and elements go by their numbers, wherever the file has them
+        _sort(parts)
     nodes = _points(parts, scale)
     places = _Places(parts.point_numbers, len(nodes), "node")
     sections, first = [], 1
@@ -52,6 +56,16 @@ def assembled(parts, scale=1.0):
     if not sections:
         raise InvalidInput("there are no elements in it: mesh the part before writing")
     return _Assembly(nodes, places, sections, parts).content()
+
+
+def _sort(parts):
+    numbers = np.asarray(parts.point_numbers)
+    if not (numbers[1:] > numbers[:-1]).all() and len(numbers) == len(parts.points):
+        order = np.argsort(numbers, kind="stable")
+        parts.point_numbers, parts.points = numbers[order], np.asarray(parts.points)[order]
+        again = int((parts.point_numbers[1:] == parts.point_numbers[:-1]).sum())
+        if again:
+            parts.notes.append(f"{_counted(again, 'node')} with the number of another one, whose place was taken")
 
 
 def _points(parts, scale):
@@ -107,6 +121,9 @@ class _Assembly:
             indices = np.concatenate([self._indices(section, places) for section in alike[kind, count]])
             self._check(kind, count, indices, numbers)
             geometry = np.concatenate([_geometry(section) for section in alike[kind, count]])
+            if not (numbers[1:] > numbers[:-1]).all():
+                by_number = np.argsort(numbers, kind="stable")
+                numbers, indices, geometry = numbers[by_number], indices[by_number], geometry[by_number]
             indices = self._righted(kind, self._ordered(kind, indices))
             self._blocks.append([kind, kinds.order_of(kind, count), indices, geometry])
             self._numbers.append(numbers)
@@ -124,8 +141,11 @@ class _Assembly:
         if kinds.order_of(kind, count) is None:
             raise InvalidInput(f"{kind} {int(numbers[0])} has {count} nodes, which no {kind} of order 1 to "
                                f"{kinds.HIGHEST_ORDER} has: write the mesh with another order")
-        corners = np.sort(indices[:, :kinds.CORNERS[kind]], axis=1)
-        again = np.flatnonzero((corners[:, 1:] == corners[:, :-1]).any(axis=1))
+        corners = range(kinds.CORNERS[kind])
+        again = np.zeros(len(indices), dtype=bool)
+        for a, b in itertools.combinations(corners, 2):
+            again |= indices[:, a] == indices[:, b]
+        again = np.flatnonzero(again)
         if len(again):
             shown = ", ".join(str(number) for number in numbers[again[:5]].tolist())
             more = ", ..." if len(again) > 5 else ""
@@ -151,7 +171,8 @@ class _Assembly:
 
     def _righted(self, kind, indices):
         """The elements, mirrored where most of them are inside out: formats differ in what is positive."""
-        if kinds.DIMENSION[kind] == 3 and _inverted(self._nodes, kind, indices) > len(indices) / 2:
+        some = indices[::max(1, len(indices) // _SAMPLE)]
+        if kinds.DIMENSION[kind] == 3 and _inverted(self._nodes, kind, some) > len(some) / 2:
             indices = np.ascontiguousarray(indices[:, kinds.turned(kind, indices.shape[1])])
             self._turned.add(len(self._blocks))
             self.faults.append(f"{_counted(len(indices), kind)} that the file has inside out, as some formats do: turned")
