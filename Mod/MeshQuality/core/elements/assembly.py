@@ -11,6 +11,7 @@ from ...errors import InvalidInput
 from . import kinds
 
 _MOST = 2**31 - 1
+_FAR = 1e100  # squares and products of three coordinates are still numbers
 _SAMPLE = 20000  # elements by which the orientation of all is told
 
 
@@ -74,10 +75,10 @@ def _points(parts, scale):
         raise InvalidInput("there are no nodes in it: write the mesh anew")
     if points.shape[1] == 2:
         points = np.concatenate([points, np.zeros((len(points), 1))], axis=1)
-    bad = np.flatnonzero(~np.isfinite(points).all(axis=1))
+    bad = np.flatnonzero(~(np.abs(points) < _FAR).all(axis=1))
     if len(bad):
         number = int(bad[0] if parts.point_numbers is None else parts.point_numbers[bad[0]])
-        raise InvalidInput(f"node {number} has coordinates that are not finite: correct the file, or write it anew")
+        raise InvalidInput(f"node {number} has coordinates that are not finite, or beyond all bounds: correct the file, or write it anew")
     if len(points) > _MOST:
         raise InvalidInput(f"there are {len(points):,} nodes, more than {_MOST:,}: write parts of the mesh")
     return np.ascontiguousarray(points * scale)

@@ -23,8 +23,10 @@ class _Reader:
         for _ in range(2):
             self._at = data.index(b"\n", self._at) + 1
         self._binary = self._word().upper() == b"BINARY"
-        if self._word().upper() != b"DATASET" or (kind := self._word().upper()) != b"UNSTRUCTURED_GRID":
-            raise unsupported("a grid that is not UNSTRUCTURED_GRID" if not kind else kind.decode(errors="replace"))
+        if self._word().upper() != b"DATASET":
+            raise IoError(f"it has no DATASET in its fourth line: {REMEDY}")
+        if (kind := self._word().upper()) != b"UNSTRUCTURED_GRID":
+            raise unsupported(f"a dataset of type {kind.decode(errors='replace') or 'none'}")
 
     def _word(self):
         found = _WORD.match(self._data, self._at)
