@@ -75,8 +75,8 @@ def read_mesh(path, scale=1.0):
            .vtu .vtk .med .cgns .su2 .nas .bdf (Nastran) .exo .e
     scale  factor from the file's coordinates to mm: 1000 for files in metres
 
-    All nodes are in Gmsh's order, whatever the file's order is. .med needs h5py (Debian: python3-h5py), .exo netCDF
-    (python3-netcdf4), .cgns the CGNS library (libcgns-dev).
+    All nodes are in Gmsh's order, whatever the file's order is. .med and .exo that are HDF5 need h5py (Debian:
+    python3-h5py), .cgns the CGNS library (libcgns-dev).
 
     Raises IoError naming the path where there is no such file or it is damaged; InvalidInput naming the element where
     the mesh in it cannot be used.
