@@ -14,6 +14,7 @@ Meshes for scripts
     Solid         the same by operators, in sequences that are rounded once: (a - b) | c
     improve       the same surface with better triangles                                 -> SurfaceMesh
     quality       measures any mesh                                                      -> MeshReport
+    read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -77,6 +78,8 @@ _LAZY = {
     "set_patches": "MeshQuality.features.transactions",
     "suggested_patches": "MeshQuality.core.patch_names",
     "update": "MeshQuality.features.transactions",
+    "ElementMesh": "MeshQuality.core.element_mesh",
+    "read_mesh": "MeshQuality.core.element_mesh",
     "SurfaceMesh": "MeshQuality.core.surface_mesh",
     "MeshReport": "MeshQuality._core",
     "BooleanReport": "MeshQuality._core",

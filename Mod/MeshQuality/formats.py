@@ -75,6 +75,22 @@ FORMATS = {
 SUFFIXES = tuple(FORMATS)
 CURVED_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if form.curved)
 FLAT_ONLY_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if not form.curved)
+# By extension that files of elements are read from: what errors call the format, and the module of core/elements.
+READABLE = {
+    ".msh": ("a file of Gmsh", "gmsh_file"),
+    ".msh2": ("a file of Gmsh", "gmsh_file"),
+    ".inp": ("a file of Abaqus", "abaqus_file"),
+    ".unv": ("an I-DEAS universal file", "universal_file"),
+    ".vtu": ("a VTK unstructured grid", "vtu_file"),
+    ".vtk": ("a legacy file of VTK", "vtk_file"),
+    ".med": ("a file of Salome", "med_file"),
+    ".cgns": ("a CGNS file", "cgns_file"),
+    ".su2": ("a file of SU2", "su2_file"),
+    ".nas": ("Nastran bulk data", "nastran_file"),
+    ".bdf": ("Nastran bulk data", "nastran_file"),
+    ".exo": ("an Exodus file", "exodus_file"),
+    ".e": ("an Exodus file", "exodus_file"),
+}
 _TEXT_ONLY = Format("STL as text", names=_ONE_WORD)
 
 

@@ -96,6 +96,11 @@ class Recipes(helpers.DocumentTest):
         self.assertEqual(sorted(os.listdir(".")), ["duct.fms", "duct.inp", "duct.stl"])
         self.assertEqual(list(self.names["whole"].Patches), ["Body: Face1, Face2, Face3"])
 
+    def test_meshes_from_elsewhere(self):
+        self.follow("docs/use/meshes-from-elsewhere.md")
+        self.assertEqual((self.names["mesh"].blocks[0].kind, self.names["mesh"].faults), ("tetrahedron", ()))
+        self.assertEqual([rows.shape[1] for rows in self.names["faces"]], [6])
+
     def test_to_repair(self):
         self.follow("docs/use/repair.md")
         self.assertGreaterEqual(self.names["better"].report.min_angle, 25)

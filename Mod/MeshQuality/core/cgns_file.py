@@ -22,7 +22,8 @@ _TYPES = {(2, 3): 5, (2, 6): 6, (3, 4): 10, (3, 10): 11}  # by dimension and nod
 
 
 @functools.lru_cache(maxsize=None)
-def _library():
+def library():
+    """The CGNS library. Raises IoError where it is not there."""
     name = ctypes.util.find_library("cgns")
     if name is None:
         raise IoError("CGNS files need the CGNS library, which is not there: install it (Debian: libcgns-dev)")
@@ -30,10 +31,10 @@ def _library():
 
 
 def _call(function, *arguments):
-    library = _library()
-    if getattr(library, function)(*arguments):
-        library.cg_get_error.restype = ctypes.c_char_p
-        raise IoError(f"the CGNS library cannot write: {library.cg_get_error().decode(errors='replace')}")
+    cgns = library()
+    if getattr(cgns, function)(*arguments):
+        cgns.cg_get_error.restype = ctypes.c_char_p
+        raise IoError(f"the CGNS library cannot write: {cgns.cg_get_error().decode(errors='replace')}")
 
 
 def _text(name):
@@ -54,7 +55,7 @@ class _File:
         if kind is None:
             _call("cg_close", self.number)
         else:
-            _library().cg_close(self.number)
+            library().cg_close(self.number)
 
     def base(self, dimension):
         """A base with elements of this dimension in space."""
@@ -65,16 +66,17 @@ class _File:
     def zone(self, base, sizes):
         """A zone; sizes as an array of whole numbers of the library's kind."""
         zone = ctypes.c_int()
-        _call("cg_zone_write", self.number, base, _text("Zone1"), _address(sizes), _UNSTRUCTURED, ctypes.byref(zone))
+        _call("cg_zone_write", self.number, base, _text("Zone1"), address(sizes), _UNSTRUCTURED, ctypes.byref(zone))
         return zone
 
 
-def _address(array):
+def address(array):
+    """Where an array is, for the library."""
     return array.ctypes.data_as(ctypes.c_void_p)
 
 
 @functools.lru_cache(maxsize=None)
-def _size_type():
+def size_type():
     """The NumPy type of the library's sizes, which is a choice of those who built it: read back from a small file."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "sizes.cgns")
@@ -83,13 +85,13 @@ def _size_type():
             zone = file.zone(base, np.array([1, 0, 0], dtype=np.int64))  # the same for both
         found = np.full(9, -1, dtype=np.int32)
         with _File(path, _MODE_READ) as file:
-            _call("cg_zone_read", file.number, base, zone, ctypes.create_string_buffer(33), _address(found))
+            _call("cg_zone_read", file.number, base, zone, ctypes.create_string_buffer(33), address(found))
     return np.int32 if found[3] == -1 else np.int64
 
 
 def write(mesh, path, patches, solids, scale):
     """Writes a SurfaceMesh or a CurvedMesh of order 1 or 2."""
-    size, points = _size_type(), points_of(mesh, scale)
+    size, points = size_type(), points_of(mesh, scale)
     tetrahedra = tetrahedra_in_common_order(mesh)
     cells = len(tetrahedra) or len(mesh.triangles)
     with _File(path) as file:
@@ -116,11 +118,11 @@ def _coordinate(file, place, name, values):
     """Writes one coordinate of all points, which is a length."""
     base, zone = place
     coordinate, exponents = ctypes.c_int(), np.array([0, 1, 0, 0, 0], dtype=np.float64)
-    _call("cg_coord_write", file.number, base, zone, _REAL_DOUBLE, _text(name), _address(values),
+    _call("cg_coord_write", file.number, base, zone, _REAL_DOUBLE, _text(name), address(values),
           ctypes.byref(coordinate))
     _call("cg_goto", file.number, base, _text("Zone_t"), zone, _text("GridCoordinates_t"), 1, _text("DataArray_t"),
           coordinate, _text("end"))
-    _call("cg_exponents_write", _REAL_DOUBLE, _address(exponents))
+    _call("cg_exponents_write", _REAL_DOUBLE, address(exponents))
 
 
 def _ranks(numbers):
@@ -133,7 +135,7 @@ def _section(file, place, name, kind_and_first, elements):
     integer = ctypes.c_int64 if elements.dtype == np.int64 else ctypes.c_int32
     last = first + len(elements) - 1
     _call("cg_section_write", file.number, *place, _text(name), _TYPES[dimension, elements.shape[1]], integer(first),
-          integer(last), 0, _address(np.ascontiguousarray(elements)), ctypes.byref(ctypes.c_int()))
+          integer(last), 0, address(np.ascontiguousarray(elements)), ctypes.byref(ctypes.c_int()))
     return last + 1
 
 
@@ -144,7 +146,7 @@ def _condition(file, place, name, location, ends):
     condition, family = ctypes.c_int(), ctypes.c_int()
     _call("cg_family_write", file.number, base, _text(name), ctypes.byref(family))
     _call("cg_boco_write", file.number, base, zone, _text(name), _FAMILY_SPECIFIED, _POINT_RANGE, integer(2),
-          _address(ends), ctypes.byref(condition))
+          address(ends), ctypes.byref(condition))
     _call("cg_boco_gridlocation_write", file.number, base, zone, condition, location)
     _call("cg_goto", file.number, base, _text("Zone_t"), zone, _text("ZoneBC_t"), 1, _text("BC_t"), condition,
           _text("end"))

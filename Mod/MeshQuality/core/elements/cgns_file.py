@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CGNS files by the CGNS library: the unstructured zones of the first base, with their boundary conditions as groups."""
+
+import contextlib
+import ctypes
+import os
+
+import numpy as np
+
+from ...errors import IoError
+from . import kinds
+from ..cgns_file import address, library, size_type
+from .parts import REMEDY, Parts, Section, count_within, equal_rows, unsupported, whole, words_of
+
+_READ, _UNSTRUCTURED, _REAL_DOUBLE, _VERTEX = 0, 3, 4, 2
+_LIST, _RANGE = (2, 7), (4, 6)  # of points or of elements
+_NODE, _MIXED = 2, 20
+_TYPES = {3: ("line", 2), 4: ("line", 3), 5: ("triangle", 3), 6: ("triangle", 6), 7: ("quadrilateral", 4),
+          8: ("quadrilateral", 8), 9: ("quadrilateral", 9), 10: ("tetrahedron", 4), 11: ("tetrahedron", 10),
+          12: ("pyramid", 5), 13: ("pyramid", 14), 14: ("prism", 6), 15: ("prism", 15), 16: ("prism", 18),
+          17: ("hexahedron", 8), 18: ("hexahedron", 20), 19: ("hexahedron", 27), 21: ("pyramid", 13)}
+_NAMES = {22: "polygons (NGON_n)", 23: "polyhedra (NFACE_n)"}
+_DENSEST = 1000  # how many times a compressed file may grow
+
+
+def _ask(function, *arguments):
+    if getattr(library(), function)(*arguments):
+        library().cg_get_error.restype = ctypes.c_char_p
+        raise IoError(f"the CGNS library cannot read it: {library().cg_get_error().decode(errors='replace')}")
+
+
+def _number(function, *arguments):
+    found = ctypes.c_int()
+    _ask(function, *arguments, ctypes.byref(found))
+    return found.value
+
+
+@contextlib.contextmanager
+def _opened(path):
+    file = _number("cg_open", ctypes.c_char_p(os.fsencode(path)), _READ)
+    try:
+        yield file
+    finally:
+        library().cg_close(file)
+
+
+def read(path):
+    """The Parts of a file."""
+    library()
+    most = os.path.getsize(path) * _DENSEST
+    with _opened(path) as file:
+        if _number("cg_nbases", file) < 1:
+            raise IoError("it has no base: write the mesh into it")
+        parts = Parts([np.zeros((0, 3))], [])
+        for zone in range(1, _number("cg_nzones", file, 1) + 1):
+            _Zone(file, zone, most).read(parts)
+    parts.points = np.concatenate(parts.points)
+    return parts
+
+
+class _Zone:
+    def __init__(self, file, zone, most):
+        self._place, self._most, self._kind = (file, 1, zone), most, size_type()
+
+    def _sizes(self, count):
+        return np.zeros(count, dtype=self._kind)
+
+    def read(self, parts):
+        if _number("cg_zone_type", *self._place) != _UNSTRUCTURED:
+            raise unsupported("structured zones")
+        sizes = self._sizes(9)
+        _ask("cg_zone_read", *self._place, ctypes.create_string_buffer(33), address(sizes))
+        first_node = sum(len(part) for part in parts.points)
+        first_element = max((int(section.numbers.max()) for section in parts.sections if len(section.numbers)), default=0)
+        parts.points.append(self._points(count_within(sizes[0], self._most, "nodes")))
+        sections = {}
+        for number in range(1, _number("cg_nsections", *self._place) + 1):
+            name, found = self._section(number, first_node - 1, first_element)
+            sections.setdefault(name, []).extend(found)
+            parts.sections += found
+        grouped = [np.zeros(0, dtype=np.int64)]
+        for number in range(1, _number("cg_nbocos", *self._place) + 1):
+            name, members = self._condition(number)
+            if members is not None:
+                parts.add_to_group(name, members + first_element)
+                grouped.append(members + first_element)
+        grouped = np.concatenate(grouped)
+        for name, found in sections.items():
+            numbers = np.concatenate([np.zeros(0, dtype=np.int64), *(section.numbers for section in found)])
+            if not np.isin(numbers, grouped).any():
+                parts.add_to_group(name, numbers)
+
+    def _points(self, count):
+        found = np.zeros((count, 3))
+        first, last = np.ones(3, dtype=self._kind), np.full(3, count, dtype=self._kind)
+        axes = _number("cg_ncoords", *self._place)
+        for axis in range(min(axes, 3)):
+            name, kind, column = ctypes.create_string_buffer(33), ctypes.c_int(), np.zeros(count)
+            _ask("cg_coord_info", *self._place, axis + 1, ctypes.byref(kind), name)
+            if name.value not in (b"CoordinateX", b"CoordinateY", b"CoordinateZ"):
+                raise unsupported(f"the coordinate {words_of(name.value)}")
+            _ask("cg_coord_read", *self._place, name, _REAL_DOUBLE, address(first), address(last), address(column))
+            found[:, "XYZ".index(words_of(name.value)[-1])] = column
+        return found
+
+    def _section(self, number, node_offset, element_offset):
+        """(name, [Section, ...])."""
+        name, kind, ends = ctypes.create_string_buffer(33), ctypes.c_int(), self._sizes(2)
+        boundary, parents, size = ctypes.c_int(), ctypes.c_int(), self._sizes(1)
+        _ask("cg_section_read", *self._place, number, name, ctypes.byref(kind), address(ends[:1]), address(ends[1:]),
+             ctypes.byref(boundary), ctypes.byref(parents))
+        _ask("cg_ElementDataSize", *self._place, number, address(size))
+        values = self._sizes(count_within(size[0], self._most, "numbers of an element section"))
+        count = count_within(ends[1] - ends[0] + 1, len(values), "elements")
+        owners = self._sizes(4 * count if parents.value else 1)
+        if kind.value == _MIXED:
+            _ask("cg_poly_elements_read", *self._place, number, address(values), address(self._sizes(count + 1)), address(owners))
+        elif kind.value in _TYPES or kind.value == _NODE:
+            _ask("cg_elements_read", *self._place, number, address(values), address(owners))
+        else:
+            raise unsupported(_NAMES.get(kind.value, f"elements of CGNS' type {kind.value}"))
+        numbers = np.arange(count) + int(ends[0]) + element_offset
+        rows = _mixed(whole(values), count) if kind.value == _MIXED else [(kind.value, whole(values))]
+        return words_of(name.value), _sections(rows, numbers, node_offset)
+
+    def _condition(self, number):
+        """(name, numbers of elements), None of conditions on nodes."""
+        name, integers, sizes = ctypes.create_string_buffer(33), [ctypes.c_int() for _ in range(7)], self._sizes(2)
+        kind, points, normal_type, sets = integers[:4]
+        _ask("cg_boco_info", *self._place, number, name, ctypes.byref(kind), ctypes.byref(points), address(sizes[:1]),
+             (ctypes.c_int * 3)(), address(sizes[1:]), ctypes.byref(normal_type), ctypes.byref(sets))
+        location = _number("cg_boco_gridlocation_read", *self._place, number)
+        by_elements = points.value in (_LIST[1], _RANGE[1])
+        if not by_elements and (location == _VERTEX or points.value not in (_LIST[0], _RANGE[0])):
+            return None, None
+        members = self._sizes(count_within(sizes[0], self._most, "members of a boundary condition"))
+        normals = np.zeros(3 * count_within(sizes[1], self._most, "normals") + 3)
+        _ask("cg_boco_read", *self._place, number, address(members), address(normals))
+        members = whole(members)
+        if points.value in _RANGE:
+            if len(members) != 2 or not 0 <= members[1] - members[0] < self._most:
+                raise IoError(f"boundary condition {words_of(name.value)!r} has no range of elements: {REMEDY}")
+            members = np.arange(members[0], members[1] + 1)
+        return self._family(number) or words_of(name.value), members
+
+    def _family(self, number):
+        """The name of a condition's family; None without one."""
+        file, base, zone = self._place
+        name = ctypes.create_string_buffer(700)
+        end = ctypes.c_char_p(b"end")
+        if library().cg_goto(file, base, ctypes.c_char_p(b"Zone_t"), zone, ctypes.c_char_p(b"ZoneBC_t"), 1,
+                             ctypes.c_char_p(b"BC_t"), number, end) or library().cg_famname_read(name):
+            return None
+        return words_of(name.value)
+
+
+def _sections(rows, numbers, node_offset):
+    found, at = [], 0
+    for kind, values in rows:
+        if kind == _NODE:
+            at += len(values)
+            continue
+        name, count = _TYPES[kind]
+        if len(values) % count:
+            raise IoError(f"a section has {len(values):,} numbers, which are no {kinds.PLURALS[name]}: {REMEDY}")
+        nodes = values.reshape(-1, count)[:, kinds.from_convention(name, count, kinds.LEVELS)]
+        found.append(Section(name, nodes + node_offset, numbers[at:at + len(nodes)]))
+        at += len(nodes)
+    if at != len(numbers):
+        raise IoError(f"a section has {at:,} elements instead of {len(numbers):,}: {REMEDY}")
+    return found
+
+
+def _mixed(values, count):
+    """(type, its numbers) of each run of elements of one type."""
+    at = 0
+    while at < len(values) and count > 0:
+        kind = int(values[at])
+        if kind != _NODE and kind not in _TYPES:
+            raise unsupported(_NAMES.get(kind, f"elements of CGNS' type {kind}"))
+        width = 1 + (1 if kind == _NODE else _TYPES[kind][1])
+        rows = equal_rows(values[at:], width, min(count, (len(values) - at) // width), slice(0, 1))
+        yield kind, rows[:, 1:].ravel()
+        at, count = at + rows.size, count - len(rows)

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cells of VTK as Sections."""
+
+import numpy as np
+
+from ...errors import IoError
+from . import kinds
+from .parts import REMEDY, Section, runs, unsupported
+
+# By VTK's number the kind and how many nodes; None: Lagrange cells, of any order.
+CELLS = {3: ("line", 2), 5: ("triangle", 3), 9: ("quadrilateral", 4), 10: ("tetrahedron", 4), 12: ("hexahedron", 8),
+          13: ("prism", 6), 14: ("pyramid", 5), 21: ("line", 3), 22: ("triangle", 6), 23: ("quadrilateral", 8),
+          24: ("tetrahedron", 10), 25: ("hexahedron", 20), 26: ("prism", 15), 27: ("pyramid", 13), 28: ("quadrilateral", 9),
+          29: ("hexahedron", 27), 32: ("prism", 18), 68: ("line", None), 69: ("triangle", None),
+          70: ("quadrilateral", None), 71: ("tetrahedron", None)}
+_POINTS = {0, 1, 2}
+_NAMES = {4: "poly lines", 6: "triangle strips", 7: "polygons", 8: "pixels", 11: "voxels", 34: "triangles with 7 nodes",
+          35: "cubic lines", 37: "pyramids with 19 nodes", 42: "polyhedra", 72: "hexahedra of VTK Lagrange",
+          73: "prisms of VTK Lagrange", 74: "pyramids of VTK Lagrange"}
+# Of the arrays of cells that name a group by its number; the CAD entities that our own files have.
+_GEOMETRY = {"cad_face": 2, "cad_solid": 3}
+TABLES = (*_GEOMETRY, "patch", "CellEntityIds", "gmsh:geometrical")
+
+
+def add(parts, connectivity, offsets, types, place):
+    """Adds Sections of cells; place is ({name of an array: its numbers}, number of the first node)."""
+    tables, first = place
+    sizes = np.diff(np.concatenate([[0], offsets]))
+    if len(offsets) != len(types) or (sizes < 0).any() or (len(offsets) and offsets[-1] > len(connectivity)):
+        raise IoError(f"its cells have other numbers of nodes than it announces: {REMEDY}")
+    for begin, end in runs(types.astype(np.int64) * 4096 + np.minimum(sizes, 4095)):
+        number, count = int(types[begin]), int(sizes[begin])
+        if number in _POINTS:
+            continue
+        kind = _kind(number, count)
+        nodes = connectivity[offsets[begin] - count:offsets[end - 1]].reshape(-1, count)
+        order = kinds.from_lagrange(kind, count) if CELLS[number][1] is None else \
+            kinds.from_convention(kind, count, kinds.RINGS)
+        section = Section(kind, nodes[:, order] + first, _next_numbers(parts, end - begin), _geometry(tables, kind, begin, end))
+        parts.sections.append(section)
+        if "patch" in tables and len(tables["patch"]) >= end:
+            patch = tables["patch"][begin:end]
+            for i in np.unique(patch[patch >= 0]).tolist():
+                parts.add_to_group(f"patch {i}", section.numbers[patch == i])
+
+
+def _kind(number, count):
+    kind, wanted = CELLS.get(number, (None, None))
+    if kind is None:
+        raise unsupported(f"{_NAMES.get(number, f'cells of type {number}')} ({count} nodes)")
+    if wanted not in (None, count):
+        raise IoError(f"it has a {kind} with {count} nodes instead of {wanted}: {REMEDY}")
+    if kinds.order_of(kind, count) is None:
+        raise unsupported(f"{kinds.PLURALS[kind]} with {count} nodes")
+    return kind
+
+
+def _next_numbers(parts, count):
+    last = int(parts.sections[-1].numbers[-1]) if parts.sections else 0
+    return np.arange(last + 1, last + 1 + count)
+
+
+def _geometry(tables, kind, begin, end):
+    for name, dimension in _GEOMETRY.items():
+        if kinds.DIMENSION[kind] == dimension and len(tables.get(name, ())) >= end:
+            return tables[name][begin:end]
+    for name in ("CellEntityIds", "gmsh:geometrical"):
+        if len(tables.get(name, ())) >= end:
+            return np.maximum(tables[name][begin:end] - 1, -1)
+    return None
