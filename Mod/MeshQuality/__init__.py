@@ -62,6 +62,8 @@ _LAZY = {
     "quality": "MeshQuality.core.quality",
     "improve": "MeshQuality.core.improvement",
     "add_improved_mesh": "MeshQuality.features.improved_mesh",
+    "certify": "MeshQuality.core.certification",
+    "MeshCertificate": "MeshQuality.core.certification",
     "curve": "MeshQuality.core.curving",
     "CurvedMesh": "MeshQuality.core.curving",
     "boolean": "MeshQuality.core.booleans",

@@ -40,16 +40,22 @@ std::vector<std::array<int, N>> rows_of(const Indices& array, const char* name) 
     return rows;
 }
 
+std::vector<Vec3> points_of(const Numbers& nodes) {
+    if (nodes.ndim() != 2 || nodes.shape(1) != 3) {
+        throw InvalidInput("nodes must be an array of three columns: x, y and z");
+    }
+    std::vector<Vec3> points;
+    for (py::ssize_t i = 0; i < nodes.shape(0); ++i) {
+        points.emplace_back(nodes.at(i, 0), nodes.at(i, 1), nodes.at(i, 2));
+    }
+    return points;
+}
+
 CurvedPointer curve_given(const Numbers& nodes, const Indices& triangles, const Indices& tetrahedra,
                           const Indices& regions, const PartShape& part, const curve::CurveOptions& options,
                           bool imprint, const py::object& progress) {
-    if (nodes.ndim() != 2 || nodes.shape(1) != 3) {
-        throw InvalidInput("nodes are no array of shape (N, 3)");
-    }
     curve::GivenMesh given;
-    for (py::ssize_t i = 0; i < nodes.shape(0); ++i) {
-        given.nodes.emplace_back(nodes.at(i, 0), nodes.at(i, 1), nodes.at(i, 2));
-    }
+    given.nodes = points_of(nodes);
     given.triangles = rows_of<3>(triangles, "triangles");
     given.tetrahedra = rows_of<4>(tetrahedra, "tetrahedra");
     given.regions.assign(regions.data(), regions.data() + regions.size());
@@ -60,12 +66,32 @@ CurvedPointer curve_given(const Numbers& nodes, const Indices& triangles, const 
     });
 }
 
+template <typename T>
+py::array_t<T> array_of(const std::vector<T>& list) {
+    return py::array_t<T>(static_cast<py::ssize_t>(list.size()), list.data());
+}
+
+py::tuple measure_given_surface(const Numbers& nodes, int order, const Indices& triangles, const PartShape& part,
+                                const py::object& progress) {
+    const std::vector<Vec3> points = points_of(nodes);
+    const std::vector<std::int32_t> rows(triangles.data(), triangles.data() + triangles.size());
+    geometry::Engine& engine = shared_engine();
+    const curve::GivenSurfaceMeasures found = watch(progress, [&](Progress& handle) {
+        return workflows::measure_given_surface(engine, *part.shape, points, order, rows, handle);
+    });
+    return py::make_tuple(array_of(found.face), array_of(found.quality), array_of(found.deviation));
+}
+
 }  // namespace
 
 void bind_given(py::module_& m) {
     m.def("curve_given", &curve_given, py::arg("nodes"), py::arg("triangles"), py::arg("tetrahedra"),
           py::arg("regions"), py::arg("shape"), py::arg("options"), py::arg("imprint"),
-          py::arg("progress") = py::none(), "Curves the corners of a mesh that another program made of the Part.Shape.");
+          py::arg("progress") = py::none(),
+          "Curves the corners of a mesh that another program made of the Part.Shape.");
+    m.def("measure_given_surface", &measure_given_surface, py::arg("nodes"), py::arg("order"), py::arg("triangles"),
+          py::arg("shape"), py::arg("progress") = py::none(),
+          "(face, quality, deviation) by triangle of a surface that another program made of the Part.Shape.");
 }
 
 }  // namespace mq::python

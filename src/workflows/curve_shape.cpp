@@ -144,4 +144,11 @@ CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
     return mesh;
 }
 
+curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                                  const std::vector<Vec3>& nodes, int order,
+                                                  const std::vector<std::int32_t>& triangles, Progress& progress) {
+    const auto model = model_of(engine, shape, geometry::Creases::Keep, {{}, false, false}, progress);
+    return curve::measure_given_surface(engine, model, nodes, order, triangles, &progress);
+}
+
 }  // namespace mq::workflows

@@ -4,6 +4,7 @@
 #include "base/progress.h"
 #include "curve/curve.h"
 #include "curve/given/given_mesh.h"
+#include "curve/given/measure_given.h"
 #include "geometry/engine.h"
 #include "triangulate/work_mesh/options.h"
 #include "triangulate/work_mesh/result.h"
@@ -29,5 +30,10 @@ curve::CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& sh
 /// @throws as curve::curve_given.
 curve::CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
                                    const curve::CurveOptions& options, bool imprint, Progress& progress);
+
+/// Measures the triangles of a given surface against the shape, see curve::measure_given_surface.
+curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                                  const std::vector<Vec3>& nodes, int order,
+                                                  const std::vector<std::int32_t>& triangles, Progress& progress);
 
 }  // namespace mq::workflows

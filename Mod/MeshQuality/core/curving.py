@@ -8,7 +8,8 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, fem, frames, writing
+from . import convert, fem, frames, given, writing
+from .certification import given_mesh
 from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
 
@@ -49,6 +50,10 @@ class CurvedMesh(metaclass=Public):
                        docs/method/validity.md; upper bounds, 1 is best, infinite: it folds
     report             CurveReport; None of a mesh that comes from a document
     straight           SurfaceMesh that was curved, with its report; likewise
+    given_node         int32 (corners,), of a mesh that another program made (curve(..., mesh=)): its node at each corner,
+                       or -1; empty of others, as are the next two
+    given_element      int32 (E,), its element with the corners of element i, or -1 where that is a new one
+    moved_nodes        int32, its nodes that are not where they were
     patches            the names of its patches; empty where none were given
     triangle_patch     int32 (T,), triangle i is in patches[triangle_patch[i]]; empty likewise
 
@@ -88,6 +93,9 @@ class CurvedMesh(metaclass=Public):
     tetrahedron_quality = property(lambda self: self._curved.tetrahedron_quality,
                                    doc="float64 (E,)")
 
+    given_node = property(lambda self: self._curved.given_node, doc="int32 (corners,)")
+    given_element = property(lambda self: self._curved.given_element, doc="int32 (E,)")
+    moved_nodes = property(lambda self: self._curved.moved_nodes, doc="int32")
     patches = property(names_of_patches, doc="names of the patches")
     triangle_patch = property(numbers_of_patches, doc="int32 (T,)")
 
@@ -247,7 +255,7 @@ def store_in(obj, curved, lists):
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False,
-          patches=None, patch_rest=None):
+          patches=None, patch_rest=None, mesh=None):
     """A mesh of curved elements on a shape, proven valid element by element.
 
     shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
@@ -264,6 +272,10 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     progress       callable(fraction 0..1, stage); returning False cancels
     patches, patch_rest
                    named groups of faces, as for triangulate; of a SurfaceMesh that has patches these are the default
+    mesh           a mesh of triangles or tetrahedra that another program made of the shape: an ElementMesh, or the
+                   path of a file that mq.read_mesh takes. It is found on the CAD and curved; vertices and
+                   connectivity stay unless elements would be invalid: then given_node, given_element and moved_nodes of
+                   the result say what changed. volume and the options of the straight mesh do not apply
 
     Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -281,7 +293,10 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     module.set_fill_program(program("meshquality_fill"))
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
-    if isinstance(shape_or_mesh, SurfaceMesh):
+    if mesh is not None:
+        curved = module.curve_given(*given.corners_of(given_mesh(mesh)), convert.shape_of(shape_or_mesh), curving,
+                                    values["imprint"], progress)
+    elif isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:
             raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")
         if division is None and shape_or_mesh._patches is not None:

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether the elements of a mesh fit together."""
+
+import numpy as np
+
+from . import kinds
+
+
+def of_blocks(blocks):
+    """(conforming, oriented): whether no side has more than two elements, and whether all pairs see it from two sides.
+
+    Sides are the faces of volume elements; of a mesh without these, the edges of triangles and quadrilaterals, where
+    more than two may meet.
+    """
+    highest = max(kinds.DIMENSION[block.kind] for block in blocks)
+    whole = [block for block in blocks if kinds.DIMENSION[block.kind] == highest]
+    if highest == 2:
+        directed = np.concatenate([block.nodes[:, list(edge)] for block in whole for edge in kinds.EDGES[block.kind]])
+        _, counts = np.unique(directed, axis=0, return_counts=True)
+        _, pairs = np.unique(np.sort(directed, axis=1), axis=0, return_counts=True)
+        return True, bool(counts.max(initial=0) <= 1 or pairs.max(initial=0) > 2)
+    conforming = oriented = True
+    for corners in (3, 4):
+        sides = [block.nodes[:, list(face)] for block in whole for face in kinds.FACES[block.kind] if len(face) == corners]
+        if sides:
+            counts, turns = _counted(np.concatenate(sides))
+            conforming = conforming and bool(counts.max() <= 2)
+            oriented = oriented and not (turns[counts == 2] != 0).any()
+    return conforming, oriented
+
+
+def _counted(sides):
+    """By side: how many elements have it, and the sum of the ways in which they go round it, 1 or -1."""
+    first = np.argmin(sides, axis=1)
+    rows = np.arange(len(sides))
+    count = sides.shape[1]
+    after, before = sides[rows, (first + 1) % count], sides[rows, (first - 1) % count]
+    way = np.where(after < before, 1, -1)
+    _, index, counts = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True, return_counts=True)
+    return counts, np.bincount(index, weights=way)
