@@ -14,7 +14,7 @@ namespace {
 using namespace mq;
 using namespace mq::curve;
 
-/// Elements whose nodes are off their straight places by up to a tenth of the distance between nodes.
+/// Elements whose nodes are off their straight places by up to 0.1 / order along each axis.
 std::vector<std::vector<Vec3>> elements(ElementKind kind, int order, int count) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(-0.1 / order, 0.1 / order);
