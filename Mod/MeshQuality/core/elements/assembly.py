@@ -78,7 +78,8 @@ def _points(parts, scale):
     bad = np.flatnonzero(~(np.abs(points) < _FAR).all(axis=1))
     if len(bad):
         number = int(bad[0] if parts.point_numbers is None else parts.point_numbers[bad[0]])
-        raise InvalidInput(f"node {number} has coordinates that are not finite, or beyond all bounds: correct the file, or write it anew")
+        raise InvalidInput(f"node {number} has coordinates that are not finite, or beyond all bounds: correct the file, or write it "
+                           "anew")
     if len(points) > _MOST:
         raise InvalidInput(f"there are {len(points):,} nodes, more than {_MOST:,}: write parts of the mesh")
     return np.ascontiguousarray(points * scale)

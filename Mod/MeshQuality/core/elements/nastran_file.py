@@ -96,8 +96,9 @@ def _element(name, fields):
         if kind == "quadrilateral" and count == 9 and not any(nodes[4:]):
             count, full = 4, nodes[:4]
     if len(full) != count or not all(full):
-        raise IoError(f"{words_of(name)} {words_of(fields[0])} has {len([f for f in full if f])} nodes instead of {count}: elements "
-                      "with some of their middle nodes cannot be read; give all or none")
+        there = sum(bool(node) for node in full)
+        raise IoError(f"{words_of(name)} {words_of(fields[0])} has {there} nodes instead of {count}: elements with some "
+                      "of their middle nodes cannot be read; give all or none")
     return (kind, count), [fields[0], fields[1] or fields[0], *full]
 
 
