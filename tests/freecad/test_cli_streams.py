@@ -184,6 +184,7 @@ class Api(unittest.TestCase):
         "boolean": {"a", "b", "progress"},
         "improve": {"mesh", "progress"},
         "quality": {"mesh", "progress"},
+        "certify": {"mesh", "progress"},
     }
 
     def test_every_option_of_the_api_is_there_under_its_name(self):

@@ -8,20 +8,21 @@ import argparse
 import sys
 
 from .. import options
-from ..formats import CURVED_SUFFIXES, FLAT_ONLY_SUFFIXES, SUFFIXES
+from ..formats import CURVED_SUFFIXES, FLAT_ONLY_SUFFIXES, READABLE, SUFFIXES
 from ..version import __version__
 
 CAD_SUFFIXES = (".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".fcstd")
 MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
+ELEMENT_SUFFIXES = tuple(READABLE)  # of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
-          "quality": MESH_SUFFIXES, "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
+          "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "quality": ()}
+           "boolean": SUFFIXES, "quality": (), "certify": ()}
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
-          "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": ()}
+          "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": ()}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
@@ -50,6 +51,7 @@ examples:
   meshquality curve part.step --volume -o part.inp           quadratic tetrahedra for CalculiX
   meshquality curve part.step -o part.stl --deviation 0.01   flat triangles
   meshquality curve part.step --volume --patches bc.json -o part.cgns --scale 0.001
+  meshquality curve part.step --mesh netgen.unv --order 2 -o part.inp      curves a mesh that you have
 """,
     "boolean": """
 examples:
@@ -64,6 +66,11 @@ examples:
 examples:
   meshquality quality part.stl
   meshquality quality part.stl --shape part.step --json
+""",
+    "certify": """
+examples:
+  meshquality certify mesh.msh
+  meshquality certify mesh.inp --shape part.step --json
 """,
     "batch": """
 examples:
@@ -107,6 +114,10 @@ def parser(batched="triangulate"):
     one = _add_single(commands, "quality", "measure the quality of a mesh",
                       "Measures a mesh: topology, angles, and its distance to a shape if given.")
     one.add_argument("--shape", metavar="CAD", help="CAD file to measure the distance to")
+    one = _add_single(commands, "certify", "prove which elements of any mesh are valid",
+                      "Proves which elements of a mesh that any program made are valid: triangles, quadrilaterals,\n"
+                      "tetrahedra, prisms, pyramids and hexahedra of orders 1 to 5.")
+    one.add_argument("--shape", metavar="CAD", help="CAD file that the surface of the mesh is measured against")
     _add_batch(commands, batched)
     return top
 
@@ -123,7 +134,7 @@ def _add_single(commands, name, title, description):
     inputs = "INPUT INPUT ..." if name == "boolean" else "INPUT"
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
-    kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file"}.get(INPUTS[name],
+    kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file"}.get(INPUTS[name],
                                                                       "mesh or CAD file")
     text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
     if name == "boolean":
@@ -153,6 +164,9 @@ def _add_single(commands, name, title, description):
                          help="end with status 1 beyond this memory; on Linux (default: none)")
     _add_options(one, TABLES[name])
     if name == "curve":
+        one.add_argument("--mesh", metavar="FILE",
+                         help="a mesh of triangles or tetrahedra that another program made of the part: it is curved, and "
+                              f"stays as it is unless elements would be invalid: {' '.join(ELEMENT_SUFFIXES)}")
         _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)
     return one
 

@@ -51,6 +51,8 @@ CURVE_REPORT_FIELDS = (
 
 def report_fields(report):
     """A report as plain values for JSON; numbers that JSON has no word for become null."""
+    if isinstance(report, mq.MeshCertificate):
+        return _plain(report.to_dict())
     if isinstance(report, mq.CurveReport):
         return {**_plain({name: getattr(report, name) for name in CURVE_REPORT_FIELDS}),
                 "straight": report_fields(report.straight)}
@@ -320,7 +322,7 @@ def curve(job):
     """Likewise."""
     shape, objects = read_shape_and_objects(job["input"], job.get("object"))
     how = writing_of(job, shape, objects)
-    mesh = mq.curve(shape, **job["options"], **patches_of(how), progress=progress_line())
+    mesh = mq.curve(shape, **job["options"], **patches_of(how), mesh=job.get("mesh"), progress=progress_line())
     report = mesh.report
     where = written(job, lambda path: write_curved(mesh, path, job.get("deviation"), **how))
     return report, f"{_count(report.elements, 'element')} of order {mesh.order}{where}", \
@@ -359,6 +361,14 @@ def quality(job):
         verdict.of_measured(mesh, report, shape is None or verdict.must_be_closed(shape))
 
 
+def certify(job):
+    """Likewise."""
+    shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
+    certificate = mq.certify(job["input"], shape, progress_line())
+    return certificate, f"certified {_count(sum(certificate.elements.values()), 'element')} of {job['input']}", \
+        verdict.of_certificate(certificate)
+
+
 def _failure(status, error, **more):
     """The result of a job that ended with this error. Its kind is what the error has in common with those of other parts."""
     said = error.args[0] if error.args else None
@@ -371,7 +381,7 @@ def run(job):
     _left_out.clear()
     try:
         report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
-                                  "quality": quality}[job["command"]](job)
+                                  "quality": quality, "certify": certify}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:
@@ -386,7 +396,7 @@ def run(job):
     finally:
         end_progress_line()
     met = not findings
-    said = verdict.sentence(findings) if findings else _NO_FINDING[job["command"] == "quality"]
+    said = verdict.sentence(findings) if findings else _NO_FINDING[job["command"] in ("quality", "certify")]
     fields = report_fields(report)
     return {"status": DONE, "text": ". ".join(part.rstrip(".") for part in (f"{text}; {said}", *_left_out)), "met": met,
             "sound": not getattr(report, "faults_left", 0),

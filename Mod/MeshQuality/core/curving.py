@@ -252,6 +252,17 @@ def store_in(obj, curved, lists):
     obj.ElementsOrder = curved.order
 
 
+# Options of curve that are for meshes that it makes itself.
+_OF_STRAIGHT_MESH = ("min_angle", "chord_height", "chord_height_relative", "max_edge")
+
+
+def _require_no_straight_options(values):
+    usual = options.check(options.CURVE, {})
+    given = [name for name in _OF_STRAIGHT_MESH if values[name] != usual[name]]
+    if given:
+        raise InvalidInput(f"{given[0]} is for a mesh that is made, not for one that is given: leave it out with mesh=")
+
+
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False,
@@ -286,6 +297,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         "chord_height": chord_height, "chord_height_relative": chord_height_relative,
         "max_edge": max_edge, "imprint": imprint,
     })
+    if mesh is not None:
+        _require_no_straight_options(values)
     division = None
     if shape is not None or not isinstance(shape_or_mesh, SurfaceMesh):
         division = division_for(shape_or_mesh if shape is None else shape, patches, patch_rest)

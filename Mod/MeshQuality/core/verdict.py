@@ -358,6 +358,19 @@ def elements(curved):
                     _names(curved, np.flatnonzero(_folded(curved.triangle_quality))), _first_folded(curved))]
 
 
+def of_certificate(certificate):
+    """Findings of a MeshCertificate."""
+    found = []
+    if certificate.invalid:
+        found.append(Finding(_counted(phrases.FOLDED, certificate.invalid, count2=str(sum(certificate.elements.values())),
+                                      list=_first_of(certificate.invalid_elements))))
+    if not certificate.conforming:
+        found.append(Finding(_sentence(phrases.NOT_CONFORMING)))
+    if not certificate.oriented:
+        found.append(Finding(_sentence(phrases.ELEMENTS_TURNED)))
+    return found
+
+
 def _folded(quality):
     """Which elements are not proven valid, by their measured quality; NaN is no proof."""
     return ~(quality > 0.0)
