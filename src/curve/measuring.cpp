@@ -135,6 +135,7 @@ void note(const SurfaceRepairs& repairs, CurveReport& report) {
     };
     add("surface edges split for turning too far", repairs.bulge_splits);
     add("surface vertices off the CAD reached", repairs.reached);
+    add("triangles that follow parameters", repairs.followed);
     add("surface edge swaps", repairs.swaps);
     add("surface edge collapses", repairs.collapses);
     add("edges curved on model faces", repairs.curved_edges);

@@ -99,6 +99,26 @@ void compare(const GivenMesh& given, CurvedMesh& mesh, CurveReport& report) {
     report.repairs.emplace_back("elements in their place", static_cast<std::size_t>(fresh));
 }
 
+/// The given tetrahedra in the repaired surface. Where the cavities at what was changed cannot be filled, the surface
+/// stays as it was placed.
+void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& given, MatchedMesh& matched,
+                          const MatchedMesh& placed, LocalRemeshing& done, Progress& progress, CurveReport& report) {
+    const std::size_t triangles_before = placed.surface.triangles.size();
+    const std::vector<int> vertex_of_node = matched.vertex_of_node;
+    try {
+        const TetrahedraInside inside = tetrahedra_of(given, matched);
+        volume.emplace(remesh_locally(matched.surface, triangles_before, inside, done, progress));
+    } catch (const MeshingFailed& error) {
+        matched.surface = placed.surface;
+        matched.vertex_of_node = vertex_of_node;
+        const TetrahedraInside inside = tetrahedra_of(given, matched);
+        done = {};
+        volume.emplace(remesh_locally(matched.surface, triangles_before, inside, done, progress));
+        report.notes.push_back(
+            std::string("triangles of the surface were not repaired, as tetrahedra would not fit: ") + error.what());
+    }
+}
+
 std::size_t invalid_in(const TetrahedralMesh& volume) {
     const auto& all = volume.tetrahedra;
     return static_cast<std::size_t>(
@@ -157,11 +177,11 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
     watched.stage("classifying", 0.0, 0.2);
     MatchedMesh matched = match(session, given, options.order);
     CurvedSurface& surface = matched.surface;
-    const std::size_t triangles_before = surface.triangles.size();
     clock.end("classifying");
     watched.stage("curving the surface", 0.2, 0.4);
     SurfaceEditor editor(session, surface);
     editor.placement.place(living(surface));
+    const MatchedMesh placed = matched;
     clock.end("curving the surface");
     watched.stage("repairing the surface", 0.4, 0.5);
     if (options.repair) {
@@ -172,9 +192,8 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
     std::optional<TetrahedralMesh> volume;
     if (checked.volume) {
         watched.stage("filling", 0.5, 0.6);
-        const TetrahedraInside inside = tetrahedra_of(given, matched);
         LocalRemeshing remeshing;
-        volume.emplace(remesh_locally(surface, triangles_before, inside, remeshing, watched));
+        take_over_tetrahedra(volume, given, matched, placed, remeshing, watched, report);
         clock.end("filling");
         watched.stage("repairing the volume", 0.6, 0.95);
         note(repair_volume(*volume, watched, RepairScope::Invalid), report);

@@ -41,6 +41,31 @@ struct SharedFace {
     std::array<int, 3> outward;
 };
 
+std::vector<SharedFace> sorted_faces(const GivenMesh& mesh) {
+    std::vector<SharedFace> faces;
+    faces.reserve(4 * mesh.tetrahedra.size());
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+        for (const auto& outward : outward_faces(mesh.tetrahedra[t])) {
+            faces.push_back({face_key(outward[0], outward[1], outward[2]), t, outward});
+        }
+    }
+    std::sort(faces.begin(), faces.end(), [](const SharedFace& a, const SharedFace& b) {
+        return std::tie(a.key, a.tetrahedron) < std::tie(b.key, b.tetrahedron);
+    });
+    return faces;
+}
+
+/// Whether two triangles of the same corners go round them in the same way.
+bool same_turn(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+    const auto at = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+    return b[(at + 1) % 3] == a[1];
+}
+
+double six_volumes(const GivenMesh& mesh, const std::array<int, 4>& t) {
+    const auto at = [&](std::size_t k) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(t[k])]; };
+    return (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0));
+}
+
 }  // namespace
 
 void require_sound(const GivenMesh& mesh) {
@@ -56,15 +81,46 @@ void require_sound(const GivenMesh& mesh) {
 }
 
 std::size_t orient_tetrahedra(GivenMesh& mesh) {
-    std::size_t turned = 0;
-    for (auto& t : mesh.tetrahedra) {
-        const auto at = [&](std::size_t k) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(t[k])]; };
-        if ((at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)) < 0.0) {
-            std::swap(t[2], t[3]);
-            ++turned;
+    const std::vector<SharedFace> faces = sorted_faces(mesh);
+    std::vector<std::vector<std::pair<std::size_t, bool>>> beside(
+        mesh.tetrahedra.size());  // and whether both see alike
+    for (std::size_t i = 0; i + 1 < faces.size(); ++i) {
+        if (faces[i].key == faces[i + 1].key) {
+            const bool alike = same_turn(faces[i].outward, faces[i + 1].outward);
+            beside[faces[i].tetrahedron].emplace_back(faces[i + 1].tetrahedron, alike);
+            beside[faces[i + 1].tetrahedron].emplace_back(faces[i].tetrahedron, alike);
         }
     }
-    return turned;
+    std::vector<char> met(mesh.tetrahedra.size(), 0);
+    std::vector<char> turned(mesh.tetrahedra.size(), 0);
+    for (std::size_t start = 0; start < met.size(); ++start) {
+        if (met[start]) {
+            continue;
+        }
+        std::vector<std::size_t> body{start};
+        met[start] = 1;
+        double volume = 0.0;
+        for (std::size_t i = 0; i < body.size(); ++i) {
+            const std::size_t t = body[i];
+            volume += (turned[t] ? -1.0 : 1.0) * six_volumes(mesh, mesh.tetrahedra[t]);
+            for (const auto& [other, alike] : beside[t]) {
+                if (!met[other]) {
+                    met[other] = 1;
+                    turned[other] = static_cast<char>(turned[t] != (alike ? 1 : 0));
+                    body.push_back(other);
+                }
+            }
+        }
+        for (const std::size_t t : body) {
+            turned[t] = static_cast<char>(turned[t] != (volume < 0.0 ? 1 : 0));
+        }
+    }
+    for (std::size_t t = 0; t < turned.size(); ++t) {
+        if (turned[t]) {
+            std::swap(mesh.tetrahedra[t][2], mesh.tetrahedra[t][3]);
+        }
+    }
+    return static_cast<std::size_t>(std::count(turned.begin(), turned.end(), 1));
 }
 
 std::array<std::array<int, 3>, 4> outward_faces(const std::array<int, 4>& v) {
@@ -75,16 +131,7 @@ std::vector<std::array<int, 3>> surface_of(const GivenMesh& mesh) {
     if (mesh.tetrahedra.empty()) {
         return mesh.triangles;
     }
-    std::vector<SharedFace> faces;
-    faces.reserve(4 * mesh.tetrahedra.size());
-    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
-        for (const auto& outward : outward_faces(mesh.tetrahedra[t])) {
-            faces.push_back({face_key(outward[0], outward[1], outward[2]), t, outward});
-        }
-    }
-    std::sort(faces.begin(), faces.end(), [](const SharedFace& a, const SharedFace& b) {
-        return std::tie(a.key, a.tetrahedron) < std::tie(b.key, b.tetrahedron);
-    });
+    const std::vector<SharedFace> faces = sorted_faces(mesh);
     std::set<FaceKey> listed;
     for (const auto& t : mesh.triangles) {
         listed.insert(face_key(t[0], t[1], t[2]));

@@ -23,11 +23,12 @@ struct GivenMesh {
 /// mesh.
 void require_sound(const GivenMesh& mesh);
 
-/// Turns tetrahedra of negative volume round.
-/// @return how many these are.
+/// Numbers the tetrahedra of each connected part so that neighbours see their common face from its two sides, and that
+/// the whole part has a positive volume: those that have a negative one then are inverted.
+/// @return how many were turned.
 std::size_t orient_tetrahedra(GivenMesh& mesh);
 
-/// The four faces of a tetrahedron of positive volume, seen from outside.
+/// The four faces of a tetrahedron, seen from outside where its volume is positive.
 std::array<std::array<int, 3>, 4> outward_faces(const std::array<int, 4>& corners);
 
 /// The triangles on the surface: the faces of one tetrahedron only, those between two bodies, and given triangles that

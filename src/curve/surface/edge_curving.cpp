@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "curve/surface/editor.h"
 #include "curve/surface/tuning.h"
@@ -40,7 +45,68 @@ std::vector<Vec3> displacements(const SurfaceEditor& editor, int a, int b, int c
     return result;
 }
 
+std::size_t invalid(const SurfaceEditor& editor, const std::vector<int>& triangles) {
+    return static_cast<std::size_t>(
+        std::count_if(triangles.begin(), triangles.end(), [&](int t) { return !(editor.triangle(t).quality > 0.0); }));
+}
+
+/// Of the triangles on a face: the same for all mesh edges inside it.
+bool follow_together(SurfaceEditor& editor, const std::vector<int>& triangles, int face) {
+    CurvedSurface& surface = editor.surface;
+    std::map<std::pair<int, int>, std::vector<Vec3>> before;
+    std::set<int> beside(triangles.begin(), triangles.end());
+    for (const int t : triangles) {
+        const std::array<int, 3> v = editor.triangle(t).corners;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::pair<int, int> edge = std::minmax(v[k], v[(k + 1) % 3]);
+            if (surface.segment(edge.first, edge.second) != nullptr || before.count(edge) > 0) {
+                continue;
+            }
+            const std::vector<Vec3> inner = surface.shapes.edge_inner(edge.first, edge.second);
+            if (editor.placement.place_by_parameters(edge.first, edge.second, face)) {
+                before.emplace(edge, inner);
+                const std::vector<int> both = surface.triangles_of_edge(edge.first, edge.second);
+                beside.insert(both.begin(), both.end());
+            }
+        }
+    }
+    const std::vector<int> all(beside.begin(), beside.end());
+    const std::size_t invalid_before = invalid(editor, all);
+    const double quality = worst(editor, all);
+    editor.placement.place(all);
+    const std::size_t invalid_after = invalid(editor, all);
+    if (invalid_after < invalid_before ||
+        (invalid_after == invalid_before && worst(editor, all) > quality + SurfaceTuning::kLeastQualityGain)) {
+        return true;
+    }
+    for (const auto& [edge, inner] : before) {
+        surface.shapes.set_edge(edge.first, edge.second, inner);
+    }
+    editor.placement.place(all);
+    return false;
+}
+
 }  // namespace
+
+bool follow_parameters(SurfaceEditor& editor, int triangle) {
+    const SurfaceTriangle& centre = editor.triangle(triangle);
+    if (editor.surface.shapes.order() < 2 || editor.placement.planar(centre.face)) {
+        return false;
+    }
+    if (follow_together(editor, {triangle}, centre.face)) {
+        return true;
+    }
+    // Edges that follow the parameters may cross neighbours that do not.
+    std::set<int> around;
+    for (const int v : centre.corners) {
+        for (const int t : editor.surface.triangles_of_vertex(v)) {
+            if (editor.triangle(t).face == centre.face) {
+                around.insert(t);
+            }
+        }
+    }
+    return follow_together(editor, {around.begin(), around.end()}, centre.face);
+}
 
 bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c) {
     CurvedSurface& surface = editor.surface;

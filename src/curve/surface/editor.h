@@ -59,6 +59,13 @@ bool collapse_surface_edge(SurfaceEditor& editor, int a, int b, SurfaceEditor::R
 /// vertex a. Its nodes stay on the face.
 bool curve_face_edge(SurfaceEditor& editor, int a, int b, int c);
 
+/// Puts the nodes of the mesh edges of `triangle` that lie inside its face at even (u, v), or those of all triangles at
+/// its corners. The image of a triangle with
+/// straight edges in (u, v) never folds over its face, and elements of high order come near to it: narrow strips
+/// between curved CAD edges need it, where edges that are projected bend less than these.
+/// @return whether fewer triangles are invalid, or the worst is better; else nothing is changed.
+bool follow_parameters(SurfaceEditor& editor, int triangle);
+
 /// Vertices of the CAD may deviate from the edges and faces at them, and its edges from their faces, by a large
 /// fraction of a mesh edge: nodes on the CAD fold the triangles there. Lets the nodes at such corners of `triangle`, or
 /// of the bad triangles around it too, leave the CAD towards them (see Placement), where that makes triangles valid or

@@ -36,6 +36,10 @@ class Placement {
     /// @return false, and nothing is changed, where no point of the face is found.
     bool bulge_on_face(int a, int b, int face, const Vec3& by);
 
+    /// Puts the nodes of mesh edge (a, b) inside a face at even (u, v) between its ends.
+    /// @return false, and nothing is changed, where the face has no point there.
+    bool place_by_parameters(int a, int b, int face);
+
     /// The middle of a curved edge, where a new vertex is put, with its parameters on the entities.
     struct Middle {
         Vertex vertex;

@@ -323,6 +323,26 @@ void Placement::set_warped(int a, int b, double by, int degree) {
     set_edge_nodes(a, b, raised);
 }
 
+bool Placement::place_by_parameters(int a, int b, int face) {
+    InnerEdge edge{{a, b, face}, *surface_.uv_of(a, face), Vec2::Zero(), false, {}, {}, {}};
+    edge.to = unwrapped(b, face, edge.from);
+    resolve_free(a, face, edge.to, edge.from);
+    resolve_free(b, face, edge.from, edge.to);
+    std::vector<Query> batch;
+    for (int k = 1; k < surface_.shapes.order(); ++k) {
+        batch.push_back(node_query(edge, static_cast<double>(k) / surface_.shapes.order(), false));
+    }
+    for (const Answer& answer : session_.ask(std::move(batch))) {
+        if (!answer.found()) {
+            return false;
+        }
+        edge.nodes.push_back(answer.point);
+    }
+    gaps({ends_of(edge, false)}).front().close(edge.nodes);
+    set_edge_nodes(a, b, edge.nodes);
+    return true;
+}
+
 bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
     const int q = surface_.shapes.order();
     std::vector<Vec3> control = surface_.shapes.edge_inner(a, b);

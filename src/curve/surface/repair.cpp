@@ -200,6 +200,10 @@ class Repair {
             done_.snapped += snapped;
             return true;
         }
+        if (!(editor_.triangle(t).quality > 0.0) && follow_parameters(editor_, t)) {
+            ++done_.followed;
+            return true;
+        }
         for (std::size_t k = 0; k < 3; ++k) {
             if (swap_surface_edge(editor_, v[k], v[(k + 1) % 3])) {
                 ++done_.swaps;

@@ -12,6 +12,7 @@ struct SurfaceRepairs {
     int invalid_after = 0;
     int bulge_splits = 0;  ///< edges split because their deviation is too large
     int reached = 0;       ///< vertices that deviate from the CAD, towards which nodes leave it
+    int followed = 0;      ///< triangles whose inner edges follow the parameters of their face
     int swaps = 0;
     int collapses = 0;
     int curved_edges = 0;
