@@ -158,6 +158,20 @@ void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& su
     }
 }
 
+/// Says what was odd about the given tetrahedra.
+void note_faults(std::size_t turned, const MatchedMesh& matched, CurveReport& report) {
+    const auto lost = std::count(matched.volume.begin(), matched.volume.end(), -1);
+    if (lost > 0) {
+        report.notes.push_back(
+            std::to_string(lost) +
+            " tetrahedra of the given mesh lie on one another and have no outside: they are removed");
+    }
+    if (turned > 0) {
+        report.notes.push_back(std::to_string(turned) +
+                               " tetrahedra of the given mesh were numbered the wrong way round");
+    }
+}
+
 }  // namespace
 
 CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, GivenMesh given,
@@ -206,16 +220,7 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
                                  options.straighten, report, watched, &number);
     result.given_node = given_nodes(matched.vertex_of_node, number, result.vertices);
     compare(given, result, report);
-    const auto lost = std::count(matched.volume.begin(), matched.volume.end(), -1);
-    if (lost > 0) {
-        report.notes.push_back(
-            std::to_string(lost) +
-            " tetrahedra of the given mesh lie on one another and have no outside: they are removed");
-    }
-    if (turned > 0) {
-        report.notes.push_back(std::to_string(turned) +
-                               " tetrahedra of the given mesh were numbered the wrong way round");
-    }
+    note_faults(turned, matched, report);
     clock.end("measuring");
     report.cpu_seconds = cpu_seconds() - start;
     result.report = std::move(report);

@@ -44,13 +44,13 @@ struct Sample {
 
 class Matcher {
   public:
-    Matcher(geometry::Session& session, const SurfaceGraph& graph, const EdgeChains& chains)
-        : session_(session), topology_(session.topology()), graph_(graph), chains_(chains) {
-        for (std::size_t e = 0; e < chains.chains.size(); ++e) {
-            const std::vector<int>& chain = chains.chains[e].vertices;
-            for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-                border_.emplace(pair_key(chain[i], chain[i + 1]), static_cast<int>(e));
-                on_border_.insert({chain[i], chain[i + 1]});
+    Matcher(geometry::Session& session, const SurfaceGraph& graph, const EdgeDiscretisation& edges)
+        : session_(session), topology_(session.topology()), graph_(graph), edges_(edges) {
+        for (std::size_t e = 0; e < edges.polylines.size(); ++e) {
+            const std::vector<int>& polyline = edges.polylines[e].vertices;
+            for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
+                border_.emplace(pair_key(polyline[i], polyline[i + 1]), static_cast<int>(e));
+                on_border_.insert({polyline[i], polyline[i + 1]});
             }
         }
         for (int f = 0; f < static_cast<int>(topology_.faces.size()); ++f) {
@@ -185,7 +185,7 @@ class Matcher {
         return off;
     }
 
-    /// Why a region has edges of more than one face around it: edges between those faces have no chain.
+    /// Why a region has edges of more than one face around it: edges between those faces have no polyline.
     std::string not_followed(const Region& region) const {
         std::set<int> faces;
         for (const int e : region.edges) {
@@ -197,7 +197,7 @@ class Matcher {
         for (const int f : faces) {
             for (const int e : edges_of_face_[static_cast<std::size_t>(f)]) {
                 const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
-                if (!edge.degenerate && chains_.chains[static_cast<std::size_t>(e)].vertices.empty()) {
+                if (!edge.degenerate && edges_.polylines[static_cast<std::size_t>(e)].vertices.empty()) {
                     missing.insert(e);
                 }
             }
@@ -221,7 +221,7 @@ class Matcher {
     geometry::Session& session_;
     const geometry::Topology& topology_;
     const SurfaceGraph& graph_;
-    const EdgeChains& chains_;
+    const EdgeDiscretisation& edges_;
     KeyMap<int> border_;  ///< by mesh edge: the CAD edge under it
     std::set<int> on_border_;
     std::vector<std::set<int>> edges_of_face_;
@@ -229,8 +229,8 @@ class Matcher {
 
 }  // namespace
 
-std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& graph, const EdgeChains& chains) {
-    return Matcher(session, graph, chains).run();
+std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& graph, const EdgeDiscretisation& edges) {
+    return Matcher(session, graph, edges).run();
 }
 
 }  // namespace mq::curve

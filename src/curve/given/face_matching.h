@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "curve/given/edge_chains.h"
+#include "curve/given/edge_discretisation.h"
 
 namespace mq::curve {
 
@@ -14,6 +14,6 @@ namespace mq::curve {
 /// @return by triangle of the graph, the index of its CAD face
 /// @throws TopologyError naming the CAD vertices and edges that the mesh does not follow where a region is on no face;
 /// GeometryError naming the place where triangles are on none.
-std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& graph, const EdgeChains& chains);
+std::vector<int> match_faces(geometry::Session& session, const SurfaceGraph& graph, const EdgeDiscretisation& edges);
 
 }  // namespace mq::curve

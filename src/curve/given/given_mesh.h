@@ -13,7 +13,7 @@ namespace mq::curve {
 /// The corners of a mesh of triangles and tetrahedra that another program made.
 struct GivenMesh {
     std::vector<Vec3> nodes;  ///< mm; those that are no corners are left alone
-    /// Of the surface. Where there are tetrahedra, only those between two of them matter: the others are found.
+    /// On the surface. Where there are tetrahedra, only those between two of them matter: the others are found.
     std::vector<std::array<int, 3>> triangles;
     std::vector<std::array<int, 4>> tetrahedra;
     std::vector<int> regions;  ///< by tetrahedron: a number that differs between bodies; empty: there is one body

@@ -217,7 +217,7 @@ class Remesher {
         return std::none_of(two.begin(), two.end(), [&](std::size_t other) { return other != t && stale_[other]; });
     }
 
-    /// Each part of a border whose triangles are joined by edges is a cavity of its own.
+    /// Triangles of a border that are joined by edges are around one cavity.
     static void append_parts(int volume, const std::map<FaceKey, Corners>& faces, std::vector<Cavity>& result) {
         std::vector<Corners> list;
         for (const auto& [key, face] : faces) {

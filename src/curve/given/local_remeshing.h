@@ -12,7 +12,7 @@ namespace mq::curve {
 
 /// Tetrahedra of a surface before it was repaired, by the surface's vertices.
 struct TetrahedraInside {
-    std::vector<std::array<int, 4>> corners;  ///< of positive volume, but for those that the given program left flat
+    std::vector<std::array<int, 4>> corners;  ///< flat or inverted only where they were given so
     std::vector<int> volume;                  ///< by tetrahedron: the volume of the model
 };
 

@@ -10,7 +10,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
-#include "curve/given/edge_chains.h"
+#include "curve/given/edge_discretisation.h"
 #include "curve/given/face_matching.h"
 
 namespace mq::curve {
@@ -110,9 +110,9 @@ class Matcher {
     MatchedMesh run() {
         const SurfaceGraph graph(mesh_.nodes, surface_of(mesh_));
         require_same_place(box_of(mesh_.nodes, graph.triangles), box_of_edges(session_), topology_.box);
-        const EdgeChains chains = find_edge_chains(session_, graph);
-        const std::vector<int> face = match_faces(session_, graph, chains);
-        add_vertices(graph, chains, face);
+        const EdgeDiscretisation edges = find_edge_discretisation(session_, graph);
+        const std::vector<int> face = match_faces(session_, graph, edges);
+        add_vertices(graph, edges, face);
         add_triangles(graph, face);
         turn_alike();
         find_parameters(session_, result_.surface, at_node_);
@@ -127,28 +127,28 @@ class Matcher {
     int& vertex_of(int node) { return result_.vertex_of_node[static_cast<std::size_t>(node)]; }
 
     /// Vertices in the order of the given nodes, each on the entity of lowest dimension that has it.
-    void add_vertices(const SurfaceGraph& graph, const EdgeChains& chains, const std::vector<int>& face) {
+    void add_vertices(const SurfaceGraph& graph, const EdgeDiscretisation& edges, const std::vector<int>& face) {
         std::map<int, mesh::VertexEntity> entity;
         for (std::size_t t = 0; t < graph.triangles.size(); ++t) {
             for (const int v : graph.triangles[t]) {
                 entity[v] = {2, face[t]};
             }
         }
-        for (std::size_t e = 0; e < chains.chains.size(); ++e) {
-            for (const int v : chains.chains[e].vertices) {
+        for (std::size_t e = 0; e < edges.polylines.size(); ++e) {
+            for (const int v : edges.polylines[e].vertices) {
                 entity[v] = {1, static_cast<std::int32_t>(e)};
             }
         }
-        for (std::size_t n = chains.of_node.size(); n-- > 0;) {
-            if (chains.of_node[n] >= 0) {
-                entity[chains.of_node[n]] = {0, static_cast<std::int32_t>(n)};
+        for (std::size_t n = edges.of_node.size(); n-- > 0;) {
+            if (edges.of_node[n] >= 0) {
+                entity[edges.of_node[n]] = {0, static_cast<std::int32_t>(n)};
             }
         }
         result_.vertex_of_node.assign(mesh_.nodes.size(), -1);
         for (const auto& [v, on] : entity) {
             vertex_of(v) = surface().add_vertex({mesh_.nodes[static_cast<std::size_t>(v)], on});
         }
-        for (const int v : chains.of_node) {
+        for (const int v : edges.of_node) {
             at_node_.push_back(v < 0 ? -1 : vertex_of(v));
         }
     }

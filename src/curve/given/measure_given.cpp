@@ -89,7 +89,7 @@ GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const std::
         }
         set_shapes(surface.shapes, corners, own);
     }
-    watched.stage("measuring", 0.3, 1.0);
+    watched.stage("measuring the distance", 0.3, 1.0);
     Placement placement(session, surface);
     GivenSurfaceMeasures result;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {

@@ -50,7 +50,7 @@ std::size_t invalid(const SurfaceEditor& editor, const std::vector<int>& triangl
         std::count_if(triangles.begin(), triangles.end(), [&](int t) { return !(editor.triangle(t).quality > 0.0); }));
 }
 
-/// Of the triangles on a face: the same for all mesh edges inside it.
+/// Does for some triangles on a face together what follow_parameters does for one.
 bool follow_together(SurfaceEditor& editor, const std::vector<int>& triangles, int face) {
     CurvedSurface& surface = editor.surface;
     std::map<std::pair<int, int>, std::vector<Vec3>> before;

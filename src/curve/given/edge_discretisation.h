@@ -21,24 +21,24 @@ struct SurfaceGraph {
 
 /// The mesh edges that follow a CAD edge: its vertices in the order of the parameter. Closed ones begin and end with
 /// the same vertex. A CAD edge that is one vertex of the mesh has that vertex only.
-struct EdgeChain {
+struct EdgePolyline {
     std::vector<int> vertices;
     double distance = 0.0;  ///< largest distance of its vertices from the CAD edge, mm
 };
 
 /// What of the model's vertices and edges the mesh has.
-struct EdgeChains {
-    std::vector<int> of_node;       ///< by CAD vertex: the vertex of the mesh, or -1
-    std::vector<EdgeChain> chains;  ///< by CAD edge; empty where the mesh does not follow it
+struct EdgeDiscretisation {
+    std::vector<int> of_node;             ///< by CAD vertex: the vertex of the mesh, or -1
+    std::vector<EdgePolyline> polylines;  ///< by CAD edge; empty where the mesh does not follow it
 };
 
 /// Finds the mesh vertex at each CAD vertex, and the mesh edges along each CAD edge.
 ///
-/// Between the mesh vertices at its ends, the chain of a CAD edge is the path of mesh edges with the most vertices, all
-/// near the edge and with increasing parameters on it: the longest path of a directed graph without circles. The
+/// Between the mesh vertices at its ends, the polyline of a CAD edge is the path of mesh edges with the most vertices,
+/// all near the edge and with increasing parameters on it: the longest path of a directed graph without circles. The
 /// distance that counts as near is the smallest of four at which there is a path, from rounding to a thousandth of the
 /// model's size, and at most a quarter of the shortest mesh edge at a vertex, so that it is never ambiguous by the mesh
 /// itself.
-EdgeChains find_edge_chains(geometry::Session& session, const SurfaceGraph& graph);
+EdgeDiscretisation find_edge_discretisation(geometry::Session& session, const SurfaceGraph& graph);
 
 }  // namespace mq::curve

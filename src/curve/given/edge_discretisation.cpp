@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/given/edge_chains.h"
+#include "curve/given/edge_discretisation.h"
 
 #include <algorithm>
 #include <limits>
@@ -29,10 +29,10 @@ class Finder {
     Finder(geometry::Session& session, const SurfaceGraph& graph)
         : session_(session), topology_(session.topology()), graph_(graph) {}
 
-    EdgeChains run() {
+    EdgeDiscretisation run() {
         find_candidates();
         result_.of_node.assign(topology_.nodes.size(), -1);
-        result_.chains.resize(topology_.edges.size());
+        result_.polylines.resize(topology_.edges.size());
         for (const Body& body : bodies()) {
             session_.check();
             follow(body);
@@ -152,20 +152,20 @@ class Finder {
                 most = std::max(most, ++met[part]);
             }
         }
-        EdgeChains best;
+        EdgeDiscretisation best;
         std::pair<std::size_t, bool> best_score{0, false};
         std::size_t best_part = 0;
         for (const auto& [part, count] : met) {
             if (count < most) {
                 continue;
             }
-            EdgeChains chains = follow_on(body, part);
-            const auto followed =
-                static_cast<std::size_t>(std::count_if(chains.chains.begin(), chains.chains.end(),
-                                                       [](const EdgeChain& chain) { return !chain.vertices.empty(); }));
+            EdgeDiscretisation edges = follow_on(body, part);
+            const auto followed = static_cast<std::size_t>(
+                std::count_if(edges.polylines.begin(), edges.polylines.end(),
+                              [](const EdgePolyline& polyline) { return !polyline.vertices.empty(); }));
             const std::pair<std::size_t, bool> score{followed, taken_.count(part) == 0};
             if (best.of_node.empty() || score > best_score) {
-                best = std::move(chains);
+                best = std::move(edges);
                 best_score = score;
                 best_part = part;
             }
@@ -178,13 +178,13 @@ class Finder {
             result_.of_node[static_cast<std::size_t>(body.nodes[i])] = best.of_node[i];
         }
         for (std::size_t i = 0; i < body.edges.size(); ++i) {
-            result_.chains[static_cast<std::size_t>(body.edges[i])] = std::move(best.chains[i]);
+            result_.polylines[static_cast<std::size_t>(body.edges[i])] = std::move(best.polylines[i]);
         }
     }
 
     /// @return by the body's own vertices and edges.
-    EdgeChains follow_on(const Body& body, std::size_t part) {
-        EdgeChains found;
+    EdgeDiscretisation follow_on(const Body& body, std::size_t part) {
+        EdgeDiscretisation found;
         std::map<int, int> of_node;
         for (const int n : body.nodes) {
             const Candidates& all = candidates_[static_cast<std::size_t>(n)];
@@ -195,7 +195,7 @@ class Finder {
             of_node.emplace(n, v);
         }
         for (const int e : body.edges) {
-            found.chains.push_back(chain_of(e, of_node));
+            found.polylines.push_back(polyline_of(e, of_node));
         }
         return found;
     }
@@ -203,7 +203,7 @@ class Finder {
     /// The largest distance from the CAD at which a vertex of the mesh may be found.
     double reach(int vertex) const { return kMostOfMeshEdge * graph_.shortest[static_cast<std::size_t>(vertex)]; }
 
-    EdgeChain chain_of(int e, const std::map<int, int>& of_node) {
+    EdgePolyline polyline_of(int e, const std::map<int, int>& of_node) {
         const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
         if (edge.degenerate || edge.uses.empty()) {
             return {};
@@ -218,9 +218,10 @@ class Finder {
         }
         const double size = topology_.box.largest_side();
         for (const double near : kNear) {
-            EdgeChain chain = longest_path(near_edge(e, end(0), end(1), near * size + edge.tolerance), end(0), end(1));
-            if (!chain.vertices.empty()) {
-                return chain;
+            EdgePolyline polyline =
+                longest_path(near_edge(e, end(0), end(1), near * size + edge.tolerance), end(0), end(1));
+            if (!polyline.vertices.empty()) {
+                return polyline;
             }
         }
         return {};
@@ -262,7 +263,7 @@ class Finder {
     }
 
     /// The path from `first` to `last` with the most vertices, among `inner` with increasing parameters.
-    EdgeChain longest_path(const std::vector<Near>& inner, int first, int last) const {
+    EdgePolyline longest_path(const std::vector<Near>& inner, int first, int last) const {
         // Position 0 is the first vertex; the last one is handled after all others.
         std::map<int, std::size_t> position;
         for (std::size_t i = 0; i < inner.size(); ++i) {
@@ -291,14 +292,14 @@ class Finder {
         if (length[end] == kNone || (first == last && length[end] < 3)) {
             return {};
         }
-        EdgeChain chain{{last}, 0.0};
+        EdgePolyline polyline{{last}, 0.0};
         for (std::size_t i = before[end]; i != 0; i = before[i]) {
-            chain.vertices.push_back(inner[i - 1].vertex);
-            chain.distance = std::max(chain.distance, inner[i - 1].distance);
+            polyline.vertices.push_back(inner[i - 1].vertex);
+            polyline.distance = std::max(polyline.distance, inner[i - 1].distance);
         }
-        chain.vertices.push_back(first);
-        std::reverse(chain.vertices.begin(), chain.vertices.end());
-        return chain;
+        polyline.vertices.push_back(first);
+        std::reverse(polyline.vertices.begin(), polyline.vertices.end());
+        return polyline;
     }
 
     const Vec3& at(int v) const { return graph_.points[static_cast<std::size_t>(v)]; }
@@ -309,7 +310,7 @@ class Finder {
     std::vector<std::size_t> part_of_;    // by mesh vertex: the connected mesh
     std::vector<Candidates> candidates_;  // by CAD vertex
     std::set<std::size_t> taken_;         // connected meshes that bodies were followed on
-    EdgeChains result_;
+    EdgeDiscretisation result_;
 };
 
 }  // namespace
@@ -336,7 +337,7 @@ SurfaceGraph::SurfaceGraph(const std::vector<Vec3>& given, std::vector<std::arra
     }
 }
 
-EdgeChains find_edge_chains(geometry::Session& session, const SurfaceGraph& graph) {
+EdgeDiscretisation find_edge_discretisation(geometry::Session& session, const SurfaceGraph& graph) {
     return Finder(session, graph).run();
 }
 
