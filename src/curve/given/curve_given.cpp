@@ -119,10 +119,13 @@ void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMes
     }
 }
 
-std::size_t invalid_in(const TetrahedralMesh& volume) {
+/// Invalid tetrahedra that are not on folded triangles of the surface.
+std::size_t repairable(const TetrahedralMesh& volume) {
+    const FoldedTriangles folded(volume.surface);
     const auto& all = volume.tetrahedra;
-    return static_cast<std::size_t>(
-        std::count_if(all.begin(), all.end(), [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); }));
+    return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Tetrahedron& t) {
+        return t.alive && !(t.quality > 0.0) && !folded.has_face_of(t.corners);
+    }));
 }
 
 /// Where tetrahedra stay invalid, fills ever larger cavities around them anew, with ever more vertices inside, and
@@ -131,7 +134,7 @@ void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& su
                        Progress& progress) {
     constexpr std::array<double, 3> kGradingFactors{1.0, 0.5, 0.2};
     for (std::size_t i = 0; i < kGradingFactors.size(); ++i) {
-        const std::size_t before = invalid_in(*volume);
+        const std::size_t before = repairable(*volume);
         if (before == 0) {
             return;
         }
@@ -142,7 +145,7 @@ void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& su
             volume.emplace(
                 remesh_invalid(*volume, surface, static_cast<int>(i) + 1, kGradingFactors[i], tried, progress));
             repair_volume(*volume, progress, RepairScope::Invalid);
-            if (invalid_in(*volume) < before) {
+            if (repairable(*volume) < before) {
                 done.cavities += tried.cavities;
                 continue;
             }

@@ -379,9 +379,10 @@ TetrahedralMesh remesh_invalid(const TetrahedralMesh& volume, CurvedSurface& sur
                                LocalRemeshing& done, const Progress& progress) {
     TetrahedraInside inside;
     std::vector<std::size_t> invalid;
+    const FoldedTriangles folded(surface);
     for (const int t : volume.living()) {
         const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
-        if (!(tetrahedron.quality > 0.0)) {
+        if (!(tetrahedron.quality > 0.0) && !folded.has_face_of(tetrahedron.corners)) {
             invalid.push_back(inside.corners.size());
         }
         inside.corners.push_back(tetrahedron.corners);

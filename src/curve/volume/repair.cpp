@@ -20,7 +20,8 @@ class Repair {
           editor_(volume),
           progress_(progress),
           good_(scope == RepairScope::Poor ? VolumeTuning::kGoodTetrahedron : std::numeric_limits<double>::min()),
-          freed_(scope == RepairScope::Poor ? 1.0 : good_) {}
+          freed_(scope == RepairScope::Poor ? 1.0 : good_),
+          folded_(volume.surface) {}
 
     VolumeRepairs run() {
         volume_.measure(volume_.living());
@@ -58,7 +59,8 @@ class Repair {
     std::vector<int> bad_ones() const {
         std::vector<int> bad;
         for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
-            if (volume_.tetrahedra[t].alive && volume_.tetrahedra[t].quality < good_) {
+            if (volume_.tetrahedra[t].alive && volume_.tetrahedra[t].quality < good_ &&
+                !folded_.has_face_of(volume_.tetrahedra[t].corners)) {
                 bad.push_back(static_cast<int>(t));
             }
         }
@@ -194,7 +196,7 @@ class Repair {
         bool any = false;
         for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
             const Tetrahedron& tetrahedron = volume_.tetrahedra[t];
-            if (tetrahedron.alive && tetrahedron.quality < freed_ &&
+            if (tetrahedron.alive && tetrahedron.quality < freed_ && !folded_.has_face_of(tetrahedron.corners) &&
                 editor_.score(tetrahedron.corners).fixed < VolumeTuning::kFreeCorner) {
                 progress_.check();
                 any = change(static_cast<int>(t), VolumeEditor::Rule::Free) || any;
@@ -274,6 +276,7 @@ class Repair {
     const Progress& progress_;
     double good_;   // quality from which tetrahedra stay as they are
     double freed_;  // quality from which corners with three fixed edges stay as they are
+    FoldedTriangles folded_;
     VolumeRepairs done_;
 };
 

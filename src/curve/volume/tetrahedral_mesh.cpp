@@ -138,6 +138,21 @@ void TetrahedralMesh::measure(const std::vector<int>& list) {
     }
 }
 
+FoldedTriangles::FoldedTriangles(const CurvedSurface& surface) {
+    for (const SurfaceTriangle& t : surface.triangles) {
+        if (t.alive && !(t.quality > 0.0)) {
+            folded_.insert(face_key(t.corners[0], t.corners[1], t.corners[2]));
+        }
+    }
+}
+
+bool FoldedTriangles::has_face_of(const std::array<int, 4>& v) const {
+    return !folded_.empty() && folded_.count(face_key(v[0], v[1], v[2])) + folded_.count(face_key(v[0], v[1], v[3])) +
+                                       folded_.count(face_key(v[0], v[2], v[3])) +
+                                       folded_.count(face_key(v[1], v[2], v[3])) >
+                                   0;
+}
+
 std::vector<int> TetrahedralMesh::living() const {
     std::vector<int> result;
     for (std::size_t t = 0; t < tetrahedra.size(); ++t) {

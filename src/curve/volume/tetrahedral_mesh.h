@@ -56,6 +56,18 @@ class TetrahedralMesh {
     std::unordered_set<FaceKey, KeyHash> fixed_faces_;
 };
 
+/// The triangles of a surface that are not valid: they fold any tetrahedron on them, whatever is inside.
+class FoldedTriangles {
+  public:
+    explicit FoldedTriangles(const CurvedSurface& surface);
+
+    /// Whether a face of the tetrahedron is one of them.
+    bool has_face_of(const std::array<int, 4>& corners) const;
+
+  private:
+    std::unordered_set<FaceKey, KeyHash> folded_;
+};
+
 /// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.
 /// @param grading_factor see fill().
 /// @throws MeshingFailed naming the solid.

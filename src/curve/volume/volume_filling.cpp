@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <unordered_set>
 #include <utility>
 
 #include "base/error.h"
@@ -23,19 +22,10 @@ bool refilling_may_help(const FilledTetrahedralMesh& filled) {
         return false;
     }
     const TetrahedralMesh& volume = filled.volume;
-    std::unordered_set<FaceKey, KeyHash> folded;
-    for (const SurfaceTriangle& t : volume.surface.triangles) {
-        if (t.alive && !(t.quality > 0.0)) {
-            folded.insert(face_key(t.corners[0], t.corners[1], t.corners[2]));
-        }
-    }
-    const auto on_folded = [&](const std::array<int, 4>& v) {
-        return folded.count(face_key(v[0], v[1], v[2])) + folded.count(face_key(v[0], v[1], v[3])) +
-                   folded.count(face_key(v[0], v[2], v[3])) + folded.count(face_key(v[1], v[2], v[3])) >
-               0;
-    };
-    return std::any_of(volume.tetrahedra.begin(), volume.tetrahedra.end(),
-                       [&](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0) && !on_folded(t.corners); });
+    const FoldedTriangles folded(volume.surface);
+    return std::any_of(volume.tetrahedra.begin(), volume.tetrahedra.end(), [&](const Tetrahedron& t) {
+        return t.alive && !(t.quality > 0.0) && !folded.has_face_of(t.corners);
+    });
 }
 
 FilledTetrahedralMesh fill_once(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
