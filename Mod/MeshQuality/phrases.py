@@ -265,6 +265,7 @@ STAGES = {
     "measuring the distance": "measuring the distance",
     "measuring the distortion": "measuring the distortion",
     "cutting into triangles": "dividing into triangles",
+    "comparing curved triangles": "finding curved triangles that cross",
     "done": "done",
     # What the work can wait for, without being able to interrupt it.
     "comparing the shape": "comparing the shape with the last one",

@@ -41,7 +41,7 @@ STAGES = {
         ["boolean"],
     ],
     "curve": [["curve/bezier"], ["curve/surface"], ["curve/volume/netgen", "curve/volume/mesher"], ["curve/volume"], ["curve/output"],
-              ["curve"]],
+              ["curve/injectivity"], ["curve"]],
     "improve": [["improve"]],
     "workflows": [["workflows"]],
     "view": [["view"]],
