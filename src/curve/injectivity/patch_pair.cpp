@@ -2,6 +2,7 @@
 #include "curve/injectivity/patch_pair.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -44,7 +45,7 @@ OnEdge on_edge(const PatchPiece& piece, int from, int to) {
 
 /// The way in which two pieces meet by what their patches share.
 struct Meeting {
-    std::vector<std::array<int, 2>> corners;  ///< of both pieces
+    std::vector<std::array<int, 2>> corners;  ///< a corner of each piece
     int edges = 0;
     /// A piece shares an edge of which the other has a part only: that edge is to be halved first. 0 or 1: the first or
     /// the second piece; -1: there is none.
@@ -142,7 +143,7 @@ class PairSearch {
             if (const std::optional<Vec3> point = crossing(a, b)) {
                 return {PatchContact::Crossing, *point};
             }
-            if (looked_at >= kMostPiecePairs) {
+            if (looked_at >= kMostPiecePairs || overlap_in_plane(a, b) || overlap_in_plane(b, a)) {
                 return {PatchContact::NotProven, a.corners[0]};
             }
             if (std::max(a.size, b.size) < limits_.least_size) {
@@ -216,6 +217,31 @@ class PairSearch {
             }
         }
         return true;
+    }
+
+    /// Whether both pieces are in one plane and a corner of the first is inside the second: no halving tells them
+    /// apart.
+    bool overlap_in_plane(const PatchPiece& first, const PatchPiece& second) const {
+        // Distance from the plane, relative to the smallest pieces: hulls farther apart were told before.
+        constexpr double kInPlane = 1e-3;
+        const std::array<Vec3, 3>& to = second.corners;
+        const Vec3 normal = (to[1] - to[0]).cross(to[2] - to[0]).normalized();
+        const auto in_plane = [&](const Vec3& p) {
+            return std::abs(normal.dot(p - to[0])) <= kInPlane * limits_.least_size;
+        };
+        const auto inside = [&](const Vec3& p) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3 along = to[(k + 1) % 3] - to[k];
+                const double depth = along.cross(p - to[k]).dot(normal) / along.norm();
+                if (!(depth > second.bend + limits_.rounding)) {
+                    return false;
+                }
+            }
+            return true;
+        };
+        return std::any_of(first.corners.begin(), first.corners.end(), inside) &&
+               std::all_of(first.control.begin(), first.control.end(), in_plane) &&
+               std::all_of(second.control.begin(), second.control.end(), in_plane);
     }
 
     std::optional<Vec3> crossing(const PatchPiece& a, const PatchPiece& b) const {

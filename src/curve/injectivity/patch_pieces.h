@@ -12,14 +12,14 @@
 
 namespace mq::curve {
 
-/// A part of a Bezier triangle that halving made: a Bezier triangle itself.
+/// A sub-triangle of a Bezier triangle that halving made: a Bezier triangle itself.
 struct PatchPiece {
     PatchPiece(const Lattice& lattice, std::vector<Vec3> points, const SimplexPart& in_patch);
 
     std::vector<Vec3> control;
     std::array<Vec3, 3> corners;
     SimplexPart part;   ///< its corners in the whole patch; sums of powers of two, so that equal places are equal
-    Box box;            ///< of the control points
+    Box box;            ///< holds the control points
     double bend = 0.0;  ///< largest distance, mm, between points of equal parameters of it and of its straight triangle
     double size = 0.0;  ///< diagonal of the box, mm
     /// By edge, which goes by the corner opposite: the first of the two pieces that its middle makes; -1: none yet.

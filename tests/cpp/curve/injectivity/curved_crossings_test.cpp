@@ -157,6 +157,18 @@ TEST(CurvedCrossings, BodiesInContactDoNotCross) {
     }
 }
 
+TEST(CurvedCrossings, FacesThatLieOnEachOtherByOtherNodesAreNotProvenApart) {
+    for (int order = 1; order <= 5; ++order) {
+        PatchMesh mesh(order);
+        mesh.add(kLower);
+        mesh.add({Vec3(0.2, 0.2, 0), Vec3(0.3, 0.9, 0), Vec3(0.8, 0.8, 0)});
+        mesh.add({Vec3(0.6, 0.6, 0), Vec3(0.6, 0.9, 0), Vec3(0.9, 0.6, 0)});
+        const CurvedCrossings found = curved_crossings(mesh.mesh);
+        EXPECT_EQ(crossing(found), Pairs{}) << order;
+        EXPECT_EQ(found.not_proven, (Pairs{{0, 1}, {1, 2}})) << order;
+    }
+}
+
 TEST(CurvedCrossings, ATriangleThatMeetsItselfIsNamed) {
     PatchMesh mesh(3);
     mesh.add(kLower);
