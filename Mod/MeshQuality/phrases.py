@@ -268,6 +268,7 @@ STAGES = {
     "measuring the distortion": "measuring the distortion",
     "cutting into triangles": "dividing into triangles",
     "checking elements": "checking the elements",
+    "comparing curved triangles": "finding curved triangles that cross",
     "done": "done",
     # What the work can wait for, without being able to interrupt it.
     "comparing the shape": "comparing the shape with the last one",

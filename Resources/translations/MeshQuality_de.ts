@@ -2134,6 +2134,10 @@
         <source>{value}: there is no folder {value2}</source>
         <translation>{value}: Es gibt keinen Ordner {value2}</translation>
     </message>
+    <message>
+        <source>finding curved triangles that cross</source>
+        <translation>gekrümmte Dreiecke suchen, die sich durchdringen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
