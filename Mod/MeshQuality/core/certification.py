@@ -9,7 +9,7 @@ from .. import options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert
+from . import convert, saved_certificate
 from .element_mesh import ElementMesh
 from .elements import conformity, kinds
 
@@ -39,11 +39,12 @@ class MeshCertificate(metaclass=Public):
     notes             sentences about the mesh that a user should know
     """
 
-    __slots__ = ("conforming", "distortion", "elements", "folded", "folded_on_cad", "invalid_elements", "inverted",
+    __slots__ = ("_blocks", "_source", "conforming", "distortion", "elements", "folded", "folded_on_cad", "invalid_elements", "inverted",
                  "max_deviation", "notes", "not_proven", "oriented", "triangle_deviation", "triangle_face")
 
     def __init__(self):
         self.elements, self.distortion, self.invalid_elements, self.notes = {}, (), [], []
+        self._blocks, self._source = [], None
         self.folded = self.inverted = self.not_proven = 0
         self.conforming = self.oriented = True
         self.max_deviation = self.folded_on_cad = self.triangle_face = self.triangle_deviation = None
@@ -63,6 +64,16 @@ class MeshCertificate(metaclass=Public):
         names = ("elements", "invalid", "folded", "inverted", "not_proven", "invalid_elements", "min_distortion",
                  "conforming", "oriented", "max_deviation", "folded_on_cad", "notes")
         return {name: getattr(self, name) for name in names}
+
+    def save(self, path, cad=None):
+        """Writes it as JSON, so that mq.verify and `meshquality verify` can check it again, anywhere.
+
+        path   of the new file, best beside the mesh
+        cad    path of the file that the shape is from
+        The file has what was proven of which element, and the SHA-256 of the mesh and of the CAD file. Raises
+        InvalidInput where certify was not given the path of the mesh; IoError naming the path.
+        """
+        saved_certificate.save(self, path, cad)
 
     def __str__(self):
         counts = ", ".join(f"{count:,} {kinds.PLURALS[kind] if count != 1 else kind}"
@@ -95,8 +106,10 @@ def certify(mesh, shape=None, progress=None):
     lie on it; Cancelled.
     """
     options.require_callable(progress)
-    mesh = given_mesh(mesh)
     found = MeshCertificate()
+    if isinstance(mesh, (str, os.PathLike)):
+        found._source = saved_certificate.digest_of(os.fsdecode(convert.file_name(mesh)))
+    mesh = given_mesh(mesh)
     found.notes += mesh.faults
     _prove(mesh, found, progress)
     found.conforming, found.oriented = conformity.of_blocks(mesh.blocks)
@@ -118,9 +131,11 @@ def _prove(mesh, found, progress):
     for block in mesh.blocks:
         if kinds.DIMENSION[block.kind] < highest:
             parts.append(np.empty(0))
+            found._blocks.append((block.kind, block.order, np.empty(0, dtype=int), parts[-1]))
             continue
         low, _, verdict = extension().check_elements(block.kind, block.order, mesh.nodes, block.nodes, progress)
         parts.append(low)
+        found._blocks.append((block.kind, block.order, verdict, low))
         found.elements[block.kind] = found.elements.get(block.kind, 0) + len(block.nodes)
         for name, number in (("folded", _FOLDED), ("inverted", _INVERTED), ("not_proven", _NOT_PROVEN)):
             setattr(found, name, getattr(found, name) + int((verdict == number).sum()))
