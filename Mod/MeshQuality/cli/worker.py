@@ -17,7 +17,7 @@ from MeshQuality.cli.parser import MESH_SUFFIXES
 from MeshQuality.compat import extension
 from MeshQuality.core import convert, hidden_parts, verdict
 from MeshQuality.formats import CURVED_SUFFIXES
-from MeshQuality.phrases import Text
+from MeshQuality.phrases import Text, upper_first
 
 _STAGE = 39  # characters, in a line of 80
 _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
@@ -379,7 +379,7 @@ def verify(job):
     """Likewise; each fault is a finding."""
     found = mq.verify(job["input"], job.get("mesh"), progress_line())
     return found, f"verified {_count(found.elements, 'element')} of the certificate {job['input']}", \
-        [verdict.Finding(f"{fault[:1].upper()}{fault[1:]}.") for fault in found.faults]
+        [verdict.Finding(upper_first(Text("{text}", text=f"{fault}."))) for fault in found.faults]
 
 
 def _failure(status, error, **more):

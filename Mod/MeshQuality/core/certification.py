@@ -152,7 +152,20 @@ def _measure(mesh, shape, found, progress):
     if len(surface) != 1 or orders[0] is None or orders[0] > _ON_CAD:
         found.notes.append("the surface was not measured against the shape: it is not of triangles of one order")
         return
+    if _between_solids(mesh, surface[0][:, :3]):
+        found.notes.append("the surface was not measured against the shape: there are triangles between solids of the mesh")
+        return
     face, quality, deviation = extension().measure_given_surface(mesh.nodes, orders[0], surface[0], shape, progress)
     found.triangle_face, found.triangle_deviation = face, deviation
     found.max_deviation = float(deviation.max(initial=0.0))
     found.folded_on_cad = int((~(quality > 0.0)).sum())
+
+
+def _between_solids(mesh, surface):
+    """Whether a mesh with volume elements has triangles of its own inside."""
+    given = [block.nodes[:, :3] for block in mesh.blocks if block.kind == "triangle"]
+    if mesh.dimension < 3 or not given:
+        return False
+    outside = np.unique(np.sort(surface, axis=1), axis=0)
+    both = np.unique(np.concatenate([outside, np.sort(np.concatenate(given), axis=1)]), axis=0)
+    return len(both) > len(outside)
