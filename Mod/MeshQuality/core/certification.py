@@ -29,7 +29,8 @@ class MeshCertificate(metaclass=Public):
     invalid_elements  which these are: "tetrahedron 22 folded at (1, 2, 3) mm"
     min_distortion    the smallest proven lower bound of min J / max |J|, equation (3) of Dey, O'Bara, Shephard 1999
     distortion        float64 (E,) by block of the mesh: these bounds, in the order of its elements
-    conforming        whether no face has more than two elements
+    conforming        whether no face has more than two elements, and no corner lies amid an edge or a face of another:
+                      at an inner node of it, and of straight elements at the middle
     oriented          whether neighbours are seen from the same side
     max_deviation     largest distance of the surface from its CAD faces, mm; None without a shape
     folded_on_cad     triangles of the surface that fold over their CAD face; None without a shape
@@ -112,7 +113,7 @@ def certify(mesh, shape=None, progress=None):
     mesh = given_mesh(mesh)
     found.notes += mesh.faults
     _prove(mesh, found, progress)
-    found.conforming, found.oriented = conformity.of_blocks(mesh.blocks)
+    found.conforming, found.oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
     if shape is not None:
         _measure(mesh, convert.shape_of(shape), found, progress)
     return found

@@ -10,7 +10,7 @@ from ..errors import Cancelled
 from ..listing import Public
 from . import convert, saved_certificate, verifier
 from .element_mesh import ElementMesh
-from .elements import kinds
+from .elements import conformity, kinds
 from .saved_certificate import CLAIMS
 
 _NAMED = 5  # elements that are named of each fault
@@ -69,11 +69,10 @@ def verify(certificate, mesh=None, progress=None):
     if content["cad"] is not None:
         _check_cad(content["cad"], folder, found)
     mesh = ElementMesh.read(path)
-    highest = mesh.dimension
-    blocks = [(block, kinds.DIMENSION[block.kind] == highest) for block in mesh.blocks]
+    blocks = [(block, kinds.DIMENSION[block.kind] == mesh.dimension) for block in mesh.blocks]
     _check_blocks(blocks, mesh.nodes, content["blocks"], found, progress)
     _check_sums(content, found)
-    _check_conformity([block for block, checked in blocks if checked], highest, content["proven"], found)
+    _check_conformity(mesh, [block for block, checked in blocks if checked], content["proven"], found)
     return found
 
 
@@ -152,9 +151,10 @@ def _check_sums(content, found):
         found.faults.append(f"the certificate says min_distortion = {said!r}, but the smallest that it lists is {lowest!r}")
 
 
-def _check_conformity(blocks, dimension, proven, found):
-    """Faces counted once more: by their corners, with the way round them as the sign of a permutation."""
-    conforming, oriented = True, True
+def _check_conformity(mesh, blocks, proven, found):
+    """Faces counted once more, by their corners, with the way round them."""
+    dimension, oriented = mesh.dimension, True
+    conforming = not conformity.hangs(blocks, mesh.nodes)
     seen = {}
     for block in blocks:
         sides = kinds.FACES[block.kind] if dimension == 3 else kinds.EDGES[block.kind]
