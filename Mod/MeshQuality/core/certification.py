@@ -40,8 +40,15 @@ class MeshCertificate(metaclass=Public):
     notes             sentences about the mesh that a user should know
     """
 
-    __slots__ = ("_blocks", "_source", "conforming", "distortion", "elements", "folded", "folded_on_cad", "invalid_elements", "inverted",
-                 "max_deviation", "notes", "not_proven", "oriented", "triangle_deviation", "triangle_face")
+    __slots__ = {
+        "_blocks": None, "_source": None, "elements": "{kind: how many}", "folded": "how many are folded",
+        "inverted": "how many are numbered the wrong way round", "not_proven": "how many are neither proven nor folded",
+        "invalid_elements": "sentences: which are not valid, and where", "distortion": "bounds of each, by block",
+        "conforming": "whether elements fit together", "oriented": "whether neighbours are seen from the same side",
+        "max_deviation": "mm, or None", "folded_on_cad": "triangles that fold over their CAD face, or None",
+        "triangle_face": "int32 (F,), or None", "triangle_deviation": "float64 (F,), mm, or None",
+        "notes": "sentences about the mesh",
+    }
 
     def __init__(self):
         self.elements, self.distortion, self.invalid_elements, self.notes = {}, (), [], []

@@ -27,7 +27,8 @@ class CertificateVerification(metaclass=Public):
     notes     sentences: what was not checked again
     """
 
-    __slots__ = ("elements", "faults", "notes", "shown")
+    __slots__ = {"elements": "how many were looked at", "faults": "sentences: what does not hold",
+                 "notes": "sentences: what was not checked again", "shown": "how many are what the certificate says"}
 
     def __init__(self):
         self.faults, self.notes, self.elements, self.shown = [], [], 0, 0
