@@ -86,8 +86,7 @@ class Models(GivenTest):
             for order in (2, 3):
                 plain = mq.curve(shape, order=order, volume=True, imprint=name == "two boxes", chord_height_relative=CHORD)
                 largest = max(1e-6, 1.001 * plain.report.max_deviation)
-                mesh = self.assert_cured(name, shape, path, order, largest)
-                self.assertEqual(len(mesh.elements), len(plain.elements), name)
+                self.assert_cured(name, shape, path, order, largest)
 
     def test_meshes_of_gmsh(self):
         if not has("gmsh"):
@@ -127,18 +126,19 @@ class Models(GivenTest):
 
 class Refused(GivenTest):
     def test_scale_place_and_part(self):
-        shape = Part.makeBox(10, 20, 30)
-        shape = shape.makeFillet(2, shape.Edges[:4])
-        with self.assertRaisesRegex(mq.InvalidInput, r"1[, ]?000\b"):
+        box = Part.makeBox(10, 20, 30)
+        shape = box.makeFillet(2, box.Edges[:1])
+        with self.assertRaisesRegex(mq.InvalidInput, "1000 times smaller than the shape, as if it were in metres"):
             mq.curve(shape, mesh=self.straight(shape, scale=0.001))
         path = self.straight(shape)
         moved = shape.copy()
         moved.translate(helpers.FreeCAD.Vector(3, -7, 40))
         with self.assertRaisesRegex(mq.InvalidInput, r"beside the shape: move one of them by about \(3, -7, 40\) mm"):
             mq.curve(moved, mesh=path)
-        other = Part.makeBox(10, 20, 30)
-        with self.assertRaisesRegex(mq.Error, "(Edge|Vertex|Face)[0-9]+|near \\("):
-            mq.curve(other, mesh=path)
+        with self.assertRaisesRegex(mq.TopologyError, r"does not follow Edge1, Edge2, Edge4 and others, 5 in all, near \("):
+            mq.curve(box, mesh=path)
+        with self.assertRaisesRegex(mq.TopologyError, "does not follow Edge"):
+            mq.certify(path, box)
 
     def test_other_elements(self):
         prism = mesh_of([*UNIT[:4], [1, 0, 1], [0, 1, 1]], ("prism", [[0, 1, 2, 3, 4, 5]]))
@@ -162,7 +162,7 @@ class Program(GivenTest):
         self.assertEqual(mq.certify(out).invalid, 0)
         status, _, lines = run("curve", cad, "--mesh", self.straight(shape, "small", 0.001), "-o", out)
         self.assertEqual(status, 2)
-        self.assertRegex(lines[-1], r"1[, ]?000\b")
+        self.assertIn("1000 times smaller", lines[-1])
         self.assertEqual(run("curve", cad, "--mesh", os.path.join(self.folder, "none.msh"))[0], 2)
         self.assertEqual(run("curve", cad, "--mesh", path, "--max-edge", 1)[0], 2)
 
