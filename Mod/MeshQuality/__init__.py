@@ -15,6 +15,8 @@ Meshes for scripts
     improve       the same surface with better triangles                                 -> SurfaceMesh
     quality       measures any mesh                                                      -> MeshReport
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
+    certify       proves which elements of any mesh are valid                            -> MeshCertificate
+    verify        checks a saved certificate again, by other means                       -> CertificateVerification
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -64,6 +66,8 @@ _LAZY = {
     "add_improved_mesh": "MeshQuality.features.improved_mesh",
     "certify": "MeshQuality.core.certification",
     "MeshCertificate": "MeshQuality.core.certification",
+    "verify": "MeshQuality.core.verification",
+    "CertificateVerification": "MeshQuality.core.verification",
     "curve": "MeshQuality.core.curving",
     "CurvedMesh": "MeshQuality.core.curving",
     "boolean": "MeshQuality.core.booleans",

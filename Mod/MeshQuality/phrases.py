@@ -53,7 +53,8 @@ FAULTS_LEFT = ("1 fault remains that no repair removed.",
 UNIFORM_CROSSES = "method uniform does not rule that out, method default does."
 FOLDED = ("1 of {count2} elements is not proven valid: {list}.",
           "{count} of {count2} elements are not proven valid: {list}.")
-NOT_CONFORMING = "the elements do not fit together: a face has more than two of them."
+NOT_CONFORMING = ("the elements do not fit together: a face has more than two of them, or a corner of one lies amid an edge or "
+                  "a face of another.")
 ELEMENTS_TURNED = "neighbouring elements disagree on the side that is outside."
 DISTORTED = "max. shape distortion {number} (limit {number2}), {phrase}."
 MORE_DISTORTED = ("1 more element is distorted by more than {number}.",

@@ -2138,6 +2138,18 @@
         <source>finding curved triangles that cross</source>
         <translation>gekrümmte Dreiecke suchen, die sich durchdringen</translation>
     </message>
+    <message>
+        <source>checking the elements</source>
+        <translation>Elemente werden geprüft</translation>
+    </message>
+    <message>
+        <source>neighbouring elements disagree on the side that is outside.</source>
+        <translation>benachbarte Elemente sind sich über die Außenseite uneins.</translation>
+    </message>
+    <message>
+        <source>the elements do not fit together: a face has more than two of them, or a corner of one lies amid an edge or a face of another.</source>
+        <translation>die Elemente passen nicht zusammen: eine Fläche hat mehr als zwei davon, oder eine Ecke des einen liegt inmitten einer Kante oder Fläche eines anderen.</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

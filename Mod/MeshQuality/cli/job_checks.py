@@ -19,7 +19,7 @@ def job_of(arguments):
     """
     job = vars(arguments).copy()
     command = job["command"]
-    for name in ("input", "shape", "mesh", "output"):
+    for name in ("input", "shape", "mesh", "save", "output"):
         if job.get(name):
             job[name] = _absolute(job[name])
     job["inputs"] = [_absolute(path) for path in job.get("inputs") or [job["input"]]]
@@ -31,6 +31,10 @@ def job_of(arguments):
         raise Error("standard input, -, can be read once only: name a file for the others")
     if len(job["inputs"]) == 1 and command == "boolean":
         raise Error("a Boolean needs two inputs or more")
+    if job.get("save"):
+        _require_savable(job)
+    if command == "verify" and job["input"] == STANDARD and not job["mesh"]:
+        raise Error("a certificate from standard input is in no folder: name the mesh with --mesh")
     job["options"] = take_options(job, TABLES[command])
     job["suffix"] = suffix_of_output(job)
     if command in WITH_PATCHES:
@@ -41,6 +45,17 @@ def job_of(arguments):
     if job.get("output") == STANDARD and job["json"]:
         raise Error("--json and the mesh cannot both go to standard output: name a file with -o")
     return job
+
+
+def _require_savable(job):
+    """Raises Error where a certificate cannot be saved there, or of such a mesh."""
+    path = job["save"]
+    if STANDARD in (path, job["input"], job.get("shape")):
+        raise Error("--save is for a certificate in a file, of a mesh and a shape in files: it names them with their SHA-256")
+    if os.path.splitext(path)[1].lower() != ".json":
+        raise Error(f"'{path}' has no known extension: a certificate is .json")
+    if os.path.isdir(path) or not os.path.isdir(os.path.dirname(path)):
+        raise Error(f"'{path}' cannot be written: give the name of a file in a folder that is there")
 
 
 def _absolute(path):

@@ -16,13 +16,14 @@ MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
 ELEMENT_SUFFIXES = tuple(READABLE)  # of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
-          "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
+          "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "quality": (), "certify": ()}
+           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": ()}
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
-          "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": ()}
+          "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
+          "verify": ()}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
@@ -71,6 +72,12 @@ examples:
 examples:
   meshquality certify mesh.msh
   meshquality certify mesh.inp --shape part.step --json
+  meshquality certify mesh.msh --save mesh.cert.json         to be checked again by verify
+""",
+    "verify": """
+examples:
+  meshquality verify mesh.cert.json
+  meshquality verify mesh.cert.json --mesh copies/mesh.msh
 """,
     "batch": """
 examples:
@@ -118,6 +125,13 @@ def parser(batched="triangulate"):
                       "Proves which elements of a mesh that any program made are valid: triangles, quadrilaterals,\n"
                       "tetrahedra, prisms, pyramids and hexahedra of orders 1 to 5.")
     one.add_argument("--shape", metavar="CAD", help="CAD file that the surface of the mesh is measured against")
+    one.add_argument("--save", metavar="FILE.json", help="file for the certificate, which verify checks again")
+    one = _add_single(commands, "verify", "check a saved certificate of a mesh again",
+                      "Checks a certificate of certify --save: that the mesh is the same file, and, by a verifier that\n"
+                      "shares no code with the prover, that each element is what the certificate says. Exit status 3 where\n"
+                      "it does not hold.")
+    one.add_argument("--mesh", metavar="FILE", help="the mesh, where it is not where the certificate says: "
+                     f"{' '.join(ELEMENT_SUFFIXES)}")
     _add_batch(commands, batched)
     return top
 
@@ -134,7 +148,8 @@ def _add_single(commands, name, title, description):
     inputs = "INPUT INPUT ..." if name == "boolean" else "INPUT"
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
-    kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file"}.get(INPUTS[name],
+    kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file",
+            (".json",): "certificate"}.get(INPUTS[name],
                                                                       "mesh or CAD file")
     text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
     if name == "boolean":
@@ -151,7 +166,7 @@ def _add_single(commands, name, title, description):
     if name in WITH_PATCHES:
         _add_writing(one, with_patches=True, with_interfaces=name == "triangulate")
     _add_strict(one, "the mesh is written, but" if OUTPUTS[name] else "the mesh")
-    if name != "improve":
+    if name not in ("improve", "verify"):
         one.add_argument("--object", metavar="NAME",
                          help="name or label of the object to take from an FCStd file; default: all "
                               "final ones")

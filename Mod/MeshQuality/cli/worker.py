@@ -17,14 +17,16 @@ from MeshQuality.cli.parser import MESH_SUFFIXES
 from MeshQuality.compat import extension
 from MeshQuality.core import convert, hidden_parts, verdict
 from MeshQuality.formats import CURVED_SUFFIXES
-from MeshQuality.phrases import Text
+from MeshQuality.phrases import Text, upper_first
 
 _STAGE = 39  # characters, in a line of 80
 _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
 
-# What is said without findings; only `quality` has no options that request anything.
+# What is said without findings; some commands have no options that request anything.
 _left_out = []  # sentences about what is hidden in the containers that the present job has read
-_NO_FINDING = ("all requested limits are met", "no limits were requested, and no faults were found")
+_ALL_MET = "all requested limits are met"
+_NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested, and no faults were found"),
+               "verify": "all of it holds"}
 
 REPORT_FIELDS = (
     "triangles", "vertices", "closed", "oriented", "manifold", "border_edges",
@@ -51,7 +53,7 @@ CURVE_REPORT_FIELDS = (
 
 def report_fields(report):
     """A report as plain values for JSON; numbers that JSON has no word for become null."""
-    if isinstance(report, mq.MeshCertificate):
+    if isinstance(report, (mq.MeshCertificate, mq.CertificateVerification)):
         return _plain(report.to_dict())
     if isinstance(report, mq.CurveReport):
         return {**_plain({name: getattr(report, name) for name in CURVE_REPORT_FIELDS}),
@@ -365,8 +367,19 @@ def certify(job):
     """Likewise."""
     shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
     certificate = mq.certify(job["input"], shape, progress_line())
-    return certificate, f"certified {_count(sum(certificate.elements.values()), 'element')} of {job['input']}", \
+    where = ""
+    if job.get("save"):
+        certificate.save(job["save"], cad=job.get("shape"))
+        where = f" in {job['save']}"
+    return certificate, f"certified {_count(sum(certificate.elements.values()), 'element')} of {job['input']}{where}", \
         verdict.of_certificate(certificate)
+
+
+def verify(job):
+    """Likewise; each fault is a finding."""
+    found = mq.verify(job["input"], job.get("mesh"), progress_line())
+    return found, f"verified {_count(found.elements, 'element')} of the certificate {job['input']}", \
+        [verdict.Finding(upper_first(Text("{text}", text=f"{fault}."))) for fault in found.faults]
 
 
 def _failure(status, error, **more):
@@ -381,7 +394,7 @@ def run(job):
     _left_out.clear()
     try:
         report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
-                                  "quality": quality, "certify": certify}[job["command"]](job)
+                                  "quality": quality, "certify": certify, "verify": verify}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:
@@ -396,10 +409,10 @@ def run(job):
     finally:
         end_progress_line()
     met = not findings
-    said = verdict.sentence(findings) if findings else _NO_FINDING[job["command"] in ("quality", "certify")]
+    said = verdict.sentence(findings) if findings else _NO_FINDING.get(job["command"], _ALL_MET)
     fields = report_fields(report)
     return {"status": DONE, "text": ". ".join(part.rstrip(".") for part in (f"{text}; {said}", *_left_out)), "met": met,
-            "sound": not getattr(report, "faults_left", 0),
+            "sound": not getattr(report, "faults_left", 0) and getattr(report, "holds", True),
             "report": {**fields, "notes": [*fields["notes"], *_left_out], **verdict.plain(findings)},
             "report_text": str(report) + "".join(f"finding      {finding.text}\n" for finding in findings)}
 

@@ -9,7 +9,7 @@ from .. import options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert
+from . import convert, saved_certificate
 from .element_mesh import ElementMesh
 from .elements import conformity, kinds
 
@@ -29,7 +29,8 @@ class MeshCertificate(metaclass=Public):
     invalid_elements  which these are: "tetrahedron 22 folded at (1, 2, 3) mm"
     min_distortion    the smallest proven lower bound of min J / max |J|, equation (3) of Dey, O'Bara, Shephard 1999
     distortion        float64 (E,) by block of the mesh: these bounds, in the order of its elements
-    conforming        whether no face has more than two elements
+    conforming        whether no face has more than two elements, and no corner lies amid an edge or a face of another:
+                      at an inner node of it, and of straight elements at the middle
     oriented          whether neighbours are seen from the same side
     max_deviation     largest distance of the surface from its CAD faces, mm; None without a shape
     folded_on_cad     triangles of the surface that fold over their CAD face; None without a shape
@@ -39,11 +40,19 @@ class MeshCertificate(metaclass=Public):
     notes             sentences about the mesh that a user should know
     """
 
-    __slots__ = ("conforming", "distortion", "elements", "folded", "folded_on_cad", "invalid_elements", "inverted",
-                 "max_deviation", "notes", "not_proven", "oriented", "triangle_deviation", "triangle_face")
+    __slots__ = {
+        "_blocks": None, "_source": None, "elements": "{kind: how many}", "folded": "how many are folded",
+        "inverted": "how many are numbered the wrong way round", "not_proven": "how many are neither proven nor folded",
+        "invalid_elements": "sentences: which are not valid, and where", "distortion": "bounds of each, by block",
+        "conforming": "whether elements fit together", "oriented": "whether neighbours are seen from the same side",
+        "max_deviation": "mm, or None", "folded_on_cad": "triangles that fold over their CAD face, or None",
+        "triangle_face": "int32 (F,), or None", "triangle_deviation": "float64 (F,), mm, or None",
+        "notes": "sentences about the mesh",
+    }
 
     def __init__(self):
         self.elements, self.distortion, self.invalid_elements, self.notes = {}, (), [], []
+        self._blocks, self._source = [], None
         self.folded = self.inverted = self.not_proven = 0
         self.conforming = self.oriented = True
         self.max_deviation = self.folded_on_cad = self.triangle_face = self.triangle_deviation = None
@@ -63,6 +72,16 @@ class MeshCertificate(metaclass=Public):
         names = ("elements", "invalid", "folded", "inverted", "not_proven", "invalid_elements", "min_distortion",
                  "conforming", "oriented", "max_deviation", "folded_on_cad", "notes")
         return {name: getattr(self, name) for name in names}
+
+    def save(self, path, cad=None):
+        """Writes it as JSON, so that mq.verify and `meshquality verify` can check it again, anywhere.
+
+        path   of the new file, best beside the mesh
+        cad    path of the file that the shape is from
+        The file has what was proven of which element, and the SHA-256 of the mesh and of the CAD file. Raises
+        InvalidInput where certify was not given the path of the mesh; IoError naming the path.
+        """
+        saved_certificate.save(self, path, cad)
 
     def __str__(self):
         counts = ", ".join(f"{count:,} {kinds.PLURALS[kind] if count != 1 else kind}"
@@ -95,11 +114,13 @@ def certify(mesh, shape=None, progress=None):
     lie on it; Cancelled.
     """
     options.require_callable(progress)
-    mesh = given_mesh(mesh)
     found = MeshCertificate()
+    if isinstance(mesh, (str, os.PathLike)):
+        found._source = saved_certificate.digest_of(os.fsdecode(convert.file_name(mesh)))
+    mesh = given_mesh(mesh)
     found.notes += mesh.faults
     _prove(mesh, found, progress)
-    found.conforming, found.oriented = conformity.of_blocks(mesh.blocks)
+    found.conforming, found.oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
     if shape is not None:
         _measure(mesh, convert.shape_of(shape), found, progress)
     return found
@@ -118,9 +139,11 @@ def _prove(mesh, found, progress):
     for block in mesh.blocks:
         if kinds.DIMENSION[block.kind] < highest:
             parts.append(np.empty(0))
+            found._blocks.append((block.kind, block.order, np.empty(0, dtype=int), parts[-1]))
             continue
         low, _, verdict = extension().check_elements(block.kind, block.order, mesh.nodes, block.nodes, progress)
         parts.append(low)
+        found._blocks.append((block.kind, block.order, verdict, low))
         found.elements[block.kind] = found.elements.get(block.kind, 0) + len(block.nodes)
         for name, number in (("folded", _FOLDED), ("inverted", _INVERTED), ("not_proven", _NOT_PROVEN)):
             setattr(found, name, getattr(found, name) + int((verdict == number).sum()))
@@ -137,7 +160,20 @@ def _measure(mesh, shape, found, progress):
     if len(surface) != 1 or orders[0] is None or orders[0] > _ON_CAD:
         found.notes.append("the surface was not measured against the shape: it is not of triangles of one order")
         return
+    if _between_solids(mesh, surface[0][:, :3]):
+        found.notes.append("the surface was not measured against the shape: there are triangles between solids of the mesh")
+        return
     face, quality, deviation = extension().measure_given_surface(mesh.nodes, orders[0], surface[0], shape, progress)
     found.triangle_face, found.triangle_deviation = face, deviation
     found.max_deviation = float(deviation.max(initial=0.0))
     found.folded_on_cad = int((~(quality > 0.0)).sum())
+
+
+def _between_solids(mesh, surface):
+    """Whether a mesh with volume elements has triangles of its own inside."""
+    given = [block.nodes[:, :3] for block in mesh.blocks if block.kind == "triangle"]
+    if mesh.dimension < 3 or not given:
+        return False
+    outside = np.unique(np.sort(surface, axis=1), axis=0)
+    both = np.unique(np.concatenate([outside, np.sort(np.concatenate(given), axis=1)]), axis=0)
+    return len(both) > len(outside)

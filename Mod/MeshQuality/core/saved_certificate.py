@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Certificates of meshes in files: JSON that says of which file what was proven, by which program."""
+
+import hashlib
+import json
+import os
+
+import numpy as np
+
+from .. import files
+from ..errors import InvalidInput, IoError
+from ..version import __version__
+from . import convert
+from .writing import atomically
+
+FORMAT, VERSION = "MeshQuality mesh certificate", 1
+CLAIMS = ("folded", "inverted", "not_proven")  # in the order of the core's verdicts 1, 2 and 3
+_DIGITS = 4  # of the bounds; rounded down, so that they stay bounds
+
+
+def digest_of(path):
+    """{"file": absolute path, "sha256", "bytes"} of a file; raises IoError."""
+    found, size = hashlib.sha256(), 0
+    try:
+        with files.open_regular(path) as stream:
+            for block in iter(lambda: stream.read(2**20), b""):
+                found.update(block)
+                size += len(block)
+    except OSError as error:
+        raise IoError(f"cannot read '{path}': {error.strerror or error}") from error
+    return {"file": os.path.realpath(path), "sha256": found.hexdigest(), "bytes": size}
+
+
+def save(certificate, path, cad=None):
+    """Writes a MeshCertificate; see its `save`."""
+    if certificate._source is None:
+        raise InvalidInput("the certificate is of a mesh that was in no file: give certify the path of one, then save it")
+    name = os.fsdecode(convert.file_name(path))
+    folder = os.path.dirname(os.path.realpath(name))
+    content = {
+        "format": FORMAT, "version": VERSION, "program": f"MeshQuality {__version__}",
+        "mesh": _relative(certificate._source, folder),
+        "cad": None if cad is None else _relative(digest_of(os.fsdecode(convert.file_name(cad))), folder),
+        "options": {"scale": 1.0},
+        "proven": {name: value for name, value in certificate.to_dict().items() if name != "invalid_elements"},
+        "blocks": [_block(*block) for block in certificate._blocks],
+    }
+    text = json.dumps(content, allow_nan=False) + "\n"
+
+    def write(ready):
+        with open(ready, "w", encoding="ascii") as stream:
+            stream.write(text)
+
+    atomically(name, ".json", write)
+
+
+def _relative(digest, folder):
+    try:
+        return {**digest, "file": os.path.relpath(digest["file"], folder)}
+    except ValueError:  # another drive
+        return digest
+
+
+def _block(kind, order, verdict, low):
+    """A block's claims: which elements are not valid, and the bound of distortion of each."""
+    rounded = np.floor(low * 10.0**_DIGITS) / 10.0**_DIGITS
+    return {"kind": kind, "order": order, "elements": len(verdict),
+            **{claim: np.flatnonzero(verdict == number).tolist() for number, claim in enumerate(CLAIMS, 1)},
+            "distortion": [round(value, _DIGITS) for value in rounded.tolist()]}
+
+
+def load(path):
+    """The content of a saved certificate; raises IoError, InvalidInput naming what is wrong with it."""
+    name = os.fsdecode(convert.file_name(path))
+    try:
+        with files.open_regular(name) as stream:
+            content = json.loads(stream.read().decode())
+    except OSError as error:
+        raise IoError(f"cannot read '{name}': {error.strerror or error}") from error
+    except (ValueError, RecursionError) as error:
+        raise InvalidInput(f"'{name}' is no certificate of a mesh: it is not JSON, {error}") from error
+    if not isinstance(content, dict) or content.get("format") != FORMAT:
+        raise InvalidInput(f"'{name}' is no certificate of a mesh: give a file that certificate.save or certify --save wrote")
+    if content.get("version") != VERSION:
+        raise InvalidInput(f"'{name}' is a certificate of version {content.get('version')!r}, this program knows version "
+                           f"{VERSION}: take a newer MeshQuality")
+    fault = _fault_of(content)
+    if fault:
+        raise InvalidInput(f"the certificate '{name}' is damaged: {fault}; certify the mesh again")
+    return content
+
+
+def _fault_of(content):
+    """What of its parts is not there or of another type; None where all is well."""
+    for part in ("mesh", "cad"):
+        said = content.get(part)
+        if not (part == "cad" and said is None) and not _is_file(said):
+            return f"'{part}' does not name a file with its SHA-256"
+    proven, blocks = content.get("proven"), content.get("blocks")
+    if not isinstance(proven, dict) or not isinstance(blocks, list):
+        return "'proven' or 'blocks' is missing"
+    for number, block in enumerate(blocks):
+        if not isinstance(block, dict) or not _is_block(block):
+            return f"block {number} is not complete"
+    return None
+
+
+def _is_file(said):
+    return isinstance(said, dict) and isinstance(said.get("file"), str) and isinstance(said.get("sha256"), str)
+
+
+def _is_block(block):
+    count = block.get("elements")
+    if not isinstance(block.get("kind"), str) or not _is_count(block.get("order")) or not _is_count(count):
+        return False
+    lists = [block.get(claim) for claim in CLAIMS]
+    if not all(isinstance(said, list) and all(_is_count(i) and i < count for i in said) for said in lists):
+        return False
+    bounds = block.get("distortion")
+    return isinstance(bounds, list) and len(bounds) == count and all(
+        isinstance(value, (int, float)) and not isinstance(value, bool) for value in bounds)
+
+
+def _is_count(value):
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 0

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""verify: whether what a saved certificate says of a mesh holds, checked again by other means."""
+
+import os
+
+import numpy as np
+
+from .. import options
+from ..errors import Cancelled
+from ..listing import Public
+from . import convert, saved_certificate, verifier
+from .element_mesh import ElementMesh
+from .elements import conformity, kinds
+from .saved_certificate import CLAIMS
+
+_NAMED = 5  # elements that are named of each fault
+_AT_A_TIME = 5000  # elements between two calls of progress
+
+
+class CertificateVerification(metaclass=Public):
+    """What of a saved certificate holds.
+
+    holds     whether all of it does
+    faults    sentences: what does not hold
+    elements  how many elements were looked at again
+    shown     how many of these are what the certificate says, valid, folded or inverted
+    notes     sentences: what was not checked again
+    """
+
+    __slots__ = {"elements": "how many were looked at", "faults": "sentences: what does not hold",
+                 "notes": "sentences: what was not checked again", "shown": "how many are what the certificate says"}
+
+    def __init__(self):
+        self.faults, self.notes, self.elements, self.shown = [], [], 0, 0
+
+    @property
+    def holds(self):
+        """Whether all of it does."""
+        return not self.faults
+
+    def to_dict(self):
+        """For JSON."""
+        return {name: getattr(self, name) for name in ("holds", "elements", "shown", "faults", "notes")}
+
+    def __str__(self):
+        lines = [f"elements     {self.elements:,}, {self.shown:,} of them shown again to be what the certificate says"]
+        return "\n".join([*lines, *(f"note         {note}" for note in self.notes)]) + "\n"
+
+    def __repr__(self):
+        return f"<CertificateVerification: {'all holds' if self.holds else f'{len(self.faults):,} faults'}>"
+
+
+def verify(certificate, mesh=None, progress=None):
+    """Checks a saved certificate again: a CertificateVerification.
+
+    certificate  the path of a file of MeshCertificate.save or `meshquality certify --save`
+    mesh         the path of the mesh, where it is not where the certificate says
+    progress     as for curve
+
+    The mesh must be the same bytes. A verifier that shares no code with the prover shows every element again to be what
+    the certificate says, see docs/method/validity.md. The distance from a shape is not measured again.
+    Raises IoError where a file is not there, InvalidInput where it is no certificate; Cancelled.
+    """
+    options.require_callable(progress)
+    content, found = saved_certificate.load(certificate), CertificateVerification()
+    folder = os.path.dirname(os.path.realpath(os.fsdecode(convert.file_name(certificate))))
+    path = os.path.join(folder, content["mesh"]["file"]) if mesh is None else os.fsdecode(convert.file_name(mesh))
+    if saved_certificate.digest_of(path)["sha256"] != content["mesh"]["sha256"]:
+        found.faults.append(f"the mesh '{path}' is not the file that was certified: its SHA-256 is another one")
+    if content["cad"] is not None:
+        _check_cad(content["cad"], folder, found)
+    mesh = ElementMesh.read(path)
+    blocks = [(block, kinds.DIMENSION[block.kind] == mesh.dimension) for block in mesh.blocks]
+    _check_blocks(blocks, mesh.nodes, content["blocks"], found, progress)
+    _check_sums(content, found)
+    _check_conformity(mesh, [block for block, checked in blocks if checked], content["proven"], found)
+    return found
+
+
+def _check_cad(said, folder, found):
+    path = os.path.join(folder, said["file"])
+    if not os.path.isfile(path):
+        found.notes.append(f"the CAD file '{path}' is not there: it was not compared")
+    elif saved_certificate.digest_of(path)["sha256"] != said["sha256"]:
+        found.faults.append(f"the CAD file '{path}' is not the one that was measured against: its SHA-256 is another one")
+    found.notes.append("the distance of the surface from the shape was not measured again")
+
+
+def _check_blocks(blocks, nodes, said, found, progress):
+    present = [(block.kind, block.order, len(block.nodes) if checked else 0) for block, checked in blocks]
+    claimed = [(block["kind"], block["order"], block["elements"]) for block in said]
+    if present != claimed:
+        found.faults.append(f"the mesh has other elements than the certificate: {_in_words(present)} instead of "
+                            f"{_in_words(claimed)}")
+        return
+    total, done = max(sum(count for _, _, count in present), 1), 0
+    for (block, checked), claims in zip(blocks, said):
+        if not checked:
+            continue
+        verdict = np.zeros(len(block.nodes), dtype=int)
+        for number, claim in enumerate(CLAIMS, 1):
+            verdict[claims[claim]] = number
+        examined = []
+        for start in range(0, len(block.nodes), _AT_A_TIME):
+            if progress is not None and progress(done / total, "elements") is False:
+                raise Cancelled("the verification was cancelled")
+            part = slice(start, start + _AT_A_TIME)
+            examined.append(verifier.examine(block.kind, block.order, nodes, block.nodes[part], verdict[part] == 2))
+            done += len(examined[-1][0])
+        _compare(block.kind, verdict, np.array(claims["distortion"]), *map(np.concatenate, zip(*examined)), found)
+
+
+def _in_words(blocks):
+    return ", ".join(f"{count:,} {kinds.PLURALS.get(kind, kind)} of order {order}" for kind, order, count in blocks if count)
+
+
+def _compare(kind, verdict, bound, J, distortion, found):
+    """The claims of a block with what J was found to be; of inverted elements J has the other sign."""
+    valid, folded, inverted = (verdict == number for number in range(3))
+    kept = [(valid & (J < verifier.POSITIVE), "certified valid, but {}"),
+            (folded & (J != verifier.NEGATIVE) & (J != verifier.TOUCHING), "certified folded, but no point with J <= 0 was found"),
+            (inverted & (J < verifier.POSITIVE), "certified inverted, but J < 0 everywhere could not be shown"),
+            (valid & (bound > distortion), "certified with a better bound of distortion than it can have")]
+    for wrong, text in kept:
+        for i in np.flatnonzero(wrong)[:_NAMED]:
+            why = "there is a point with J <= 0" if J[i] in (verifier.NEGATIVE, verifier.TOUCHING) else "that could not be shown"
+            found.faults.append(f"{kind} {i} is {text.format(why)}")
+        if wrong.sum() > _NAMED:
+            more = int(wrong.sum()) - _NAMED
+            found.faults.append(f"and {more:,} more {kinds.PLURALS[kind] if more != 1 else kind} likewise")
+    found.elements += len(verdict)
+    found.shown += int((~(kept[0][0] | kept[1][0] | kept[2][0] | (verdict == 3))).sum())
+
+
+def _check_sums(content, found):
+    """Whether the figures at the head are those of the lists."""
+    proven, blocks = content["proven"], content["blocks"]
+    counted = {claim: sum(len(block[claim]) for block in blocks) for claim in CLAIMS}
+    counted["invalid"] = sum(counted.values())
+    for name, count in counted.items():
+        if proven.get(name) != count:
+            found.faults.append(f"the certificate says {name} = {proven.get(name)!r}, but lists {count:,} such elements")
+    elements = {}
+    for block in blocks:
+        if block["elements"]:
+            elements[block["kind"]] = elements.get(block["kind"], 0) + block["elements"]
+    if proven.get("elements") != elements:
+        found.faults.append(f"the certificate says elements = {proven.get('elements')!r}, but lists {elements!r}")
+    lowest = min((min(block["distortion"]) for block in blocks if block["elements"]), default=None)
+    said = proven.get("min_distortion")
+    if isinstance(said, bool) or not isinstance(said, (int, float)) or lowest is None or not lowest <= said < lowest + 2e-4:
+        found.faults.append(f"the certificate says min_distortion = {said!r}, but the smallest that it lists is {lowest!r}")
+
+
+def _check_conformity(mesh, blocks, proven, found):
+    """Faces counted once more, by their corners, with the way round them."""
+    dimension, oriented = mesh.dimension, True
+    conforming = not conformity.hangs(blocks, mesh.nodes)
+    seen = {}
+    for block in blocks:
+        sides = kinds.FACES[block.kind] if dimension == 3 else kinds.EDGES[block.kind]
+        for side in sides:
+            for corners in block.nodes[:, list(side)].tolist():
+                seen.setdefault(tuple(sorted(corners)), []).append(_way(corners))
+    for ways in seen.values():
+        if len(ways) > 2:
+            conforming = conforming and dimension == 2
+        elif len(ways) == 2 and ways[0] == ways[1]:
+            oriented = False
+    if dimension == 2 and any(len(ways) > 2 for ways in seen.values()):
+        oriented = True  # sheets that meet have no common side
+    for name, value in (("conforming", conforming), ("oriented", oriented)):
+        if proven.get(name) != value:
+            found.faults.append(f"the certificate says {name} = {proven.get(name)!r}, but it is {value}")
+
+
+def _way(corners):
+    """Which way round a side goes, or along an edge."""
+    first = corners.index(min(corners))
+    return corners[(first + 1) % len(corners)] < corners[first - 1] if len(corners) > 2 else corners[0] < corners[1]
