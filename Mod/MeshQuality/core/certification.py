@@ -39,8 +39,11 @@ class MeshCertificate(metaclass=Public):
     notes             sentences about the mesh that a user should know
     """
 
-    __slots__ = ("conforming", "distortion", "elements", "folded", "folded_on_cad", "invalid_elements", "inverted",
-                 "max_deviation", "notes", "not_proven", "oriented", "triangle_deviation", "triangle_face")
+    __slots__ = {
+        "elements": "{kind: how many}", "folded": "how many", "inverted": "how many", "not_proven": "how many",
+        "invalid_elements": "which, and where", "distortion": "float64 (E,) by block", "conforming": "True or False",
+        "oriented": "True or False", "max_deviation": "mm, or None", "folded_on_cad": "how many, or None",
+        "triangle_face": "int32 (F,), or None", "triangle_deviation": "float64 (F,), mm, or None", "notes": "sentences"}
 
     def __init__(self):
         self.elements, self.distortion, self.invalid_elements, self.notes = {}, (), [], []
