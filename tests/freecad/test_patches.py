@@ -149,9 +149,9 @@ class Written(helpers.DocumentTest):
             with self.subTest(how), self.assertRaisesRegex(mq.InvalidInput, said):
                 self.mesh.write(self.path, **how)
         curved = mq.curve(box(), order=3)
-        for suffix in ("inp", "su2", "cgns"):
-            with self.assertRaisesRegex(mq.InvalidInput, "not elements of order 3"):
-                curved.write(self.path, format=suffix)
+        for mesh, suffix in ((curved, "inp"), (curved, "su2"), (curved.with_order(5), "cgns")):
+            with self.assertRaisesRegex(mq.InvalidInput, f"not elements of order {mesh.order}"):
+                mesh.write(self.path, format=suffix)
         with self.assertRaisesRegex(mq.IoError, "tessellate"):
             curved.write(os.path.join(self.folder, "a.stl"))
 

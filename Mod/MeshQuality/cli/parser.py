@@ -111,8 +111,9 @@ def parser(batched="triangulate"):
                 "Triangulates a CAD shape with a guaranteed smallest angle and deviation.")
     _add_single(commands, "curve", "mesh a CAD shape with curved elements",
                 "Meshes a CAD shape with curved triangles or tetrahedra, each proven valid.\n"
-                "By the extension of the output, .msh, .msh2 and .vtu hold the curved elements, .inp, .unv,\n"
-                ".nas, .bdf, .cgns and .exo those of order 1 and 2, .su2 straight ones, the others flat triangles.")
+                "By the extension of the output, .msh, .msh2, .vtu, .mesh and .xml hold the curved elements, .cgns\n"
+                "those up to order 4, .inp, .unv, .nas, .bdf and .exo those of order 1 and 2, .su2 straight ones, the\n"
+                "others flat triangles.")
     _add_single(commands, "boolean", "unite, intersect or subtract closed meshes and shapes",
                 "Boolean of two or more meshes or CAD shapes, applied in their order. The result\n"
                 "is closed and free of self-intersections.")

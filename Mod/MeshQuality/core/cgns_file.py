@@ -10,7 +10,8 @@ import tempfile
 import numpy as np
 
 from ..errors import IoError
-from .element_arrays import element_blocks, points_of, tetrahedra_in_common_order
+from .element_arrays import element_blocks, points_of
+from .elements import kinds
 
 # Of the enumerations of cgnslib.h.
 _MODE_READ, _MODE_WRITE = 0, 1
@@ -18,7 +19,8 @@ _UNSTRUCTURED, _REAL_DOUBLE, _POINT_RANGE, _FAMILY_SPECIFIED = 3, 4, 4, 25
 _CELL_CENTER, _FACE_CENTER = 3, 4
 _DIMENSIONAL, _UNKNOWN_DIMENSION = 2, 4
 _LENGTHS = {1.0: 4, 0.001: 2}  # by scale: millimetre, metre
-_TYPES = {(2, 3): 5, (2, 6): 6, (3, 4): 10, (3, 10): 11}  # by dimension and nodes of an element
+# By dimension and nodes of an element.
+_TYPES = {(2, 3): 5, (2, 6): 6, (2, 10): 26, (2, 15): 42, (3, 4): 10, (3, 10): 11, (3, 20): 30, (3, 35): 47}
 
 
 @functools.lru_cache(maxsize=None)
@@ -90,10 +92,11 @@ def size_type():
 
 
 def write(mesh, path, patches, solids, scale):
-    """Writes a SurfaceMesh or a CurvedMesh of order 1 or 2."""
+    """Writes a SurfaceMesh or a CurvedMesh of orders 1 to 4."""
     size, points = size_type(), points_of(mesh, scale)
-    tetrahedra = tetrahedra_in_common_order(mesh)
-    cells = len(tetrahedra) or len(mesh.triangles)
+    tetrahedra = _in_order("tetrahedron", getattr(mesh, "tetrahedra", np.zeros((0, 4), dtype=np.int32)))
+    triangles = _in_order("triangle", mesh.triangles)
+    cells = len(tetrahedra) or len(triangles)
     with _File(path) as file:
         base = file.base(3 if len(tetrahedra) else 2)
         zone = file.zone(base, np.array([len(points), cells, 0], dtype=size))
@@ -105,13 +108,18 @@ def write(mesh, path, patches, solids, scale):
                 first = _section(file, (base, zone), name, (3, first), tetrahedra[members].astype(size))
         place = _FACE_CENTER if len(tetrahedra) else _CELL_CENTER
         for name, members in element_blocks(patches.names, patches.of_triangle):
-            last = _section(file, (base, zone), name, (2, first), (mesh.triangles[members] + 1).astype(size))
+            last = _section(file, (base, zone), name, (2, first), triangles[members].astype(size))
             _condition(file, (base, zone), name, place, np.array([first, last - 1], dtype=size))
             first = last
         _call("cg_goto", file.number, base, _text("end"))
         _call("cg_dataclass_write", _DIMENSIONAL if scale in _LENGTHS else _UNKNOWN_DIMENSION)
         if scale in _LENGTHS:
             _call("cg_units_write", 0, _LENGTHS[scale], 0, 0, 0)
+
+
+def _in_order(kind, nodes):
+    """The nodes of elements from 1 as CGNS orders them."""
+    return nodes[:, np.argsort(kinds.from_cgns(kind, nodes.shape[1]))] + 1
 
 
 def _coordinate(file, place, name, values):

@@ -8,7 +8,7 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, fem, frames, given, writing
+from . import convert, fem, frames, given, orders, writing
 from .certification import given_mesh
 from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
@@ -153,6 +153,18 @@ class CurvedMesh(metaclass=Public):
         behind = self._curved.tetrahedra_behind()
         return np.where(behind >= 0, of_tetrahedra[np.maximum(behind, 0)], of_triangles)
 
+    def with_order(self, order):
+        """The same mesh with elements of another order, 1 to 5 (volumes: 4): a new CurvedMesh.
+
+        A higher order has the same shape: nodes are put where the polynomials of this one are, and its qualities are
+        those of this one. A lower order goes through points of the edges, faces and elements as they are: triangle_quality
+        and tetrahedron_quality are measured anew, as lower bounds of min J / max J by the elements themselves. Elements,
+        entities and patches stay; the report is None, straight and what was said of a given mesh are not kept.
+        Raises InvalidInput naming the orders there are.
+        """
+        order, arrays = orders.arrays_of_order(self, order)
+        return CurvedMesh(extension().curved_from_arrays(order, arrays), measured=False, patches=self._patches)
+
     def tessellate(self, deviation=None, progress=None):
         """Flat triangles that the curved ones keep within `deviation` mm of.
 
@@ -186,8 +198,8 @@ class CurvedMesh(metaclass=Public):
         """Writes into a file; one that is there is replaced once the new one is complete.
 
         path    the extension says the format: .msh (Gmsh 4.1, with a physical group a CAD edge, patch and solid),
-                .msh2 (Gmsh 2.2) and .vtu (VTK) hold all orders, .inp .unv .nas .bdf .cgns .exo orders 1 and 2, .su2
-                order 1
+                .msh2 (Gmsh 2.2), .vtu (VTK), .mesh (MFEM) and .xml (Nektar++) hold all orders, .cgns orders 1 to 4,
+                .inp .unv .nas .bdf .exo orders 1 and 2, .su2 order 1
         The others are as for SurfaceMesh.write. Raises InvalidInput naming patch, face or order and the remedy; IoError
         naming the path.
         """

@@ -75,7 +75,7 @@ class SurfaceMesh(metaclass=Public):
         """Writes into a file; one that is there is replaced once the new one is complete.
 
         path        the extension says the format: .stl .ply .obj .off .msh (Gmsh 4.1) .msh2 (Gmsh 2.2) .vtu
-                    .su2 .cgns .inp .unv .nas .bdf .exo .tri .eMesh .fms .3mf .amf
+                    .su2 .cgns .mesh (MFEM) .xml (Nektar++) .inp .unv .nas .bdf .exo .tri .eMesh .fms .3mf .amf
         patches     {"inlet": ["Face1", "Face4"], ...}, or {"inlet": {"faces": [...], "colour": "#ff0000"}}; None:
                     those that the mesh was made with
         patch_rest  name of the patch of all other faces; None: each is one by its own name

@@ -11,7 +11,7 @@ import zipfile
 
 from .. import files, formats
 from ..errors import InvalidInput, IoError
-from . import cgns_file, convert, exodus_file
+from . import cgns_file, convert, exodus_file, mfem_file, nektar_file
 from .contact_sheets import SHEET, with_sheets
 from .patches import colour_of, division_of, patches_of, require_faces, with_interfaces
 
@@ -99,6 +99,10 @@ def _write_as(mesh, path, suffix, patches, scale, ascii):  # noqa: A002
         cgns_file.write(mesh, path, patches, _solids_of(mesh), scale)
     elif suffix == ".exo":
         exodus_file.write(mesh, path, patches, _solids_of(mesh), scale)
+    elif suffix == ".mesh":
+        mfem_file.write(mesh, path, patches, scale)
+    elif suffix == ".xml":
+        nektar_file.write(mesh, path, patches, _solids_of(mesh), scale)
     elif suffix == ".3mf":
         _write_3mf(mesh, path, patches, scale)
     else:

@@ -18,7 +18,8 @@ _NODE, _MIXED = 2, 20
 _TYPES = {3: ("line", 2), 4: ("line", 3), 5: ("triangle", 3), 6: ("triangle", 6), 7: ("quadrilateral", 4),
           8: ("quadrilateral", 8), 9: ("quadrilateral", 9), 10: ("tetrahedron", 4), 11: ("tetrahedron", 10),
           12: ("pyramid", 5), 13: ("pyramid", 14), 14: ("prism", 6), 15: ("prism", 15), 16: ("prism", 18),
-          17: ("hexahedron", 8), 18: ("hexahedron", 20), 19: ("hexahedron", 27), 21: ("pyramid", 13)}
+          17: ("hexahedron", 8), 18: ("hexahedron", 20), 19: ("hexahedron", 27), 21: ("pyramid", 13), 24: ("line", 4),
+          26: ("triangle", 10), 30: ("tetrahedron", 20), 40: ("line", 5), 42: ("triangle", 15), 47: ("tetrahedron", 35)}
 _NAMES = {22: "polygons (NGON_n)", 23: "polyhedra (NFACE_n)"}
 _DENSEST = 1000  # how many times a compressed file may grow
 
@@ -163,7 +164,7 @@ def _sections(rows, numbers, node_offset):
         name, count = _TYPES[kind]
         if len(values) % count:
             raise IoError(f"a section has {len(values):,} numbers, which are no {kinds.PLURALS[name]}: {REMEDY}")
-        nodes = values.reshape(-1, count)[:, kinds.from_convention(name, count, kinds.LEVELS)]
+        nodes = values.reshape(-1, count)[:, kinds.from_cgns(name, count)]
         found.append(Section(name, nodes + node_offset, numbers[at:at + len(nodes)]))
         at += len(nodes)
     if at != len(numbers):

@@ -195,6 +195,20 @@ def from_mirrored(kind, count):
     return order[turned(kind, count)] if DIMENSION[kind] == 3 else order
 
 
+# CGNS' edges and faces of tetrahedra of orders 3 and 4, as Gmsh has them.
+_CGNS_TETRAHEDRON = (_BASES["tetrahedron"], ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3)))
+
+
+@functools.lru_cache(maxsize=None)
+def from_cgns(kind, count):
+    """Likewise for CGNS: of triangles and tetrahedra up to order 4, of other elements up to order 2."""
+    if order_of(kind, count) <= 2:
+        return from_convention(kind, count, LEVELS)
+    sides = _CGNS_TETRAHEDRON if kind == "tetrahedron" else (EDGES[kind], FACES[kind])
+    wanted = _fill(kind, np.array(_CORNERS[kind], dtype=float), order_of(kind, count), sides)
+    return np.argsort(matching(kind, count, wanted))
+
+
 # VTK's edges and faces of tetrahedra of any order.
 _LAGRANGE_TETRAHEDRON = (_BASES["tetrahedron"], ((0, 1, 3), (2, 3, 1), (0, 3, 2), (0, 2, 1)))
 

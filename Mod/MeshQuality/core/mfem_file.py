@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files of MFEM (mesh v1.0): curved elements as nodes of the continuous space H1 of the mesh's order."""
+
+import numpy as np
+
+from .element_arrays import points_of
+from .elements import lagrange, skeleton
+
+_TYPES = {"line": 1, "triangle": 2, "tetrahedron": 4}
+
+
+def write(mesh, path, patches, scale):
+    """Writes a SurfaceMesh or a CurvedMesh: attributes are solids of a volume and patches of a surface, those of the
+    boundary patches of a volume and CAD edges at the ends of a surface.
+    """
+    volume = len(getattr(mesh, "tetrahedra", ())) > 0
+    kind, elements = ("tetrahedron", mesh.tetrahedra) if volume else ("triangle", mesh.triangles)
+    attributes = mesh.tetrahedron_solid if volume else patches.of_triangle
+    order, points = getattr(mesh, "order", 1), points_of(mesh, scale)
+    edges = skeleton.edges_of({kind: elements}, order)
+    faces = skeleton.faces_of({kind: elements}, order) if volume else None
+    rim = _outer_triangles(mesh, patches) if volume else _outer_edges(mesh, edges)
+    corners = int(elements[:, :4 if volume else 3].max()) + 1
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f"MFEM mesh v1.0\n\n{_names(mesh, patches, volume)}\ndimension\n{3 if volume else 2}\n")
+        _write_elements(file, "elements", kind, elements, attributes)
+        _write_elements(file, "boundary", "triangle" if volume else "line", *rim)
+        file.write(f"\nvertices\n{corners}\n")
+        if order == 1:
+            file.write("3\n")
+            _write_rows(file, points[:corners])
+            return
+        file.write(f"\nnodes\nFiniteElementSpace\nFiniteElementCollection: H1_{3 if volume else 2}D_P{order}\n"
+                   "VDim: 3\nOrdering: 1\n\n")
+        _write_rows(file, points[:corners])
+        _write_rows(file, _inside("line", order, points[edges.nodes]))
+        if volume:
+            _write_rows(file, _inside_faces(order, points, faces))
+        _write_rows(file, _inside(kind, order, points[elements]))
+
+
+def _names(mesh, patches, volume):
+    """Which attribute has which name, as comments: the format has no place for them."""
+    patch = "boundary attribute" if volume else "attribute"
+    solids = sorted(set(mesh.tetrahedron_solid.tolist())) if volume else []
+    return "".join([*(f"# attribute {i + 1}: Solid{i + 1}\n" for i in solids),
+                    *(f"# {patch} {i + 1}: {name}\n" for i, name in enumerate(patches.names))])
+
+
+def _outer_triangles(mesh, patches):
+    """The triangles that are faces of tetrahedra, and the patch of each."""
+    known = mesh._curved.tetrahedra_behind() >= 0
+    return mesh.triangles[known], patches.of_triangle[known]
+
+
+def _outer_edges(mesh, edges):
+    """The mesh edges with one triangle that lie on CAD edges, and the number of each."""
+    given = getattr(mesh, "edges", np.zeros((0, 2), dtype=np.int64))
+    if not len(given):
+        return np.zeros((0, 2), dtype=np.int64), np.zeros(0, dtype=np.int64)
+    number, count = edges.of["triangle"], len(edges.corners)
+    outer = edges.corners[np.bincount(number.ravel(), minlength=count) == 1]
+    size = int(edges.corners.max()) + 1
+    keys = np.sort(given[:, :2].astype(np.int64), axis=1) @ [size, 1]
+    known = np.isin(keys, outer.astype(np.int64) @ [size, 1])
+    return given[known], mesh.edge_entity[known]
+
+
+def _write_elements(file, title, kind, elements, attributes):
+    file.write(f"\n{title}\n{len(elements)}\n")
+    corners = {"line": 2, "triangle": 3, "tetrahedron": 4}[kind]
+    rows = np.column_stack([attributes + 1, np.full(len(elements), _TYPES[kind]), elements[:, :corners]])
+    file.writelines(" ".join(map(str, row)) + "\n" for row in rows.tolist())
+
+
+def _write_rows(file, points):
+    file.writelines(f"{x!r} {y!r} {z!r}\n" for x, y, z in points.tolist())
+
+
+def closed_points(order):
+    """float64 (order + 1,): the Gauss-Lobatto points of [0, 1], where MFEM has the nodes of an edge."""
+    inner = np.polynomial.legendre.Legendre.basis(order).deriv().roots()
+    found = np.concatenate([[0.0], (np.sort(inner.real) + 1.0) / 2.0, [1.0]])
+    return (found + 1.0 - found[::-1]) / 2.0  # as symmetric as they are
+
+
+def inner_shares(kind, order):
+    """float64 (n, corners): barycentric coordinates of MFEM's nodes inside of an element, in its order."""
+    points, dimension = closed_points(order), {"line": 1, "triangle": 2, "tetrahedron": 3}[kind]
+    steps = np.array([step[::-1] for step in np.ndindex(*[order] * dimension)
+                      if all(step) and sum(step) < order], dtype=int).reshape(-1, dimension)
+    found = points[np.column_stack([order - steps.sum(axis=1), steps])]
+    return found / found.sum(axis=1, keepdims=True)
+
+
+def _inside(kind, order, nodes):
+    """float64 (n, 3): where MFEM has the nodes inside of elements with these nodes."""
+    values = lagrange.values(kind, order, inner_shares(kind, order))
+    return np.einsum("ij,njk->nik", values, nodes).reshape(-1, 3)
+
+
+def _inside_faces(order, points, faces):
+    """Likewise for faces, which have the direction that their first tetrahedron gives them."""
+    shares = inner_shares("triangle", order)
+    found = np.zeros((len(faces.corners), len(shares), 3))
+    for turn in skeleton.TURNS[3]:
+        which = (faces.corners[:, turn] == faces.first).all(axis=1)
+        values = lagrange.values("triangle", order, shares[:, np.argsort(turn)])
+        found[which] = np.einsum("ij,njk->nik", values, points[faces.nodes[which]])
+    return found.reshape(-1, 3)
