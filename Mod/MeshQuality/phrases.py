@@ -137,6 +137,7 @@ NO_BOUND_AND_BOUND = "chord_height = 'none' and chord_height_relative = {number}
 MIN_ABOVE_MAX = "min_edge = {length} is longer than max_edge = {length2}"
 NO_SOURCE = "Source is empty: choose an object with a shape"
 GIVEN_DELETED = "Given is empty: the FEM mesh was deleted; choose another one, or delete this mesh"
+NOT_MEASURED = "the surface of the mesh is not measured: it is not of triangles of one order"
 NO_PART = "{name} does not say of which part it is a mesh: give part=, or select the part beside it"
 NO_MESH = "Source is not a mesh: choose one object with a mesh"
 FEW_SOURCES = ("Sources has 1 object: choose two or more with a mesh or a shape",
@@ -153,7 +154,7 @@ DOCUMENT_CLOSED = "The document was closed. Close this panel."
 ERRORS = (
     IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
-    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_MESH, GIVEN_DELETED, NO_PART, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
+    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
 # Errors of patches, files and cases for meshers of flows.

@@ -8,13 +8,12 @@ import sys
 import unittest
 
 import FreeCAD
+import given_meshes
 import helpers
 import numpy as np
 import Part
 
 import MeshQuality as mq
-from MeshQuality.core import fem
-from MeshQuality.core.elements import kinds
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
 import cantilever  # noqa: E402
@@ -22,38 +21,6 @@ import fem_meshers  # noqa: E402
 
 HAS_FEM = importlib.util.find_spec("Fem") is not None
 HAS_GMSH = bool(shutil.which("gmsh") or os.path.isfile("/usr/lib/python3/dist-packages/gmsh.py"))
-
-
-def straight_mesh(shape, size, folded=()):
-    """A Fem.FemMesh of second order whose middle nodes lie on chords, as other programs make it; of the tetrahedra `folded`
-    the first middle node lies beyond the opposite face.
-    """
-    found = mq.curve(shape, order=1, volume=True, max_edge=size)
-    numbers, nodes = {}, [tuple(point) for point in found.nodes]
-    mesh = fem.module().FemMesh()
-
-    def middle(a, b):
-        key = (min(a, b), max(a, b))
-        if key not in numbers:
-            numbers[key] = len(nodes) + 1
-            nodes.append(tuple((found.nodes[a] + found.nodes[b]) / 2))
-        return numbers[key]
-
-    order = np.argsort(kinds.from_mirrored("tetrahedron", 10))
-    rows = [[*(corners + 1), *(middle(corners[a], corners[b]) for a, b in kinds.EDGES["tetrahedron"])]
-            for corners in found.tetrahedra]
-    faces = [[*(corners + 1), *(middle(corners[a], corners[b]) for a, b in kinds.EDGES["triangle"])]
-             for corners in found.triangles]
-    for i in folded:
-        a, b, c, d = found.nodes[found.tetrahedra[i]]
-        nodes[rows[i][4] - 1] = tuple((a + b) / 2 + 1.5 * ((c + d) / 2 - (a + b) / 2))
-    for number, point in enumerate(nodes):
-        mesh.addNode(*point, number + 1)
-    for number, row in enumerate(rows):
-        mesh.addVolume([int(row[k]) for k in order], number + 1)
-    for number, row in enumerate(faces):
-        mesh.addFace(list(map(int, row)), len(rows) + number + 1)
-    return mesh
 
 
 def groups_of(mesh):
@@ -73,7 +40,7 @@ class CureTest(helpers.DocumentTest):
     def given(self, part, folded=(), size=8.0):
         """A FEM mesh object of the part with a group of every tenth tetrahedron and one of all triangles."""
         obj = self.document.addObject("Fem::FemMeshObject", "Given")
-        mesh = straight_mesh(part.Shape, size, folded)
+        mesh = given_meshes.straight_mesh(part.Shape, size, folded)
         mesh.addGroupElements(mesh.addGroup("some", "Volume"), list(mesh.Volumes)[::10])
         mesh.addGroupElements(mesh.addGroup("skin", "Face"), list(mesh.Faces))
         obj.FemMesh = mesh
@@ -196,14 +163,14 @@ class Follows(CureTest):
         given = self.given(part, size=4.0)
         obj = mq.add_cured_mesh(given, part)
         count = obj.Elements
-        given.FemMesh = straight_mesh(part.Shape, 2.0)
+        given.FemMesh = given_meshes.straight_mesh(part.Shape, 2.0)
         self.document.recompute()
         self.assertEqual((obj.Elements, obj.Status), (given.FemMesh.VolumeCount, "up to date"))
         self.assertGreater(obj.Elements, count)
         part.Radius = 50
         self.document.recompute()
         self.assertTrue(obj.Status.startswith("failed: "), obj.Status)
-        given.FemMesh = straight_mesh(part.Shape, 20.0)
+        given.FemMesh = given_meshes.straight_mesh(part.Shape, 20.0)
         self.document.recompute()
         self.assertEqual((obj.Elements, obj.Status), (given.FemMesh.VolumeCount, "up to date"))
         self.document.removeObject(given.Name)

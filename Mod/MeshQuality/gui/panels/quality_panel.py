@@ -10,9 +10,10 @@ import numpy as np
 from PySide import QtGui
 
 from ...compat import flags
-from ...core import frames
+from ...core import convert, frames
 from ...errors import Error
 from .. import jobs, looks
+from ..fem_quality_data import FemQualityData
 from ..quality_data import DISTANCE, Histogram, QualityData, Scale
 from ..quantities import count_text
 from ..translation import translated
@@ -62,7 +63,7 @@ class QualityPanel:
     def __init__(self, source):
         self.obj = frames.object_of(source)
         self._document, self._label = self.obj.Document.Name, frames.leaf_of(source).Label
-        self.data = QualityData(source)
+        self.data = (QualityData if convert.is_mesh(source) else FemQualityData)(source)
         self.values = self.measure = self.scale = None
         self.lit = None  # of each element: whether it is lit up
         self.ended = False
@@ -198,8 +199,9 @@ class QualityPanel:
             of_all = whole[measure.order(whole)[0]], _mean(whole)
         colours = colour_scale.bytes_of(scale.goodness(values))[self.data.element]
         coarse = None if self.data.coarse is None else self.data.coarse_colours(colours)
+        order = measure.order(values)
         return _Found(values, scale, of_all, colours, coarse, Histogram.of(values, scale),
-                      self.data.faces(values, measure), measure.order(values)[:WORST])
+                      self.data.faces(values, measure), order[~np.isnan(values[order])][:WORST])
 
     def _take(self, measure, found):
         if not self._found and self.scene is not None:
@@ -220,7 +222,7 @@ class QualityPanel:
         self._list_faces(found.faces)
         if self.scene is not None:
             self.scene.colour(found.colours, found.coarse, found.scale)
-        self._light_up(np.zeros(self.data.elements, dtype=bool))
+        self._light_up(self.data.marked(measure, found.values))
 
     def _meaning(self, measure):
         words = translate("MeshQuality", measure.help)
@@ -241,7 +243,8 @@ class QualityPanel:
                               shown.format(count_text(self.data.shown), worst, mean)))
         words = translate("MeshQuality", "{0} elements: worst {1}, mean {2}") if self.data.curved \
             else translate("MeshQuality", "{0} triangles: worst {1}, mean {2}")
-        return words.format(count_text(self.data.elements), worst, mean)
+        words = words.format(count_text(self.data.elements), worst, mean)
+        return "\n".join(filter(None, (words, self.data.remark())))
 
     def _list_worst(self):
         self.worst.blockSignals(True)
