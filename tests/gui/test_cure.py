@@ -22,6 +22,7 @@ import cantilever  # noqa: E402
 
 HAS_FEM = importlib.util.find_spec("Fem") is not None
 FOLDED = (3, 40)
+MAGENTA = (255, 32, 255)  # of what lights up
 
 
 @unittest.skipUnless(HAS_FEM, "this FreeCAD has no FEM workbench")
@@ -75,6 +76,11 @@ class Command(CureTest):
 
 
 class Quality(CureTest):
+    def setUp(self):
+        super().setUp()
+        self.given.addProperty("App::PropertyLink", "Part")
+        self.given.Part = self.part
+
     def open(self, obj):
         panel = quality_panel.open_panel(obj)
         self.addCleanup(lambda: panel.ended or panel.reject())
@@ -86,7 +92,8 @@ class Quality(CureTest):
         self.assertTrue(commands.Analyse().IsActive())
         found = mq.certify(self.given)
         panel = self.open(self.given)
-        self.assertEqual(panel.data.measures, [fem_quality_data.JACOBIAN_RATIO])
+        self.assertEqual(panel.data.measures, [fem_quality_data.JACOBIAN_RATIO, quality_data.DISTANCE])
+        self.assertFalse(self.part.ViewObject.Visibility)
         np.testing.assert_array_equal(panel.values, found.distortion[0])
         self.assertEqual(np.flatnonzero(panel.lit).tolist(), np.flatnonzero(found.distortion[0] <= 0.0).tolist())
         self.assertIn(f"{found.invalid} of {self.given.FemMesh.VolumeCount:,} are not proven valid.", panel.summary.text())
@@ -99,6 +106,16 @@ class Quality(CureTest):
         panel.worst.setCurrentRow(0)
         self.until(lambda: not panel.scene.flight.active)
         self.assertEqual(np.flatnonzero(panel.lit).tolist(), [worst])
+        self.assertTrue(panel.data.is_inside(worst))
+        shown = panel.scene.scene.triangles
+        self.assertLess(shown, len(panel.data.corners))
+        gui_helpers.wait(0.3)
+        pixels = self.saved("quality_inside")
+        self.assertGreater((np.abs(pixels - np.array(MAGENTA)) < 40).all(axis=2).mean(), 0.0005)
+        panel.histogram.picked.emit(-1)
+        self.assertEqual(panel.scene.scene.triangles, len(panel.data.corners))
+        panel.reject()
+        self.assertTrue(self.part.ViewObject.Visibility)
 
     def test_a_cured_mesh_has_its_distance(self):
         obj = mq.add_cured_mesh(self.given, self.part)

@@ -100,6 +100,10 @@ class FemQualityData(QualityData):
         """Those that are not proven valid."""
         return values <= 0.0 if measure is JACOBIAN_RATIO else super().marked(measure, values)
 
+    def is_inside(self, element):
+        """Those without a face on the surface."""
+        return not self._outside[element]
+
     def remark(self):
         """How many those are."""
         words = translate("MeshQuality", "{0} of {1} are not proven valid.")

@@ -328,6 +328,10 @@ class QualityData:
         """bool (E,): which elements light up by themselves."""
         return np.zeros(self.elements, dtype=bool)
 
+    def is_inside(self, element):
+        """Whether the surface that is drawn hides the element from all sides."""
+        return False
+
     def remark(self):
         """What is to be said of all elements beside the numbers."""
         return ""

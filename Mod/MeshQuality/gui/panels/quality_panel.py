@@ -25,6 +25,7 @@ translate = FreeCAD.Qt.translate
 
 WORST = 50  # elements in the list
 _DIGITS = 3  # of the numbers in the table, which may be 230 pixels wide
+_AROUND_INSIDE = 10.0  # width of the view around an element inside, in sizes of it
 _EDGES = 50_000  # triangles up to which edges are drawn from the beginning
 
 
@@ -282,7 +283,12 @@ class QualityPanel:
         chosen = np.zeros(self.data.elements, dtype=bool)
         chosen[self._worst[row]] = True
         self._light_up(chosen)
-        self.scene.fly_to(self.data.triangles_of(chosen))
+        corners = self.data.triangles_of(chosen)
+        if not self.data.is_inside(self._worst[row]):
+            self.scene.fly_to(corners)
+            return
+        self.scene.open_before(corners)
+        self.scene.fly_to(corners, _AROUND_INSIDE)
 
     def _pick_face(self):
         rows = {index.row() for index in self.faces.selectedIndexes()}
@@ -291,6 +297,7 @@ class QualityPanel:
     def _light_up(self, chosen):
         self.lit = chosen
         if self.scene is not None:
+            self.scene.close_again()
             self.scene.light_up(self.data.triangles_of(chosen))
 
     def _draw_edges(self, *_):
