@@ -278,6 +278,7 @@ STAGES = {
     "contouring": "building the surface",
     "two-manifold": "separating contacts",
     "assembly": "assembling the result",
+    "measuring": "measuring",
     "measuring the distance": "measuring the distance",
     "measuring the distortion": "measuring the distortion",
     "cutting into triangles": "dividing into triangles",

@@ -2242,6 +2242,10 @@
         <source>{name} does not say of which part it is a mesh: give part=, or select the part beside it</source>
         <translation>{name} sagt nicht, von welchem Teil es ein Netz ist: Geben Sie part= an, oder wählen Sie das Teil dazu aus</translation>
     </message>
+    <message>
+        <source>measuring</source>
+        <translation>Messen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
