@@ -200,5 +200,6 @@ def _replace_meshes(analysis, obj):
     for other in others:
         analysis.removeObject(other)
     analysis.addObject(obj)
-    said = phrases.Text(phrases.TAKES_PLACE, name=f"'{analysis.Label}'", name2=", ".join(f"'{other.Label}'" for other in others))
+    labels = ", ".join(f"'{other.Label}'" for other in others)
+    said = phrases.Text(phrases.TAKES_PLACE, name=f"'{analysis.Label}'", name2=labels)
     FreeCAD.Console.PrintMessage(f"{obj.Label}: {window().translated(said)}\n")
