@@ -63,7 +63,7 @@ def _class(name, cls):
         parts.append(_code(name, cls))
     parts.append(_block(inspect.getdoc(cls)))
     rows = [(member, inspect.getdoc(value)) for member, value in members(cls)
-            if isinstance(value, property) or inspect.isdatadescriptor(value)]
+            if inspect.isdatadescriptor(value) and inspect.getdoc(value)]  # of slots the class tells
     if rows:
         parts.append("| property | |\n|---|---|")
         parts += [f"| `{member}` | {_cell(text)} |" for member, text in rows]

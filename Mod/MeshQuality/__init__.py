@@ -21,6 +21,7 @@ Meshes for scripts
 
 Objects of the document, which follow what they are made of
     add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_improved_mesh
+    add_cured_mesh      valid elements of a FEM mesh that another program made
     update              gives such an object other options, and computes it
     set_patches         names groups of faces, for files
     suggested_patches   groups that the document knows: labels, colours, references of an analysis
@@ -76,6 +77,7 @@ _LAZY = {
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
     "add_fem_mesh": "MeshQuality.features.fem_mesh",
+    "add_cured_mesh": "MeshQuality.features.cured_mesh",
     "add_boolean": "MeshQuality.features.boolean",
     "export_curved_mesh": "MeshQuality.features.export",
     "export_mesh": "MeshQuality.features.export",

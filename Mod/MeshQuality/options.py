@@ -356,6 +356,8 @@ _OF_FEM = {
     "imprint": {"default": True},
 }
 FEM = tuple(replace(option, **_OF_FEM.get(option.name, {})) for option in CURVE)
+# Of meshes that others made.
+CURE = tuple(replace(option, group="Mesh") for option in FEM if option.name in ("order", "straighten_invalid", "imprint"))
 
 
 # Options of the document object, beside those of CURVE.

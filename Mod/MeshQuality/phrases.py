@@ -114,6 +114,17 @@ TAKEN_OUT = "it is made of {name} and cannot lie in that, as each would wait for
 # A FEM mesh in an analysis that has one.
 MORE_MESHES = "the analysis {name} has another mesh, {name2}: FreeCAD solves on one mesh only; take the others out"
 
+TAKES_PLACE = "in the analysis {name} it takes the place of {name2}, as FreeCAD solves on one mesh only; what it replaces stays in " \
+              "the document"
+# What curing a mesh that another program made has found and changed.
+GIVEN_INVALID = ("given mesh: 1 of {count2} elements is not proven valid", "given mesh: {count} of {count2} elements are not proven valid")
+CURED_INVALID = ("now 1 of {count2}", "now {count} of {count2}")
+GIVEN_REPLACED = ("1 element replaced", "{count} elements replaced")
+GIVEN_MOVED = ("1 vertex moved", "{count} vertices moved")
+GROUP_LOST = ("the group {name} has lost 1 element, which was replaced: add those that are there now to it",
+              "the group {name} has lost {count} elements, which were replaced: add those that are there now to it")
+CURING = (TAKES_PLACE, *GIVEN_INVALID, *CURED_INVALID, *GIVEN_REPLACED, *GIVEN_MOVED, *GROUP_LOST)
+
 # Errors that a panel can meet.
 BOUND_BY_EXPRESSION = (
     "{option} cannot be changed: the property {name} of {name2} is set by the expression {value}; clear that first, by "
@@ -126,6 +137,9 @@ TWO_BOUNDS = "chord_height = {length} and chord_height_relative = {number} exclu
 NO_BOUND_AND_BOUND = "chord_height = 'none' and chord_height_relative = {number} exclude each other: give one of them"
 MIN_ABOVE_MAX = "min_edge = {length} is longer than max_edge = {length2}"
 NO_SOURCE = "Source is empty: choose an object with a shape"
+GIVEN_DELETED = "Given is empty: the FEM mesh was deleted; choose another one, or delete this mesh"
+NOT_MEASURED = "the surface of the mesh is not measured: it is not of triangles of one order"
+NO_PART = "{name} does not say of which part it is a mesh: give part=, or select the part beside it"
 NO_MESH = "Source is not a mesh: choose one object with a mesh"
 FEW_SOURCES = ("Sources has 1 object: choose two or more with a mesh or a shape",
                "Sources has {count} objects: choose two or more with a mesh or a shape")
@@ -141,7 +155,7 @@ DOCUMENT_CLOSED = "The document was closed. Close this panel."
 ERRORS = (
     IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
-    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_MESH, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
+    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
 # Errors of patches, files and cases for meshers of flows.
@@ -265,6 +279,7 @@ STAGES = {
     "contouring": "building the surface",
     "two-manifold": "separating contacts",
     "assembly": "assembling the result",
+    "measuring": "measuring",
     "measuring the distance": "measuring the distance",
     "measuring the distortion": "measuring the distortion",
     "cutting into triangles": "dividing into triangles",
@@ -339,7 +354,7 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")
@@ -383,6 +398,11 @@ class Text(str):
 
     def __reduce__(self):
         return Text._of, (self.phrase, self.places, self.upper)
+
+
+def counted(pair, count, **places):
+    """One of a pair of phrases, by the count that it says."""
+    return Text(pair[count != 1], count=f"{count:,}", **places)
 
 
 def joined(*parts):

@@ -423,6 +423,34 @@
         <source>The object whose mesh is taken</source>
         <translation>Das Objekt, dessen Netz genommen wird</translation>
     </message>
+    <message>
+        <source>Groups of the given mesh that this one has, too</source>
+        <translation>Gruppen des gegebenen Netzes, die auch dieses hat</translation>
+    </message>
+    <message>
+        <source>Number of elements of the given mesh</source>
+        <translation>Anzahl der Elemente des gegebenen Netzes</translation>
+    </message>
+    <message>
+        <source>Number of its elements that are not proven valid</source>
+        <translation>Anzahl seiner Elemente, die nicht als gültig bewiesen sind</translation>
+    </message>
+    <message>
+        <source>Number of its elements that others replace</source>
+        <translation>Anzahl seiner Elemente, die durch andere ersetzt sind</translation>
+    </message>
+    <message>
+        <source>Number of its vertices that are not where they were</source>
+        <translation>Anzahl seiner Eckpunkte, die nicht mehr liegen, wo sie lagen</translation>
+    </message>
+    <message>
+        <source>The object with the FEM mesh that is cured</source>
+        <translation>Das Objekt mit dem FEM-Netz, das geheilt wird</translation>
+    </message>
+    <message>
+        <source>Which these are</source>
+        <translation>Welche das sind</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2135,6 +2163,30 @@
         <translation>{value}: Es gibt keinen Ordner {value2}</translation>
     </message>
     <message>
+        <source>Least / largest Jacobian</source>
+        <translation>Kleinste / größte Jacobi-Determinante</translation>
+    </message>
+    <message>
+        <source>1 = not distorted by its middle nodes, ≤ 0 = not proven valid; those are marked.</source>
+        <translation>1 = durch die Mittelknoten nicht verzerrt, ≤ 0 = nicht als gültig bewiesen; diese sind hervorgehoben.</translation>
+    </message>
+    <message>
+        <source>{0} of {1} are not proven valid.</source>
+        <translation>{0} von {1} sind nicht als gültig bewiesen.</translation>
+    </message>
+    <message>
+        <source>1 element replaced</source>
+        <translation>1 Element ersetzt</translation>
+    </message>
+    <message>
+        <source>1 vertex moved</source>
+        <translation>1 Eckpunkt verschoben</translation>
+    </message>
+    <message>
+        <source>Given is empty: the FEM mesh was deleted; choose another one, or delete this mesh</source>
+        <translation>Given ist leer: Das FEM-Netz wurde gelöscht; wählen Sie ein anderes, oder löschen Sie dieses Netz</translation>
+    </message>
+    <message>
         <source>finding curved triangles that cross</source>
         <translation>gekrümmte Dreiecke suchen, die sich durchdringen</translation>
     </message>
@@ -2143,8 +2195,56 @@
         <translation>Elemente werden geprüft</translation>
     </message>
     <message>
+        <source>given mesh: 1 of {count2} elements is not proven valid</source>
+        <translation>gegebenes Netz: 1 von {count2} Elementen ist nicht als gültig bewiesen</translation>
+    </message>
+    <message>
+        <source>given mesh: {count} of {count2} elements are not proven valid</source>
+        <translation>gegebenes Netz: {count} von {count2} Elementen sind nicht als gültig bewiesen</translation>
+    </message>
+    <message>
+        <source>in the analysis {name} it takes the place of {name2}, as FreeCAD solves on one mesh only; what it replaces stays in the document</source>
+        <translation>in der Analyse {name} tritt es an die Stelle von {name2}, da FreeCAD nur auf einem Netz rechnet; was es ersetzt, bleibt im Dokument</translation>
+    </message>
+    <message>
         <source>neighbouring elements disagree on the side that is outside.</source>
-        <translation>benachbarte Elemente sind sich über die Außenseite uneins.</translation>
+        <translation>benachbarte Elemente sind uneins, welche Seite außen ist.</translation>
+    </message>
+    <message>
+        <source>now 1 of {count2}</source>
+        <translation>jetzt 1 von {count2}</translation>
+    </message>
+    <message>
+        <source>now {count} of {count2}</source>
+        <translation>jetzt {count} von {count2}</translation>
+    </message>
+    <message>
+        <source>the group {name} has lost 1 element, which was replaced: add those that are there now to it</source>
+        <translation>die Gruppe {name} hat 1 Element verloren, das ersetzt wurde: Fügen Sie ihr die hinzu, die jetzt dort sind</translation>
+    </message>
+    <message>
+        <source>the group {name} has lost {count} elements, which were replaced: add those that are there now to it</source>
+        <translation>die Gruppe {name} hat {count} Elemente verloren, die ersetzt wurden: Fügen Sie ihr die hinzu, die jetzt dort sind</translation>
+    </message>
+    <message>
+        <source>the surface of the mesh is not measured: it is not of triangles of one order</source>
+        <translation>die Oberfläche des Netzes ist nicht vermessen: sie besteht nicht aus Dreiecken einer Ordnung</translation>
+    </message>
+    <message>
+        <source>{count} elements replaced</source>
+        <translation>{count} Elemente ersetzt</translation>
+    </message>
+    <message>
+        <source>{count} vertices moved</source>
+        <translation>{count} Eckpunkte verschoben</translation>
+    </message>
+    <message>
+        <source>{name} does not say of which part it is a mesh: give part=, or select the part beside it</source>
+        <translation>{name} sagt nicht, von welchem Teil es ein Netz ist: Geben Sie part= an, oder wählen Sie das Teil dazu aus</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>Messen</translation>
     </message>
     <message>
         <source>the elements do not fit together: a face has more than two of them, or a corner of one lies amid an edge or a face of another.</source>
@@ -2233,6 +2333,17 @@
     <message>
         <source>Make a shape of the selected closed mesh, one face a patch, of which CfdOF takes the triangles</source>
         <translation>Macht aus dem gewählten geschlossenen Netz eine Form mit einer Fläche je Patch, von der CfdOF die Dreiecke nimmt</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Cure</name>
+    <message>
+        <source>Certify and cure...</source>
+        <translation>Prüfen und heilen...</translation>
+    </message>
+    <message>
+        <source>Prove which elements of the selected FEM mesh are valid, and make those valid that are not, on its part</source>
+        <translation>Beweisen, welche Elemente des ausgewählten FEM-Netzes gültig sind, und die übrigen auf dem Teil gültig machen</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@ import sys
 
 import FreeCAD
 import FreeCADGui
+import given_meshes
 import gui_helpers
 import helpers
 import Part
@@ -42,6 +43,23 @@ class Pictures(gui_helpers.GuiTest):
         analysis = cantilever.add_analysis(source, "force")
         mq.add_fem_mesh(source, analysis=analysis, max_edge=6.0)
         self.picture("fem_mesh", DOCS)
+
+    def test_given_fem_mesh(self):
+        """Folded elements of a mesh that was given: the panel beside the view."""
+        source = self.document.addObject("Part::Feature", "Shaft")
+        source.Shape = cantilever.bracket()
+        given = self.document.addObject("Fem::FemMeshObject", "Given")
+        given.FemMesh = given_meshes.straight_mesh(source.Shape, 8.0, (3, 40))
+        self.document.recompute()
+        source.ViewObject.Visibility = False
+        panel = quality_panel.open_panel(given)
+        self.until(lambda: panel.values is not None)
+        self.view.viewAxonometric()
+        panel.worst.setCurrentRow(0)
+        self.until(lambda: not panel.scene.flight.active)
+        gui_helpers.wait(0.3)
+        self.saved("given_fem_mesh", DOCS)
+        panel.reject()
 
     def bracket(self):
         """A part with a fillet, holes and a knife edge."""

@@ -319,8 +319,9 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
-        curved = module.curve_given(*given.corners_of(given_mesh(mesh)), convert.shape_of(shape_or_mesh), curving,
-                                    values["imprint"], progress)
+        shape = convert.shape_of(shape_or_mesh)
+        corners = given.corners_of(given_mesh(mesh), len(shape.Solids))
+        curved = module.curve_given(*corners, shape, curving, values["imprint"], progress)
     elif isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:
             raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")

@@ -14,6 +14,7 @@ from . import convert
 # triangles and edges are alike.
 _TETRAHEDRON = (1, 0, 2, 3, 4, 6, 5, 9, 7, 8)
 MAX_ORDER = 2
+_NAMES = {"tetrahedron": "Volume", "triangle": "Face", "line": "Edge"}
 _STEP = 2000  # nodes or elements: some milliseconds
 
 
@@ -85,6 +86,13 @@ def _groups(kind, name, entities, first):
                 found.setdefault(index, []).extend(convert.lists(numbers + first))
     for index, numbers in sorted(found.items()):
         yield f"{name}{index + 1}", kind, numbers
+
+
+def groups_from_rows(groups, elements):
+    """The groups of given.carried_groups as those of Elements with groups."""
+    first = {kind: number for kind, number, _ in elements.blocks}
+    return [(name, _NAMES[kind], convert.lists(rows + first[_NAMES[kind]]))
+            for name, parts in groups.items() for kind, rows in parts.items() if len(rows)]
 
 
 def mesh_of(elements):

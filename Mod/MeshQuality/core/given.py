@@ -7,8 +7,10 @@ from ..errors import InvalidInput
 from .elements import kinds
 
 
-def corners_of(mesh):
+def corners_of(mesh, solids):
     """(nodes, triangles, tetrahedra, regions) of an ElementMesh: float64 (N, 3), int32 (T, 3), (E, 4) and (E,).
+
+    solids  how many the shape has: groups within one are of materials or loads, and no bodies
 
     Raises InvalidInput where it has other elements, which are not curved.
     """
@@ -20,14 +22,46 @@ def corners_of(mesh):
     tetrahedra = [block for block in mesh.blocks if block.kind == "tetrahedron"]
     triangles = [block.nodes[:, :3] for block in mesh.blocks if block.kind == "triangle"]
     return (mesh.nodes, _joined(triangles, 3), _joined([block.nodes[:, :4] for block in tetrahedra], 4),
-            _joined([_regions_of(block) for block in tetrahedra], None))
+            _joined([_regions_of(block, solids) for block in tetrahedra], None))
 
 
-def _regions_of(block):
+def _regions_of(block, solids):
     """A number a body: its CAD solid where the file says one, else its group."""
+    if solids < 2:
+        return np.zeros(len(block.nodes), dtype=np.int32)
     return block.geometry if (block.geometry >= 0).any() else block.group
 
 
 def _joined(parts, width):
     empty = np.empty(0 if width is None else (0, width), dtype=np.int32)
     return np.ascontiguousarray(np.concatenate([empty, *parts]), dtype=np.int32)
+
+
+def carried_groups(mesh, curved):
+    """{name: {kind: int (n,)}}: which of its elements a CurvedMesh has of each group of the ElementMesh that it was made of.
+
+    Rows of curved.tetrahedra, curved.triangles and curved.edges, by kind: tetrahedron, triangle, line.
+    """
+    of_node = np.full(len(curved.nodes), -1, dtype=np.int32)
+    of_node[:len(curved.given_node)] = curved.given_node
+    ours = {kind: _keys(of_node[nodes[:, :kinds.CORNERS[kind]]])
+            for kind, nodes in (("tetrahedron", curved.tetrahedra), ("triangle", curved.triangles), ("line", curved.edges))}
+    found = {}
+    for name, parts in mesh.group_members.items():
+        for block, rows in parts:
+            kind, nodes = mesh.blocks[block].kind, mesh.blocks[block].nodes
+            rows = np.flatnonzero(np.isin(ours[kind], _keys(nodes[rows][:, :kinds.CORNERS[kind]])))
+            of_kind = found.setdefault(name, {})
+            of_kind[kind] = np.union1d(of_kind.get(kind, np.zeros(0, dtype=int)), rows)
+    return found
+
+
+def lost_of_group(mesh, name, carried):
+    """How many elements of a group of the ElementMesh are not in carried_groups(...)[name]."""
+    return sum(len(rows) for _, rows in mesh.group_members[name]) - sum(map(len, carried.values()))
+
+
+def _keys(corners):
+    """One value a row, the same where elements have the same corners; those of new vertices, -1, are of no given element."""
+    rows = np.ascontiguousarray(np.sort(corners, axis=1), dtype=np.int32)
+    return rows.view(np.dtype((np.void, rows.itemsize * rows.shape[1]))).ravel()

@@ -26,6 +26,11 @@ def is_analysis(obj):
     return isinstance(obj, FreeCAD.DocumentObject) and obj.isDerivedFrom(_ANALYSIS)
 
 
+def is_of_shape(name):
+    """Whether it is the name of the group of a solid, face or edge."""
+    return bool(_OF_SHAPE.fullmatch(name))
+
+
 def require_patch_names(names):
     """Raises InvalidInput where a patch has the name of a group that the mesh has anyway."""
     wrong = next((name for name in names if _OF_SHAPE.fullmatch(name)), None)
@@ -38,7 +43,7 @@ def complete(obj, mesh):
     and takes away those of others.
     """
     wanted = _wanted(obj, mesh)
-    for key, group in _own_groups(mesh).items():
+    for key, group in _own_groups(obj, mesh).items():
         if wanted.get(key) == set(mesh.getGroupElements(group)):
             del wanted[key]
         else:
@@ -50,7 +55,7 @@ def complete(obj, mesh):
 def update(obj):
     """The same for the mesh that an object holds."""
     mesh = obj.FemMesh
-    if {key: set(mesh.getGroupElements(group)) for key, group in _own_groups(mesh).items()} != _wanted(obj, mesh):
+    if {key: set(mesh.getGroupElements(group)) for key, group in _own_groups(obj, mesh).items()} != _wanted(obj, mesh):
         touched = "Touched" in obj.State
         mesh = mesh.copy()
         complete(obj, mesh)
@@ -59,10 +64,15 @@ def update(obj):
             obj.purgeTouched()
 
 
-def _own_groups(mesh):
-    """{(name, kind): group} of those that are not of the shape."""
+def _own_groups(obj, mesh):
+    """{(name, kind): group} of those that are neither of the shape nor of a mesh that was given."""
     named = {(mesh.getGroupName(group), mesh.getGroupElementType(group)): group for group in mesh.Groups}
-    return {key: group for key, group in named.items() if not _OF_SHAPE.fullmatch(key[0])}
+    return {key: group for key, group in named.items()
+            if not is_of_shape(key[0]) and key[0] not in _given_groups(obj)}
+
+
+def _given_groups(obj):
+    return getattr(obj, "GivenGroups", ())
 
 
 def _wanted(obj, mesh):
@@ -71,7 +81,8 @@ def _wanted(obj, mesh):
     if source is None:
         return {}
     groups = fem.groups_of(mesh)
-    return {**_of_patches(obj, source, groups), **_of_constraints(obj, frames.leaf_of(source), mesh, groups)}
+    found = {**_of_patches(obj, source, groups), **_of_constraints(obj, frames.leaf_of(source), mesh, groups)}
+    return {key: numbers for key, numbers in found.items() if key[0] not in _given_groups(obj)}
 
 
 def _of_patches(obj, source, groups):

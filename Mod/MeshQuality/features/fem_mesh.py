@@ -124,7 +124,7 @@ def add_fem_mesh(source, analysis=None, **values):
         analysis = _checked(analysis, source) if analysis is not None \
             else window().analysis_for(source) or analysis_around(source)
     return transactions.add_of_source(FemMeshObject, source, values, "FemMesh", "FEM mesh", "FEM mesh",
-                                      then=lambda obj: _put_into(analysis, obj))
+                                      then=lambda obj: put_into(analysis, obj))
 
 
 def _checked(analysis, source):
@@ -135,7 +135,8 @@ def _checked(analysis, source):
     return analysis
 
 
-def _put_into(analysis, obj):
+def put_into(analysis, obj):
+    """Adds a mesh to an analysis, unless None, and says where that has others."""
     if analysis is None:
         return
     others = [f"'{other.Label}'" for other in analysis.Group if other.isDerivedFrom("Fem::FemMeshObject")]

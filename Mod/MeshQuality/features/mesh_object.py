@@ -125,7 +125,7 @@ class MeshObject(PlainState):
         """Called by FreeCAD; it takes an object that is deleted out of the properties that name it."""
         distance_bound.follow_change(self, obj, name)
         aliases.follow_change(self.OPTIONS, obj, name)
-        if name in ("Source", "Sources") and getattr(obj, "Fingerprint", "") \
+        if name in self.LINKS and getattr(obj, "Fingerprint", "") \
                 and not obj.Document.Restoring and self.lacks_source(obj):
             obj.Status = SOURCE_DELETED
 
@@ -188,6 +188,15 @@ class MeshObject(PlainState):
             if isinstance(error, (Error, ImportError, MemoryError)):
                 raise type(error)(f"{obj.Label}: {window().translated(error)}") from error
             raise
+
+    @classmethod
+    def called_with(cls, names):
+        """The arguments by which CALL takes sources of these names in Python."""
+        return names[0] if len(names) == 1 else f"[{', '.join(names)}]"
+
+    def told(self, obj):
+        """What users are told of the result beside its certificate, a Text; None: nothing."""
+        return None
 
     def left_out(self, obj):
         """A sentence for each source that is a container in which something is hidden."""
@@ -349,6 +358,9 @@ def _tell(obj, report, findings, left_out):
     """Has the report view say in one line what came of an object that was computed, and in others what is left out."""
     text = verdict.line(obj.Label, report, findings, window().translated)
     (FreeCAD.Console.PrintWarning if findings else FreeCAD.Console.PrintMessage)(text + "\n")
+    told = obj.Proxy.told(obj)
+    if told is not None:
+        FreeCAD.Console.PrintMessage(f"{obj.Label}: {window().translated(told)}\n")
     for sentence in left_out:
         FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
 

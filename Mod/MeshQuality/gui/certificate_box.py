@@ -17,7 +17,13 @@ translate = FreeCAD.Qt.translate
 
 
 def _words(obj):
-    """What the certificate and the status of an object say."""
+    """What was found and changed, and what the certificate and the status of an object say."""
+    told = obj.Proxy.told(obj)
+    lines = [phrases.upper_first(phrases.sentence(told))] if told is not None else []
+    return "\n".join([*map(translated, lines), _verdict(obj)])
+
+
+def _verdict(obj):
     if verdict.is_missed(obj.Certificate):
         words = translate("MeshQuality", "Target not met: {}").format(
             translated_certificate(verdict.said(phrases.stored(obj.Certificate, obj.CertificateData))))

@@ -10,7 +10,7 @@ import Part
 from ..compat import why_no_extension
 from ..core import convert, frames
 from ..errors import Error
-from ..features import boolean, curved_mesh, fem_mesh, improved_mesh, mesh_object, quality_mesh
+from ..features import boolean, cured_mesh, curved_mesh, fem_mesh, improved_mesh, mesh_object, quality_mesh
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
@@ -108,6 +108,27 @@ class FemMesh(_Command):
         return [source for source in super().selected() if not fem_mesh.is_analysis(frames.leaf_of(source))]
 
 
+class Cure(_Command):
+    KIND = cured_mesh.CuredMeshObject
+    NAME = KIND.COMMAND
+    TEXT = "Certify and cure"
+    TIP = "Prove which elements of the selected FEM mesh are valid, and make those valid that are not, on its part"
+    KEYS = "Q, V"
+
+    def selected(self):
+        """The part and the FEM mesh: what the mesh says that it is of, unless that is selected beside it."""
+        found = [source for source in _selected() if not fem_mesh.is_analysis(frames.leaf_of(source))]
+        meshes = [source for source in found if cured_mesh.has_fem_mesh(source)]
+        parts = [source for source in found if source not in meshes and _has_shape(source)]
+        if len(meshes) != 1 or len(found) > 2:
+            return []
+        part = parts[0] if parts else cured_mesh.part_of(meshes[0])
+        return [] if part is None else [part, meshes[0]]
+
+    def operations(self, selected):
+        return [Operation(self.TEXT, self.KIND, selected)]
+
+
 class Boolean(_Command):
     KIND = boolean.MeshBoolean
     NAME = KIND.COMMAND
@@ -141,6 +162,9 @@ class Analyse(_OfOneMesh):
     TEXT = "Analyse quality"
     TIP = "Colour the selected mesh by its quality and find its worst elements"
     KEYS = "Q, A"
+
+    def selected(self):
+        return _if_one(lambda source: convert.is_mesh(source) or cured_mesh.has_fem_mesh(frames.linked_of(source)[0]))
 
     def Activated(self):
         quality_panel.open_panel(self.selected()[0])
@@ -252,7 +276,7 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Boolean, Improve, Analyse, Update, Patches, Export, FlowCase, CfdSurface)
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Improve, Analyse, Update, Patches, Export, FlowCase, CfdSurface)
 
 
 def panel_of(obj):

@@ -4,7 +4,7 @@
 import FreeCAD
 
 from ..core import frames
-from ..features import mesh_object
+from ..features import cured_mesh, mesh_object
 
 _EDGES = "Flat Lines"
 _MOST = 200_000  # triangles: the edges of more cover the surface, and take as long to draw as that
@@ -64,7 +64,10 @@ def all_shown_at(mesh):
 
 def _sources(obj):
     proxy = getattr(obj, "Proxy", None)
-    return proxy.sources(obj) if isinstance(proxy, mesh_object.MeshObject) else []
+    if isinstance(proxy, mesh_object.MeshObject):
+        return proxy.sources(obj)
+    part = cured_mesh.part_of(obj) if cured_mesh.has_fem_mesh(obj) else None
+    return [] if part is None else [part]
 
 
 def _seen(source):

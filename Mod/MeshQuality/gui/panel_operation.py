@@ -95,9 +95,7 @@ class Operation:
         """The line of Python that does it."""
         if self.obj is not None:
             return f"mq.update({name_of(self.obj)}{_arguments(values, self.values())})"
-        given = name_of(self.sources[0])
-        if len(self.sources) > 1:
-            given = f"[{', '.join(map(name_of, self.sources))}]"
+        given = self.kind.called_with([name_of(source) for source in self.sources])
         return f"mq.{self.kind.CALL}({given}{_arguments(values, options.defaults(self.kind.OPTIONS))})"
 
     def land(self, work, result, watch):

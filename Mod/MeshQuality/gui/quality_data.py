@@ -135,7 +135,7 @@ class Histogram:
 
     low: float
     high: float
-    bar: np.ndarray  # of each element
+    bar: np.ndarray  # of each element, -1 of those without a number
     counts: np.ndarray
 
     @classmethod
@@ -143,7 +143,8 @@ class Histogram:
         low, high = scale.low, scale.high
         part = (np.nan_to_num(values, nan=low, posinf=high, neginf=low) - low) / (high - low)
         bar = np.clip((part * BARS).astype(int), 0, BARS - 1)
-        return cls(low, high, bar, np.bincount(bar, minlength=BARS))
+        known = ~np.isnan(values)
+        return cls(low, high, np.where(known, bar, -1), np.bincount(bar[known], minlength=BARS))
 
     def edges(self):
         """The BARS + 1 numbers between which the bars lie."""
@@ -323,6 +324,18 @@ class QualityData:
                 for f, n, w, s, k in zip(faces, counts, worst, sums, known) if f >= 0]
         return [rows[i] for i in measure.order(np.array([row.worst for row in rows]))]
 
+    def marked(self, measure, values):
+        """bool (E,): which elements light up by themselves."""
+        return np.zeros(self.elements, dtype=bool)
+
+    def is_inside(self, element):
+        """Whether the surface that is drawn hides the element from all sides."""
+        return False
+
+    def remark(self):
+        """What is to be said of all elements beside the numbers."""
+        return ""
+
     def place(self, element):
         """Words for where an element lies."""
         face = self.face[element]
@@ -353,7 +366,12 @@ def _shape_behind(source, obj):
 
 def runs_of_edges(triangles):
     """int32: each edge of the triangles once, as two indices and -1."""
-    sides = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(np.int64), axis=1)
+    return runs_of_sides(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2))
+
+
+def runs_of_sides(sides):
+    """The same of sides, (n, 2)."""
+    sides = np.sort(sides.astype(np.int64), axis=1)
     keys = np.unique(sides[:, 0] << 32 | sides[:, 1])
     runs = np.column_stack((keys >> 32, keys & 0xffffffff, np.full(len(keys), -1)))
     return runs.ravel().astype(np.int32)

@@ -8,31 +8,42 @@ from . import kinds
 
 def boundary_of(blocks):
     """A tuple of int32 (F, nodes per face); see ElementMesh.boundary."""
+    return tuple(nodes for nodes, _, _ in with_elements(blocks))
+
+
+def with_elements(blocks):
+    """The same with the elements behind the faces: [(int32 (F, nodes per face), int (F,) the index of the block, and int
+    (F,) that of the element in it), ...].
+    """
     faces = {}
-    for block in blocks:
+    for i, block in enumerate(blocks):
         if kinds.DIMENSION[block.kind] == 3:
             for kind, local in kinds.faces_of(block.kind, block.nodes.shape[1]):
-                faces.setdefault((kinds.CORNERS[kind], len(local)), []).append((block.nodes, local))
+                faces.setdefault((kinds.CORNERS[kind], len(local)), []).append((i, block.nodes, local))
     if not faces:
-        return tuple(block.nodes for block in blocks if kinds.DIMENSION[block.kind] == 2)
+        return [(block.nodes, np.full(len(block.nodes), i), np.arange(len(block.nodes)))
+                for i, block in enumerate(blocks) if kinds.DIMENSION[block.kind] == 2]
     return _outer(faces)
 
 
 def _outer(faces):
-    """The faces that are there once; {(corners, nodes): [(elements, nodes of the face in an element), ...]}."""
+    """The faces that are there once; as with_elements has them.
+
+    faces  {(corners, nodes): [(index of the block, its elements, nodes of the face in an element), ...]}
+    """
     once = []
     for corners in (3, 4):
         alike = [(key[1], part) for key, parts in sorted(faces.items()) if key[0] == corners for part in parts]
         if not alike:
             continue
-        single = _single(_keys([elements[:, local[:corners]] for _, (elements, local) in alike]))
+        single = _single(_keys([elements[:, local[:corners]] for _, (_, elements, local) in alike]))
         found, first = {}, 0
-        for count, (elements, local) in alike:
+        for count, (block, elements, local) in alike:
             chosen = np.flatnonzero(single[first:first + len(elements)])
-            found.setdefault(count, []).append(elements[chosen][:, local])
+            found.setdefault(count, []).append((elements[chosen][:, local], np.full(len(chosen), block), chosen))
             first += len(elements)
-        once += [np.concatenate(parts) for _, parts in sorted(found.items())]
-    return tuple(part for part in once if len(part))
+        once += [tuple(map(np.concatenate, zip(*parts))) for _, parts in sorted(found.items(), key=lambda item: item[0])]
+    return [part for part in once if len(part[0])]
 
 
 def _keys(corners):

@@ -295,7 +295,7 @@ class MeshPanel:
 def _sources_text(operations):
     """Names the sources; operands by their letters, too, as messages do."""
     labels = [frames.leaf_of(source).Label for made in operations for source in made.sources if source is not None]
-    if len(operations) == 1 and len(labels) > 1:
+    if "Sources" in operations[0].kind.LINKS:
         operands = (f"{letter} = {label}" for letter, label in zip(letters(len(labels)), labels))
         return translate("MeshQuality", "Operands: {}").format(", ".join(operands))
     return translate("MeshQuality", "Source: {}").format(", ".join(labels))

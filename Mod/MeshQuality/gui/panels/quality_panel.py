@@ -10,9 +10,10 @@ import numpy as np
 from PySide import QtGui
 
 from ...compat import flags
-from ...core import frames
+from ...core import convert, frames
 from ...errors import Error
 from .. import jobs, looks
+from ..fem_quality_data import FemQualityData
 from ..quality_data import DISTANCE, Histogram, QualityData, Scale
 from ..quantities import count_text
 from ..translation import translated
@@ -24,6 +25,7 @@ translate = FreeCAD.Qt.translate
 
 WORST = 50  # elements in the list
 _DIGITS = 3  # of the numbers in the table, which may be 230 pixels wide
+_AROUND_INSIDE = 10.0  # width of the view around an element inside, in sizes of it
 _EDGES = 50_000  # triangles up to which edges are drawn from the beginning
 
 
@@ -62,7 +64,7 @@ class QualityPanel:
     def __init__(self, source):
         self.obj = frames.object_of(source)
         self._document, self._label = self.obj.Document.Name, frames.leaf_of(source).Label
-        self.data = QualityData(source)
+        self.data = (QualityData if convert.is_mesh(source) else FemQualityData)(source)
         self.values = self.measure = self.scale = None
         self.lit = None  # of each element: whether it is lit up
         self.ended = False
@@ -198,8 +200,9 @@ class QualityPanel:
             of_all = whole[measure.order(whole)[0]], _mean(whole)
         colours = colour_scale.bytes_of(scale.goodness(values))[self.data.element]
         coarse = None if self.data.coarse is None else self.data.coarse_colours(colours)
+        order = measure.order(values)
         return _Found(values, scale, of_all, colours, coarse, Histogram.of(values, scale),
-                      self.data.faces(values, measure), measure.order(values)[:WORST])
+                      self.data.faces(values, measure), order[~np.isnan(values[order])][:WORST])
 
     def _take(self, measure, found):
         if not self._found and self.scene is not None:
@@ -220,7 +223,7 @@ class QualityPanel:
         self._list_faces(found.faces)
         if self.scene is not None:
             self.scene.colour(found.colours, found.coarse, found.scale)
-        self._light_up(np.zeros(self.data.elements, dtype=bool))
+        self._light_up(self.data.marked(measure, found.values))
 
     def _meaning(self, measure):
         words = translate("MeshQuality", measure.help)
@@ -241,7 +244,8 @@ class QualityPanel:
                               shown.format(count_text(self.data.shown), worst, mean)))
         words = translate("MeshQuality", "{0} elements: worst {1}, mean {2}") if self.data.curved \
             else translate("MeshQuality", "{0} triangles: worst {1}, mean {2}")
-        return words.format(count_text(self.data.elements), worst, mean)
+        words = words.format(count_text(self.data.elements), worst, mean)
+        return "\n".join(filter(None, (words, self.data.remark())))
 
     def _list_worst(self):
         self.worst.blockSignals(True)
@@ -279,7 +283,12 @@ class QualityPanel:
         chosen = np.zeros(self.data.elements, dtype=bool)
         chosen[self._worst[row]] = True
         self._light_up(chosen)
-        self.scene.fly_to(self.data.triangles_of(chosen))
+        corners = self.data.triangles_of(chosen)
+        if not self.data.is_inside(self._worst[row]):
+            self.scene.fly_to(corners)
+            return
+        self.scene.open_before(corners)
+        self.scene.fly_to(corners, _AROUND_INSIDE)
 
     def _pick_face(self):
         rows = {index.row() for index in self.faces.selectedIndexes()}
@@ -288,6 +297,7 @@ class QualityPanel:
     def _light_up(self, chosen):
         self.lit = chosen
         if self.scene is not None:
+            self.scene.close_again()
             self.scene.light_up(self.data.triangles_of(chosen))
 
     def _draw_edges(self, *_):

@@ -12,6 +12,7 @@ from . import legend
 _STEPS, _TICK = 16, 25  # of a flight; ms
 _SLOW = 0.05  # seconds of drawing from which on moving is drawn coarsely
 _STILL = 250  # ms without a move after which all is drawn again
+_CLOSED = 1e-6  # of the squared size: all sides of an element look nowhere together but for rounding
 _AROUND = 25.0  # width of the view around a place, in sizes of the place
 
 
@@ -27,6 +28,8 @@ class QualityScene:
         self._graph = view.getSceneGraph()
         self._graph.addChild(self.node)
         self.flight = None
+        self._corners = self._colours = None
+        self._opened = False
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.setInterval(_STILL)
@@ -46,6 +49,7 @@ class QualityScene:
 
     def show(self, data):
         """Takes the triangles of a QualityData."""
+        self._corners = data.corners
         self.scene.show(data.corners)
         if data.coarse is not None:
             self.scene.show_coarse(data.coarse)
@@ -72,6 +76,8 @@ class QualityScene:
         """uint8 (T, 4) colours of the triangles, (n, 4) of the coarse ones, and the legend of the
         scale that they show.
         """
+        self.close_again()
+        self._colours = colours
         self.scene.colour(colours)
         if coarse is not None:
             self.scene.colour_coarse(coarse)
@@ -81,19 +87,41 @@ class QualityScene:
         """Lights up triangles, float32 (n, 3, 3), instead of those before."""
         self.scene.light_up(corners)
 
-    def fly_to(self, corners):
-        """Moves the camera to look at triangles, from outside."""
-        self.flight = flight_to(self.view, corners)
+    def fly_to(self, corners, around=_AROUND):
+        """As flight_to."""
+        self.flight = flight_to(self.view, corners, around)
 
 
-def flight_to(view, corners):
-    """Begins to move a view's camera to look at triangles, (n, 3, 3), from outside; the Flight."""
+    def open_before(self, corners):
+        """Lights up triangles inside of the mesh, without the surface on the camera's side of them, which would hide them."""
+        ahead = self._camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1)).getValue()
+        nearest = (corners.reshape(-1, 3) @ ahead).min()
+        behind = (self._corners @ np.array(ahead, dtype=np.float32)).min(axis=1) >= nearest
+        self.scene.show(self._corners[behind])
+        self.scene.colour(self._colours[behind])
+        self.scene.light_up(corners)  # what lit up went with the surface
+        self._opened = True
+
+    def close_again(self):
+        """The whole surface is there."""
+        if self._opened:
+            self._opened = False
+            self.scene.show(self._corners)
+            self.scene.colour(self._colours)
+
+
+def flight_to(view, corners, around=_AROUND):
+    """Begins to move a view's camera to look at triangles, (n, 3, 3), from outside; the Flight. `around` is the width of
+    the view in sizes of the triangles.
+    """
     points = corners.reshape(-1, 3).astype(float)
     centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     sides = corners.astype(float)
     normal = np.cross(sides[:, 1] - sides[:, 0], sides[:, 2] - sides[:, 0]).sum(axis=0)
-    return Flight(view.getCameraNode(), centre, normal, _AROUND * size)
+    if np.linalg.norm(normal) < _CLOSED * size * size:
+        normal = np.zeros(3)
+    return Flight(view.getCameraNode(), centre, normal, around * size)
 
 
 class Flight(QtCore.QObject):

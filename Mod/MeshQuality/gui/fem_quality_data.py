@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The numbers behind the quality view of a FEM mesh: what is proven of the Jacobian of its elements, and their distance
+from the part.
+"""
+
+from functools import partial
+
+import FreeCAD
+import numpy as np
+
+from .. import phrases
+from ..core import convert, frames
+from ..core.certification import certify
+from ..core.element_mesh import ElementMesh
+from ..core.elements import boundary, kinds
+from ..errors import Error, InvalidInput
+from ..features import cured_mesh
+from .quality_data import DISTANCE, Measure, QualityData, runs_of_sides
+from .quantities import count_text
+
+translate = FreeCAD.Qt.translate
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+JACOBIAN_RATIO = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Least / largest Jacobian"),
+    QT_TRANSLATE_NOOP("MeshQuality", "1 = not distorted by its middle nodes, ≤ 0 = not proven valid; those are marked."),
+    "", 0.0, 1.0, lambda data, _: data.ratios)
+# Flat triangles of faces by their number of nodes, and the sides of those: middle nodes come after the corners.
+_TRIANGLES = {3: ((0, 1, 2),), 4: ((0, 1, 2), (0, 2, 3)), 6: ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5)),
+              8: ((0, 4, 7), (4, 1, 5), (5, 2, 6), (6, 3, 7), (4, 5, 6), (4, 6, 7)),
+              9: ((0, 4, 8), (4, 1, 8), (1, 5, 8), (5, 2, 8), (2, 6, 8), (6, 3, 8), (3, 7, 8), (7, 0, 8))}
+_RING = {3: (0, 1, 2), 4: (0, 1, 2, 3), 6: (0, 3, 1, 4, 2, 5), 8: (0, 4, 1, 5, 2, 6, 3, 7), 9: (0, 4, 1, 5, 2, 6, 3, 7)}
+_MOST_INSIDE = 1000  # elements inside of the mesh that light up at a time
+
+
+class FemQualityData(QualityData):
+    """The elements of a FEM mesh object; see QualityData. The elements are all that the mesh has of its highest dimension,
+    of which those inside are not drawn until they light up.
+    """
+
+    def __init__(self, source):
+        obj = frames.linked_of(source)[0]
+        if not cured_mesh.has_fem_mesh(obj):
+            raise InvalidInput(phrases.Text(phrases.NO_TRIANGLES, name=f"'{obj.Label}'"))
+        self._mesh = ElementMesh.of(source)
+        self.corners = self._curved = self._division = self.bound = self._fault = None
+        self.tetrahedra = self.shown = 0
+        self._why, self._numbers = {}, _numbers_of(obj, self._mesh)
+        part = cured_mesh.part_of(obj) if obj == source else None
+        self._shape = None if part is None else _shape_of(part, source)
+        self.measures = [JACOBIAN_RATIO] + ([DISTANCE] if part is not None else [])
+        self._prepare = partial(self._take_elements, self._mesh)
+
+    @property
+    def curved(self):
+        """They are called elements."""
+        return True
+
+    def _take_elements(self, mesh):
+        found = boundary.with_elements(mesh.blocks)
+        highest = mesh.dimension
+        counts = [len(block.nodes) if kinds.DIMENSION[block.kind] == highest else 0 for block in mesh.blocks]
+        self._starts = np.cumsum([0, *counts])
+        self._certificate = self._certified(mesh)
+        self.ratios = np.concatenate(self._certificate.distortion)
+        self._nodes = mesh.nodes.astype(np.float32)
+        owners = [self._starts[block] + element for _, block, element in found]
+        rows = [_triangles(nodes) for nodes, _, _ in found]
+        self.corners = np.concatenate([self._nodes[part].reshape(-1, 3, 3) for part in rows])
+        self.element = np.concatenate([np.repeat(owner, part.shape[1]) for owner, part in zip(owners, rows)])
+        self._outside = np.zeros(self._starts[-1], dtype=bool)
+        self._outside[self.element] = True
+        self.face = np.full(self._starts[-1], -1)
+        self._at_surface = owners[0] if len(owners) == 1 else None
+        if self._certificate.triangle_face is not None:
+            self.face[self._at_surface] = self._certificate.triangle_face
+        self._lines = lambda: (self._nodes, runs_of_sides(np.concatenate([_sides(nodes) for nodes, _, _ in found])))
+
+    def _certified(self, mesh):
+        """The MeshCertificate; where the mesh is none of the part, that is told where distances are asked for."""
+        if self._shape is not None:
+            try:
+                return certify(mesh, self._shape)
+            except Error as error:
+                self._fault = error
+        return certify(mesh)
+
+    def distances(self, progress=None):
+        """The largest distance of each element at the surface from the part, mm; not a number of those inside."""
+        if self._fault is not None:
+            raise self._fault
+        found = self._certificate
+        if found.triangle_deviation is None:
+            raise InvalidInput(phrases.Text(phrases.NOT_MEASURED))
+        worst = np.zeros(self.elements)
+        np.maximum.at(worst, self._at_surface, found.triangle_deviation)
+        return np.where(self._outside, worst, np.nan)
+
+    def marked(self, measure, values):
+        """Those that are not proven valid."""
+        return values <= 0.0 if measure is JACOBIAN_RATIO else super().marked(measure, values)
+
+    def is_inside(self, element):
+        """Those without a face on the surface."""
+        return not self._outside[element]
+
+    def remark(self):
+        """How many those are."""
+        words = translate("MeshQuality", "{0} of {1} are not proven valid.")
+        return words.format(*map(count_text, (self._certificate.invalid, self.elements)))
+
+    def place(self, element):
+        """Words for where an element lies, by its number in FreeCAD's mesh."""
+        number, face = self._numbers[element], self.face[element]
+        if face < 0:
+            return translate("MeshQuality", "element {0}").format(number)
+        return translate("MeshQuality", "element {0} on {1}").format(number, f"Face{face + 1}")
+
+    def triangles_of(self, chosen):
+        """As for all; those inside have all of their faces."""
+        inside = np.flatnonzero(chosen & ~self._outside)[:_MOST_INSIDE]
+        parts = [super().triangles_of(chosen)]
+        for block, first, end in zip(self._mesh.blocks, self._starts, self._starts[1:]):
+            nodes = block.nodes[inside[(inside >= first) & (inside < end)] - first]
+            if len(nodes):
+                parts += [self._nodes[_triangles(nodes[:, local])].reshape(-1, 3, 3)
+                          for _, local in kinds.faces_of(block.kind, block.nodes.shape[1])]
+        return np.concatenate(parts)
+
+
+def _shape_of(part, source):
+    """The shape as the mesh lies in the document: where its own placement has it, in the containers of the mesh."""
+    shape = convert.own_shape_of(part).copy()
+    shape.transformShape(frames.frame_of(source).toMatrix(), False)
+    return shape
+
+
+def _numbers_of(obj, mesh):
+    """The numbers in FreeCAD's mesh of the elements; from 1 where kinds are mixed."""
+    of_highest = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == mesh.dimension]
+    count = sum(len(block.nodes) for block in of_highest)
+    numbers = obj.FemMesh.Volumes if mesh.dimension == 3 else obj.FemMesh.Faces
+    return sorted(numbers) if len(of_highest) == 1 and len(numbers) == count else range(1, count + 1)
+
+
+def _triangles(faces):
+    """int (F, k, 3): the flat triangles of each face."""
+    return faces[:, np.array(_TRIANGLES[faces.shape[1]])]
+
+
+def _sides(faces):
+    """int (n, 2): the sides of faces, from node to node."""
+    ring = faces[:, list(_RING[faces.shape[1]])]
+    return np.stack([ring, np.roll(ring, -1, axis=1)], axis=2).reshape(-1, 2)

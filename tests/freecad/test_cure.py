@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FEM meshes that other programs made: cured as a document object, its groups and analysis, following, files, CalculiX."""
+
+import importlib.util
+import os
+import shutil
+import sys
+import unittest
+
+import FreeCAD
+import given_meshes
+import helpers
+import numpy as np
+import Part
+
+import MeshQuality as mq
+
+sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
+import cantilever  # noqa: E402
+import fem_meshers  # noqa: E402
+
+HAS_FEM = importlib.util.find_spec("Fem") is not None
+HAS_GMSH = bool(shutil.which("gmsh") or os.path.isfile("/usr/lib/python3/dist-packages/gmsh.py"))
+
+
+def groups_of(mesh):
+    """{name: (kind, element numbers)} of a Fem.FemMesh."""
+    return {mesh.getGroupName(group): (mesh.getGroupElementType(group), sorted(mesh.getGroupElements(group)))
+            for group in mesh.Groups}
+
+
+@unittest.skipUnless(HAS_FEM, "this FreeCAD has no FEM workbench")
+class CureTest(helpers.DocumentTest):
+    def part(self, shape):
+        obj = self.document.addObject("Part::Feature", "Part")
+        obj.Shape = shape
+        self.document.recompute()
+        return obj
+
+    def given(self, part, folded=(), size=8.0):
+        """A FEM mesh object of the part with a group of every tenth tetrahedron and one of all triangles."""
+        obj = self.document.addObject("Fem::FemMeshObject", "Given")
+        mesh = given_meshes.straight_mesh(part.Shape, size, folded)
+        mesh.addGroupElements(mesh.addGroup("some", "Volume"), list(mesh.Volumes)[::10])
+        mesh.addGroupElements(mesh.addGroup("skin", "Face"), list(mesh.Faces))
+        obj.FemMesh = mesh
+        return obj
+
+
+class Cured(CureTest):
+    def test_a_folded_mesh_is_valid_afterwards(self):
+        part = self.part(cantilever.bracket())
+        given = self.given(part, folded=(3, 40))
+        before = mq.certify(given)
+        self.assertGreaterEqual(before.invalid, 2)
+        obj = mq.add_cured_mesh(given, part)
+        self.assertEqual((obj.TypeId, obj.Label), ("Fem::FemMeshObjectPython", "Part cured mesh"))
+        after = mq.certify(obj, part)
+        self.assertEqual((after.invalid, after.folded_on_cad, obj.Certificate), (0, 0, "met"))
+        self.assertLess(after.max_deviation, mq.certify(given, part).max_deviation)
+        self.assertEqual((obj.GivenElements, obj.GivenInvalid, obj.Invalid), (given.FemMesh.VolumeCount, before.invalid, 0))
+        self.assertEqual(obj.GivenInvalidElements, before.invalid_elements)
+        self.assertEqual((obj.Given, obj.Source, obj.Order), (given, part, 2))
+        self.assertNotIn("Touched", obj.State)
+
+    def test_what_is_sound_stays(self):
+        part = self.part(cantilever.beam())
+        given = self.given(part)
+        obj = mq.add_cured_mesh(given, part)
+        corners = {tuple(sorted(given.FemMesh.getElementNodes(n)[:4])) for n in given.FemMesh.Volumes}
+        places = {tuple(np.round(tuple(given.FemMesh.Nodes[n]), 9)) for row in corners for n in row}
+        self.assertEqual((obj.GivenReplaced, obj.GivenMoved, obj.Elements), (0, 0, len(corners)))
+        found = {tuple(np.round(tuple(obj.FemMesh.Nodes[n]), 9)) for e in obj.FemMesh.Volumes
+                 for n in obj.FemMesh.getElementNodes(e)[:4]}
+        self.assertEqual(found, places)
+
+    def test_groups(self):
+        part = self.part(cantilever.beam())
+        given = self.given(part)
+        obj = mq.add_cured_mesh(given, part)
+        found, before = groups_of(obj.FemMesh), groups_of(given.FemMesh)
+        self.assertEqual(found["Solid1"], ("Volume", sorted(obj.FemMesh.Volumes)))
+        for i, face in enumerate(part.Shape.Faces):
+            self.assertEqual(set(obj.FemMesh.getFacesByFace(face)), set(found[f"Face{i + 1}"][1]))
+        self.assertEqual(found["skin"], ("Face", sorted(obj.FemMesh.Faces)))
+        self.assertEqual((found["some"][0], len(found["some"][1])), ("Volume", len(before["some"][1])))
+
+        def middles(mesh, numbers):
+            return sorted(tuple(np.round(np.mean([tuple(mesh.Nodes[n]) for n in mesh.getElementNodes(e)[:4]], axis=0), 6))
+                          for e in numbers)
+
+        self.assertEqual(middles(obj.FemMesh, found["some"][1]), middles(given.FemMesh, before["some"][1]))
+        mq.set_patches(obj, {"clamped": ["Face1"]})
+        self.assertLessEqual({"some", "skin", "clamped"}, set(groups_of(obj.FemMesh)))
+
+    def test_order_1(self):
+        part = self.part(cantilever.bracket())
+        obj = mq.add_cured_mesh(self.given(part, folded=(3,)), part, order=1)
+        self.assertEqual((len(obj.FemMesh.getElementNodes(1)), mq.certify(obj).invalid), (4, 0))
+
+
+class Analyses(CureTest):
+    def test_it_takes_the_place_of_the_given_mesh(self):
+        from femtools import membertools
+
+        part = self.part(cantilever.beam())
+        analysis, given = cantilever.add_analysis(part, "force"), self.given(part)
+        analysis.addObject(given)
+        others = [member for member in analysis.Group if member != given]
+        obj = mq.add_cured_mesh(given, part)
+        self.assertEqual((analysis.Group, given.Document), ([*others, obj], self.document))
+        self.assertEqual(membertools.get_mesh_to_solve(analysis), (obj, ""))
+        again = mq.add_cured_mesh(given, part, order=1)
+        self.assertEqual(membertools.get_mesh_to_solve(analysis), (again, ""))
+
+    def test_undo_is_one_step(self):
+        part = self.part(cantilever.beam())
+        analysis, given = cantilever.add_analysis(part, "force"), self.given(part)
+        analysis.addObject(given)
+        self.document.UndoMode = 1
+        group = analysis.Group
+        obj = mq.add_cured_mesh(given, part)
+        name = obj.Name
+        self.assertEqual(self.document.UndoNames, ["Certify and cure"])
+        self.document.undo()
+        self.assertEqual((analysis.Group, self.document.getObject(name)), (group, None))
+        self.document.redo()
+        obj = self.document.getObject(name)
+        self.assertEqual((obj in analysis.Group, given in analysis.Group), (True, False))
+
+    def test_nothing_changes_on_an_error(self):
+        part, other = self.part(cantilever.beam()), self.part(Part.makeSphere(30))
+        analysis, given = cantilever.add_analysis(part, "force"), self.given(part)
+        analysis.addObject(given)
+        objects, group = self.document.Objects, analysis.Group
+        with self.assertRaises(mq.Error) as caught:
+            mq.add_cured_mesh(given, other)
+        self.assertRegex(str(caught.exception), "Face1|mesh")
+        self.assertEqual((self.document.Objects, analysis.Group), (objects, group))
+        for wrong, words in ((part, "has no FEM mesh"), (given, "does not say of which part")):
+            with self.subTest(words), self.assertRaisesRegex(mq.InvalidInput, words):
+                mq.add_cured_mesh(wrong)
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX (ccx) is not installed")
+    def test_calculix(self):
+        part = self.part(cantilever.beam())
+        end = part.Shape.getElement(cantilever.face_at(part.Shape, "x", 1))
+        for load in ("force", "pressure"):
+            with self.subTest(load):
+                analysis, given = cantilever.add_analysis(part, load), self.given(part, size=6.0)
+                analysis.addObject(given)
+                obj = mq.add_cured_mesh(given, part)
+                self.assertEqual(mq.certify(obj).invalid, 0)
+                found = cantilever.deflection(cantilever.solve(analysis, self.folder), obj.FemMesh, end)
+                self.assertAlmostEqual(found / cantilever.deflections()[load], 1.0, delta=0.01)
+
+
+class Follows(CureTest):
+    def test_the_part_and_the_mesh(self):
+        part = self.document.addObject("Part::Cylinder", "Cylinder")
+        part.Radius, part.Height = 5, 10
+        self.document.recompute()
+        given = self.given(part, size=4.0)
+        obj = mq.add_cured_mesh(given, part)
+        count = obj.Elements
+        given.FemMesh = given_meshes.straight_mesh(part.Shape, 2.0)
+        self.document.recompute()
+        self.assertEqual((obj.Elements, obj.Status), (given.FemMesh.VolumeCount, "up to date"))
+        self.assertGreater(obj.Elements, count)
+        part.Radius = 50
+        self.document.recompute()
+        self.assertTrue(obj.Status.startswith("failed: "), obj.Status)
+        given.FemMesh = given_meshes.straight_mesh(part.Shape, 20.0)
+        self.document.recompute()
+        self.assertEqual((obj.Elements, obj.Status), (given.FemMesh.VolumeCount, "up to date"))
+        self.document.removeObject(given.Name)
+        self.document.recompute()
+        self.assertEqual(obj.Status, "out of date: the source was deleted")
+        self.assertEqual(mq.certify(obj).invalid, 0)
+
+    def test_save_and_open(self):
+        part = self.part(cantilever.beam())
+        obj = mq.add_cured_mesh(self.given(part), part)
+        name, counts, groups = obj.Name, (obj.Elements, obj.GivenElements), set(groups_of(obj.FemMesh))
+        path = os.path.join(self.folder, "cured.FCStd")
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        obj = self.document.getObject(name)
+        self.assertEqual(((obj.Elements, obj.GivenElements), set(groups_of(obj.FemMesh))), (counts, groups))
+        self.assertEqual((mq.certify(obj).invalid, obj.Certificate, obj.Given.Name), (0, "met", "Given"))
+        mq.update(obj, order=1)
+        self.assertEqual(len(obj.FemMesh.getElementNodes(1)), 4)
+
+
+@unittest.skipUnless(HAS_GMSH, "Gmsh is not installed (gmsh or python3-gmsh)")
+class Gmsh(CureTest):
+    def test_freecads_mesh_object(self):
+        """Its part is named by itself; some of its elements are folded, as it is asked not to mend them."""
+        fem_meshers.use_gmsh_module(self.folder)
+        part = self.part(cantilever.bracket())
+        analysis = cantilever.add_analysis(part, "weight")
+        given = fem_meshers.gmsh(part, analysis, 12.0, HighOrderOptimize="None", MeshSizeFromCurvature=0)
+        self.assertGreater(mq.certify(given).folded, 0)
+        obj = mq.add_cured_mesh(given)
+        self.assertEqual((obj.Source, obj.Invalid, mq.certify(obj).invalid), (part, 0, 0))
+        self.assertEqual([member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")], [obj])
