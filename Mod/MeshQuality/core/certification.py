@@ -10,6 +10,7 @@ from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
 from . import convert, saved_certificate
+from .curved_arrays import ARRAYS
 from .element_mesh import ElementMesh
 from .elements import conformity, kinds
 
@@ -34,6 +35,10 @@ class MeshCertificate(metaclass=Public):
     oriented          whether neighbours are seen from the same side
     max_deviation     largest distance of the surface from its CAD faces, mm; None without a shape
     folded_on_cad     triangles of the surface that fold over their CAD face; None without a shape
+    curved_intersections
+                      pairs of curved triangles of the surface that are proven to cross, equation (2); None where the surface is not
+                      of triangles of one order
+    not_proven_apart  pairs that are neither proven to cross nor not to, such as those of bodies that touch; likewise
     triangle_face     int32 (F,), the CAD face of each triangle of the surface, as mesh.boundary() has them; likewise
     triangle_deviation
                       float64 (F,), mm, the largest distance of each
@@ -46,6 +51,8 @@ class MeshCertificate(metaclass=Public):
         "invalid_elements": "sentences: which are not valid, and where", "distortion": "bounds of each, by block",
         "conforming": "whether elements fit together", "oriented": "whether neighbours are seen from the same side",
         "max_deviation": "mm, or None", "folded_on_cad": "triangles that fold over their CAD face, or None",
+        "curved_intersections": "pairs of triangles that cross, or None",
+        "not_proven_apart": "pairs that may cross, or None",
         "triangle_face": "int32 (F,), or None", "triangle_deviation": "float64 (F,), mm, or None",
         "notes": "sentences about the mesh",
     }
@@ -55,6 +62,7 @@ class MeshCertificate(metaclass=Public):
         self._blocks, self._source = [], None
         self.folded = self.inverted = self.not_proven = 0
         self.conforming = self.oriented = True
+        self.curved_intersections = self.not_proven_apart = None
         self.max_deviation = self.folded_on_cad = self.triangle_face = self.triangle_deviation = None
 
     @property
@@ -70,7 +78,8 @@ class MeshCertificate(metaclass=Public):
     def to_dict(self):
         """All but the arrays, for JSON."""
         names = ("elements", "invalid", "folded", "inverted", "not_proven", "invalid_elements", "min_distortion",
-                 "conforming", "oriented", "max_deviation", "folded_on_cad", "notes")
+                 "conforming", "oriented", "curved_intersections", "not_proven_apart", "max_deviation", "folded_on_cad",
+                 "notes")
         return {name: getattr(self, name) for name in names}
 
     def save(self, path, cad=None):
@@ -91,6 +100,9 @@ class MeshCertificate(metaclass=Public):
                  f"{self.not_proven:,} not proven",
                  f"distortion   {self.min_distortion:.3g} at least",
                  f"conforming   {'yes' if self.conforming else 'no'}, oriented {'yes' if self.oriented else 'no'}"]
+        if self.curved_intersections is not None:
+            lines.append(f"crossings    {self.curved_intersections:,} pairs of triangles, {self.not_proven_apart:,} not proven "
+                         "apart")
         if self.max_deviation is not None:
             lines.append(f"deviation    {self.max_deviation:.3g} mm at most, {self.folded_on_cad:,} triangles fold over "
                          "their CAD face")
@@ -121,8 +133,11 @@ def certify(mesh, shape=None, progress=None):
     found.notes += mesh.faults
     _prove(mesh, found, progress)
     found.conforming, found.oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
+    order, surface = _triangles_of_surface(mesh)
+    if surface is not None:
+        _find_crossings(mesh.nodes, order, surface, found, progress)
     if shape is not None:
-        _measure(mesh, convert.shape_of(shape), found, progress)
+        _measure(mesh, order, surface, convert.shape_of(shape), found, progress)
     return found
 
 
@@ -153,17 +168,35 @@ def _prove(mesh, found, progress):
     found.distortion = tuple(parts)
 
 
-def _measure(mesh, shape, found, progress):
-    """Against the shape, where the surface is one of triangles of one order."""
+def _triangles_of_surface(mesh):
+    """(order, int32 (F, n)) of a surface that is of triangles of one order, up to 5; else (None, None)."""
     surface = mesh.boundary()
-    orders = [kinds.order_of("triangle", part.shape[1]) for part in surface]
-    if len(surface) != 1 or orders[0] is None or orders[0] > _ON_CAD:
+    order = kinds.order_of("triangle", surface[0].shape[1]) if len(surface) == 1 else None
+    return (None, None) if order is None or order > _ON_CAD else (order, surface[0])
+
+
+def _find_crossings(nodes, order, surface, found, progress):
+    used, triangles = np.unique(surface, return_inverse=True)
+    nothing = np.empty(0)
+    arrays = {**dict.fromkeys(ARRAYS.values(), nothing), "nodes": nodes[used].ravel(), "triangles": triangles.ravel(),
+              "triangle_face": np.zeros(len(surface)), "node_entity": np.tile([2, 0], len(used))}
+    crossing, open_ones = extension().curved_from_arrays(order, arrays).curved_crossings(progress)
+    found.curved_intersections, found.not_proven_apart = len(crossing), len(open_ones)
+    for pairs, word in ((crossing, "cross"), (open_ones, "are not proven apart")):
+        if len(pairs):
+            x, y, z = nodes[surface[pairs[0][0], :3]].mean(axis=0)
+            found.notes.append(f"{len(pairs):,} pairs of triangles {word}, one at ({x:.4g}, {y:.4g}, {z:.4g}) mm")
+
+
+def _measure(mesh, order, surface, shape, found, progress):
+    """Against the shape, where the surface is one of triangles of one order."""
+    if surface is None:
         found.notes.append("the surface was not measured against the shape: it is not of triangles of one order")
         return
-    if _between_solids(mesh, surface[0][:, :3]):
+    if _between_solids(mesh, surface[:, :3]):
         found.notes.append("the surface was not measured against the shape: there are triangles between solids of the mesh")
         return
-    face, quality, deviation = extension().measure_given_surface(mesh.nodes, orders[0], surface[0], shape, progress)
+    face, quality, deviation = extension().measure_given_surface(mesh.nodes, order, surface, shape, progress)
     found.triangle_face, found.triangle_deviation = face, deviation
     found.max_deviation = float(deviation.max(initial=0.0))
     found.folded_on_cad = int((~(quality > 0.0)).sum())

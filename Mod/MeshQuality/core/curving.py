@@ -10,18 +10,9 @@ from ..errors import InvalidInput
 from ..listing import Public
 from . import convert, fem, frames, given, orders, writing
 from .certification import given_mesh
+from .curved_arrays import ARRAYS
 from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
-
-# The arrays that make up a curved mesh, and what document objects call them.
-ARRAYS = {
-    "Nodes": "nodes", "NodeEntity": "node_entity", "EdgeNodes": "edges",
-    "EdgeEntity": "edge_entity", "TriangleNodes": "triangles", "TriangleFace": "triangle_face",
-    "TriangleFaceBehind": "triangle_face_behind",
-    "TriangleQuality": "triangle_quality", "TetrahedronNodes": "tetrahedra",
-    "TetrahedronSolid": "tetrahedron_solid", "TetrahedronQuality": "tetrahedron_quality",
-}
-
 
 class CurvedMesh(metaclass=Public):
     """Curved triangles, or tetrahedra, of one order with their link to the CAD and a report.
