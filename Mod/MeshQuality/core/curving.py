@@ -14,6 +14,7 @@ from .curved_arrays import ARRAYS
 from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
 
+
 class CurvedMesh(metaclass=Public):
     """Curved triangles, or tetrahedra, of one order with their link to the CAD and a report.
 

@@ -201,7 +201,10 @@ class Finder {
     }
 
     /// The largest distance from the CAD at which a vertex of the mesh may be found.
-    double reach(int vertex) const { return kMostOfMeshEdge * graph_.shortest[static_cast<std::size_t>(vertex)]; }
+    double reach(int vertex) const {
+        return std::min(kNear.back() * topology_.box.largest_side(),
+                        kMostOfMeshEdge * graph_.shortest[static_cast<std::size_t>(vertex)]);
+    }
 
     EdgePolyline polyline_of(int e, const std::map<int, int>& of_node) {
         const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];

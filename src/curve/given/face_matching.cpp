@@ -60,9 +60,15 @@ class Matcher {
 
     std::vector<int> run() {
         std::vector<int> face(graph_.triangles.size(), -1);
-        for (const Region& region : regions()) {
+        const std::vector<Region> all = regions();
+        std::map<std::set<int>, int> alike;  // by the edges around a region: how many there are
+        for (const Region& region : all) {
+            ++alike[region.edges];
+        }
+        for (const Region& region : all) {
             session_.check();
-            const int found = face_of(region);
+            const int found = face_of(region, alike[region.edges] == 1);
+            require_edges_of(found, region);
             for (const int t : region.triangles) {
                 face[static_cast<std::size_t>(t)] = found;
             }
@@ -101,12 +107,14 @@ class Matcher {
         return result;
     }
 
-    int face_of(const Region& region) {
+    /// @param alone  whether no other region has the same edges around it: then these tell its face, if only one has
+    /// them
+    int face_of(const Region& region, bool alone) {
         const std::vector<int> candidates = faces_with(region.edges);
         if (candidates.empty()) {
             throw TopologyError(not_followed(region));
         }
-        if (candidates.size() == 1 && !region.edges.empty()) {
+        if (alone && candidates.size() == 1 && !region.edges.empty()) {
             return candidates[0];
         }
         const std::vector<Sample> samples = samples_of(region);
@@ -125,6 +133,20 @@ class Matcher {
                                 " that lie on no face of the shape: give the shape that the mesh was made from");
         }
         return best;
+    }
+
+    /// Refuses a region without an edge that its face shares with another: the mesh does not have the hole, or the face
+    /// beside it.
+    void require_edges_of(int face, const Region& region) const {
+        for (const int e : edges_of_face_[static_cast<std::size_t>(face)]) {
+            const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
+            const bool between_faces = std::any_of(edge.uses.begin(), edge.uses.end(), [&](int use) {
+                return topology_.uses[static_cast<std::size_t>(use)].face != face;
+            });
+            if (between_faces && !edge.degenerate && edges_.polylines[static_cast<std::size_t>(e)].vertices.empty()) {
+                throw TopologyError(not_followed(region));
+            }
+        }
     }
 
     std::vector<int> faces_with(const std::set<int>& edges) const {

@@ -68,6 +68,17 @@ class Remesher {
         for (std::size_t t = 0; t < stale_.size(); ++t) {
             stale_[t] = no_longer_fits(inside_.corners[t]) ? 1 : 0;
         }
+        // Any inner vertex of an inverted tetrahedron may be the one that is misplaced.
+        for (std::size_t t = 0; t < stale_.size(); ++t) {
+            for (const int v : inside_.corners[t]) {
+                const bool inner = surface_.shapes.vertices[static_cast<std::size_t>(v)].entity[0] == 3;
+                if (inner && inverted(inside_.corners[t])) {
+                    for (const std::size_t other : at_vertex_.at(v)) {
+                        stale_[other] = 1;
+                    }
+                }
+            }
+        }
     }
 
     /// Removes tetrahedra with layers of those that have a vertex of theirs.
@@ -161,6 +172,10 @@ class Remesher {
                 }
             }
         }
+        return inverted(v);
+    }
+
+    bool inverted(const std::array<int, 4>& v) const {
         return !((point(v[1]) - point(v[0])).cross(point(v[2]) - point(v[0])).dot(point(v[3]) - point(v[0])) > 0.0);
     }
 

@@ -25,8 +25,9 @@ struct LocalRemeshing {
 
 /// Takes over tetrahedra after the surface around them was repaired (Dey, O'Bara, Shephard 1999, section 5.5, in three
 /// dimensions): those with triangles, edges or vertices that the surface no longer has are removed, with those that
-/// have no positive volume, and the cavities between the surface and the other tetrahedra are filled anew. A cavity
-/// that cannot be filled grows by a layer of tetrahedra, up to the whole volume.
+/// have no positive volume and all others at the inner vertices of these, and the cavities between the surface and the
+/// other tetrahedra are filled anew. A cavity that cannot be filled grows by a layer of tetrahedra, up to the whole
+/// volume.
 /// @param triangles_before  how many triangles of the surface, dead or alive, are older than its repair
 /// @throws MeshingFailed naming the solid that cannot be filled.
 TetrahedralMesh remesh_locally(CurvedSurface& surface, std::size_t triangles_before, const TetrahedraInside& inside,
