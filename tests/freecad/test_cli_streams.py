@@ -185,6 +185,7 @@ class Api(unittest.TestCase):
         "improve": {"mesh", "progress"},
         "quality": {"mesh", "progress"},
         "certify": {"mesh", "progress"},
+        "verify": {"certificate", "progress"},
     }
 
     def test_every_option_of_the_api_is_there_under_its_name(self):

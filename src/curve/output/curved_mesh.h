@@ -65,8 +65,9 @@ struct CurvedMesh {
     std::vector<double> triangle_quality;
     /// By tetrahedron: lower bound of min J / J of the straight element; not positive: invalid.
     std::vector<double> tetrahedron_quality;
-    /// What is known of a mesh that another program made (given/curve_given.h), else empty: by corner, the given node; by element
-    /// (tetrahedra where there are any), the given one with the same corners; -1: none. The given nodes that moved.
+    /// What is known of a mesh that another program made (given/curve_given.h), else empty: by corner, the given node;
+    /// by element (tetrahedra where there are any), the given one with the same corners; -1: none. The given nodes that
+    /// moved.
     std::vector<std::int32_t> given_node;
     std::vector<std::int32_t> given_element;
     std::vector<std::int32_t> moved_nodes;

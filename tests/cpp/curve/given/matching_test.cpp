@@ -3,10 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <gp_Ax2.hxx>
 #include <gp_Pnt.hxx>
 
 #include "base/error.h"
@@ -106,6 +112,25 @@ TEST(Matching, AMeshOfAnotherPartIsRefusedWithThePlace) {
     const auto box = geometry::make_shape_model(BRepPrimAPI_MakeBox(2.0, 2.0, 2.0).Shape());
     const auto ball = geometry::make_shape_model(BRepPrimAPI_MakeSphere(gp_Pnt(1, 1, 1), 1.0).Shape());
     EXPECT_NE(refusal(box, given_of(curved(ball, of_order(1)))).find("lie on no face of the shape"), std::string::npos);
+}
+
+TEST(Matching, AMeshWithoutAHoleOfThePartIsRefused) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
+    const TopoDS_Shape drill = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(5, 10, -2), gp::DZ()), 3.0, 40.0).Shape();
+    const auto holed = geometry::make_shape_model(BRepAlgoAPI_Cut(box, drill).Shape());
+    const GivenMesh mesh = given_of(curved(geometry::make_shape_model(box), of_order(1)));
+    EXPECT_NE(refusal(holed, mesh).find("does not follow Edge"), std::string::npos) << refusal(holed, mesh);
+}
+
+TEST(Matching, AMeshOfAFilletedPartIsRefusedOnThePlainOne) {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(10.0, 20.0, 30.0).Shape();
+    BRepFilletAPI_MakeFillet fillet(box);
+    int edges = 0;
+    for (TopExp_Explorer edge(box, TopAbs_EDGE); edge.More() && edges < 4; edge.Next(), ++edges) {
+        fillet.Add(2.0, TopoDS::Edge(edge.Current()));
+    }
+    const GivenMesh mesh = given_of(curved(geometry::make_shape_model(fillet.Shape()), of_order(1)));
+    EXPECT_NE(refusal(geometry::make_shape_model(box), mesh), "");
 }
 
 }  // namespace
