@@ -2250,6 +2250,10 @@
         <source>the elements do not fit together: a face has more than two of them, or a corner of one lies amid an edge or a face of another.</source>
         <translation>die Elemente passen nicht zusammen: eine Fläche hat mehr als zwei davon, oder eine Ecke des einen liegt inmitten einer Kante oder Fläche eines anderen.</translation>
     </message>
+    <message>
+        <source>the surface is not on the shape: {text}.</source>
+        <translation>die Oberfläche liegt nicht auf der Form: {text}.</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "workflows/curve_shape.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "base/stopwatch.h"
 #include "curve/given/curve_given.h"
+#include "curve/given/matching.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
@@ -135,20 +137,54 @@ CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, co
     return mesh;
 }
 
+namespace {
+
+/// What `work` makes of the model of a shape. Where a mesh does not follow several solids that are kept apart, those
+/// may share nodes in it: then faces of two solids that lie on each other are one, and it is tried again.
+template <typename Work>
+auto on_solids_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, bool imprint, Progress& progress,
+                         const Work& work) {
+    const auto read = [&](bool one) {
+        return model_of(engine, shape, geometry::Creases::Keep, {{}, false, one}, progress);
+    };
+    const auto model = read(imprint);
+    const auto& volumes = model->topology().volumes;
+    const auto solids = std::count_if(volumes.begin(), volumes.end(), [](const geometry::Volume& volume) {
+        return volume.kind == geometry::Volume::Kind::Solid;
+    });
+    const bool may_share = !imprint && solids > 1;
+    try {
+        return work(model);
+    } catch (const curve::SolidsShareNodes&) {
+        if (!may_share) {
+            throw;
+        }
+    } catch (const TopologyError&) {
+        if (!may_share) {
+            throw;
+        }
+    }
+    return work(read(true));
+}
+
+}  // namespace
+
 CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
                             const curve::CurveOptions& options, bool imprint, Progress& progress) {
     progress.stage("reading the shape", 0.0, 0.0);
-    const auto model = model_of(engine, shape, geometry::Creases::Keep, {{}, false, imprint}, progress);
-    CurvedMesh mesh = curve::curve_given(engine, model, given, options, &progress);
-    measure_volume(mesh, engine, shape, progress);
-    return mesh;
+    return on_solids_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
+        CurvedMesh mesh = curve::curve_given(engine, model, given, options, &progress);
+        measure_volume(mesh, engine, shape, progress);
+        return mesh;
+    });
 }
 
 curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,
                                                   const std::vector<Vec3>& nodes, int order,
                                                   const std::vector<std::int32_t>& triangles, Progress& progress) {
-    const auto model = model_of(engine, shape, geometry::Creases::Keep, {{}, false, false}, progress);
-    return curve::measure_given_surface(engine, model, nodes, order, triangles, &progress);
+    return on_solids_as_meshed(engine, shape, false, progress, [&](const auto& model) {
+        return curve::measure_given_surface(engine, model, nodes, order, triangles, &progress);
+    });
 }
 
 }  // namespace mq::workflows

@@ -26,7 +26,8 @@ curve::CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& sh
                                 const curve::CurveOptions& options, Progress& progress);
 
 /// Curves a mesh of the shape that another program made, see curve::curve_given.
-/// @param imprint  whether faces of two solids that lie on each other are one, as in meshes that join them
+/// @param imprint  whether faces of two solids that lie on each other are one, as in meshes that join them; where the
+///     mesh is found on no solids apart, that is tried, too
 /// @throws as curve::curve_given.
 curve::CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
                                    const curve::CurveOptions& options, bool imprint, Progress& progress);

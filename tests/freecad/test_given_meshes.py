@@ -137,8 +137,44 @@ class Refused(GivenTest):
             mq.curve(moved, mesh=path)
         with self.assertRaisesRegex(mq.TopologyError, r"does not follow Edge1, Edge2, Edge4 and others, 5 in all, near \("):
             mq.curve(box, mesh=path)
+        certificate = mq.certify(path, box)
+        self.assertRegex(certificate.not_on_shape, "does not follow Edge")
+        self.assertIsNone(certificate.max_deviation)
+        self.assertEqual(certificate.invalid, 0)  # what is proven of the elements is not lost
+
+    def test_a_void_and_a_hole_that_the_mesh_does_not_have(self):
+        box = Part.makeBox(10, 20, 30)
+        path = self.straight(box)
+        void = box.cut(Part.makeSphere(2, helpers.FreeCAD.Vector(5, 10, 15)))
+        with self.assertRaisesRegex(mq.TopologyError, "has no triangles on Face7"):
+            mq.curve(void, mesh=path)
+        plate = Part.makePlane(10, 10)
+        mq.curve(plate, order=1).write(os.path.join(self.folder, "plate.msh"))
+        holed = plate.cut(Part.makeCylinder(2, 2, helpers.FreeCAD.Vector(5, 5, -1)))
         with self.assertRaisesRegex(mq.TopologyError, "does not follow Edge"):
-            mq.certify(path, box)
+            mq.curve(holed, mesh=os.path.join(self.folder, "plate.msh"))
+
+    def test_a_dent(self):
+        box = Part.makeBox(10, 10, 10)
+        path = os.path.join(self.folder, "dent.msh")
+        mq.curve(box, order=1, volume=True, max_edge=4).write(path)
+        mesh = mq.read_mesh(path)
+        nodes = mesh.nodes.copy()
+        on_top = np.flatnonzero((nodes[:, 2] > 9.99) & (np.abs(nodes[:, :2] - 5).max(axis=1) < 4.99))
+        nodes[on_top[0], 2] -= 1.0
+        dented = mesh_of(nodes, *((block.kind, block.nodes) for block in mesh.blocks if block.kind == "tetrahedron"))
+        with self.assertRaisesRegex(mq.GeometryError, "lies 1 mm off Face6"):
+            mq.curve(box, mesh=dented)
+
+    def test_solids_that_share_nodes(self):
+        solids = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 5, 5, helpers.FreeCAD.Vector(10, 0, 0))])
+        straight = mq.curve(solids, order=1, volume=True, imprint=True)
+        path = os.path.join(self.folder, "two.vtu")  # no solids and no groups are in it
+        straight.write(path)
+        curved = mq.curve(solids, mesh=path, order=2)
+        self.assertEqual(curved.report.invalid, 0)
+        self.assertEqual(np.bincount(curved.tetrahedron_solid).tolist(), np.bincount(straight.tetrahedron_solid).tolist())
+        self.assertEqual(len(curved.triangles), len(straight.triangles))
 
     def test_other_elements(self):
         prism = mesh_of([*UNIT[:4], [1, 0, 1], [0, 1, 1]], ("prism", [[0, 1, 2, 3, 4, 5]]))

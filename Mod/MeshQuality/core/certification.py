@@ -7,7 +7,7 @@ import numpy as np
 
 from .. import options
 from ..compat import extension
-from ..errors import InvalidInput
+from ..errors import GeometryError, InvalidInput, TopologyError
 from ..listing import Public
 from . import convert, saved_certificate
 from .curved_arrays import ARRAYS
@@ -39,6 +39,7 @@ class MeshCertificate(metaclass=Public):
                       pairs of curved triangles of the surface that are proven to cross, equation (2); None where the surface is not
                       of triangles of one order
     not_proven_apart  pairs that are neither proven to cross nor not to, such as those of bodies that touch; likewise
+    not_on_shape      why the surface is not on the shape; None where it is, or was not compared
     triangle_face     int32 (F,), the CAD face of each triangle of the surface, as mesh.boundary() has them; likewise
     triangle_deviation
                       float64 (F,), mm, the largest distance of each
@@ -52,6 +53,7 @@ class MeshCertificate(metaclass=Public):
         "conforming": "whether elements fit together", "oriented": "whether neighbours are seen from the same side",
         "max_deviation": "mm, or None", "folded_on_cad": "triangles that fold over their CAD face, or None",
         "curved_intersections": "pairs of triangles that cross, or None",
+        "not_on_shape": "why the surface is not on the shape, or None",
         "not_proven_apart": "pairs that may cross, or None",
         "triangle_face": "int32 (F,), or None", "triangle_deviation": "float64 (F,), mm, or None",
         "notes": "sentences about the mesh",
@@ -62,7 +64,7 @@ class MeshCertificate(metaclass=Public):
         self._blocks, self._source = [], None
         self.folded = self.inverted = self.not_proven = 0
         self.conforming = self.oriented = True
-        self.curved_intersections = self.not_proven_apart = None
+        self.curved_intersections = self.not_proven_apart = self.not_on_shape = None
         self.max_deviation = self.folded_on_cad = self.triangle_face = self.triangle_deviation = None
 
     @property
@@ -79,7 +81,7 @@ class MeshCertificate(metaclass=Public):
         """All but the arrays, for JSON."""
         names = ("elements", "invalid", "folded", "inverted", "not_proven", "invalid_elements", "min_distortion",
                  "conforming", "oriented", "curved_intersections", "not_proven_apart", "max_deviation", "folded_on_cad",
-                 "notes")
+                 "not_on_shape", "notes")
         return {name: getattr(self, name) for name in names}
 
     def save(self, path, cad=None):
@@ -122,8 +124,8 @@ def certify(mesh, shape=None, progress=None):
     progress  as for curve
 
     Validity is proven by Bernstein bounds of the Jacobian, see docs/method/validity.md. Nothing is changed.
-    Raises IoError, InvalidInput naming the element; with a shape, TopologyError and GeometryError naming what does not
-    lie on it; Cancelled.
+    Where the surface is not on the shape, `not_on_shape` says why, naming the place. Raises IoError, InvalidInput naming
+    the element; Cancelled.
     """
     options.require_callable(progress)
     found = MeshCertificate()
@@ -196,7 +198,12 @@ def _measure(mesh, order, surface, shape, found, progress):
     if _between_solids(mesh, surface[:, :3]):
         found.notes.append("the surface was not measured against the shape: there are triangles between solids of the mesh")
         return
-    face, quality, deviation = extension().measure_given_surface(mesh.nodes, order, surface, shape, progress)
+    try:
+        face, quality, deviation = extension().measure_given_surface(mesh.nodes, order, surface, shape, progress)
+    except (InvalidInput, TopologyError, GeometryError) as error:
+        found.not_on_shape = str(error)
+        found.notes.append(f"the surface was not measured against the shape: {error}")
+        return
     found.triangle_face, found.triangle_deviation = face, deviation
     found.max_deviation = float(deviation.max(initial=0.0))
     found.folded_on_cad = int((~(quality > 0.0)).sum())

@@ -303,6 +303,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     })
     if mesh is not None:
         _require_no_straight_options(values)
+        if shape is not None:
+            raise InvalidInput("shape= is that of a SurfaceMesh: with mesh= give the shape as first argument")
     division = None
     if shape is not None or not isinstance(shape_or_mesh, SurfaceMesh):
         division = division_for(shape_or_mesh if shape is None else shape, patches, patch_rest)

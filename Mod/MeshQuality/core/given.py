@@ -26,10 +26,10 @@ def corners_of(mesh, solids):
 
 
 def _regions_of(block, solids):
-    """A number a body: its CAD solid where the file says one, else its group."""
-    if solids < 2:
-        return np.zeros(len(block.nodes), dtype=np.int32)
-    return block.geometry if (block.geometry >= 0).any() else block.group
+    """A number a body: the CAD solid of each element, where the file says these of all."""
+    if solids < 2 or not (block.geometry >= 0).all():
+        return np.zeros(len(block.nodes), dtype=np.int32)  # groups may be of materials: the core asks the shape
+    return block.geometry
 
 
 def _joined(parts, width):

@@ -106,7 +106,8 @@ def _fault_of(content):
 
 
 def _is_file(said):
-    return isinstance(said, dict) and isinstance(said.get("file"), str) and isinstance(said.get("sha256"), str)
+    return isinstance(said, dict) and isinstance(said.get("file"), str) and isinstance(said.get("sha256"), str) \
+        and said["file"].isprintable()
 
 
 def _is_block(block):
@@ -118,7 +119,7 @@ def _is_block(block):
         return False
     bounds = block.get("distortion")
     return isinstance(bounds, list) and len(bounds) == count and all(
-        isinstance(value, (int, float)) and not isinstance(value, bool) for value in bounds)
+        isinstance(value, (int, float)) and not isinstance(value, bool) and -1 <= value <= 1 for value in bounds)
 
 
 def _is_count(value):

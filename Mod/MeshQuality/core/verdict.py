@@ -368,6 +368,10 @@ def of_certificate(certificate):
         found.append(Finding(_sentence(phrases.NOT_CONFORMING)))
     if not certificate.oriented:
         found.append(Finding(_sentence(phrases.ELEMENTS_TURNED)))
+    if certificate.curved_intersections:
+        found.append(Finding(_counted(phrases.CROSSING, certificate.curved_intersections)))
+    if certificate.not_on_shape:
+        found.append(Finding(_sentence(phrases.NOT_ON_SHAPE, text=certificate.not_on_shape)))
     return found
 
 

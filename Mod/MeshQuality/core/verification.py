@@ -58,7 +58,7 @@ def verify(certificate, mesh=None, progress=None):
     progress     as for curve
 
     The mesh must be the same bytes. A verifier that shares no code with the prover shows every element again to be what
-    the certificate says, see docs/method/validity.md. The distance from a shape is not measured again.
+    the certificate says, see docs/method/validity.md. Distances from a shape and crossings are not looked for again.
     Raises IoError where a file is not there, InvalidInput where it is no certificate; Cancelled.
     """
     options.require_callable(progress)
@@ -74,6 +74,7 @@ def verify(certificate, mesh=None, progress=None):
     _check_blocks(blocks, mesh.nodes, content["blocks"], found, progress)
     _check_sums(content, found)
     _check_conformity(mesh, [block for block, checked in blocks if checked], content["proven"], found)
+    found.notes.append("crossings of curved triangles and the distance from a shape were not looked for again")
     return found
 
 
@@ -83,7 +84,6 @@ def _check_cad(said, folder, found):
         found.notes.append(f"the CAD file '{path}' is not there: it was not compared")
     elif saved_certificate.digest_of(path)["sha256"] != said["sha256"]:
         found.faults.append(f"the CAD file '{path}' is not the one that was measured against: its SHA-256 is another one")
-    found.notes.append("the distance of the surface from the shape was not measured again")
 
 
 def _check_blocks(blocks, nodes, said, found, progress):
@@ -120,7 +120,8 @@ def _compare(kind, verdict, bound, J, distortion, found):
     kept = [(valid & (J < verifier.POSITIVE), "certified valid, but {}"),
             (folded & (J != verifier.NEGATIVE) & (J != verifier.TOUCHING), "certified folded, but no point with J <= 0 was found"),
             (inverted & (J < verifier.POSITIVE), "certified inverted, but J < 0 everywhere could not be shown"),
-            (valid & (bound > distortion), "certified with a better bound of distortion than it can have")]
+            (valid & (bound > distortion), "certified with a better bound of distortion than it can have"),
+            (~valid & ~(bound <= 0.0), "certified not valid, but with a bound of distortion above 0")]
     for wrong, text in kept:
         for i in np.flatnonzero(wrong)[:_NAMED]:
             why = "there is a point with J <= 0" if J[i] in (verifier.NEGATIVE, verifier.TOUCHING) else "that could not be shown"

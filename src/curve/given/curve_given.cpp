@@ -169,6 +169,11 @@ void note_faults(std::size_t turned, const MatchedMesh& matched, CurveReport& re
             std::to_string(lost) +
             " tetrahedra of the given mesh lie on one another and have no outside: they are removed");
     }
+    if (!matched.bare_faces.empty()) {
+        report.notes.push_back(std::to_string(matched.bare_faces.size()) +
+                               " faces of the shape have no triangles in the given mesh, the first is Face" +
+                               std::to_string(matched.bare_faces.front() + 1));
+    }
     if (turned > 0) {
         report.notes.push_back(std::to_string(turned) +
                                " tetrahedra of the given mesh were numbered the wrong way round");

@@ -17,10 +17,6 @@ namespace {
 using geometry::Answer;
 using geometry::Query;
 
-/// Distances of mesh vertices from their CAD edge, as fractions of the model's size: numbers of single precision or
-/// eight digits in a file, then those of programs that place vertices less exactly.
-constexpr std::array<double, 4> kNear{1e-6, 1e-5, 1e-4, 1e-3};
-
 /// The largest distance as a fraction of the shortest mesh edge at a vertex.
 constexpr double kMostOfMeshEdge = 0.25;
 

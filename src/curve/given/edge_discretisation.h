@@ -26,6 +26,10 @@ struct EdgePolyline {
     double distance = 0.0;  ///< largest distance of its vertices from the CAD edge, mm
 };
 
+/// Distances of mesh vertices from the CAD, as fractions of the model's size: numbers of single precision or eight
+/// digits in a file, then those of programs that place vertices less exactly.
+constexpr std::array<double, 4> kNear{1e-6, 1e-5, 1e-4, 1e-3};
+
 /// What of the model's vertices and edges the mesh has.
 struct EdgeDiscretisation {
     std::vector<int> of_node;             ///< by CAD vertex: the vertex of the mesh, or -1

@@ -114,7 +114,7 @@ class Matcher {
         if (candidates.empty()) {
             throw TopologyError(not_followed(region));
         }
-        if (alone && candidates.size() == 1 && !region.edges.empty()) {
+        if (alone && candidates.size() == 1 && has_all_edges(candidates[0], region)) {
             return candidates[0];
         }
         const std::vector<Sample> samples = samples_of(region);
@@ -135,18 +135,35 @@ class Matcher {
         return best;
     }
 
-    /// Refuses a region without an edge that its face shares with another: the mesh does not have the hole, or the face
-    /// beside it.
+    /// Refuses a region without an edge of its face's border: the mesh does not have the hole, or the face beside it.
     void require_edges_of(int face, const Region& region) const {
         for (const int e : edges_of_face_[static_cast<std::size_t>(face)]) {
-            const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
-            const bool between_faces = std::any_of(edge.uses.begin(), edge.uses.end(), [&](int use) {
-                return topology_.uses[static_cast<std::size_t>(use)].face != face;
-            });
-            if (between_faces && !edge.degenerate && edges_.polylines[static_cast<std::size_t>(e)].vertices.empty()) {
+            if (bounds(e, face) && edges_.polylines[static_cast<std::size_t>(e)].vertices.empty()) {
                 throw TopologyError(not_followed(region));
             }
         }
+    }
+
+    /// Whether all mesh edges along the border of a face are around a region.
+    bool has_all_edges(int face, const Region& region) const {
+        const std::set<int>& all = edges_of_face_[static_cast<std::size_t>(face)];
+        return !region.edges.empty() && std::all_of(all.begin(), all.end(), [&](int e) {
+            const bool followed = edges_.polylines[static_cast<std::size_t>(e)].vertices.size() > 1;
+            return !bounds(e, face) || !followed || region.edges.count(e) > 0;
+        });
+    }
+
+    /// Whether an edge is on the border of a face: no pole, no seam between its own sides, no slit.
+    bool bounds(int e, int face) const {
+        const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
+        std::size_t here = 0;
+        bool slit = false;
+        for (const int use : edge.uses) {
+            const geometry::EdgeUse& one = topology_.uses[static_cast<std::size_t>(use)];
+            here += one.face == face ? 1 : 0;
+            slit = slit || (one.face == face && one.internal);
+        }
+        return !edge.degenerate && !slit && here == 1;
     }
 
     std::vector<int> faces_with(const std::set<int>& edges) const {

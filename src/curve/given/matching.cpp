@@ -105,7 +105,10 @@ void require_same_place(const Box& mesh, const Box& edges, const Box& model) {
 class Matcher {
   public:
     Matcher(geometry::Session& session, const GivenMesh& mesh, int order)
-        : session_(session), topology_(session.topology()), mesh_(mesh), result_{CurvedSurface(order), {}, {}, {}} {}
+        : session_(session),
+          topology_(session.topology()),
+          mesh_(mesh),
+          result_{CurvedSurface(order), {}, {}, {}, {}} {}
 
     MatchedMesh run() {
         const SurfaceGraph graph(mesh_.nodes, surface_of(mesh_));
@@ -227,10 +230,16 @@ class Matcher {
         }
         for (const geometry::Volume& volume : topology_.volumes) {
             surface().volume_faces.emplace_back();
+            std::vector<int> bare;
             for (const auto& side : volume.sides) {
                 if (meshed[static_cast<std::size_t>(side.face)]) {
                     surface().volume_faces.back().emplace_back(side.face, side.flipped);
+                } else if (!topology_.faces[static_cast<std::size_t>(side.face)].no_area) {
+                    bare.push_back(side.face);
                 }
+            }
+            if (!surface().volume_faces.back().empty()) {
+                result_.bare_faces.insert(result_.bare_faces.end(), bare.begin(), bare.end());
             }
         }
     }
@@ -245,12 +254,24 @@ class Matcher {
             }
             Vec3& point = surface().shapes.vertices[static_cast<std::size_t>(v)].point;
             const double distance = (point - mesh_.nodes[n]).norm();
+            if (distance > kNear.back() * topology_.box.largest_side()) {
+                throw far_off(n, distance);
+            }
             if (distance > rounding) {
                 result_.moved.push_back({static_cast<int>(n), distance});
             } else {
                 point = mesh_.nodes[n];
             }
         }
+    }
+
+    GeometryError far_off(std::size_t node, double distance) {
+        const auto& entity = surface().shapes.vertices[static_cast<std::size_t>(result_.vertex_of_node[node])].entity;
+        const Vec3& p = mesh_.nodes[node];
+        return GeometryError("the given mesh lies " + in_digits(distance, 3) + " mm off " +
+                             topology_.name_of({entity[0], entity[1]}) + " at (" + in_digits(p.x(), 4) + ", " +
+                             in_digits(p.y(), 4) + ", " + in_digits(p.z(), 4) +
+                             ") mm: give the shape that the mesh was made from");
     }
 
     /// Tetrahedra that are joined without crossing the surface are in one volume: the one that has most of the
@@ -290,9 +311,22 @@ class Matcher {
         for (const auto& [root, around] : sides) {
             volume[root] = volume_with(around);
         }
+        require_whole_volumes(volume);
         for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t) {
             const auto found = volume.find(joined.find(t));
             result_.volume.push_back(found == volume.end() ? -1 : found->second);
+        }
+    }
+
+    /// Refuses tetrahedra in a volume of which a face has no triangles, as that of a void that the mesh does not have.
+    void require_whole_volumes(const std::map<std::size_t, int>& volumes) const {
+        for (const auto& [root, volume] : volumes) {
+            for (const auto& side : topology_.volumes[static_cast<std::size_t>(volume)].sides) {
+                if (std::count(result_.bare_faces.begin(), result_.bare_faces.end(), side.face) > 0) {
+                    throw TopologyError("the given mesh has no triangles on " + topology_.name_of({2, side.face}) +
+                                        ": give the shape that the mesh was made from");
+                }
+            }
         }
     }
 
@@ -321,6 +355,17 @@ class Matcher {
                                 topology_.name_of({2, around.begin()->first.first}) +
                                 ": give the solid that the mesh was made from");
         }
+        const auto& sides = topology_.volumes[static_cast<std::size_t>(best)].sides;
+        for (const auto& [side, count] : around) {
+            const auto same = [&, side = side](const auto& own) {
+                return own.face == side.first && own.flipped == side.second;
+            };
+            if (std::none_of(sides.begin(), sides.end(), same)) {
+                throw SolidsShareNodes(
+                    "the given mesh joins tetrahedra of several solids that the shape keeps apart: give "
+                    "imprint=True, or the shape that the mesh was made from");
+            }
+        }
         return best;
     }
 
@@ -331,10 +376,46 @@ class Matcher {
     std::vector<int> at_node_;  // by CAD vertex
 };
 
+/// By tetrahedron: the solid that has its centroid, or -1.
+std::vector<int> solids_of(geometry::Session& session, const GivenMesh& mesh) {
+    const geometry::Topology& topology = session.topology();
+    std::vector<int> solid(mesh.tetrahedra.size(), -1);
+    for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
+        geometry::Engine::Batch batch;
+        std::vector<std::size_t> asked;
+        for (std::size_t t = 0; t < solid.size() && topology.volumes[i].kind == geometry::Volume::Kind::Solid; ++t) {
+            if (solid[t] < 0) {
+                Vec3 centroid = Vec3::Zero();
+                for (const int v : mesh.tetrahedra[t]) {
+                    centroid += 0.25 * mesh.nodes[static_cast<std::size_t>(v)];
+                }
+                batch.push_back(geometry::Query::volume_contains(static_cast<int>(i), centroid));
+                asked.push_back(t);
+            }
+        }
+        const auto answers = session.ask(std::move(batch));
+        for (std::size_t k = 0; k < answers.size(); ++k) {
+            if (answers[k].found() && answers[k].side > 0) {
+                solid[asked[k]] = static_cast<int>(i);
+            }
+        }
+    }
+    return solid;
+}
+
 }  // namespace
 
 MatchedMesh match(geometry::Session& session, const GivenMesh& mesh, int order) {
-    return Matcher(session, mesh, order).run();
+    try {
+        return Matcher(session, mesh, order).run();
+    } catch (const SolidsShareNodes&) {
+        if (!session.topology().imprinted) {
+            throw;
+        }
+    }
+    GivenMesh divided = mesh;
+    divided.regions = solids_of(session, mesh);
+    return Matcher(session, divided, order).run();
 }
 
 }  // namespace mq::curve

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/error.h"
 #include "curve/given/given_mesh.h"
 #include "curve/surface/curved_surface.h"
 
@@ -14,22 +15,29 @@ struct MovedNode {
     double distance = 0.0;  ///< to the point of the entity where it is put, mm
 };
 
+/// Tetrahedra of several solids that share nodes, where the faces between these are not one in the model.
+class SolidsShareNodes : public InvalidInput {
+    using InvalidInput::InvalidInput;
+};
+
 /// A given mesh on the model: every vertex, edge and triangle of its surface is classified on a CAD vertex, edge or
 /// face, every tetrahedron in a volume.
 struct MatchedMesh {
     CurvedSurface surface;
     std::vector<int> vertex_of_node;  ///< by given node: the vertex of the surface, or -1
-    std::vector<int>
-        volume;  ///< by tetrahedron: the volume of the model; -1: tetrahedra that lie on one another, with no outside
-    std::vector<MovedNode> moved;  ///< farther off than rounding; these are put on the CAD, all others stay
+    std::vector<int> volume;          ///< by tetrahedron: the volume of the model; -1: they only lie on one another
+    std::vector<MovedNode> moved;     ///< farther off than rounding; these are put on the CAD, all others stay
+    std::vector<int> bare_faces;      ///< faces of volumes of which other faces have triangles, but these have none
 };
 
 /// Classifies a sound mesh with tetrahedra of positive volume.
 ///
 /// The CAD is followed from below: a mesh vertex at each CAD vertex, mesh edges along each CAD edge, and a face for
 /// each region of triangles between these. Seams that the mesh does not follow stay inside their faces.
-/// @throws InvalidInput where the mesh and the model differ in scale or place, naming the factor or the shift;
-/// TopologyError, GeometryError naming the entity and the place.
+/// Where solids share faces in the model, and tetrahedra of several are joined, the solid of each is that which has its
+/// centroid.
+/// @throws SolidsShareNodes likewise where they share none; InvalidInput where the mesh and the model differ in scale
+/// or place, naming the factor or the shift; TopologyError, GeometryError naming the entity and the place.
 MatchedMesh match(geometry::Session& session, const GivenMesh& mesh, int order);
 
 }  // namespace mq::curve

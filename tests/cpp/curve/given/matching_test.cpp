@@ -70,11 +70,13 @@ TEST(Matching, NodesBesideTheCadAreMovedAndListed) {
     const auto model = geometry::make_shape_model(BRepPrimAPI_MakeSphere(1.0).Shape());
     GivenMesh mesh = given_of(curved(model, of_order(1)));
     const std::size_t last = mesh.nodes.size() - 1;
-    mesh.nodes[last] *= 1.01;
+    mesh.nodes[last] *= 1.001;
     const MatchedMesh found = matched(model, mesh);
     ASSERT_EQ(found.moved.size(), 1u);
     EXPECT_EQ(found.moved[0].node, static_cast<int>(last));
-    EXPECT_NEAR(found.moved[0].distance, 0.01, 1e-6);
+    EXPECT_NEAR(found.moved[0].distance, 0.001, 1e-6);
+    mesh.nodes[last] *= 1.1;
+    EXPECT_NE(refusal(model, mesh).find("mm off Face1"), std::string::npos) << refusal(model, mesh);
 }
 
 TEST(Matching, BodiesThatTouchAreToldApart) {
