@@ -182,12 +182,14 @@ def _find_crossings(nodes, order, surface, found, progress):
     nothing = np.empty(0)
     arrays = {**dict.fromkeys(ARRAYS.values(), nothing), "nodes": nodes[used].ravel(), "triangles": triangles.ravel(),
               "triangle_face": np.zeros(len(surface)), "node_entity": np.tile([2, 0], len(used))}
-    crossing, open_ones = extension().curved_from_arrays(order, arrays).curved_crossings(progress)
+    crossing, open_ones, complete = extension().curved_from_arrays(order, arrays).curved_crossings(progress)
     found.curved_intersections, found.not_proven_apart = len(crossing), len(open_ones)
     for pairs, word in ((crossing, "cross"), (open_ones, "are not proven apart")):
         if len(pairs):
             x, y, z = nodes[surface[pairs[0][0], :3]].mean(axis=0)
             found.notes.append(f"{len(pairs):,} pairs of triangles {word}, one at ({x:.4g}, {y:.4g}, {z:.4g}) mm")
+    if not complete:
+        found.notes.append("there may be more such pairs: the search ended, as where bodies lie on each other")
 
 
 def _measure(mesh, order, surface, shape, found, progress):

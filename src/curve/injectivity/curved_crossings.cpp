@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <limits>
 
 #include "base/parallel.h"
@@ -182,29 +181,33 @@ CurvedCrossings curved_crossings(const CurvedMesh& mesh, Progress* progress) {
     const Patches patches(mesh);
     const std::vector<Pair> pairs = candidates(patches, progress);
     result.compared = pairs.size() - patches.size();
-    const std::size_t tasks = (pairs.size() + kAtOnce - 1) / kAtOnce;
-    std::vector<CurvedCrossings> found(tasks);
-    std::atomic<std::size_t> done{0};
-    parallel_for(static_cast<int>(tasks), [&](int k) {
-        const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
-        CurvedCrossings& here = found[static_cast<std::size_t>(k)];
-        for (std::size_t i = first; i < std::min(first + kAtOnce, pairs.size()); ++i) {
-            check_cancelled(progress);
-            const auto [a, b] = pairs[i];
-            const PatchVerdict verdict = patches.contact(a, b);
-            if (verdict.contact == PatchContact::Crossing) {
-                here.crossing.push_back({a, b, verdict.point + patches.middle()});
-            } else if (verdict.contact == PatchContact::NotProven) {
-                here.not_proven.emplace_back(a, b);
+    // The end of the search must not depend on the number of threads: it is looked at between rounds.
+    constexpr std::size_t kInRound = 16 * kAtOnce;
+    for (std::size_t round = 0; round < pairs.size() && result.complete; round += kInRound) {
+        const std::size_t end = std::min(round + kInRound, pairs.size());
+        std::vector<CurvedCrossings> found((end - round + kAtOnce - 1) / kAtOnce);
+        parallel_for(static_cast<int>(found.size()), [&](int k) {
+            const std::size_t first = round + kAtOnce * static_cast<std::size_t>(k);
+            CurvedCrossings& here = found[static_cast<std::size_t>(k)];
+            for (std::size_t i = first; i < std::min(first + kAtOnce, end); ++i) {
+                check_cancelled(progress);
+                const auto [a, b] = pairs[i];
+                const PatchVerdict verdict = patches.contact(a, b);
+                if (verdict.contact == PatchContact::Crossing) {
+                    here.crossing.push_back({a, b, verdict.point + patches.middle()});
+                } else if (verdict.contact == PatchContact::NotProven) {
+                    here.not_proven.emplace_back(a, b);
+                }
             }
+        });
+        for (const CurvedCrossings& some : found) {
+            result.crossing.insert(result.crossing.end(), some.crossing.begin(), some.crossing.end());
+            result.not_proven.insert(result.not_proven.end(), some.not_proven.begin(), some.not_proven.end());
         }
         if (progress != nullptr) {
-            progress->advance(static_cast<double>(++done) / static_cast<double>(tasks));
+            progress->advance(static_cast<double>(end) / static_cast<double>(pairs.size()));
         }
-    });
-    for (const CurvedCrossings& some : found) {
-        result.crossing.insert(result.crossing.end(), some.crossing.begin(), some.crossing.end());
-        result.not_proven.insert(result.not_proven.end(), some.not_proven.begin(), some.not_proven.end());
+        result.complete = end == pairs.size() || result.crossing.size() + result.not_proven.size() < kMostFound;
     }
     return result;
 }

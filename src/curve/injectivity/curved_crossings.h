@@ -16,6 +16,9 @@ namespace mq::curve {
 /// Pieces of curved triangles smaller than this share of the mesh's size are not halved any more.
 constexpr double kLeastPiece = 1e-6;
 
+/// Pairs that cross or are not proven apart from which on no more are looked for; each may take milliseconds.
+constexpr std::size_t kMostFound = 500;
+
 /// The pairs of curved triangles that meet elsewhere than in the vertices and edges that they share, by ascending
 /// indices. A triangle that meets itself is the pair (i, i).
 struct CurvedCrossings {
@@ -29,6 +32,8 @@ struct CurvedCrossings {
     /// the mesh's size; or the proof needs more than `kMostPiecePairs` (patch_pair.h) comparisons.
     std::vector<std::pair<std::int32_t, std::int32_t>> not_proven;
     std::size_t compared = 0;  ///< pairs whose bounding boxes meet
+    /// Whether all of them were: the search ends once kMostFound pairs are found, as where bodies lie on each other.
+    bool complete = true;
 
     bool none() const { return crossing.empty() && not_proven.empty(); }
 };
