@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "curve/elements/check_elements.h"
+#include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/progress_watch.h"
 
@@ -15,29 +16,15 @@ namespace mq::python {
 
 namespace {
 
-using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Rows = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
 
-template <typename T>
-py::array_t<T> array_of(const std::vector<T>& list) {
-    return py::array_t<T>(static_cast<py::ssize_t>(list.size()), list.data());
-}
-
-py::tuple checked(const std::string& kind, int order, const Points& nodes, const Rows& connectivity,
+py::tuple checked(const std::string& kind, int order, const PointArray& nodes, const Rows& connectivity,
                   const py::object& progress) {
-    if (nodes.ndim() != 2 || nodes.shape(1) != 3) {
-        throw InvalidInput("nodes must be an array of three columns: x, y and z");
-    }
     if (connectivity.ndim() != 2) {
         throw InvalidInput("elements must be an array with the nodes of one in each row");
     }
     const curve::ElementKind of_kind = curve::element_kind(kind);
-    std::vector<Vec3> points;
-    points.reserve(static_cast<std::size_t>(nodes.shape(0)));
-    const double* at = nodes.data();
-    for (py::ssize_t i = 0; i < nodes.shape(0); ++i, at += 3) {
-        points.emplace_back(at[0], at[1], at[2]);
-    }
+    const std::vector<Vec3> points = points_of(nodes);
     const std::vector<std::int32_t> rows(connectivity.data(), connectivity.data() + connectivity.size());
     const auto width = static_cast<int>(connectivity.shape(1));
     const curve::ElementVerdicts found = watch(progress, [&](Progress& handle) {

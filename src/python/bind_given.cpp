@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "curve/given/given_mesh.h"
+#include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/freecad/freecad_shape.h"
 #include "python/progress_watch.h"
@@ -22,7 +23,6 @@ namespace mq::python {
 namespace {
 
 using Indices = py::array_t<std::int32_t, py::array::c_style | py::array::forcecast>;
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using CurvedPointer = std::shared_ptr<curve::CurvedMesh>;
 
 template <std::size_t N>
@@ -40,18 +40,7 @@ std::vector<std::array<int, N>> rows_of(const Indices& array, const char* name) 
     return rows;
 }
 
-std::vector<Vec3> points_of(const Numbers& nodes) {
-    if (nodes.ndim() != 2 || nodes.shape(1) != 3) {
-        throw InvalidInput("nodes must be an array of three columns: x, y and z");
-    }
-    std::vector<Vec3> points;
-    for (py::ssize_t i = 0; i < nodes.shape(0); ++i) {
-        points.emplace_back(nodes.at(i, 0), nodes.at(i, 1), nodes.at(i, 2));
-    }
-    return points;
-}
-
-CurvedPointer curve_given(const Numbers& nodes, const Indices& triangles, const Indices& tetrahedra,
+CurvedPointer curve_given(const PointArray& nodes, const Indices& triangles, const Indices& tetrahedra,
                           const Indices& regions, const PartShape& part, const curve::CurveOptions& options,
                           bool imprint, const py::object& progress) {
     curve::GivenMesh given;
@@ -66,12 +55,7 @@ CurvedPointer curve_given(const Numbers& nodes, const Indices& triangles, const 
     });
 }
 
-template <typename T>
-py::array_t<T> array_of(const std::vector<T>& list) {
-    return py::array_t<T>(static_cast<py::ssize_t>(list.size()), list.data());
-}
-
-py::tuple measure_given_surface(const Numbers& nodes, int order, const Indices& triangles, const PartShape& part,
+py::tuple measure_given_surface(const PointArray& nodes, int order, const Indices& triangles, const PartShape& part,
                                 const py::object& progress) {
     const std::vector<Vec3> points = points_of(nodes);
     const std::vector<std::int32_t> rows(triangles.data(), triangles.data() + triangles.size());

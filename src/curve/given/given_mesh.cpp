@@ -55,12 +55,6 @@ std::vector<SharedFace> sorted_faces(const GivenMesh& mesh) {
     return faces;
 }
 
-/// Whether two triangles of the same corners go round them in the same way.
-bool same_turn(const std::array<int, 3>& a, const std::array<int, 3>& b) {
-    const auto at = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
-    return b[(at + 1) % 3] == a[1];
-}
-
 double six_volumes(const GivenMesh& mesh, const std::array<int, 4>& t) {
     const auto at = [&](std::size_t k) -> const Vec3& { return mesh.nodes[static_cast<std::size_t>(t[k])]; };
     return (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0));
@@ -121,6 +115,11 @@ std::size_t orient_tetrahedra(GivenMesh& mesh) {
         }
     }
     return static_cast<std::size_t>(std::count(turned.begin(), turned.end(), 1));
+}
+
+bool same_turn(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+    const auto at = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+    return b[(at + 1) % 3] == a[1];
 }
 
 std::array<std::array<int, 3>, 4> outward_faces(const std::array<int, 4>& v) {

@@ -31,6 +31,9 @@ std::size_t orient_tetrahedra(GivenMesh& mesh);
 /// The four faces of a tetrahedron, seen from outside where its volume is positive.
 std::array<std::array<int, 3>, 4> outward_faces(const std::array<int, 4>& corners);
 
+/// Whether two triangles of the same corners go round them in the same way.
+bool same_turn(const std::array<int, 3>& a, const std::array<int, 3>& b);
+
 /// The triangles on the surface: the faces of one tetrahedron only, those between two bodies, and given triangles that
 /// are faces of tetrahedra; all given triangles where there are no tetrahedra. Each comes once, seen from outside of
 /// the tetrahedron of lower index.

@@ -23,7 +23,7 @@ constexpr int kMostLayers = 4;
 
 using Corners = std::array<int, 3>;
 
-/// A cavity: the triangles around it, seen from its outside, and the tetrahedra that were removed for it.
+/// The triangles around a cavity, seen from outside of it.
 struct Cavity {
     int volume = -1;
     std::vector<Corners> border;
@@ -153,6 +153,11 @@ class Remesher {
                 }
             }
         }
+        for (const auto& [key, t] : alive_) {
+            if (was_.count(key) == 0) {
+                new_triangles_.push_back(t);
+            }
+        }
     }
 
     bool no_longer_fits(const std::array<int, 4>& v) const {
@@ -197,11 +202,14 @@ class Remesher {
                 }
             }
         }
-        for (std::size_t v = 0; v < surface_.volume_faces.size(); ++v) {
+        for (std::size_t v = 0; v < surface_.volume_faces.size() && !new_triangles_.empty(); ++v) {
+            if (!has_tetrahedra(static_cast<int>(v))) {
+                continue;
+            }
             for (const auto& [face, flipped] : surface_.volume_faces[v]) {
-                for (const auto& [key, t] : alive_) {
+                for (const int t : new_triangles_) {
                     const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
-                    if (triangle.face == face && was_.count(key) == 0 && has_tetrahedra(static_cast<int>(v))) {
+                    if (triangle.face == face) {
                         Corners corners = triangle.corners;
                         if (flipped) {
                             std::swap(corners[1], corners[2]);
@@ -377,6 +385,7 @@ class Remesher {
     std::unordered_map<int, std::vector<std::size_t>> at_vertex_;
     std::map<FaceKey, int> alive_;  // triangles of the surface
     std::set<FaceKey> was_;         // triangles before the repair
+    std::vector<int> new_triangles_;
     std::unordered_set<EdgeKey> gone_edges_;
     std::unordered_set<int> gone_vertices_;
 };

@@ -295,7 +295,8 @@ class Matcher {
                 const auto met =
                     std::min({v[0], v[1], v[2]}) < 0 ? on_surface.end() : on_surface.find(face_key(v[0], v[1], v[2]));
                 if (met != on_surface.end()) {
-                    touching.emplace_back(t, std::make_pair(triangle(met->second).face, !same_turn(v, met->second)));
+                    touching.emplace_back(
+                        t, std::make_pair(triangle(met->second).face, !same_turn(v, triangle(met->second).corners)));
                 } else {
                     const auto [other, fresh] = inner.emplace(face_key(face[0], face[1], face[2]), t);
                     if (!fresh) {
@@ -328,12 +329,6 @@ class Matcher {
                 }
             }
         }
-    }
-
-    bool same_turn(const std::array<int, 3>& v, int t) {
-        const auto& other = triangle(t).corners;
-        const auto at = std::find(other.begin(), other.end(), v[0]) - other.begin();
-        return other[static_cast<std::size_t>((at + 1) % 3)] == v[1];
     }
 
     int volume_with(const std::map<std::pair<int, bool>, std::size_t>& around) const {
