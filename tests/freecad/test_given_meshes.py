@@ -49,6 +49,28 @@ def models():
             "two boxes": two_boxes(), "pipe": Part.makeCylinder(5, 20).cut(Part.makeCylinder(3, 20))}
 
 
+def turned_parts():
+    """{name: (shape, the same with its seams elsewhere)}"""
+    Vector, axis = helpers.FreeCAD.Vector, helpers.FreeCAD.Vector(0, 0, 1)
+
+    def holed(angle):
+        hole = Part.makeCylinder(4, 5, Vector(10, 10, 0))
+        hole.rotate(Vector(10, 10, 0), axis, angle)
+        return Part.makeBox(20, 20, 5).cut(hole)
+
+    def oval(start):
+        ellipse = Part.Edge(Part.Ellipse(Vector(), 5, 3), start, start + 2 * np.pi)
+        return Part.Face(Part.Wire(ellipse)).extrude(Vector(0, 0, 6))
+
+    found = {"hole": (holed(0), holed(17)), "oval": (oval(0.0), oval(0.3))}
+    for name in ("cylinder", "sphere", "torus", "pipe"):
+        shape = models()[name]
+        turned = shape.copy()
+        turned.rotate(Vector(), axis, 17)
+        found[name] = shape, turned
+    return found
+
+
 class GivenTest(helpers.DocumentTest):
     def straight(self, shape, name="mesh", scale=1.0):
         """The path of a straight mesh of tetrahedra."""
@@ -103,6 +125,28 @@ class Models(GivenTest):
         for name, shape in shapes.items():
             for order in (2, 3):
                 self.assert_cured(name, shape, paths[name][:-5] + ".msh", order, 1e-3 * shape.BoundBox.DiagonalLength)
+
+    def test_rims_need_no_mesh_vertex_at_their_cad_vertex(self):
+        for name, (shape, turned) in turned_parts().items():
+            path = self.straight(shape)
+            for order in (2, 3):
+                plain = mq.curve(shape, order=order, volume=True, chord_height_relative=CHORD).report.max_deviation
+                cured = self.assert_cured(name, turned, path, order, max(1e-6, 1.001 * plain))
+                self.assertEqual((len(cured.moved_nodes), int((cured.given_element < 0).sum())), (0, 0), name)
+                self.assertEqual(mq.certify(cured, turned).folded_on_cad, 0, name)
+
+    def test_a_rim_with_a_corner_needs_a_mesh_vertex_at_it(self):
+        Vector = helpers.FreeCAD.Vector
+        curve = Part.BezierCurve()
+        curve.setPoles([Vector(0, 0), Vector(12, 8), Vector(12, -8), Vector(0, 0)])
+        drop = Part.Face(Part.Wire(curve.toShape())).extrude(Vector(0, 0, 4))
+        mesh = mq.curve(drop, order=1, max_edge=2)
+        nodes = mesh.nodes.copy()
+        corner = np.flatnonzero(np.linalg.norm(nodes[:, :2], axis=1) < 1e-6)
+        self.assertEqual(len(corner), 2)
+        nodes[corner, 0] += 0.4  # inside the part
+        with self.assertRaisesRegex(mq.Error, "does not follow"):
+            mq.curve(drop, mesh=mesh_of(nodes, ("triangle", mesh.triangles)), order=2)
 
     def test_surface_meshes(self):
         path = os.path.join(self.folder, "mesh.msh")

@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "base/disjoint_sets.h"
+#include "curve/given/artefact_vertices.h"
+#include "geometry/closed_edge.h"
 #include "mesh/intersection/aabb_tree.h"
 
 namespace mq::curve {
@@ -16,6 +19,9 @@ namespace {
 
 using geometry::Answer;
 using geometry::Query;
+
+/// Points of a rim near which its mesh vertices are looked for.
+constexpr int kRimPoints = 8;
 
 /// The largest distance as a fraction of the shortest mesh edge at a vertex.
 constexpr double kMostOfMeshEdge = 0.25;
@@ -26,7 +32,9 @@ class Finder {
         : session_(session), topology_(session.topology()), graph_(graph) {}
 
     EdgeDiscretisation run() {
+        artefacts_ = artefact_vertices(session_);
         find_candidates();
+        find_rims();
         result_.of_node.assign(topology_.nodes.size(), -1);
         result_.polylines.resize(topology_.edges.size());
         for (const Body& body : bodies()) {
@@ -52,6 +60,9 @@ class Finder {
 
     /// By CAD vertex: the mesh vertices in its place, one at most of each connected mesh.
     using Candidates = std::map<std::size_t, int>;
+
+    /// By connected mesh: vertices that may lie on a rim, each with a parameter near it.
+    using Rim = std::map<std::size_t, std::map<int, double>>;
 
     std::vector<Body> bodies() const {
         DisjointSets<std::size_t> joined(topology_.nodes.size());
@@ -106,7 +117,8 @@ class Finder {
         }
         std::size_t count = 0;
         part_of_ = joined.number(count);
-        const mesh::AabbTree tree(graph_.points, triangles);
+        triangles_ = std::move(triangles);
+        tree_.emplace(graph_.points, triangles_);
         const double rounding = kNear[0] * topology_.box.largest_side();
         const std::vector<char> used = used_nodes();
         for (std::size_t n = 0; n < topology_.nodes.size(); ++n) {
@@ -115,18 +127,61 @@ class Finder {
                 continue;
             }
             const geometry::Node& node = topology_.nodes[n];
-            double least = std::numeric_limits<double>::infinity();
-            for (const int v : triangles[static_cast<std::size_t>(tree.nearest(node.point).triangle)]) {
-                least = std::min(least, (at(v) - node.point).norm());
+            const double least = nearest_vertex(node.point);
+            // A vertex of an artefact is taken where the mesh has one, and not looked for beside it.
+            if (!artefacts_[n] || least <= rounding + node.tolerance) {
+                for_vertices_near(node.point, least + rounding,
+                                  [&](int v) { add_candidate(node, v, least + rounding); });
             }
-            Box box;
-            box.add(node.point - Vec3::Constant(least + rounding));
-            box.add(node.point + Vec3::Constant(least + rounding));
-            tree.for_each_in_box(box, [&](std::int32_t t) {
-                for (const int v : triangles[static_cast<std::size_t>(t)]) {
-                    add_candidate(node, v, least + rounding);
+        }
+    }
+
+    /// The least distance of a point from vertices of the triangle nearest to it.
+    double nearest_vertex(const Vec3& point) const {
+        double least = std::numeric_limits<double>::infinity();
+        for (const int v : triangles_[static_cast<std::size_t>(tree_->nearest(point).triangle)]) {
+            least = std::min(least, (at(v) - point).norm());
+        }
+        return least;
+    }
+
+    template <typename Take>
+    void for_vertices_near(const Vec3& point, double distance, Take take) const {
+        Box box;
+        box.add(point - Vec3::Constant(distance));
+        box.add(point + Vec3::Constant(distance));
+        tree_->for_each_in_box(box, [&](std::int32_t t) {
+            for (const int v : triangles_[static_cast<std::size_t>(t)]) {
+                if ((at(v) - point).norm() <= distance) {
+                    take(v);
                 }
-            });
+            }
+        });
+    }
+
+    /// Closed edges at whose CAD vertex the mesh needs none, and has none: vertices near points of them.
+    void find_rims() {
+        rims_.resize(topology_.edges.size());
+        const double rounding = kNear[0] * topology_.box.largest_side();
+        for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
+            const geometry::Edge& edge = topology_.edges[e];
+            const auto node = static_cast<std::size_t>(std::max(edge.nodes[0], 0));
+            if (!geometry::is_closed(edge) || edge.uses.empty() || is_seam(topology_, edge) || !artefacts_[node] ||
+                !candidates_[node].empty()) {
+                continue;
+            }
+            geometry::Engine::Batch batch;
+            for (int k = 0; k < kRimPoints; ++k) {
+                const double t = edge.t0 + (edge.t1 - edge.t0) * k / kRimPoints;
+                batch.push_back(Query::edge_point(static_cast<int>(e), t));
+            }
+            for (const Answer& answer : session_.ask(std::move(batch))) {
+                if (answer.found()) {
+                    for_vertices_near(answer.point, nearest_vertex(answer.point) + rounding, [&](int v) {
+                        rims_[e][part_of_[static_cast<std::size_t>(v)]].emplace(v, answer.t);
+                    });
+                }
+            }
         }
     }
 
@@ -138,13 +193,18 @@ class Finder {
         }
     }
 
-    /// Follows a body on the connected mesh that has most of its vertices and, among those alike, most of its edges. A
-    /// mesh is taken a second time only where there is no other.
+    /// Follows a body on the connected mesh that has most of its vertices and rims and, among those alike, most of its
+    /// edges. A mesh is taken a second time only where there is no other.
     void follow(const Body& body) {
         std::map<std::size_t, std::size_t> met;
         std::size_t most = 0;
         for (const int n : body.nodes) {
             for (const auto& [part, v] : candidates_[static_cast<std::size_t>(n)]) {
+                most = std::max(most, ++met[part]);
+            }
+        }
+        for (const int e : body.edges) {
+            for (const auto& [part, vertices] : rims_[static_cast<std::size_t>(e)]) {
                 most = std::max(most, ++met[part]);
             }
         }
@@ -191,7 +251,11 @@ class Finder {
             of_node.emplace(n, v);
         }
         for (const int e : body.edges) {
-            found.polylines.push_back(polyline_of(e, of_node));
+            const Rim& rim = rims_[static_cast<std::size_t>(e)];
+            const auto own = rim.find(part);
+            found.polylines.push_back(own != rim.end() ? cycle_along(e, own->second)
+                                      : rim.empty()    ? polyline_of(e, of_node)
+                                                       : cycle_along(e, rim.begin()->second));
         }
         return found;
     }
@@ -218,7 +282,7 @@ class Finder {
         const double size = topology_.box.largest_side();
         for (const double near : kNear) {
             EdgePolyline polyline =
-                longest_path(near_edge(e, end(0), end(1), near * size + edge.tolerance), end(0), end(1));
+                longest_path(near_edge(e, {}, {end(0), end(1)}, near * size + edge.tolerance), end(0), end(1));
             if (!polyline.vertices.empty()) {
                 return polyline;
             }
@@ -226,30 +290,63 @@ class Finder {
         return {};
     }
 
-    /// Walks from both ends over mesh edges as long as their vertices are near the CAD edge. Each search for a nearest
-    /// point starts at the parameter of the vertex before.
-    std::vector<Near> near_edge(int e, int first, int last, double allowed) {
+    /// The mesh edges around a closed edge: of the closed paths along it, which go up in the parameter but once at its
+    /// end, the one with the most vertices. It begins with the vertex of least parameter.
+    EdgePolyline cycle_along(int e, const std::map<int, double>& seeds) {
         const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
-        std::map<int, Near> found;
-        std::vector<std::pair<int, double>> front{{first, edge.t0}, {last, edge.t1}};
-        while (!front.empty()) {
-            geometry::Engine::Batch batch;
-            std::vector<int> asked;
-            for (const auto& [v, t] : front) {
-                for (const int next : graph_.neighbours[static_cast<std::size_t>(v)]) {
-                    if (next != first && next != last && found.count(next) == 0) {
-                        batch.push_back(Query::edge_nearest(e, at(next), t, edge.t0, edge.t1));
-                        asked.push_back(next);
-                    }
+        for (const double near : kNear) {
+            const double allowed = near * topology_.box.largest_side() + edge.tolerance;
+            const std::vector<Near> around = near_edge(e, seeds, {-1, -1}, allowed);
+            EdgePolyline best;
+            // A path without a vertex begins at another.
+            for (std::size_t start = 0; start < around.size() && best.vertices.size() <= around.size(); ++start) {
+                std::vector<Near> inner(around.begin() + static_cast<std::ptrdiff_t>(start) + 1, around.end());
+                inner.insert(inner.end(), around.begin(), around.begin() + static_cast<std::ptrdiff_t>(start));
+                EdgePolyline polyline = longest_path(inner, around[start].vertex, around[start].vertex);
+                if (polyline.vertices.size() > best.vertices.size()) {
+                    best = std::move(polyline);
+                    best.distance = std::max(best.distance, around[start].distance);
                 }
             }
-            front.clear();
+            if (!best.vertices.empty()) {
+                return best;
+            }
+        }
+        return {};
+    }
+
+    /// Walks over mesh edges as long as their vertices are near the CAD edge. Each search for a nearest point starts at
+    /// the parameter of the vertex before.
+    /// @param seeds  vertices that may be near, and parameters to search from
+    /// @param ends  vertices to start from, at the ends of the edge, which are not in the result
+    std::vector<Near> near_edge(int e, const std::map<int, double>& seeds, const std::array<int, 2>& ends,
+                                double allowed) {
+        const geometry::Edge& edge = topology_.edges[static_cast<std::size_t>(e)];
+        std::map<int, Near> found;
+        std::vector<std::pair<int, double>> open(seeds.begin(), seeds.end());
+        const auto add_neighbours = [&](int v, double t) {
+            for (const int next : graph_.neighbours[static_cast<std::size_t>(v)]) {
+                if (next != ends[0] && next != ends[1] && found.count(next) == 0) {
+                    open.emplace_back(next, t);
+                }
+            }
+        };
+        for (std::size_t k = 0; k < 2 && ends[k] >= 0; ++k) {
+            add_neighbours(ends[k], k == 0 ? edge.t0 : edge.t1);
+        }
+        while (!open.empty()) {
+            const std::vector<std::pair<int, double>> asked = std::exchange(open, {});
+            geometry::Engine::Batch batch;
+            for (const auto& [v, t] : asked) {
+                batch.push_back(Query::edge_nearest(e, at(v), t, edge.t0, edge.t1));
+            }
             const auto answers = session_.ask(std::move(batch));
             for (std::size_t i = 0; i < answers.size(); ++i) {
                 const Answer& answer = answers[i];
-                if (answer.found() && answer.distance <= std::min(allowed, reach(asked[i])) &&
-                    found.emplace(asked[i], Near{asked[i], answer.t, answer.distance}).second) {
-                    front.emplace_back(asked[i], answer.t);
+                const int v = asked[i].first;
+                if (answer.found() && answer.distance <= std::min(allowed, reach(v)) &&
+                    found.emplace(v, Near{v, answer.t, answer.distance}).second) {
+                    add_neighbours(v, answer.t);
                 }
             }
         }
@@ -306,8 +403,12 @@ class Finder {
     geometry::Session& session_;
     const geometry::Topology& topology_;
     const SurfaceGraph& graph_;
-    std::vector<std::size_t> part_of_;    // by mesh vertex: the connected mesh
+    std::vector<std::size_t> part_of_;  // by mesh vertex: the connected mesh
+    std::vector<mesh::Triangle> triangles_;
+    std::optional<mesh::AabbTree> tree_;
+    std::vector<char> artefacts_;         // by CAD vertex: whether the mesh needs none there
     std::vector<Candidates> candidates_;  // by CAD vertex
+    std::vector<Rim> rims_;               // by CAD edge
     std::set<std::size_t> taken_;         // connected meshes that bodies were followed on
     EdgeDiscretisation result_;
 };

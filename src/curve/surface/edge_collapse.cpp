@@ -73,7 +73,9 @@ bool collapse_surface_edge(SurfaceEditor& editor, int a, int b, SurfaceEditor::R
         return false;
     }
     if (along >= 0) {
-        surface.set_segment(along, b, surface.segment(a, b)->edge, surface.t_of(along, a), surface.t_of(b, a));
+        // Where the vertex lies on the other side of the end of a closed edge, their parameters differ by a turn.
+        const double turn = surface.t_of(a, along) - surface.t_of(a, b);
+        surface.set_segment(along, b, surface.segment(a, b)->edge, surface.t_of(along, a), surface.t_of(b, a) + turn);
     }
     if (editor.replace(removed, added, rule)) {
         return true;

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "curve/surface/curved_surface.h"
 #include "curve/surface/tuning.h"
+#include "geometry/closed_edge.h"
 
 namespace mq::curve {
 
@@ -118,6 +119,9 @@ class Parameters {
             for (const int use : edge.uses) {
                 ask_uv(use, t, v);
             }
+        }
+        if (geometry::is_closed(edge) && vertex_at_end(edge, 0, at_node_) < 0 && chain.size() > 2) {
+            chain.emplace_back(chain.front().first + edge.t1 - edge.t0, chain.front().second);
         }
         for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
             const int a = chain[i].second;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geometry/closed_edge.h"
 #include "geometry/elementary/curve.h"
 #include "geometry/elementary/surface.h"
 
@@ -206,7 +207,10 @@ Answer AnalyticModel::on_edge(const Query& query) const {
         return with_status(Status::BadQuery);
     }
     const Edge& edge = topology_.edges[static_cast<std::size_t>(query.index)];
-    const auto inside = [&](double t) { return t >= edge.t0 - kTiny && t <= edge.t1 + kTiny; };
+    const auto inside = [&](double t) {
+        const double own = in_first_turn(edge, t);
+        return own >= edge.t0 - kTiny && own <= edge.t1 + kTiny;
+    };
     const bool nearest = query.kind == Query::Kind::EdgeNearest;
     const double first = nearest ? query.u : query.t;
     const double last = nearest ? query.v : (query.kind == Query::Kind::EdgePoint ? query.t : query.t2);
@@ -282,10 +286,11 @@ Answer AnalyticModel::use_on_face(const Query& query) const {
     const auto i = static_cast<std::size_t>(query.index);
     const EdgeUse& use = topology_.uses[i];
     const Edge& edge = topology_.edges[static_cast<std::size_t>(use.edge)];
-    if (query.t < edge.t0 - kTiny || query.t > edge.t1 + kTiny) {
+    const double t = in_first_turn(edge, query.t);
+    if (t < edge.t0 - kTiny || t > edge.t1 + kTiny) {
         return with_status(Status::BadQuery);
     }
-    const Vec2 uv = use_curves_[i].at(query.t);
+    const Vec2 uv = use_curves_[i].at(t);
     Answer answer = face_point(use.face, uv.x(), uv.y());
     answer.t = query.t;
     return answer;

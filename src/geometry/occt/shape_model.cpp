@@ -15,6 +15,7 @@
 
 #include "base/error.h"
 #include "base/waits.h"
+#include "geometry/closed_edge.h"
 #include "geometry/occt/evaluation/conversion.h"
 #include "geometry/occt/evaluation/edge_evaluator.h"
 #include "geometry/occt/evaluation/face_evaluator.h"
@@ -239,6 +240,7 @@ Answer ShapeModel::use_on_face(int index, double t) {
     const Edge& data = topology_.edges[static_cast<std::size_t>(use.edge)];
     const PCurve& pcurve = live_.uses[static_cast<std::size_t>(index)];
     const double range = data.t1 - data.t0;
+    t = in_first_turn(data, t);
     if (t < data.t0 - 1e-9 * range || t > data.t1 + 1e-9 * range) {
         return refused(Status::BadQuery);
     }

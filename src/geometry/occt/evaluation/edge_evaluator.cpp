@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/closed_edge.h"
 #include "geometry/occt/evaluation/conversion.h"
 
 namespace mq::geometry {
@@ -20,7 +21,7 @@ constexpr double kLengthAccuracy = 1e-9;
 
 }  // namespace
 
-EdgeEvaluator::EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data) : t0_(data.t0), t1_(data.t1) {
+EdgeEvaluator::EdgeEvaluator(const TopoDS_Edge& shape, const Edge& data) : data_(data), t0_(data.t0), t1_(data.t1) {
     slack_ = 1e-9 * std::max({std::abs(t0_), std::abs(t1_), t1_ - t0_});
     TopLoc_Location location;
     double first = 0.0;
@@ -107,6 +108,11 @@ Answer EdgeEvaluator::at_parameter(double t) const {
 Answer EdgeEvaluator::point(double t) const {
     Answer answer;
     answer.status = Status::BadQuery;
+    if (over_end(t)) {
+        answer = at_parameter(in_first_turn(data_, t));
+        answer.t = t;
+        return answer;
+    }
     return in_range(t) ? at_parameter(std::clamp(t, t0_, t1_)) : answer;
 }
 
@@ -169,6 +175,11 @@ double EdgeEvaluator::arc(double from, double to) const {
 
 Answer EdgeEvaluator::length(double from, double to) const {
     Answer answer;
+    if (over_end(from) || over_end(to)) {
+        answer.status = Status::Ok;
+        answer.distance = std::abs(arc_over_end(from, to));
+        return answer;
+    }
     if (!in_range(from) || !in_range(to)) {
         answer.status = Status::BadQuery;
         return answer;
@@ -180,6 +191,9 @@ Answer EdgeEvaluator::length(double from, double to) const {
 
 Answer EdgeEvaluator::middle(double from, double to) const {
     Answer answer;
+    if (over_end(from) || over_end(to)) {
+        return middle_over_end(from, to);
+    }
     if (!in_range(from) || !in_range(to)) {
         answer.status = Status::BadQuery;
         return answer;

@@ -28,6 +28,10 @@ class EdgeEvaluator {
     enum class Kind { Line, Circle, Other };
 
     bool in_range(double t) const;
+    bool over_end(double t) const;
+    double arc_over_end(double from, double to) const;
+    Answer middle_over_end(double from, double to) const;
+    Answer nearest_over_end(const Vec3& point, double guess, double low, double high) const;
     Vec3 value(double t) const;
     CurvePoint first(double t) const;
     CurvePoint second(double t) const;
@@ -48,6 +52,7 @@ class EdgeEvaluator {
     gp_Trsf location_;
     bool located_ = false;
     Kind kind_ = Kind::Other;
+    Edge data_;
     double t0_;
     double t1_;
     double slack_;                      ///< tolerance of t beyond the range, for rounding

@@ -106,6 +106,9 @@ double EdgeEvaluator::nearest_on_circle(const Vec3& point, double guess, double 
 
 Answer EdgeEvaluator::nearest(const Vec3& point, double guess, double low, double high) const {
     Answer answer;
+    if (low <= high && (over_end(low) || over_end(high))) {
+        return nearest_over_end(point, guess, low, high);
+    }
     if (!in_range(low) || !in_range(high) || !(low <= high)) {
         answer.status = Status::BadQuery;
         return answer;

@@ -2,6 +2,8 @@
 #include "geometry/occt/evaluation/edge_evaluator.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -10,6 +12,7 @@
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopoDS_Compound.hxx>
 #include <cmath>
+#include <gp_Elips.hxx>
 
 #include "geometry/shapes.h"
 
@@ -84,6 +87,33 @@ TEST(EdgeNearest, FindsAnEndWhereTheCurveStandsStill) {
             }
         }
     }
+}
+
+/// Parameters of an ellipse go on over its vertex, at (5, 0, 0).
+TEST(ClosedEdge, GoesOnOverItsEnd) {
+    const gp_Elips ellipse(gp_Ax2({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}), 5.0, 3.0);
+    const TopoDS_Edge edge = BRepBuilderAPI_MakeEdge(ellipse).Edge();
+    const auto model = make_shape_model(BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(edge).Wire()).Face());
+    ASSERT_EQ(model->topology().edges.size(), 1u);
+    const double turn = model->topology().edges[0].t1;
+    const auto point = [&](double t) { return model->answer(Query::edge_point(0, t)); };
+    EXPECT_LT((point(turn + 0.3).point - point(0.3).point).norm(), 1e-12);
+    EXPECT_LT((point(-0.3).point - point(turn - 0.3).point).norm(), 1e-12);
+    EXPECT_EQ(point(turn + 0.3).t, turn + 0.3);
+    EXPECT_EQ(point(2.1 * turn).status, Status::BadQuery);
+    const auto length = [&](double a, double b) { return model->answer(Query::edge_length(0, a, b)).distance; };
+    EXPECT_NEAR(length(turn - 0.4, turn + 0.3), length(turn - 0.4, turn) + length(0.0, 0.3), 1e-9);
+    EXPECT_NEAR(length(0.3, -0.4), length(turn - 0.4, turn) + length(0.0, 0.3), 1e-9);
+    const Answer middle = model->answer(Query::edge_middle(0, turn - 0.4, turn + 0.3));
+    EXPECT_NEAR(length(turn - 0.4, middle.t), length(middle.t, turn + 0.3), 1e-8);
+    const Answer nearest = model->answer(Query::edge_nearest(0, point(0.2).point, turn, turn - 0.4, turn + 0.3));
+    EXPECT_NEAR(nearest.t, turn + 0.2, 1e-9);
+    EXPECT_NEAR(nearest.distance, 0.0, 1e-9);
+    const Answer at_end = model->answer(Query::edge_nearest(0, point(0.9).point, turn, turn - 0.4, turn + 0.3));
+    EXPECT_NEAR(at_end.t, turn + 0.3, 1e-9);
+    const Answer on_face = model->answer(Query::use_on_face(0, turn + 0.3));
+    ASSERT_TRUE(on_face.found());
+    EXPECT_LT((on_face.point - point(0.3).point).norm(), 1e-9);
 }
 
 }  // namespace

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "geometry/topology.h"
+
+/// Parameters over the end of a closed edge. Queries take those of up to a turn before t0 or after t1, except
+/// EdgeAtDistance: a mesh edge may reach over the CAD vertex of a rim.
+namespace mq::geometry {
+
+bool is_closed(const Edge& edge);
+
+/// The parameter of the same point between t0 and t1; others than those beside a closed edge are given back as they
+/// are.
+double in_first_turn(const Edge& edge, double t);
+
+}  // namespace mq::geometry
