@@ -2,6 +2,7 @@
 #include "workflows/curve_shape.h"
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "base/stopwatch.h"
 #include "curve/given/curve_given.h"
+#include "curve/given/edge_discretisation.h"
 #include "curve/given/matching.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 #include "geometry/occt/shape_model.h"
@@ -139,20 +141,25 @@ CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, co
 
 namespace {
 
-/// What `work` makes of the model of a shape. Where a mesh does not follow several solids that are kept apart, those
-/// may share nodes in it: then faces of two solids that lie on each other are one, and it is tried again.
+bool has(const geometry::Model& model, geometry::Volume::Kind kind, std::ptrdiff_t least) {
+    const auto& volumes = model.topology().volumes;
+    return std::count_if(volumes.begin(), volumes.end(),
+                         [&](const geometry::Volume& volume) { return volume.kind == kind; }) >= least;
+}
+
+/// What `work` makes of the model of a shape. A mesh may join what the shape keeps apart. Where it does not follow
+/// several solids, it is tried again with faces of two solids that lie on each other as one; where it does not follow
+/// faces without a shell, with edges of these joined that lie within the distances of given meshes.
 template <typename Work>
-auto on_solids_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, bool imprint, Progress& progress,
-                         const Work& work) {
-    const auto read = [&](bool one) {
-        return model_of(engine, shape, geometry::Creases::Keep, {{}, false, one}, progress);
+auto on_shape_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, bool imprint, Progress& progress,
+                        const Work& work) {
+    const auto read = [&](const geometry::VirtualTopology& join) {
+        return model_of(engine, shape, geometry::Creases::Keep, join, progress);
     };
-    const auto model = read(imprint);
-    const auto& volumes = model->topology().volumes;
-    const auto solids = std::count_if(volumes.begin(), volumes.end(), [](const geometry::Volume& volume) {
-        return volume.kind == geometry::Volume::Kind::Solid;
-    });
-    const bool may_share = !imprint && solids > 1;
+    const auto model = read({{}, false, imprint});
+    const bool may_share = !imprint && has(*model, geometry::Volume::Kind::Solid, 2);
+    const bool loose = has(*model, geometry::Volume::Kind::Faces, 1);
+    std::exception_ptr refusal;
     try {
         return work(model);
     } catch (const curve::SolidsShareNodes&) {
@@ -160,11 +167,29 @@ auto on_solids_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, bo
             throw;
         }
     } catch (const TopologyError&) {
-        if (!may_share) {
+        if (!may_share && !loose) {
             throw;
         }
+        refusal = std::current_exception();
+    } catch (const GeometryError&) {
+        if (!loose) {
+            throw;
+        }
+        refusal = std::current_exception();
     }
-    return work(read(true));
+    for (const double near : curve::kNear) {
+        if (loose) {
+            try {
+                return work(read({[&](const Box& box) { return near * box.largest_side(); }, true, imprint}));
+            } catch (const TopologyError&) {  // wider gaps may do; the first refusal says what is wrong
+            } catch (const GeometryError&) {
+            }
+        }
+    }
+    if (!may_share) {
+        std::rethrow_exception(refusal);
+    }
+    return work(read({{}, false, true}));
 }
 
 }  // namespace
@@ -172,7 +197,7 @@ auto on_solids_as_meshed(geometry::Engine& engine, const TopoDS_Shape& shape, bo
 CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
                             const curve::CurveOptions& options, bool imprint, Progress& progress) {
     progress.stage("reading the shape", 0.0, 0.0);
-    return on_solids_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
+    return on_shape_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
         CurvedMesh mesh = curve::curve_given(engine, model, given, options, &progress);
         measure_volume(mesh, engine, shape, progress);
         return mesh;
@@ -182,7 +207,7 @@ CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
 curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,
                                                   const std::vector<Vec3>& nodes, int order,
                                                   const std::vector<std::int32_t>& triangles, Progress& progress) {
-    return on_solids_as_meshed(engine, shape, false, progress, [&](const auto& model) {
+    return on_shape_as_meshed(engine, shape, false, progress, [&](const auto& model) {
         return curve::measure_given_surface(engine, model, nodes, order, triangles, &progress);
     });
 }
