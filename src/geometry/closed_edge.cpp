@@ -16,4 +16,9 @@ double in_first_turn(const Edge& edge, double t) {
     return moved >= edge.t0 && moved <= edge.t1 ? moved : t;
 }
 
+bool has_parameter(const Edge& edge, double t, double slack) {
+    const double own = in_first_turn(edge, t);
+    return own >= edge.t0 - slack && own <= edge.t1 + slack;
+}
+
 }  // namespace mq::geometry

@@ -13,4 +13,7 @@ bool is_closed(const Edge& edge);
 /// are.
 double in_first_turn(const Edge& edge, double t);
 
+/// Whether an edge has a point at t, to within `slack`.
+bool has_parameter(const Edge& edge, double t, double slack);
+
 }  // namespace mq::geometry

@@ -148,6 +148,19 @@ class Models(GivenTest):
         with self.assertRaisesRegex(mq.Error, "does not follow"):
             mq.curve(drop, mesh=mesh_of(nodes, ("triangle", mesh.triangles)), order=2)
 
+    def test_loose_faces_that_the_mesh_joins(self):
+        shape = models()["filleted box"]
+        loose = Part.makeCompound([face.copy() for face in shape.Faces])
+        path = os.path.join(self.folder, "mesh.msh")
+        straight = mq.curve(shape, order=1, chord_height_relative=CHORD)
+        straight.write(path)
+        mesh = mq.curve(loose, mesh=path, order=2)
+        self.assertEqual((mesh.report.invalid, len(mesh.moved_nodes)), (0, 0), mesh.report)
+        np.testing.assert_array_equal(mesh.given_element, np.arange(len(straight.triangles)))
+        self.assertEqual(mq.certify(mesh, loose).folded_on_cad, 0)
+        with self.assertRaisesRegex(mq.Error, "does not follow|lie on no face"):
+            mq.curve(Part.makeCompound(loose.Faces[1:]), mesh=path, order=2)
+
     def test_surface_meshes(self):
         path = os.path.join(self.folder, "mesh.msh")
         shape = Part.makeTorus(10, 3)

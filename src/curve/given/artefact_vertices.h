@@ -11,7 +11,7 @@ namespace mq::curve {
 bool is_seam(const geometry::Topology& topology, const geometry::Edge& edge);
 
 /// By CAD vertex, whether it is there for the parametrisation alone: seams meet there, and at most one closed edge that
-/// begins and ends with the same tangent. A mesh of the part need not have a vertex at it.
+/// begins and ends with the same tangent. Meshes need no vertex at it.
 std::vector<char> artefact_vertices(geometry::Session& session);
 
 }  // namespace mq::curve

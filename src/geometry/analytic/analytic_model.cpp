@@ -207,14 +207,11 @@ Answer AnalyticModel::on_edge(const Query& query) const {
         return with_status(Status::BadQuery);
     }
     const Edge& edge = topology_.edges[static_cast<std::size_t>(query.index)];
-    const auto inside = [&](double t) {
-        const double own = in_first_turn(edge, t);
-        return own >= edge.t0 - kTiny && own <= edge.t1 + kTiny;
-    };
     const bool nearest = query.kind == Query::Kind::EdgeNearest;
     const double first = nearest ? query.u : query.t;
     const double last = nearest ? query.v : (query.kind == Query::Kind::EdgePoint ? query.t : query.t2);
-    if (edge.degenerate || !inside(first) || !inside(last) || (nearest && first > last)) {
+    if (edge.degenerate || !has_parameter(edge, first, kTiny) || !has_parameter(edge, last, kTiny) ||
+        (nearest && first > last)) {
         return with_status(Status::BadQuery);
     }
     switch (query.kind) {
@@ -286,11 +283,10 @@ Answer AnalyticModel::use_on_face(const Query& query) const {
     const auto i = static_cast<std::size_t>(query.index);
     const EdgeUse& use = topology_.uses[i];
     const Edge& edge = topology_.edges[static_cast<std::size_t>(use.edge)];
-    const double t = in_first_turn(edge, query.t);
-    if (t < edge.t0 - kTiny || t > edge.t1 + kTiny) {
+    if (!has_parameter(edge, query.t, kTiny)) {
         return with_status(Status::BadQuery);
     }
-    const Vec2 uv = use_curves_[i].at(t);
+    const Vec2 uv = use_curves_[i].at(in_first_turn(edge, query.t));
     Answer answer = face_point(use.face, uv.x(), uv.y());
     answer.t = query.t;
     return answer;
