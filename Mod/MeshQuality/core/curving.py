@@ -8,7 +8,7 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, fem, frames, given, orders, writing
+from . import convert, curved_elements, fem, frames, given, orders, writing
 from .certification import given_mesh
 from .curved_arrays import ARRAYS
 from .patches import division_for, kept
@@ -287,12 +287,14 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     progress       callable(fraction 0..1, stage); returning False cancels
     patches, patch_rest
                    named groups of faces, as for triangulate; of a SurfaceMesh that has patches these are the default
-    mesh           a mesh of triangles or tetrahedra that another program made of the shape: an ElementMesh, or the
-                   path of a file that mq.read_mesh takes. It is found on the CAD and curved; vertices and
-                   connectivity stay unless elements would be invalid: then given_node, given_element and moved_nodes of
-                   the result say what changed. volume and the options of the straight mesh do not apply
+    mesh           a mesh that another program made of the shape: an ElementMesh, or the path of a file that
+                   mq.read_mesh takes. It is found on the CAD and curved; vertices and connectivity stay unless elements
+                   would be invalid: then given_node, given_element and moved_nodes of the result say what changed. One
+                   with prisms, pyramids, hexahedra or quadrilaterals keeps all of its elements, and its boundary layers
+                   follow their walls. volume, patches and the options of the straight mesh do not apply
 
-    Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
+    Returns a CurvedMesh, of a mesh with other elements than triangles and tetrahedra a CurvedElementMesh; elements that
+    stay invalid are in its report. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
     options.require_callable(progress)
@@ -313,8 +315,15 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
-        shape = convert.shape_of(shape_or_mesh)
-        corners = given.corners_of(given_mesh(mesh), len(shape.Solids))
+        shape, mesh = convert.shape_of(shape_or_mesh), given_mesh(mesh)
+        if given.is_mixed(mesh):
+            if division is not None:
+                raise InvalidInput("patches are of meshes of triangles and tetrahedra: leave them out, elements of other "
+                                   "kinds have a group for each face")
+            blocks = given.blocks_of(mesh, len(shape.Solids))
+            found = module.curve_mixed(*blocks, shape, curving, values["imprint"], progress)
+            return curved_elements.of_core(found, int(order), mesh)
+        corners = given.corners_of(mesh, len(shape.Solids))
         curved = module.curve_given(*corners, shape, curving, values["imprint"], progress)
     elif isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:
