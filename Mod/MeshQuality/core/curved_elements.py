@@ -63,7 +63,7 @@ class CurvedElementMesh(ElementMesh):
         """Writes into a file; one that is there is replaced once the new one is complete.
 
         path   the extension says the format: .msh (Gmsh 4.1, with a physical group a CAD entity) holds all kinds and orders,
-               .vtu (VTK) all but pyramids of order 3 and more
+               .vtu (VTK) all but pyramids of order 2 and more
         scale  factor from mm to the file's coordinates: 0.001 for metres
         Raises InvalidInput naming the elements and the remedy; IoError naming the path.
         """

@@ -96,9 +96,6 @@ def write_vtu(mesh, path, scale):
             order = np.argsort(kinds.from_convention(block.kind, count, kinds.RINGS))
         elif block.kind in _LAGRANGE:
             number, order = _LAGRANGE[block.kind], np.argsort(kinds.from_lagrange(block.kind, count))
-        elif (block.kind, count) == ("pyramid", 14):
-            number, order = _NAMES["pyramid", 13], np.arange(13)
-            order = np.argsort(kinds.from_convention("pyramid", 13, kinds.RINGS))
         else:
             raise InvalidInput(f"{kinds.PLURALS[block.kind]} of order {block.order} have no cells in VTK: write .msh")
         cells.append((number, block.nodes[:, order], block.geometry))
