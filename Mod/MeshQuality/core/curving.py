@@ -8,9 +8,10 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, curved_elements, fem, frames, given, orders, writing
+from . import convert, curved_elements, fem, frames, given, mixed_orders, orders, writing
 from .certification import given_mesh
 from .curved_arrays import ARRAYS
+from .element_mesh import ElementMesh
 from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
 
@@ -156,6 +157,16 @@ class CurvedMesh(metaclass=Public):
         """
         order, arrays = orders.arrays_of_order(self, order)
         return CurvedMesh(extension().curved_from_arrays(order, arrays), measured=False, patches=self._patches)
+
+    def with_orders(self, orders):
+        """The same elements, each with an order of its own: a CurvedElementMesh; see its with_orders.
+
+        orders  int (E,), 1 to 5 (volumes: 4), of `elements`. Raises InvalidInput naming the orders there are.
+        """
+        orders = np.asarray(orders)
+        highest = int(orders.max(initial=1)) if orders.dtype.kind in "iu" else self.order
+        mesh = self if highest <= self.order else self.with_order(highest)
+        return mixed_orders.with_orders(ElementMesh.of(mesh), mesh.order, orders)
 
     def tessellate(self, deviation=None, progress=None):
         """Flat triangles that the curved ones keep within `deviation` mm of.

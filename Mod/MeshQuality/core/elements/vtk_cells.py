@@ -12,10 +12,11 @@ CELLS = {3: ("line", 2), 5: ("triangle", 3), 9: ("quadrilateral", 4), 10: ("tetr
           13: ("prism", 6), 14: ("pyramid", 5), 21: ("line", 3), 22: ("triangle", 6), 23: ("quadrilateral", 8),
           24: ("tetrahedron", 10), 25: ("hexahedron", 20), 26: ("prism", 15), 27: ("pyramid", 13), 28: ("quadrilateral", 9),
           29: ("hexahedron", 27), 32: ("prism", 18), 68: ("line", None), 69: ("triangle", None),
-          70: ("quadrilateral", None), 71: ("tetrahedron", None), 72: ("hexahedron", None), 73: ("prism", None)}
+          70: ("quadrilateral", None), 71: ("tetrahedron", None)}
 _POINTS = {0, 1, 2}
 _NAMES = {4: "poly lines", 6: "triangle strips", 7: "polygons", 8: "pixels", 11: "voxels", 34: "triangles with 7 nodes",
-          35: "cubic lines", 37: "pyramids with 19 nodes", 42: "polyhedra", 74: "pyramids of VTK Lagrange"}
+          35: "cubic lines", 37: "pyramids with 19 nodes", 42: "polyhedra", 72: "hexahedra of VTK Lagrange",
+          73: "prisms of VTK Lagrange", 74: "pyramids of VTK Lagrange"}
 # Of the arrays of cells that name a group by its number; the CAD entities that our own files have.
 _GEOMETRY = {"cad_face": 2, "cad_solid": 3}
 TABLES = (*_GEOMETRY, "patch", "CellEntityIds", "gmsh:geometrical")
