@@ -59,11 +59,12 @@ class CurvedElementMesh(ElementMesh):
         """Whether the elements fit together, corner by corner and node by node."""
         return conformity.of_blocks(self.blocks, self.nodes)[0]
 
-    def with_orders(self, orders):
+    def with_orders(self, orders, raise_invalid=False):
         """The same elements, each with an order of its own, as p-adaptive solvers take them: a new CurvedElementMesh.
 
-        orders  whole numbers from 1 to the order of this mesh, one for each element of the highest dimension, block by block;
-                or a tuple of such arrays, one a block
+        orders         whole numbers from 1 to the order of this mesh, one for each element of the highest dimension, block by
+                       block; or a tuple of such arrays, one a block
+        raise_invalid  raise the orders around elements that would not be proven valid: thin layers on walls of order 1
         Edges and faces have the lowest order of their elements, and elements beside fit: their nodes there lie on the same
         polynomial. quality is measured anew; report is None. Raises InvalidInput where this mesh has several orders.
         """
@@ -71,7 +72,7 @@ class CurvedElementMesh(ElementMesh):
             raise InvalidInput("the mesh has elements of several orders already: take the orders from the mesh of one order")
         from . import mixed_orders  # noqa: PLC0415  which makes such meshes
 
-        return mixed_orders.with_orders(self, self.order, orders)
+        return mixed_orders.with_orders(self, self.order, orders, raise_invalid)
 
     def write(self, path, scale=1.0):
         """Writes into a file; one that is there is replaced once the new one is complete.

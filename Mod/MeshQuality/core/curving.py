@@ -158,7 +158,7 @@ class CurvedMesh(metaclass=Public):
         order, arrays = orders.arrays_of_order(self, order)
         return CurvedMesh(extension().curved_from_arrays(order, arrays), measured=False, patches=self._patches)
 
-    def with_orders(self, orders):
+    def with_orders(self, orders, raise_invalid=False):
         """The same elements, each with an order of its own: a CurvedElementMesh; see its with_orders.
 
         orders  int (E,), 1 to 5 (volumes: 4), of `elements`. Raises InvalidInput naming the orders there are.
@@ -166,7 +166,7 @@ class CurvedMesh(metaclass=Public):
         orders = np.asarray(orders)
         highest = int(orders.max(initial=1)) if orders.dtype.kind in "iu" else self.order
         mesh = self if highest <= self.order else self.with_order(highest)
-        return mixed_orders.with_orders(ElementMesh.of(mesh), mesh.order, orders)
+        return mixed_orders.with_orders(ElementMesh.of(mesh), mesh.order, orders, raise_invalid)
 
     def tessellate(self, deviation=None, progress=None):
         """Flat triangles that the curved ones keep within `deviation` mm of.

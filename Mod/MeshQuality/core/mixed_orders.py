@@ -23,13 +23,41 @@ class _Sides(NamedTuple):
     keys: dict  # corners, ascending: which
 
 
-def with_orders(mesh, order, orders):
+def with_orders(mesh, order, orders, raise_invalid):
     """The CurvedElementMesh of elements of one order, when each has an order of its own.
 
-    mesh    has nodes, blocks and group_members as an ElementMesh, all full elements of `order`
-    orders  of the elements of the highest dimension, block by block
+    mesh           has nodes, blocks and group_members as an ElementMesh, all full elements of `order`
+    orders         of the elements of the highest dimension, block by block
+    raise_invalid  whether orders are raised, of elements that would not be proven valid and all that share a corner with
+                   these, until none is left or they have the order of the mesh
     """
     orders = _checked(mesh, order, orders)
+    found, element = _made(mesh, order, orders)
+    while raise_invalid:
+        beside = _beside_invalid(mesh, found, element) & (orders < order)
+        if not beside.any():
+            break
+        orders = orders + beside
+        found, element = _made(mesh, order, orders)
+    return found
+
+
+def _beside_invalid(mesh, found, element):
+    """bool (E,): which elements have a corner of one that is not proven valid."""
+    whole = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == mesh.dimension]
+    invalid = np.zeros(sum(len(block.nodes) for block in whole), dtype=bool)
+    for quality, rows in zip(found.quality, element):
+        invalid[rows[~(quality > 0.0)]] = True
+    corners = [block.nodes[:, :kinds.CORNERS[block.kind]] for block in whole]
+    bad = np.zeros(len(mesh.nodes), dtype=bool)
+    parts = np.split(invalid, np.cumsum([len(part) for part in corners])[:-1])
+    for part, of_part in zip(corners, parts):
+        bad[part[of_part]] = True
+    return np.concatenate([bad[part].any(axis=1) for part in corners])
+
+
+def _made(mesh, order, orders):
+    """(CurvedElementMesh, [int (n,) by block of it that has the highest dimension: which elements these are])."""
     whole = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == mesh.dimension]
     rest = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] < mesh.dimension]
     parts = np.split(orders, np.cumsum([len(block.nodes) for block in whole])[:-1])
@@ -47,7 +75,9 @@ def with_orders(mesh, order, orders):
     made = _Made(mesh, nodes, order)
     for number, (block, of_elements) in enumerate(zip([*whole, *rest], [*parts, *of_rest])):
         made.add(number, block, of_elements)
-    return made.mesh([*whole, *rest])
+    found = made.mesh([*whole, *rest])
+    starts = np.cumsum([0, *(len(part) for part in parts)])
+    return found, [starts[number] + rows for number, rows, *_ in made.parts if number < len(whole)]
 
 
 def _checked(mesh, order, orders):
@@ -122,7 +152,7 @@ class _Made:
 
     def __init__(self, mesh, nodes, order):
         self._mesh, self._nodes, self._order = mesh, nodes, order
-        self._parts = []  # (block of before, rows, order, places (n, nodes, 3), keys (n, nodes, 8))
+        self.parts = []  # (block of before, rows, order, places (n, nodes, 3), keys (n, nodes, 8))
         self._inside = 0
 
     def add(self, number, block, orders):
@@ -137,7 +167,7 @@ class _Made:
             places = np.einsum("ij,njk->nik", polynomials.between(block.kind, self._order, order), places)
             corners = block.nodes[rows, :kinds.CORNERS[block.kind]]
             places[:, :corners.shape[1]] = self._mesh.nodes[corners]
-            self._parts.append((number, rows, order, places, self._keys(block.kind, order, corners)))
+            self.parts.append((number, rows, order, places, self._keys(block.kind, order, corners)))
 
     def _keys(self, kind, order, corners):
         weights = np.rint(polynomials.corner_weights(kind, order) * _UNITS).astype(np.int64)
@@ -156,8 +186,8 @@ class _Made:
 
     def mesh(self, before):
         """The CurvedElementMesh."""
-        keys = np.concatenate([part[4].reshape(-1, 8) for part in self._parts])
-        places = np.concatenate([part[3].reshape(-1, 3) for part in self._parts])
+        keys = np.concatenate([part[4].reshape(-1, 8) for part in self.parts])
+        places = np.concatenate([part[3].reshape(-1, 3) for part in self.parts])
         _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
         is_corner = (keys[first][:, 1] == _UNITS)
         rank = np.empty(len(first), dtype=np.int64)
@@ -165,7 +195,7 @@ class _Made:
         nodes = np.empty((len(first), 3))
         nodes[rank] = places[first]
         number, blocks, rows_of, at = rank[number.ravel()], [], [], 0
-        for of_block, rows, order, part, _ in self._parts:
+        for of_block, rows, order, part, _ in self.parts:
             count = part.shape[0] * part.shape[1]
             old = before[of_block]
             made = np.ascontiguousarray(number[at:at + count].reshape(part.shape[:2]), dtype=np.int32)
