@@ -71,6 +71,7 @@ _LAZY = {
     "CertificateVerification": "MeshQuality.core.verification",
     "curve": "MeshQuality.core.curving",
     "CurvedMesh": "MeshQuality.core.curving",
+    "CurvedElementMesh": "MeshQuality.core.curved_elements",
     "boolean": "MeshQuality.core.booleans",
     "BooleanMesh": "MeshQuality.core.booleans",
     "Solid": "MeshQuality.core.solid",

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "curve/elements/check_elements.h"
+#include "curve/mixed/inner_nodes.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/progress_watch.h"
@@ -34,6 +35,17 @@ py::tuple checked(const std::string& kind, int order, const PointArray& nodes, c
     return py::make_tuple(array_of(found.low), array_of(found.high), array_of(found.verdict));
 }
 
+py::tuple blending(const std::string& kind, int order) {
+    const curve::Blending& found = curve::Blending::of(curve::element_kind(kind), order);
+    std::vector<double> weights;
+    for (Eigen::Index i = 0; i < found.from.rows(); ++i) {
+        for (Eigen::Index j = 0; j < found.from.cols(); ++j) {
+            weights.push_back(found.from(i, j));
+        }
+    }
+    return py::make_tuple(array_of(found.inner), array_of(weights));
+}
+
 }  // namespace
 
 void bind_elements(py::module_& m) {
@@ -42,6 +54,8 @@ void bind_elements(py::module_& m) {
           "(low, high, verdict) by element: proven bounds of min J / max |J|, and 0 valid, 1 folded, 2 inverted, 3 not "
           "proven. kind: triangle, quadrilateral, tetrahedron, pyramid, prism or hexahedron; nodes: float64 (N, 3); "
           "connectivity: int32 (E, n) in Gmsh's order; raises InvalidInput.");
+    m.def("blending", &blending, py::arg("kind"), py::arg("order"),
+          "(inner nodes, weights of all nodes at each of them): those inside of an element from those on its sides.");
 }
 
 }  // namespace mq::python

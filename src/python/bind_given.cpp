@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/error.h"
 #include "curve/given/given_mesh.h"
+#include "curve/mixed/curve_mixed.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/freecad/freecad_shape.h"
@@ -55,6 +59,57 @@ CurvedPointer curve_given(const PointArray& nodes, const Indices& triangles, con
     });
 }
 
+/// Elements of one kind as Python has them: its name, their corners, and a number that differs between bodies for each.
+using CornerBlock = std::tuple<std::string, Indices, Indices>;
+
+void add_elements(const std::vector<CornerBlock>& blocks, std::vector<curve::MixedElement>& elements) {
+    for (const auto& [name, corners, regions] : blocks) {
+        curve::MixedElement element;
+        element.kind = curve::element_kind(name);
+        const auto width = static_cast<py::ssize_t>(element.count());
+        if (corners.size() != width * regions.size()) {
+            throw InvalidInput(name + "s hold " + std::to_string(corners.size()) + " corners: give " +
+                               std::to_string(width) + " for each");
+        }
+        for (py::ssize_t i = 0; i < regions.size(); ++i) {
+            std::copy_n(corners.data() + i * width, width, element.corners.begin());
+            element.region = regions.data()[i];
+            elements.push_back(element);
+        }
+    }
+}
+
+py::dict curve_mixed(const PointArray& nodes, const std::vector<CornerBlock>& elements,
+                     const std::vector<CornerBlock>& listed, const PartShape& part, const curve::CurveOptions& options,
+                     bool imprint, const py::object& progress) {
+    curve::MixedMesh given;
+    given.nodes = points_of(nodes);
+    add_elements(elements, given.elements);
+    add_elements(listed, given.listed);
+    geometry::Engine& engine = shared_engine();
+    const curve::CurvedMixedMesh mesh = watch(progress, [&](Progress& handle) {
+        return workflows::curve_mixed_mesh(engine, *part.shape, given, options, imprint, handle);
+    });
+    py::list blocks;
+    for (const curve::ElementBlock& block : mesh.blocks) {
+        blocks.append(py::make_tuple(curve::name_of(block.kind), array_of(block.nodes), array_of(block.entity),
+                                     array_of(block.quality), array_of(block.given)));
+    }
+    std::vector<double> coordinates;
+    for (const Vec3& p : mesh.nodes) {
+        coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+    }
+    py::dict result;
+    result["nodes"] = array_of(coordinates);
+    result["blocks"] = blocks;
+    result["edges"] = array_of(mesh.edges);
+    result["edge_entity"] = array_of(mesh.edge_entity);
+    result["given_node"] = array_of(mesh.given_node);
+    result["moved_nodes"] = array_of(mesh.moved_nodes);
+    result["report"] = mesh.report;
+    return result;
+}
+
 py::tuple measure_given_surface(const PointArray& nodes, int order, const Indices& triangles, const PartShape& part,
                                 const py::object& progress) {
     const std::vector<Vec3> points = points_of(nodes);
@@ -73,6 +128,13 @@ void bind_given(py::module_& m) {
           py::arg("regions"), py::arg("shape"), py::arg("options"), py::arg("imprint"),
           py::arg("progress") = py::none(),
           "Curves the corners of a mesh that another program made of the Part.Shape.");
+    m.def(
+        "curve_mixed", &curve_mixed, py::arg("nodes"), py::arg("elements"), py::arg("listed"), py::arg("shape"),
+        py::arg("options"), py::arg("imprint"), py::arg("progress") = py::none(),
+        "Curves elements of any kinds, which another program made of the Part.Shape: lists of (kind, corners, bodies), "
+        "solids or else the surface, and beside solids what the mesh lists of surfaces. A dictionary with nodes, "
+        "blocks "
+        "of (kind, nodes, entity, quality, given element), edges, given_node, moved_nodes and report.");
     m.def("measure_given_surface", &measure_given_surface, py::arg("nodes"), py::arg("order"), py::arg("triangles"),
           py::arg("shape"), py::arg("progress") = py::none(),
           "(face, quality, deviation) by triangle of a surface that another program made of the Part.Shape.");

@@ -103,7 +103,8 @@ std::shared_ptr<geometry::Model> model_of(geometry::Engine& engine, const TopoDS
     return model;
 }
 
-void measure_volume(CurvedMesh& mesh, geometry::Engine& engine, const TopoDS_Shape& shape, Progress& progress) {
+template <typename Mesh>
+void measure_volume(Mesh& mesh, geometry::Engine& engine, const TopoDS_Shape& shape, Progress& progress) {
     engine.run([&] { mesh.report.cad_volume = geometry::solid_content(shape, &progress); }, &progress);
 }
 
@@ -200,6 +201,19 @@ CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
     return on_shape_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
         CurvedMesh mesh = curve::curve_given(engine, model, given, options, &progress);
         measure_volume(mesh, engine, shape, progress);
+        return mesh;
+    });
+}
+
+curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                        const curve::MixedMesh& given, const curve::CurveOptions& options, bool imprint,
+                                        Progress& progress) {
+    progress.stage("reading the shape", 0.0, 0.0);
+    return on_solids_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
+        curve::CurvedMixedMesh mesh = curve::curve_mixed(engine, model, given, options, &progress);
+        if (given.has_volume()) {
+            measure_volume(mesh, engine, shape, progress);
+        }
         return mesh;
     });
 }

@@ -5,6 +5,7 @@
 #include "curve/curve.h"
 #include "curve/given/given_mesh.h"
 #include "curve/given/measure_given.h"
+#include "curve/mixed/curve_mixed.h"
 #include "geometry/engine.h"
 #include "triangulate/work_mesh/options.h"
 #include "triangulate/work_mesh/result.h"
@@ -31,6 +32,11 @@ curve::CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& sh
 /// @throws as curve::curve_given.
 curve::CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::GivenMesh& given,
                                    const curve::CurveOptions& options, bool imprint, Progress& progress);
+
+/// Likewise of a mesh with prisms, pyramids, hexahedra or quadrilaterals, see curve::curve_mixed.
+curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                        const curve::MixedMesh& given, const curve::CurveOptions& options, bool imprint,
+                                        Progress& progress);
 
 /// Measures the triangles of a given surface against the shape, see curve::measure_given_surface.
 curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,

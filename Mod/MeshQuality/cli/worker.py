@@ -326,6 +326,9 @@ def curve(job):
     how = writing_of(job, shape, objects)
     mesh = mq.curve(shape, **job["options"], **patches_of(how), mesh=job.get("mesh"), progress=progress_line())
     report = mesh.report
+    if isinstance(mesh, mq.CurvedElementMesh):
+        where = written(job, lambda path: mesh.write(path, scale=how.get("scale", 1.0)))
+        return report, f"{_count(report.elements, 'element')} of order {mesh.order}{where}", verdict.of_curved_elements(mesh)
     where = written(job, lambda path: write_curved(mesh, path, job.get("deviation"), **how))
     return report, f"{_count(report.elements, 'element')} of order {mesh.order}{where}", \
         verdict.of_curved(mesh, verdict.must_be_closed(shape), job["options"], shape=shape)

@@ -8,9 +8,10 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, fem, frames, given, orders, writing
+from . import convert, curved_elements, fem, frames, given, mixed_orders, orders, writing
 from .certification import given_mesh
 from .curved_arrays import ARRAYS
+from .element_mesh import ElementMesh
 from .patches import division_for, kept
 from .surface_mesh import SurfaceMesh, names_of_patches, numbers_of_patches
 
@@ -157,6 +158,16 @@ class CurvedMesh(metaclass=Public):
         order, arrays = orders.arrays_of_order(self, order)
         return CurvedMesh(extension().curved_from_arrays(order, arrays), measured=False, patches=self._patches)
 
+    def with_orders(self, orders, raise_invalid=False):
+        """The same elements, each with an order of its own: a CurvedElementMesh; see its with_orders.
+
+        orders  int (E,), 1 to 5 (volumes: 4), of `elements`. Raises InvalidInput naming the orders there are.
+        """
+        orders = np.asarray(orders)
+        highest = int(orders.max(initial=1)) if orders.dtype.kind in "iu" else self.order
+        mesh = self if highest <= self.order else self.with_order(highest)
+        return mixed_orders.with_orders(ElementMesh.of(mesh), mesh.order, orders, raise_invalid)
+
     def tessellate(self, deviation=None, progress=None):
         """Flat triangles that the curved ones keep within `deviation` mm of.
 
@@ -287,12 +298,14 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     progress       callable(fraction 0..1, stage); returning False cancels
     patches, patch_rest
                    named groups of faces, as for triangulate; of a SurfaceMesh that has patches these are the default
-    mesh           a mesh of triangles or tetrahedra that another program made of the shape: an ElementMesh, or the
-                   path of a file that mq.read_mesh takes. It is found on the CAD and curved; vertices and
-                   connectivity stay unless elements would be invalid: then given_node, given_element and moved_nodes of
-                   the result say what changed. volume and the options of the straight mesh do not apply
+    mesh           a mesh that another program made of the shape: an ElementMesh, or the path of a file that
+                   mq.read_mesh takes. It is found on the CAD and curved; vertices and connectivity stay unless elements
+                   would be invalid: then given_node, given_element and moved_nodes of the result say what changed. One
+                   with prisms, pyramids, hexahedra or quadrilaterals keeps all of its elements, and its boundary layers
+                   follow their walls. volume, patches and the options of the straight mesh do not apply
 
-    Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
+    Returns a CurvedMesh, of a mesh with other elements than triangles and tetrahedra a CurvedElementMesh; elements that
+    stay invalid are in its report. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
     """
     options.require_callable(progress)
@@ -313,8 +326,15 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
-        shape = convert.shape_of(shape_or_mesh)
-        corners = given.corners_of(given_mesh(mesh), len(shape.Solids))
+        shape, mesh = convert.shape_of(shape_or_mesh), given_mesh(mesh)
+        if given.is_mixed(mesh):
+            if division is not None:
+                raise InvalidInput("patches are of meshes of triangles and tetrahedra: leave them out, elements of other "
+                                   "kinds have a group for each face")
+            blocks = given.blocks_of(mesh, len(shape.Solids))
+            found = module.curve_mixed(*blocks, shape, curving, values["imprint"], progress)
+            return curved_elements.of_core(found, int(order), mesh)
+        corners = given.corners_of(mesh, len(shape.Solids))
         curved = module.curve_given(*corners, shape, curving, values["imprint"], progress)
     elif isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:

@@ -3,26 +3,39 @@
 
 import numpy as np
 
-from ..errors import InvalidInput
 from .elements import kinds
 
 
+_SIMPLICES = ("line", "triangle", "tetrahedron")
+
+
+def is_mixed(mesh):
+    """Whether an ElementMesh has prisms, pyramids, hexahedra or quadrilaterals."""
+    return any(block.kind not in _SIMPLICES for block in mesh.blocks)
+
+
 def corners_of(mesh, solids):
-    """(nodes, triangles, tetrahedra, regions) of an ElementMesh: float64 (N, 3), int32 (T, 3), (E, 4) and (E,).
+    """(nodes, triangles, tetrahedra, regions) of an ElementMesh that is not mixed: float64 (N, 3), int32 (T, 3), (E, 4) and
+    (E,).
 
     solids  how many the shape has: groups within one are of materials or loads, and no bodies
-
-    Raises InvalidInput where it has other elements, which are not curved.
     """
-    others = [block for block in mesh.blocks if block.kind not in ("line", "triangle", "tetrahedron")]
-    if others:
-        kind, count = others[0].kind, len(others[0].nodes)
-        raise InvalidInput(f"the mesh has {count:,} {kinds.PLURALS[kind] if count != 1 else kind}: only triangles and "
-                           "tetrahedra are curved; certify takes all kinds")
     tetrahedra = [block for block in mesh.blocks if block.kind == "tetrahedron"]
     triangles = [block.nodes[:, :3] for block in mesh.blocks if block.kind == "triangle"]
     return (mesh.nodes, _joined(triangles, 3), _joined([block.nodes[:, :4] for block in tetrahedra], 4),
             _joined([_regions_of(block, solids) for block in tetrahedra], None))
+
+
+def blocks_of(mesh, solids):
+    """(nodes, elements, listed) of an ElementMesh: lists of (kind, int32 corners, int32 bodies), the solids, or else the surface,
+    and beside solids what lies on surfaces.
+    """
+    parts = {2: [], 3: []}
+    for block in mesh.blocks:
+        corners = np.ascontiguousarray(block.nodes[:, :kinds.CORNERS[block.kind]], dtype=np.int32)
+        regions = np.ascontiguousarray(_regions_of(block, solids), dtype=np.int32)
+        parts.setdefault(kinds.DIMENSION[block.kind], []).append((block.kind, corners, regions))
+    return (mesh.nodes, parts[3], parts[2]) if parts[3] else (mesh.nodes, parts[2], [])
 
 
 def _regions_of(block, solids):

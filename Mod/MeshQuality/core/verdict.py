@@ -358,6 +358,17 @@ def elements(curved):
                     _names(curved, np.flatnonzero(_folded(curved.triangle_quality))), _first_folded(curved))]
 
 
+def of_curved_elements(mesh):
+    """Findings of a CurvedElementMesh."""
+    report, found = mesh.report, []
+    if report.invalid:
+        found.append(Finding(_counted(phrases.FOLDED, report.invalid, count2=str(report.elements),
+                                      list=_first_of(report.invalid_elements))))
+    if not mesh.conforming:
+        found.append(Finding(_sentence(phrases.NOT_CONFORMING)))
+    return found
+
+
 def of_certificate(certificate):
     """Findings of a MeshCertificate."""
     found = []

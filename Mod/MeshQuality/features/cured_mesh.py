@@ -73,6 +73,9 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
     @classmethod
     def compute(cls, shape, values, progress, mesh):
         """The fem_mesh.Result."""
+        if given.is_mixed(mesh):
+            raise InvalidInput("the mesh has elements that are neither triangles nor tetrahedra: such meshes are cured by "
+                               "curve(part, mesh=...) in Python or on the command line, and not kept in documents")
         before = certify(mesh, progress=progress and (lambda done, stage: progress(_CERTIFYING * done, stage)))
         curved = curve(shape, **values, mesh=mesh, progress=progress and (
             lambda done, stage: progress(_CERTIFYING + (1.0 - _CERTIFYING) * done, stage)))

@@ -24,7 +24,8 @@ std::vector<double> multinomials_of(const ProductLattice& lattice) {
 
 /// The nodes from their mean, in units of their largest distance from it: a power of two, so that this loses nothing.
 /// Returns that distance in these units.
-double to_local(const std::vector<Vec3>& nodes, std::vector<Vec3>& local) {
+/// @param exponent  of the power of two
+double to_local(const std::vector<Vec3>& nodes, std::vector<Vec3>& local, int& exponent) {
     Vec3 mean = Vec3::Zero();
     for (const Vec3& node : nodes) {
         mean += node / static_cast<double>(nodes.size());
@@ -35,10 +36,11 @@ double to_local(const std::vector<Vec3>& nodes, std::vector<Vec3>& local) {
         local.push_back(node - mean);
         farthest = std::max(farthest, local.back().lpNorm<Eigen::Infinity>());
     }
+    exponent = 0;
     if (!(farthest > 0.0) || !std::isfinite(farthest)) {
         return farthest;
     }
-    const int exponent = std::ilogb(farthest);
+    exponent = std::ilogb(farthest);
     double size = 0.0;
     for (Vec3& p : local) {
         p = Vec3(std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent), std::ldexp(p.z(), -exponent));
@@ -49,7 +51,7 @@ double to_local(const std::vector<Vec3>& nodes, std::vector<Vec3>& local) {
 
 }  // namespace
 
-ElementJacobian::ElementJacobian(ElementKind kind, int order, int nodes) {
+ElementJacobian::ElementJacobian(ElementKind kind, int order, int nodes) : kind_(kind) {
     for (const NodalPolynomial& given : derivatives_of(kind, order, nodes)) {
         Derivative d{given.lattice, given.from_nodes.cast<double>(), multinomials_of(given.lattice), 0.0};
         d.gain = d.from_nodes.cwiseAbs().rowwise().sum().maxCoeff();
@@ -187,12 +189,35 @@ ProductForm ElementJacobian::box_product(const Field& r, const Field& s, const F
 
 ProductForm ElementJacobian::of(const std::vector<Vec3>& nodes) const {
     std::vector<Vec3> local;
-    const double size = to_local(nodes, local);
+    int exponent = 0;
+    const double size = to_local(nodes, local, exponent);
     std::vector<Field> fields;
     for (const Derivative& d : derivatives_) {
         fields.push_back(derivative(d, local, size));
     }
-    return fields.size() == 2 ? along_mean(fields[0], fields[1]) : box_product(fields[0], fields[1], fields[2]);
+    ProductForm form =
+        fields.size() == 2 ? along_mean(fields[0], fields[1]) : box_product(fields[0], fields[1], fields[2]);
+    form.exponent = static_cast<int>(fields.size()) * exponent;
+    return form;
+}
+
+double ElementJacobian::volume(const std::vector<Vec3>& nodes) const {
+    const ProductForm form = of(nodes);
+    const ProductLattice& lattice = *form.lattice;
+    double sum = 0.0;
+    for (int i = 0; i < lattice.size(); ++i) {
+        // All Bernstein polynomials of a degree have the same integral.
+        double weight = 1.0 / lattice.size();
+        if (kind_ == ElementKind::Pyramid) {
+            // The element of volume is (1 - z)^2 du dv dz.
+            const double n = lattice.factor(2).degree();
+            const double k = lattice.factor(2).exponents(lattice.indices(i)[2])[1];
+            weight *= (n + 1.0) * (n - k + 1.0) * (n - k + 2.0) / ((n + 1.0) * (n + 2.0) * (n + 3.0));
+        }
+        sum += weight * form.coefficients[static_cast<std::size_t>(i)];
+    }
+    const double domain = kind_ == ElementKind::Tetrahedron ? 1.0 / 6.0 : kind_ == ElementKind::Prism ? 0.5 : 1.0;
+    return std::ldexp(domain * sum, form.exponent);
 }
 
 }  // namespace mq::curve

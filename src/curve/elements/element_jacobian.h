@@ -15,6 +15,7 @@ struct ProductForm {
     const ProductLattice* lattice = nullptr;
     std::vector<double> coefficients;
     double rounding = 0.0;
+    int exponent = 0;  ///< J in the units of the nodes is 2 to this power times what the coefficients say
 };
 
 /// From the nodes of elements of one kind and order to their Jacobians.
@@ -28,6 +29,9 @@ class ElementJacobian {
     /// Either is up to a factor, which is positive and the same in all of the element. Nodes are taken as exact: the
     /// bound of rounding covers all that is computed from them. Where that overflows, coefficients are not finite.
     ProductForm of(const std::vector<Vec3>& nodes) const;
+
+    /// The volume of a solid element: the integral of J over the reference element, negative where it is inverted.
+    double volume(const std::vector<Vec3>& nodes) const;
 
   private:
     /// A derivative of the map: `from_nodes` gives its Bernstein coefficients times their multinomials, since products
@@ -58,6 +62,7 @@ class ElementJacobian {
     ProductForm along_mean(const Field& r, const Field& s) const;
     ProductForm box_product(const Field& r, const Field& s, const Field& t) const;
 
+    ElementKind kind_;
     std::vector<Derivative> derivatives_;
     std::vector<Product> products_;  // the last two derivatives, then the first and that
     std::vector<double> multinomials_;

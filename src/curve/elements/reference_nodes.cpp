@@ -12,23 +12,6 @@ namespace {
 
 using Points = std::vector<GridPoint>;
 
-/// Gmsh's edges and faces of a kind by its corners.
-struct Convention {
-    std::vector<std::array<std::size_t, 2>> edges;
-    std::vector<std::vector<std::size_t>> faces;
-};
-
-const Convention& convention(ElementKind kind) {
-    static const Convention pyramid{{{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 4}, {2, 3}, {2, 4}, {3, 4}},
-                                    {{0, 1, 4}, {3, 0, 4}, {1, 2, 4}, {2, 3, 4}, {0, 3, 2, 1}}};
-    static const Convention prism{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}},
-                                  {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {0, 3, 5, 2}, {1, 2, 5, 4}}};
-    static const Convention hexahedron{
-        {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3}, {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}},
-        {{0, 3, 2, 1}, {0, 1, 5, 4}, {0, 4, 7, 3}, {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}}};
-    return kind == ElementKind::Pyramid ? pyramid : kind == ElementKind::Prism ? prism : hexahedron;
-}
-
 Points corners_of(ElementKind kind, int n) {
     switch (kind) {
         case ElementKind::Triangle:
@@ -177,7 +160,7 @@ void append_solid(ElementKind kind, const Points& corners, int order, Points& ou
         out.push_back(corners[0]);
         return;
     }
-    const Convention& by = convention(kind);
+    const ElementSides& by = sides_of(kind);
     out.insert(out.end(), corners.begin(), corners.end());
     for (const auto& edge : by.edges) {
         append_edge(corners[edge[0]], corners[edge[1]], order, out);
@@ -199,6 +182,21 @@ void append_solid(ElementKind kind, const Points& corners, int order, Points& ou
 }
 
 }  // namespace
+
+const ElementSides& sides_of(ElementKind kind) {
+    static const std::array<ElementSides, 6> sides{{
+        {{{0, 1}, {1, 2}, {2, 0}}, {{0, 1, 2}}},
+        {{{0, 1}, {1, 2}, {2, 3}, {3, 0}}, {{0, 1, 2, 3}}},
+        {{{0, 1}, {1, 2}, {2, 0}, {3, 0}, {3, 2}, {3, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {3, 1, 2}}},
+        {{{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 4}, {2, 3}, {2, 4}, {3, 4}},
+         {{0, 1, 4}, {3, 0, 4}, {1, 2, 4}, {2, 3, 4}, {0, 3, 2, 1}}},
+        {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}},
+         {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {0, 3, 5, 2}, {1, 2, 5, 4}}},
+        {{{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3}, {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}},
+         {{0, 3, 2, 1}, {0, 1, 5, 4}, {0, 4, 7, 3}, {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}}},
+    }};
+    return sides[static_cast<std::size_t>(kind)];
+}
 
 std::vector<GridPoint> gmsh_nodes(ElementKind kind, int order) {
     if (order < 1 || order > kMaxOrder) {

@@ -13,6 +13,13 @@ namespace mq::curve {
 /// but on pyramids x and y go from z - order to order - z in steps of two.
 using GridPoint = std::array<int, 3>;
 
+/// The edges and faces of an element by its corners, as Gmsh orders the nodes on them; faces of solids look outward.
+struct ElementSides {
+    std::vector<std::array<std::size_t, 2>> edges;
+    std::vector<std::vector<std::size_t>> faces;
+};
+const ElementSides& sides_of(ElementKind kind);
+
 /// All nodes of an element in Gmsh's order: corners, edges in their direction, faces, and then the inside; faces and
 /// the inside each as an element of lower order. @throws InvalidInput for orders out of 1 to kMaxOrder.
 std::vector<GridPoint> gmsh_nodes(ElementKind kind, int order);

@@ -213,9 +213,32 @@ def from_cgns(kind, count):
 _LAGRANGE_TETRAHEDRON = (_BASES["tetrahedron"], ((0, 1, 3), (2, 3, 1), (0, 3, 2), (0, 2, 1)))
 
 
+# VTK's edges and quadrilateral faces of hexahedra and prisms of any order, with the nodes in the directions of VTK.
+_LAGRANGE_EDGES = {
+    "hexahedron": ((0, 1), (1, 2), (3, 2), (0, 3), (4, 5), (5, 6), (7, 6), (4, 7), (0, 4), (1, 5), (2, 6), (3, 7)),
+    "prism": ((0, 1), (1, 2), (2, 0), (3, 4), (4, 5), (5, 3), (0, 3), (1, 4), (2, 5))}
+_LAGRANGE_QUADRILATERALS = {
+    "hexahedron": ((0, 3, 7, 4), (1, 2, 6, 5), (0, 1, 5, 4), (3, 2, 6, 7), (0, 1, 2, 3), (4, 5, 6, 7)),
+    "prism": ((0, 1, 4, 3), (1, 2, 5, 4), (2, 0, 3, 5))}
+
+
+def _lagrange_places(kind, order):
+    """Where VTK has the nodes of a hexahedron or a prism, the inner ones of quadrilaterals row by row."""
+    corners, inner = np.array(_CORNERS[kind], dtype=float), np.arange(1, order) / order
+    wanted = [corners, *(corners[a] + (corners[b] - corners[a]) * inner[:, None] for a, b in _LAGRANGE_EDGES[kind])]
+    v, u = (grid.ravel() for grid in np.meshgrid(inner, inner, indexing="ij"))
+    flat = np.stack([u, v, 0 * u], axis=1)
+    if kind == "prism":
+        within = _inside("triangle", corners[:3], order, (EDGES["triangle"], ()))
+        wanted += [within, within + corners[3]]
+    wanted += [_mapped("quadrilateral", corners[list(face)], flat) for face in _LAGRANGE_QUADRILATERALS[kind]]
+    levels = flat if kind == "hexahedron" else within
+    return np.concatenate([*wanted, *(levels + np.array([0, 0, z]) for z in inner)])
+
+
 @functools.lru_cache(maxsize=None)
 def from_lagrange(kind, count):
-    """Likewise for VTK's elements of any order: lines, triangles, quadrilaterals and tetrahedra."""
+    """Likewise for VTK's elements of any order: all but pyramids."""
     order, corners = order_of(kind, count), np.array(_CORNERS[kind], dtype=float)
     if kind == "tetrahedron":
         wanted = _fill(kind, corners, order, _LAGRANGE_TETRAHEDRON)
@@ -224,6 +247,8 @@ def from_lagrange(kind, count):
         v, u = (grid.ravel() for grid in np.meshgrid(inner, inner, indexing="ij"))
         edges = [corners[a] + (corners[b] - corners[a]) * inner[:, None] for a, b in ((0, 1), (1, 2), (3, 2), (0, 3))]
         wanted = np.concatenate([corners, *edges, np.stack([u, v, 0 * u], axis=1)])
+    elif kind in _LAGRANGE_EDGES:
+        wanted = _lagrange_places(kind, order)
     else:
         wanted = places(kind, count)
     return np.argsort(matching(kind, count, wanted))

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "curve/given/matching.h"
+#include "curve/mixed/node_table.h"
+#include "curve/mixed/side_rows.h"
+#include "curve/surface/node_placement.h"
+
+namespace mq::curve {
+
+/// A face of the given mesh that lies on a CAD face.
+struct CadFace {
+    ElementKind kind = ElementKind::Triangle;
+    std::vector<std::int32_t> corners;  ///< outward of the element behind; on surfaces as they were given
+    int face = -1;                      ///< the CAD face
+    std::vector<int> triangles;         ///< of the matched surface: itself, or its two halves
+    std::int64_t element = -1;          ///< the element behind it, the first one of an interface
+};
+
+/// A mixed mesh on the model: its simplices were matched, and its faces are found on these.
+struct MatchedFaces {
+    MatchedMesh matched;
+    std::vector<CadFace> faces;
+    std::vector<int> volume;  ///< by element: that of the model; -1: none
+};
+
+/// @throws as match(); GeometryError where the halves of a quadrilateral are on two CAD faces, naming the place.
+MatchedFaces match_faces_of(geometry::Session& session, const MixedMesh& mesh, int order);
+
+/// Puts the nodes of edges and faces on the CAD. Those of quadrilaterals are blended from their edges and projected.
+class CadNodes {
+  public:
+    CadNodes(geometry::Session& session, MatchedFaces& found, NodeTable& table);
+
+    /// Places all nodes, each edge and each face by itself.
+    void place(std::vector<Vec3>& nodes);
+    /// Makes edges inside of CAD faces follow the edges of these across rows of quadrilaterals, as where a boundary
+    /// layer meets a face that stands on its wall; returns how many were changed.
+    std::size_t follow_edges(std::vector<Vec3>& nodes);
+
+    /// Rows of edges across the quadrilaterals of each CAD face, from CAD edges on.
+    std::vector<SideRow> rows() const;
+
+    /// Gives edges and triangles of the surface the shapes that nodes say, which were moved by others, and measures
+    /// them.
+    void take_back(const std::vector<Vec3>& nodes);
+
+    /// Whether corners are those of an edge or a face on the CAD.
+    bool has(const std::vector<std::int32_t>& corners) const { return sides_.count(sorted(corners)) > 0; }
+    /// By face: the largest distance of points between the nodes from its CAD face, mm.
+    std::vector<double> deviations(const std::vector<Vec3>& nodes);
+    /// By face on the CAD, triangles only: lower bound of min J / max J against the CAD normal; 1 of others.
+    std::vector<double> triangle_qualities();
+
+  private:
+    static std::vector<std::int32_t> sorted(std::vector<std::int32_t> corners);
+    int vertex(std::int32_t corner) const { return found_.matched.vertex_of_node[static_cast<std::size_t>(corner)]; }
+    bool on_cad_edge(std::int32_t a, std::int32_t b) const;
+    void take_edges(std::vector<Vec3>& nodes);
+    void take_triangles(std::vector<Vec3>& nodes);
+    void place_quadrilaterals(std::vector<Vec3>& nodes);
+    void put_edge(std::int32_t a, std::int32_t b, const std::vector<Vec3>& nodes);
+    std::vector<Vec3> projected(int face, const std::vector<Vec3>& points);
+    /// Whether the ends of a row are displaced by a notable part of its thinnest layer at an end.
+    bool bends_much(const SideRow& row, const std::vector<Vec3>& displacement);
+    std::vector<SideRow> rows_on(int face) const;
+    std::set<int> faces_with_quadrilaterals() const;
+    bool follow_edges_of(int face, std::vector<Vec3>& nodes, std::size_t& changed);
+
+    geometry::Session& session_;
+    MatchedFaces& found_;
+    NodeTable& table_;
+    Placement placement_;
+    std::set<std::vector<std::int32_t>> sides_;
+    std::set<std::array<std::int32_t, 2>> edges_;
+};
+
+}  // namespace mq::curve

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "curve/mixed/mixed_mesh.h"
+
+namespace mq::curve {
+
+/// Sides that lie behind one another: edges across quadrilaterals, or faces across prisms and hexahedra. The first one
+/// is on the CAD.
+///
+/// Such rows are the columns of a boundary layer, from the wall to its top, and the lines of structured hexahedra from
+/// wall to wall. Their corners correspond: those of one column have the same place in each side.
+struct SideRow {
+    std::vector<std::vector<std::int32_t>> sides;  ///< corners
+    std::vector<std::vector<double>> fractions;    ///< by side and corner: of the length of the corner's own column
+    double height = 0.0;                           ///< mean length of the columns, mm
+    bool ends_on_cad = false;
+};
+
+/// Whether a side, given by its corners, is on the CAD.
+using OnCad = std::function<bool(const std::vector<std::int32_t>&)>;
+
+/// A quadrilateral and the elements that have it: none but itself on a surface.
+struct RowQuadrilateral {
+    std::array<std::int32_t, 4> corners;
+    std::array<std::int64_t, 2> elements;  ///< -1: there is none
+};
+
+/// Rows of edges. A row goes on from a quadrilateral to the one beyond the edge that has no element in common with it,
+/// and ends on the CAD or where there is not exactly one.
+std::vector<SideRow> rows_of_edges(const std::vector<RowQuadrilateral>& quadrilaterals, const std::vector<Vec3>& nodes,
+                                   const OnCad& on_cad);
+
+/// Rows of triangles across prisms and of quadrilaterals across hexahedra.
+std::vector<SideRow> rows_of_faces(const MixedMesh& mesh, const OnCad& on_cad);
+
+}  // namespace mq::curve
