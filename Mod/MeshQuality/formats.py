@@ -68,6 +68,7 @@ FORMATS = {
     ".nas": Format("Nastran bulk data", 2, Names(longest=40), solids=True),
     ".bdf": Format("Nastran bulk data", 2, Names(longest=40), solids=True),
     ".exo": Format("Exodus II", 2, Names(longest=32), solids=True),
+    ".h5": Format("HOPR", 4, Names(longest=255)),
     ".tri": Format("Cart3D"),
     ".eMesh": Format("edges for OpenFOAM"),
     ".fms": Format("surface for cfMesh", names=_ONE_WORD),
@@ -92,7 +93,13 @@ READABLE = {
     ".bdf": ("Nastran bulk data", "nastran_file"),
     ".exo": ("an Exodus file", "exodus_file"),
     ".e": ("an Exodus file", "exodus_file"),
+    ".h5": ("a file of HOPR", "hopr_file"),
 }
+# By extension that elements of all kinds are written into: the module of core/element_writers.
+ELEMENTS_WRITTEN = {".msh": "gmsh_file", ".vtu": "vtu_file", ".inp": "abaqus_file", ".unv": "universal_file",
+                    ".nas": "nastran_file", ".bdf": "nastran_file", ".su2": "su2_file", ".h5": "hopr_file", ".re2": "nek_file"}
+# Of these what FORMATS does not have: no mesh that this package makes has such elements.
+ELEMENTS_ONLY = {".re2": Format("Nek5000")}
 _TEXT_ONLY = Format("STL as text", names=_ONE_WORD)
 
 
@@ -120,7 +127,7 @@ def check_text(suffix):
 
 def check_names(suffix, names, solids=(), ascii=False):  # noqa: A002 - the option is called so
     """Raises InvalidInput naming a patch that a format cannot hold by its name, and the remedy."""
-    form = _TEXT_ONLY if ascii else FORMATS[suffix]
+    form = _TEXT_ONLY if ascii else FORMATS.get(suffix) or ELEMENTS_ONLY[suffix]
     rule, taken = form.names, {name: f"solid {name}" for name in solids} if form.solids else {}
     if rule is None:
         return
