@@ -270,7 +270,7 @@ def _require_no_straight_options(values):
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False,
-          patches=None, patch_rest=None, mesh=None):
+          patches=None, patch_rest=None, mesh=None, mesh_scale=1.0):
     """A mesh of curved elements on a shape, proven valid element by element.
 
     shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
@@ -291,6 +291,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
                    path of a file that mq.read_mesh takes. It is found on the CAD and curved; vertices and
                    connectivity stay unless elements would be invalid: then given_node, given_element and moved_nodes of
                    the result say what changed. volume and the options of the straight mesh do not apply
+    mesh_scale     factor from the coordinates of that file to mm: 1000 for one in metres, 25.4 for inches
 
     Returns a CurvedMesh; elements that stay invalid are in its report. The shape is only read.
     Raises InvalidInput, TopologyError, GeometryError naming the sub-element; Cancelled.
@@ -314,7 +315,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
         shape = convert.shape_of(shape_or_mesh)
-        corners = given.corners_of(given_mesh(mesh), len(shape.Solids))
+        corners = given.corners_of(given_mesh(mesh, mesh_scale), len(shape.Solids))
         curved = module.curve_given(*corners, shape, curving, values["imprint"], progress)
     elif isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:

@@ -75,10 +75,10 @@ def _suffix_of(mesh, path, name):
     return suffix
 
 
-def checked_scale(scale):
-    """The factor as a float; raises InvalidInput."""
+def checked_scale(scale, name="scale", example="0.001"):
+    """The factor as a float; raises InvalidInput naming the option, with the one for metres."""
     if isinstance(scale, bool) or not isinstance(scale, numbers.Real) or not 0.0 < scale < math.inf:
-        raise InvalidInput(f"scale = {scale!r} is not possible: give a number greater than 0, such as 0.001 for metres")
+        raise InvalidInput(f"{name} = {scale!r} is not possible: give a number greater than 0, such as {example} for metres")
     return float(scale)
 
 
