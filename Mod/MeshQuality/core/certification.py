@@ -9,7 +9,7 @@ from .. import options
 from ..compat import extension
 from ..errors import GeometryError, InvalidInput, TopologyError
 from ..listing import Public
-from . import convert, saved_certificate
+from . import convert, fem_places, saved_certificate
 from .curved_arrays import ARRAYS
 from .element_mesh import ElementMesh
 from .elements import conformity, kinds
@@ -135,7 +135,7 @@ def certify(mesh, shape=None, progress=None, mesh_scale=1.0):
     if isinstance(mesh, (str, os.PathLike)):
         found._source = saved_certificate.digest_of(os.fsdecode(convert.file_name(mesh)))
         found._scale = mesh_scale
-    mesh = given_mesh(mesh, mesh_scale)
+    source, mesh = mesh, given_mesh(mesh, mesh_scale)
     found.notes += mesh.faults
     _prove(mesh, found, progress)
     found.conforming, found.oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
@@ -143,7 +143,7 @@ def certify(mesh, shape=None, progress=None, mesh_scale=1.0):
     if surface is not None:
         _find_crossings(mesh.nodes, order, surface, found, progress)
     if shape is not None:
-        _measure(mesh, order, surface, convert.shape_of(shape), found, progress)
+        _measure(mesh, order, surface, fem_places.shape_at(source, mesh, shape), found, progress)
     return found
 
 

@@ -8,7 +8,7 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, fem, frames, given, orders, writing
+from . import convert, fem, fem_places, frames, given, orders, writing
 from .certification import given_mesh
 from .curved_arrays import ARRAYS
 from .patches import division_for, kept
@@ -315,7 +315,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
         shape = convert.shape_of(shape_or_mesh)
-        corners = given.corners_of(given_mesh(mesh, mesh_scale), len(shape.Solids))
+        mesh = fem_places.mesh_at(mesh, shape_or_mesh) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
+        corners = given.corners_of(mesh, len(shape.Solids))
         curved = module.curve_given(*corners, shape, curving, values["imprint"], progress)
     elif isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:

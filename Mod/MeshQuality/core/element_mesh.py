@@ -2,7 +2,7 @@
 """ElementMesh: elements of any kind and order that come from elsewhere."""
 
 from ..listing import Public
-from . import element_writing, reading
+from . import convert, element_writing, frames, reading
 from .elements import kinds
 from .elements.boundary import boundary_of
 
@@ -64,6 +64,12 @@ class ElementMesh(metaclass=Public):
         order, outward.
         """
         return boundary_of(self._blocks)
+
+    def moved(self, placement):
+        """The same mesh moved by a FreeCAD.Placement: a new ElementMesh, or itself where that moves nothing."""
+        if frames.is_identity(placement):
+            return self
+        return type(self)((convert.moved(self._nodes, placement), self._blocks, self._members, self._faults))
 
     def write(self, path, scale=1.0, format=None):  # noqa: A002
         """Writes into a file, with the groups; one that is there is replaced once the new one is complete.
