@@ -29,7 +29,7 @@ class Names(NamedTuple):
 
 class Format(NamedTuple):
     """A format. `curved` is the highest order of the elements of curved meshes in it; 0: it holds flat triangles alone.
-    `text` says whether there is a text form to choose beside the binary one.
+    `text` says whether there is a text form to choose beside the binary one, `volumes` whether it holds volumes alone.
     """
 
     title: str
@@ -37,6 +37,7 @@ class Format(NamedTuple):
     names: Names = None
     text: bool = False
     solids: bool = False
+    volumes: bool = False
 
 
 _ONE_WORD = Names(WORD, "no blanks, quotes or brackets")
@@ -68,14 +69,14 @@ FORMATS = {
     ".nas": Format("Nastran bulk data", 2, Names(longest=40), solids=True),
     ".bdf": Format("Nastran bulk data", 2, Names(longest=40), solids=True),
     ".exo": Format("Exodus II", 2, Names(longest=32), solids=True),
-    ".h5": Format("HOPR", 4, Names(longest=255)),
+    ".h5": Format("HOPR", 4, Names(longest=255), volumes=True),
     ".tri": Format("Cart3D"),
     ".eMesh": Format("edges for OpenFOAM"),
     ".fms": Format("surface for cfMesh", names=_ONE_WORD),
     ".3mf": Format("3MF for printing", names=Names()),
     ".amf": Format("AMF for printing"),
 }
-SUFFIXES = tuple(FORMATS)
+SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if not form.volumes)
 CURVED_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if form.curved)
 FLAT_ONLY_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if not form.curved)
 # By extension that files of elements are read from: what errors call the format, and the module of core/elements.
@@ -101,6 +102,11 @@ ELEMENTS_WRITTEN = {".msh": "gmsh_file", ".vtu": "vtu_file", ".inp": "abaqus_fil
 # Of these what FORMATS does not have: no mesh that this package makes has such elements.
 ELEMENTS_ONLY = {".re2": Format("Nek5000")}
 _TEXT_ONLY = Format("STL as text", names=_ONE_WORD)
+
+
+def title_of(suffix):
+    """What a format is called."""
+    return (FORMATS.get(suffix) or ELEMENTS_ONLY[suffix]).title
 
 
 def known_suffix(text, known=SUFFIXES):

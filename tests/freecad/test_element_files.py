@@ -207,6 +207,39 @@ class Written(helpers.DocumentTest):
                 self.assertEqual(mq.certify(found).invalid, 0, (kind, ending))
 
 
+class Objects(helpers.DocumentTest):
+    """FEM meshes of a document, whoever made them."""
+
+    def test_export_of_a_fem_mesh(self):
+        try:
+            import Fem
+        except ImportError:
+            self.skipTest("this FreeCAD has no FEM workbench")
+        mesh = Fem.FemMesh()
+        for number, place in enumerate(sheared(kinds.places("hexahedron", 8)).tolist(), 1):
+            mesh.addNode(*place, number)
+        mesh.addVolume([4, 3, 2, 1, 8, 7, 6, 5], 1)
+        mesh.addFace([1, 2, 3, 4], 2)
+        mesh.addGroupElements(mesh.addGroup("inlet", "Face"), [2])
+        given = self.document.addObject("Fem::FemMeshObject", "Given")
+        given.FemMesh = mesh
+        given.Placement.Base = (100, 0, 0)
+        self.document.recompute()
+        for ending in (".msh", ".inp", ".unv", ".su2", ".h5" if HAS_H5PY else ".nas"):
+            path = os.path.join(self.folder, f"given{ending}")
+            mq.export_mesh(given, path, scale=0.001)
+            found = mq.read_mesh(path, scale=1000)
+            self.assertEqual((found.blocks[0].kind, mq.certify(found).invalid), ("hexahedron", 0), ending)
+            self.assertIn("inlet", found.groups)
+            np.testing.assert_allclose(found.nodes.mean(axis=0), sheared(kinds.places("hexahedron", 8)).mean(axis=0) + (100, 0, 0),
+                                       atol=1e-6)
+        for options, words in (({"ascii": True}, "ascii is for STL"), ({"patch_rest": "walls"}, "whose groups are written")):
+            with self.assertRaisesRegex(mq.InvalidInput, words):
+                mq.export_mesh(given, os.path.join(self.folder, "given.msh"), **options)
+        with self.assertRaisesRegex(mq.IoError, "ends in one of"):
+            mq.export_mesh(given, os.path.join(self.folder, "given.stl"))
+
+
 @unittest.skipUnless(HAS_H5PY, "h5py is not installed (python3-h5py)")
 class Hopr(helpers.DocumentTest):
     """By the numbers of docs/Meshformat of HOPR."""
