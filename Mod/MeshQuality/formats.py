@@ -29,7 +29,7 @@ class Names(NamedTuple):
 
 class Format(NamedTuple):
     """A format. `curved` is the highest order of the elements of curved meshes in it; 0: it holds flat triangles alone.
-    `text` says whether there is a text form to choose beside the binary one.
+    `text` says whether there is a text form to choose beside the binary one, `volumes` whether it holds volumes alone.
     """
 
     title: str
@@ -37,6 +37,7 @@ class Format(NamedTuple):
     names: Names = None
     text: bool = False
     solids: bool = False
+    volumes: bool = False
 
 
 _ONE_WORD = Names(WORD, "no blanks, quotes or brackets")
@@ -68,13 +69,14 @@ FORMATS = {
     ".nas": Format("Nastran bulk data", 2, Names(longest=40), solids=True),
     ".bdf": Format("Nastran bulk data", 2, Names(longest=40), solids=True),
     ".exo": Format("Exodus II", 2, Names(longest=32), solids=True),
+    ".h5": Format("HOPR", 4, Names(longest=255), volumes=True),
     ".tri": Format("Cart3D"),
     ".eMesh": Format("edges for OpenFOAM"),
     ".fms": Format("surface for cfMesh", names=_ONE_WORD),
     ".3mf": Format("3MF for printing", names=Names()),
     ".amf": Format("AMF for printing"),
 }
-SUFFIXES = tuple(FORMATS)
+SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if not form.volumes)
 CURVED_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if form.curved)
 FLAT_ONLY_SUFFIXES = tuple(suffix for suffix, form in FORMATS.items() if not form.curved)
 # By extension that files of elements are read from: what errors call the format, and the module of core/elements.
@@ -92,8 +94,19 @@ READABLE = {
     ".bdf": ("Nastran bulk data", "nastran_file"),
     ".exo": ("an Exodus file", "exodus_file"),
     ".e": ("an Exodus file", "exodus_file"),
+    ".h5": ("a file of HOPR", "hopr_file"),
 }
+# By extension that elements of all kinds are written into: the module of core/element_writers.
+ELEMENTS_WRITTEN = {".msh": "gmsh_file", ".vtu": "vtu_file", ".inp": "abaqus_file", ".unv": "universal_file",
+                    ".nas": "nastran_file", ".bdf": "nastran_file", ".su2": "su2_file", ".h5": "hopr_file", ".re2": "nek_file"}
+# Of these what FORMATS does not have: no mesh that this package makes has such elements.
+ELEMENTS_ONLY = {".re2": Format("Nek5000")}
 _TEXT_ONLY = Format("STL as text", names=_ONE_WORD)
+
+
+def title_of(suffix):
+    """What a format is called."""
+    return (FORMATS.get(suffix) or ELEMENTS_ONLY[suffix]).title
 
 
 def known_suffix(text, known=SUFFIXES):
@@ -120,7 +133,7 @@ def check_text(suffix):
 
 def check_names(suffix, names, solids=(), ascii=False):  # noqa: A002 - the option is called so
     """Raises InvalidInput naming a patch that a format cannot hold by its name, and the remedy."""
-    form = _TEXT_ONLY if ascii else FORMATS[suffix]
+    form = _TEXT_ONLY if ascii else FORMATS.get(suffix) or ELEMENTS_ONLY[suffix]
     rule, taken = form.names, {name: f"solid {name}" for name in solids} if form.solids else {}
     if rule is None:
         return

@@ -239,7 +239,7 @@ class Saved(helpers.DocumentTest):
         _, path = self.saved(move=3.0)
         with open(path, encoding="ascii") as stream:
             whole = json.load(stream)
-        damaged = [(part, value) for part in ("mesh", "cad", "proven", "blocks")
+        damaged = [(part, value) for part in ("mesh", "cad", "proven", "blocks", "options")
                    for value in (3, "x", [], {}, [None], [{}], None) if (part, value) != ("cad", None)]
         for part, value in damaged:
             with open(path, "w", encoding="ascii") as stream:
@@ -286,6 +286,29 @@ class Programs(helpers.DocumentTest):
         self.assertFalse(json.loads(said)["holds"])
         self.assertIn("SHA-256", lines[-1])
 
+    def test_meshes_in_metres(self):
+        mesh, path = os.path.join(self.folder, "metres.vtu"), os.path.join(self.folder, "mesh.json")
+        cad = os.path.join(self.folder, "ball.step")
+        Part.makeSphere(5).exportStep(cad)
+        mq.curve(Part.makeSphere(5), volume=True).write(mesh, scale=0.001)
+        status, said, lines = run("certify", mesh, "--shape", cad, "--mesh-scale", 1000, "--save", path, "--json", "--strict")
+        self.assertEqual(status, 0, lines)
+        self.assertLess(json.loads(said)["max_deviation"], 0.05)
+        with open(path, encoding="ascii") as stream:
+            self.assertEqual(json.load(stream)["options"], {"scale": 1000.0})
+        self.assertTrue(mq.verify(path).holds)
+        status, said, lines = run("certify", mesh, "--shape", cad, "--json")
+        self.assertIn("as if it were in metres: give mesh_scale=1000, on the command line --mesh-scale 1000",
+                      json.loads(said)["not_on_shape"])
+        out = os.path.join(self.folder, "out.msh")
+        status, said, lines = run("curve", cad, "--mesh", mesh, "--mesh-scale", 1000, "-o", out, "--json", "--strict")
+        self.assertEqual((status, json.loads(said)["invalid"]), (0, 0), lines)
+        self.assertLess(mq.certify(out, Part.makeSphere(5)).max_deviation, 0.05)
+        with self.assertRaisesRegex(mq.InvalidInput, "mesh_scale= is for a mesh that is given by the path"):
+            mq.certify(mq.read_mesh(mesh), mesh_scale=1000)
+        with self.assertRaisesRegex(mq.InvalidInput, "mesh_scale = 0 is not possible.*1000 for metres"):
+            mq.certify(mesh, mesh_scale=0)
+
     def test_bad_usage(self):
         mesh, _ = curved_file(self.folder)
         damaged = os.path.join(self.folder, "damaged.json")
@@ -295,6 +318,7 @@ class Programs(helpers.DocumentTest):
                                  (("certify", mesh, "--save", "/nowhere/a.json"), "cannot be written"),
                                  (("certify", "-", "--input-format", "msh", "--save", "a.json"), "--save is for"),
                                  (("certify", os.path.join(self.folder, "none.msh")), "there is no file"),
+                                 (("certify", mesh, "--mesh-scale", "-1"), "it must be greater than 0"),
                                  (("verify", mesh), "no known extension"), (("verify", damaged), "it is not JSON"),
                                  (("verify", "-", "--input-format", "json"), "name the mesh with --mesh")):
             status, _, lines = run(*arguments)

@@ -14,6 +14,7 @@ import numpy as np
 import Part
 
 import MeshQuality as mq
+from MeshQuality.core.element_mesh import ElementMesh
 
 sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
 import cantilever  # noqa: E402
@@ -97,6 +98,62 @@ class Cured(CureTest):
         part = self.part(cantilever.bracket())
         obj = mq.add_cured_mesh(self.given(part, folded=(3,)), part, order=1)
         self.assertEqual((len(obj.FemMesh.getElementNodes(1)), mq.certify(obj).invalid), (4, 0))
+
+
+class Nested(CureTest):
+    """A part in a moved App::Part in another one, and meshes of it wherever these stand."""
+
+    def setUp(self):
+        super().setUp()
+        self.inner, self.outer = (self.document.addObject("App::Part", name) for name in ("Inner", "Outer"))
+        self.outer.addObject(self.inner)
+        self.nested = self.part(cantilever.bracket())
+        self.inner.addObject(self.nested)
+        turned = FreeCAD.Rotation(FreeCAD.Vector(1, 1, 0), 40)
+        self.nested.Placement = FreeCAD.Placement(FreeCAD.Vector(5, 6, 7), turned)
+        self.inner.Placement = FreeCAD.Placement(FreeCAD.Vector(100, 0, 0), turned)
+        self.outer.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 200, 0), turned.inverted())
+        self.document.recompute()
+
+    def meshes(self):
+        """{where it stands: the object}"""
+        found = {name: self.given(self.nested, folded=(3,)) for name in ("own", "inner", "outer", "document", "placed")}
+        self.inner.addObject(found["inner"])
+        self.outer.addObject(found["outer"])
+        shape = self.nested.Shape.copy()
+        shape.Placement = self.nested.getGlobalPlacement()
+        found["document"].FemMesh = given_meshes.straight_mesh(shape, 8.0, (3,))
+        shape.Placement = FreeCAD.Placement()
+        found["placed"].FemMesh = given_meshes.straight_mesh(shape, 8.0, (3,))
+        found["placed"].Placement = self.nested.Placement
+        return found
+
+    def test_the_cured_mesh_is_where_the_fem_workbench_looks(self):
+        for name, given in self.meshes().items():
+            with self.subTest(name):
+                obj = mq.add_cured_mesh(given, self.nested)
+                self.assertEqual((obj.Invalid, obj.GivenReplaced, obj.GivenMoved), (0, 0, 0))
+                self.assertGreater(obj.GivenInvalid, 0)
+                end = cantilever.face_at(self.nested.Shape, "x", 1)
+                self.assertTrue(obj.FemMesh.getNodesByFace(self.nested.Shape.getElement(end)))
+                self.assertLess(mq.certify(obj, self.nested).max_deviation, 0.06)
+
+    def test_it_stays_when_the_containers_move(self):
+        obj = mq.add_cured_mesh(self.meshes()["own"], self.nested)
+        before = ElementMesh.of(obj).nodes
+        self.outer.Placement = FreeCAD.Placement(FreeCAD.Vector(1, 2, 3), FreeCAD.Rotation())
+        self.document.recompute()
+        np.testing.assert_array_equal(ElementMesh.of(obj).nodes, before)
+        self.assertEqual((obj.Status, mq.certify(obj, self.nested).not_on_shape), ("up to date", None))
+
+    def test_certify_and_curve_take_the_objects(self):
+        centre = self.nested.Shape.transformed(self.inner.Placement.toMatrix()).transformed(self.outer.Placement.toMatrix()).BoundBox.Center
+        for name, given in self.meshes().items():
+            with self.subTest(name):
+                self.assertEqual(mq.certify(given, self.nested).not_on_shape, None)
+                cured = mq.curve(self.nested, mesh=given)
+                low, high = cured.nodes.min(axis=0), cured.nodes.max(axis=0)
+                self.assertLess(np.abs((low + high) / 2 - tuple(centre)).max(), 0.2)
 
 
 class Analyses(CureTest):

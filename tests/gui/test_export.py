@@ -9,6 +9,7 @@ import FreeCADGui
 import gui_helpers
 
 import MeshQuality as mq
+from MeshQuality import formats
 from MeshQuality.gui import commands
 from MeshQuality.gui.panels import export_panel
 
@@ -53,6 +54,29 @@ class Export(gui_helpers.PanelTest):
                     open(os.path.join(self.folder, "expected_" + name), "rb") as expected:
                 self.assertEqual(written.read(), expected.read())
         self.assertFalse([name for name in os.listdir(self.folder) if ".part" in name])
+
+    def test_fem_meshes_of_others(self):
+        try:
+            import Fem
+        except ImportError:
+            self.skipTest("this FreeCAD has no FEM workbench")
+        given = self.document.addObject("Fem::FemMeshObject", "Given")
+        given.FemMesh = mq.curve(self.box().Shape, order=2, volume=True).to_fem_mesh(groups=True)
+        self.assertIsInstance(given.FemMesh, Fem.FemMesh)
+        self.document.recompute()
+        self.select(given)
+        self.assertTrue(commands.Export().IsActive())
+        panel = self.panel_for(given, "given.inp")
+        self.assertEqual(panel.formats.currentData(), ".inp")
+        self.assertEqual([panel.formats.itemData(i) for i in range(panel.formats.count())], list(formats.ELEMENTS_WRITTEN))
+        self.narrow(panel, "panel_export_fem")
+        panel.formats.setCurrentIndex(panel.formats.findData(".unv"))
+        self.assertTrue(panel.path.property("fileName").endswith("given.unv"))
+        self.write(panel)
+        self.assertEqual(panel.said, "")
+        found = mq.read_mesh(os.path.join(self.folder, "given.unv"))
+        self.assertEqual((len(found.blocks[0].nodes), mq.certify(found).invalid), (given.FemMesh.VolumeCount, 0))
+        self.assertIn("Face1", found.groups)
 
     def test_what_is_wrong_with_a_path_is_said_in_the_panel(self):
         obj = self.curved()

@@ -31,6 +31,8 @@ def job_of(arguments):
         raise Error("standard input, -, can be read once only: name a file for the others")
     if len(job["inputs"]) == 1 and command == "boolean":
         raise Error("a Boolean needs two inputs or more")
+    if "mesh_scale" in job:
+        _check_mesh_scale(job)
     if job.get("save"):
         _require_savable(job)
     if command == "verify" and job["input"] == STANDARD and not job["mesh"]:
@@ -45,6 +47,13 @@ def job_of(arguments):
     if job.get("output") == STANDARD and job["json"]:
         raise Error("--json and the mesh cannot both go to standard output: name a file with -o")
     return job
+
+
+def _check_mesh_scale(job):
+    if not 0.0 < job["mesh_scale"] < float("inf"):
+        raise Error(f"--mesh-scale {job['mesh_scale']:g} is not allowed: it must be greater than 0")
+    if job["mesh_scale"] != 1.0 and job["command"] == "curve" and not job["mesh"]:
+        raise Error("--mesh-scale is for a mesh that is given: name it with --mesh; --scale is for the file that is written")
 
 
 def _require_savable(job):

@@ -72,6 +72,7 @@ examples:
 examples:
   meshquality certify mesh.msh
   meshquality certify mesh.inp --shape part.step --json
+  meshquality certify metres.msh --shape part.step --mesh-scale 1000
   meshquality certify mesh.msh --save mesh.cert.json         to be checked again by verify
 """,
     "verify": """
@@ -126,6 +127,7 @@ def parser(batched="triangulate"):
                       "Proves which elements of a mesh that any program made are valid: triangles, quadrilaterals,\n"
                       "tetrahedra, prisms, pyramids and hexahedra of orders 1 to 5.")
     one.add_argument("--shape", metavar="CAD", help="CAD file that the surface of the mesh is measured against")
+    _add_mesh_scale(one)
     one.add_argument("--save", metavar="FILE.json", help="file for the certificate, which verify checks again")
     one = _add_single(commands, "verify", "check a saved certificate of a mesh again",
                       "Checks a certificate of certify --save: that the mesh is the same file, and, by a verifier that\n"
@@ -183,8 +185,15 @@ def _add_single(commands, name, title, description):
         one.add_argument("--mesh", metavar="FILE",
                          help="a mesh of triangles or tetrahedra that another program made of the part: it is curved, and "
                               f"stays as it is unless elements would be invalid: {' '.join(ELEMENT_SUFFIXES)}")
+        _add_mesh_scale(one)
         _add_options(one, options.CURVED_DISPLAY, _FLAT_HEADING)
     return one
+
+
+def _add_mesh_scale(one):
+    one.add_argument("--mesh-scale", type=float, default=1.0, metavar="FACTOR",
+                     help="factor from the coordinates of the given mesh to mm: 1000 for one in metres, 25.4 for inches "
+                          "(default: 1)")
 
 
 def _add_writing(one, with_patches, with_interfaces=False):

@@ -324,7 +324,8 @@ def curve(job):
     """Likewise."""
     shape, objects = read_shape_and_objects(job["input"], job.get("object"))
     how = writing_of(job, shape, objects)
-    mesh = mq.curve(shape, **job["options"], **patches_of(how), mesh=job.get("mesh"), progress=progress_line())
+    mesh = mq.curve(shape, **job["options"], **patches_of(how), mesh=job.get("mesh"), mesh_scale=job.get("mesh_scale", 1.0),
+                    progress=progress_line())
     report = mesh.report
     if isinstance(mesh, mq.CurvedElementMesh):
         where = written(job, lambda path: mesh.write(path, scale=how.get("scale", 1.0)))
@@ -369,7 +370,7 @@ def quality(job):
 def certify(job):
     """Likewise."""
     shape = read_shape(job["shape"], job.get("object")) if job.get("shape") else None
-    certificate = mq.certify(job["input"], shape, progress_line())
+    certificate = mq.certify(job["input"], shape, progress_line(), job["mesh_scale"])
     where = ""
     if job.get("save"):
         certificate.save(job["save"], cad=job.get("shape"))

@@ -9,10 +9,11 @@ from .. import options
 from ..compat import extension
 from ..errors import GeometryError, InvalidInput, TopologyError
 from ..listing import Public
-from . import convert, saved_certificate
+from . import convert, fem_places, saved_certificate
 from .curved_arrays import ARRAYS
 from .element_mesh import ElementMesh
 from .elements import conformity, kinds
+from .writing import checked_scale
 
 _VALID, _FOLDED, _INVERTED, _NOT_PROVEN = range(4)  # verdicts of the core
 _WORDS = {_FOLDED: "folded", _INVERTED: "numbered the wrong way round", _NOT_PROVEN: "not proven valid"}
@@ -47,7 +48,7 @@ class MeshCertificate(metaclass=Public):
     """
 
     __slots__ = {
-        "_blocks": None, "_source": None, "elements": "{kind: how many}", "folded": "how many are folded",
+        "_blocks": None, "_scale": None, "_source": None, "elements": "{kind: how many}", "folded": "how many are folded",
         "inverted": "how many are numbered the wrong way round", "not_proven": "how many are neither proven nor folded",
         "invalid_elements": "sentences: which are not valid, and where", "distortion": "bounds of each, by block",
         "conforming": "whether elements fit together", "oriented": "whether neighbours are seen from the same side",
@@ -61,7 +62,7 @@ class MeshCertificate(metaclass=Public):
 
     def __init__(self):
         self.elements, self.distortion, self.invalid_elements, self.notes = {}, (), [], []
-        self._blocks, self._source = [], None
+        self._blocks, self._scale, self._source = [], 1.0, None
         self.folded = self.inverted = self.not_proven = 0
         self.conforming = self.oriented = True
         self.curved_intersections = self.not_proven_apart = self.not_on_shape = None
@@ -115,13 +116,15 @@ class MeshCertificate(metaclass=Public):
         return f"<MeshCertificate: {sum(self.elements.values()):,} elements, {said}>"
 
 
-def certify(mesh, shape=None, progress=None):
+def certify(mesh, shape=None, progress=None, mesh_scale=1.0):
     """Proves which elements of a mesh are valid: a MeshCertificate.
 
     mesh      the path of a file that mq.read_mesh takes, or anything that ElementMesh.of takes: triangles,
               quadrilaterals, tetrahedra, prisms, pyramids and hexahedra of orders 1 to 5
     shape     Part.Shape or document object; the surface of the mesh is measured against it, where it is of triangles
     progress  as for curve
+    mesh_scale
+              factor from the coordinates of a file to mm: 1000 for one in metres
 
     Validity is proven by Bernstein bounds of the Jacobian, see docs/method/validity.md. Nothing is changed.
     Where the surface is not on the shape, `not_on_shape` says why, naming the place. Raises IoError, InvalidInput naming
@@ -131,7 +134,8 @@ def certify(mesh, shape=None, progress=None):
     found = MeshCertificate()
     if isinstance(mesh, (str, os.PathLike)):
         found._source = saved_certificate.digest_of(os.fsdecode(convert.file_name(mesh)))
-    mesh = given_mesh(mesh)
+        found._scale = mesh_scale
+    source, mesh = mesh, given_mesh(mesh, mesh_scale)
     found.notes += mesh.faults
     _prove(mesh, found, progress)
     found.conforming, found.oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
@@ -139,13 +143,18 @@ def certify(mesh, shape=None, progress=None):
     if surface is not None:
         _find_crossings(mesh.nodes, order, surface, found, progress)
     if shape is not None:
-        _measure(mesh, order, surface, convert.shape_of(shape), found, progress)
+        _measure(mesh, order, surface, fem_places.shape_at(source, mesh, shape), found, progress)
     return found
 
 
-def given_mesh(mesh):
-    """The ElementMesh of a path or of what ElementMesh.of takes."""
-    return ElementMesh.read(mesh) if isinstance(mesh, (str, os.PathLike)) else ElementMesh.of(mesh)
+def given_mesh(mesh, mesh_scale=1.0):
+    """The ElementMesh of a path, with the factor of its coordinates, or of what ElementMesh.of takes."""
+    scale = checked_scale(mesh_scale, "mesh_scale", "1000")
+    if isinstance(mesh, (str, os.PathLike)):
+        return ElementMesh.read(mesh, scale)
+    if scale != 1.0:
+        raise InvalidInput("mesh_scale= is for a mesh that is given by the path of its file: this one is in mm")
+    return ElementMesh.of(mesh)
 
 
 def _prove(mesh, found, progress):

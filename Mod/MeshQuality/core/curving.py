@@ -8,7 +8,7 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, curved_elements, fem, frames, given, mixed_orders, orders, writing
+from . import convert, curved_elements, fem, fem_places, frames, given, mixed_orders, orders, writing
 from .certification import given_mesh
 from .curved_arrays import ARRAYS
 from .element_mesh import ElementMesh
@@ -281,7 +281,7 @@ def _require_no_straight_options(values):
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False,
-          patches=None, patch_rest=None, mesh=None):
+          patches=None, patch_rest=None, mesh=None, mesh_scale=1.0):
     """A mesh of curved elements on a shape, proven valid element by element.
 
     shape_or_mesh  Part.Shape, a document object that has one, or a SurfaceMesh together with
@@ -303,6 +303,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
                    would be invalid: then given_node, given_element and moved_nodes of the result say what changed. One
                    with prisms, pyramids, hexahedra or quadrilaterals keeps all of its elements, and its boundary layers
                    follow their walls. volume, patches and the options of the straight mesh do not apply
+    mesh_scale     factor from the coordinates of that file to mm: 1000 for one in metres, 25.4 for inches
 
     Returns a CurvedMesh, of a mesh with other elements than triangles and tetrahedra a CurvedElementMesh; elements that
     stay invalid are in its report. The shape is only read.
@@ -326,7 +327,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
-        shape, mesh = convert.shape_of(shape_or_mesh), given_mesh(mesh)
+        shape = convert.shape_of(shape_or_mesh)
+        mesh = fem_places.mesh_at(mesh, shape_or_mesh) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
         if given.is_mixed(mesh):
             if division is not None:
                 raise InvalidInput("patches are of meshes of triangles and tetrahedra: leave them out, elements of other "

@@ -2,7 +2,7 @@
 """ElementMesh: elements of any kind and order that come from elsewhere."""
 
 from ..listing import Public
-from . import reading
+from . import convert, element_writing, frames, reading
 from .elements import kinds
 from .elements.boundary import boundary_of
 
@@ -49,6 +49,11 @@ class ElementMesh(metaclass=Public):
     faults = property(lambda self: self._faults, doc="tuple of sentences")
 
     @property
+    def suffixes(self):
+        """The extensions of files that hold all its elements, for write."""
+        return element_writing.suffixes_for(self)
+
+    @property
     def dimension(self):
         """The highest dimension of the elements: 1, 2 or 3."""
         return max(kinds.DIMENSION[block.kind] for block in self._blocks)
@@ -59,6 +64,25 @@ class ElementMesh(metaclass=Public):
         order, outward.
         """
         return boundary_of(self._blocks)
+
+    def moved(self, placement):
+        """The same mesh moved by a FreeCAD.Placement: a new ElementMesh, or itself where that moves nothing."""
+        if frames.is_identity(placement):
+            return self
+        return type(self)((convert.moved(self._nodes, placement), self._blocks, self._members, self._faults))
+
+    def write(self, path, scale=1.0, format=None):  # noqa: A002
+        """Writes into a file, with the groups; one that is there is replaced once the new one is complete.
+
+        path    the extension says the format: .msh (Gmsh 4.1), .vtu (VTK), .inp (Abaqus, CalculiX), .unv (I-DEAS), .nas .bdf
+                (Nastran), .su2 (SU2), .h5 (HOPR: volumes of one order), .re2 (Nek5000: hexahedra)
+        scale   factor of the coordinates, which are mm: 0.001 for metres
+        format  the format whatever the extension, such as "msh"
+
+        Raises InvalidInput naming elements or a group that the format cannot hold, and the formats that can; IoError naming
+        the path.
+        """
+        element_writing.write(self, path, scale, format)
 
     def __repr__(self):
         counts = [f"{len(block.nodes):,} {kinds.PLURALS[block.kind] if len(block.nodes) != 1 else block.kind} of order "

@@ -23,6 +23,11 @@ def object_of(source):
     return source[0] if _has_path(source) else source
 
 
+def is_object(source):
+    """Whether a source is a document object, or a path below one."""
+    return isinstance(object_of(source), FreeCAD.DocumentObject)
+
+
 def path_of(source):
     """The path below the object of a source; empty without one."""
     if not _has_path(source):

@@ -41,7 +41,7 @@ def save(certificate, path, cad=None):
         "format": FORMAT, "version": VERSION, "program": f"MeshQuality {__version__}",
         "mesh": _relative(certificate._source, folder),
         "cad": None if cad is None else _relative(digest_of(os.fsdecode(convert.file_name(cad))), folder),
-        "options": {"scale": 1.0},
+        "options": {"scale": certificate._scale},
         "proven": {name: value for name, value in certificate.to_dict().items() if name != "invalid_elements"},
         "blocks": [_block(*block) for block in certificate._blocks],
     }
@@ -96,6 +96,8 @@ def _fault_of(content):
         said = content.get(part)
         if not (part == "cad" and said is None) and not _is_file(said):
             return f"'{part}' does not name a file with its SHA-256"
+    if not _is_scale(content.get("options", {"scale": 1.0})):
+        return "'options' has no scale of the mesh greater than 0"
     proven, blocks = content.get("proven"), content.get("blocks")
     if not isinstance(proven, dict) or not isinstance(blocks, list):
         return "'proven' or 'blocks' is missing"
@@ -108,6 +110,16 @@ def _fault_of(content):
 def _is_file(said):
     return isinstance(said, dict) and isinstance(said.get("file"), str) and isinstance(said.get("sha256"), str) \
         and said["file"].isprintable()
+
+
+def _is_scale(options):
+    scale = options.get("scale") if isinstance(options, dict) else None
+    return isinstance(scale, (int, float)) and not isinstance(scale, bool) and 0.0 < scale < float("inf")
+
+
+def scale_of(content):
+    """The factor from the coordinates of the file to mm of a loaded certificate."""
+    return content.get("options", {"scale": 1.0})["scale"]
 
 
 def _is_block(block):

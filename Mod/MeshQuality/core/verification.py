@@ -69,7 +69,7 @@ def verify(certificate, mesh=None, progress=None):
         found.faults.append(f"the mesh '{path}' is not the file that was certified: its SHA-256 is another one")
     if content["cad"] is not None:
         _check_cad(content["cad"], folder, found)
-    mesh = ElementMesh.read(path)
+    mesh = ElementMesh.read(path, saved_certificate.scale_of(content))
     blocks = [(block, kinds.DIMENSION[block.kind] == mesh.dimension) for block in mesh.blocks]
     _check_blocks(blocks, mesh.nodes, content["blocks"], found, progress)
     _check_sums(content, found)

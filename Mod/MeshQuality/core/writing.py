@@ -9,10 +9,14 @@ import os
 import tempfile
 import zipfile
 
+import numpy as np
+
 from .. import files, formats
 from ..errors import InvalidInput, IoError
 from . import cgns_file, convert, exodus_file, mfem_file, nektar_file
 from .contact_sheets import SHEET, with_sheets
+from .element_arrays import element_blocks, points_of
+from .element_writers import hopr_file
 from .patches import colour_of, division_of, patches_of, require_faces, with_interfaces
 
 _3MF_MODEL = "3D/3dmodel.model"
@@ -71,10 +75,10 @@ def _suffix_of(mesh, path, name):
     return suffix
 
 
-def checked_scale(scale):
-    """The factor as a float; raises InvalidInput."""
+def checked_scale(scale, name="scale", example="0.001"):
+    """The factor as a float; raises InvalidInput naming the option, with the one for metres."""
     if isinstance(scale, bool) or not isinstance(scale, numbers.Real) or not 0.0 < scale < math.inf:
-        raise InvalidInput(f"scale = {scale!r} is not possible: give a number greater than 0, such as 0.001 for metres")
+        raise InvalidInput(f"{name} = {scale!r} is not possible: give a number greater than 0, such as {example} for metres")
     return float(scale)
 
 
@@ -99,6 +103,8 @@ def _write_as(mesh, path, suffix, patches, scale, ascii):  # noqa: A002
         cgns_file.write(mesh, path, patches, _solids_of(mesh), scale)
     elif suffix == ".exo":
         exodus_file.write(mesh, path, patches, _solids_of(mesh), scale)
+    elif suffix == ".h5":
+        _write_hopr(mesh, path, patches, scale)
     elif suffix == ".mesh":
         mfem_file.write(mesh, path, patches, scale)
     elif suffix == ".xml":
@@ -107,6 +113,14 @@ def _write_as(mesh, path, suffix, patches, scale, ascii):  # noqa: A002
         _write_3mf(mesh, path, patches, scale)
     else:
         mesh._write_core(os.fsencode(path), suffix[1:].lower(), patches, scale, ascii)
+
+
+def _write_hopr(mesh, path, patches, scale):
+    volumes = []
+    if len(getattr(mesh, "tetrahedra", ())):
+        volumes = [("tetrahedron", mesh.tetrahedra, np.unique(mesh.tetrahedron_solid, return_inverse=True)[1].ravel() + 1)]
+    faces = [(name, mesh.triangles[members, :3]) for name, members in element_blocks(patches.names, patches.of_triangle)]
+    hopr_file.write(path, points_of(mesh, scale), volumes, faces)
 
 
 def _write_3mf(mesh, path, patches, scale):

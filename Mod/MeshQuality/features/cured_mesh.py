@@ -13,10 +13,9 @@ import FreeCAD
 
 from .. import options, phrases
 from ..compat import fem_source_property
-from ..core import convert, fem, frames, given
+from ..core import convert, fem, fem_places, frames, given
 from ..core.certification import certify
 from ..core.curving import curve
-from ..core.element_mesh import ElementMesh
 from ..errors import InvalidInput
 from . import curved_mesh, fem_mesh, mesh_object, transactions
 from .fem_groups import is_analysis, is_of_shape
@@ -67,7 +66,7 @@ class CuredMeshObject(fem_mesh.FemMeshObject):
         if sources[1] is None:
             raise InvalidInput(phrases.Text(phrases.GIVEN_DELETED))
         values = options.check(cls.OPTIONS, values)
-        shape, mesh = convert.own_shape_of(sources[0]), ElementMesh.of(sources[1].FemMesh)
+        shape, mesh = convert.own_shape_of(sources[0]), fem_places.mesh_in_frame(sources[1], sources[0])
         return Work(sources, values, partial(_digest, shape, mesh, values), partial(cls.compute, shape, values, mesh=mesh))
 
     @classmethod

@@ -11,10 +11,12 @@ from .. import files, formats, phrases
 from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
+from ..core.element_mesh import ElementMesh
 from ..core.patches import division_for, division_of, kept
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import Error, InvalidInput, IoError
 from ..phrases import Text
+from .cured_mesh import has_fem_mesh
 from .mesh_object import ShapeMesh, faces_of_runs
 from .patches import patches_of_object
 from .properties import options_of
@@ -25,7 +27,8 @@ _written = {}  # what _key gives -> file that holds its content already
 def export_mesh(obj, path, patches=None, patch_rest=None, scale=1.0, ascii=False):  # noqa: A002 - an option of write
     """Writes the mesh of a document object into a file, with its patches.
 
-    obj      any object with a mesh, or a link to one: the mesh is written where that stands
+    obj      any object with a mesh, or a link to one: the mesh is written where that stands; of a FEM mesh, whoever made it,
+             the elements are written with their groups, into what ElementMesh.write takes
     path     the extension says the format, as for SurfaceMesh.write; of add_curved_mesh the curved elements are
              written where the format holds them, else the flat triangles that are shown
     patches, patch_rest
@@ -44,7 +47,16 @@ def export_mesh(obj, path, patches=None, patch_rest=None, scale=1.0, ascii=False
     if ready is not None:
         files.put_in_place(ready, os.path.realpath(path))
     else:
-        maker_of(obj, path, patches, patch_rest)().write(path, scale=scale, ascii=ascii)
+        _write(maker_of(obj, path, patches, patch_rest)(), path, scale, ascii)
+
+
+def _write(mesh, path, scale, ascii):  # noqa: A002
+    if isinstance(mesh, ElementMesh):
+        if ascii:
+            raise InvalidInput("ascii is for STL files: a FEM mesh is written as elements")
+        mesh.write(path, scale=scale)
+    else:
+        mesh.write(path, scale=scale, ascii=ascii)
 
 
 def export_curved_mesh(obj, path):
@@ -63,9 +75,16 @@ def export_curved_mesh(obj, path):
 
 def suffixes_for(obj):
     """The extensions of the formats that hold the mesh of an object."""
+    if holds_fem_mesh(obj):
+        return tuple(formats.ELEMENTS_WRITTEN)
     order = _order_of(obj)
     return tuple(suffix for suffix, form in formats.FORMATS.items()
-                 if not order or not form.curved or form.curved >= order)
+                 if (not order and not form.volumes) or (order and (not form.curved or form.curved >= order)))
+
+
+def holds_fem_mesh(source):
+    """Whether elements of a FEM mesh are what is written of an object, or of a link to one."""
+    return frames.is_object(source) and not convert.is_mesh(source) and has_fem_mesh(frames.linked_of(source)[0])
 
 
 def _order_of(source):
@@ -97,12 +116,20 @@ def checked(obj, path, known=None):
 
 def maker_of(obj, path, patches=None, patch_rest=None):
     """A function that makes what is written of the object as it is now into this file; any thread may call it."""
-    suffix = formats.known_suffix(os.path.splitext(path)[1])
+    if holds_fem_mesh(obj):
+        if patches is not None or patch_rest is not None:
+            raise InvalidInput(f"{convert.label_of(obj)} is a FEM mesh, whose groups are written: leave the patches out")
+        return partial(_as_it_is, ElementMesh.of(obj))
+    suffix = formats.known_suffix(os.path.splitext(path)[1], tuple(formats.FORMATS))
     curved = holds_elements(obj) and formats.FORMATS[suffix].curved
     make = taken_from(obj) if curved else _flat_maker(obj)
     if patches is None and patch_rest is None:
         patches, patch_rest = patches_of_object(obj)
     return partial(_with_patches, make, _division(obj, patches, patch_rest))
+
+
+def _as_it_is(mesh):
+    return mesh
 
 
 def flat_maker_of(obj):
@@ -169,7 +196,7 @@ def write_ahead(make, obj, path, scale=1.0, ascii=False):  # noqa: A002
     """
     ready = files.unfinished(os.path.realpath(path), os.path.splitext(path)[1])
     try:
-        make().write(ready, scale=scale, ascii=ascii)
+        _write(make(), ready, scale, ascii)
     except BaseException:
         files.remove_if_there(ready)
         raise

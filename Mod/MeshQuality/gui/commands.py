@@ -10,7 +10,7 @@ import Part
 from ..compat import why_no_extension
 from ..core import convert, frames
 from ..errors import Error
-from ..features import boolean, cured_mesh, curved_mesh, fem_mesh, improved_mesh, mesh_object, quality_mesh
+from ..features import boolean, cured_mesh, curved_mesh, export, fem_mesh, improved_mesh, mesh_object, quality_mesh
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
@@ -187,6 +187,9 @@ class Export(_OfOneMesh):
     TEXT = "Export mesh"
     TIP = "Write the selected mesh into a file for a solver or a printer, with the names of its patches"
     KEYS = "Q, E"
+
+    def selected(self):
+        return _if_one(lambda source: convert.is_mesh(source) or export.holds_fem_mesh(source))
 
 
 class FlowCase(_OfOneMesh):

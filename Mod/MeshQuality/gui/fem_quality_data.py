@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 
 from .. import phrases
-from ..core import convert, frames
+from ..core import fem_places, frames
 from ..core.certification import certify
 from ..core.element_mesh import ElementMesh
 from ..core.elements import boundary, kinds
@@ -47,7 +47,7 @@ class FemQualityData(QualityData):
         self.tetrahedra = self.shown = 0
         self._why, self._numbers = {}, _numbers_of(obj, self._mesh)
         part = cured_mesh.part_of(obj) if obj == source else None
-        self._shape = None if part is None else _shape_of(part, source)
+        self._shape = None if part is None else fem_places.shape_at(source, self._mesh, part)
         self.measures = [JACOBIAN_RATIO] + ([DISTANCE] if part is not None else [])
         self._prepare = partial(self._take_elements, self._mesh)
 
@@ -126,13 +126,6 @@ class FemQualityData(QualityData):
                 parts += [self._nodes[_triangles(nodes[:, local])].reshape(-1, 3, 3)
                           for _, local in kinds.faces_of(block.kind, block.nodes.shape[1])]
         return np.concatenate(parts)
-
-
-def _shape_of(part, source):
-    """The shape as the mesh lies in the document: where its own placement has it, in the containers of the mesh."""
-    shape = convert.own_shape_of(part).copy()
-    shape.transformShape(frames.frame_of(source).toMatrix(), False)
-    return shape
 
 
 def _numbers_of(obj, mesh):

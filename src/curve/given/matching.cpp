@@ -24,13 +24,13 @@ constexpr double kOtherPlace = 0.15;
 /// Pieces of a CAD edge whose ends are looked at.
 constexpr int kEdgePoints = 8;
 
-/// Factors between units that files of meshes are written in.
-constexpr std::array<std::pair<double, const char*>, 6> kUnits{{{1000.0, "metres"},
-                                                                {10.0, "centimetres"},
-                                                                {25.4, "inches"},
-                                                                {304.8, "feet"},
-                                                                {1e-3, "micrometres"},
-                                                                {1.0 / 25.4, "a twenty-fifth of a millimetre"}}};
+/// Factors between units that files of meshes and shapes are written in, with what may have been taken for mm.
+constexpr std::array<std::pair<double, const char*>, 6> kUnits{{{1000.0, "it were in metres"},
+                                                                {10.0, "it were in centimetres"},
+                                                                {25.4, "it were in inches"},
+                                                                {304.8, "it were in feet"},
+                                                                {1e-3, "it were in micrometres"},
+                                                                {1.0 / 25.4, "the shape were in inches"}}};
 
 Box box_of(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles) {
     Box box;
@@ -83,8 +83,9 @@ void require_same_place(const Box& mesh, const Box& edges, const Box& model) {
         scaled.high *= factor;
         if (fits(scaled)) {
             throw InvalidInput("the given mesh is " + in_digits(std::max(factor, 1.0 / factor), 4) + " times " +
-                               (factor > 1.0 ? "smaller" : "larger") + " than the shape, as if it were in " + unit +
-                               ": read it with scale=" + in_digits(factor, 5));
+                               (factor > 1.0 ? "smaller" : "larger") + " than the shape, as if " + unit +
+                               ": give mesh_scale=" + in_digits(factor, 5) +
+                               ", on the command line --mesh-scale " + in_digits(factor, 5));
         }
     }
     const Vec3 shift = model.center() - mesh.center();

@@ -6,7 +6,7 @@ import re
 import numpy as np
 
 from ...errors import IoError
-from . import kinds
+from . import kinds, nastran_table
 from .parts import REMEDY, Parts, Section, content, unsupported, words_of
 
 _SOLIDS = {b"CTETRA": (4, 10), b"CPYRAM": (5, 13), b"CPYRA": (5, 13), b"CPENTA": (6, 15), b"CHEXA": (8, 20)}
@@ -30,8 +30,58 @@ def read(path):
     ended = re.search(rb"^ENDDATA", data, re.M | re.I)
     if start and not ended:
         raise IoError(f"it has no ENDDATA: it is cut off; {REMEDY}")
+    body = data[start.end() if start else 0:ended.start() if ended else len(data)]
+    try:
+        points, elements = _of_tables(nastran_table.tables_of(body))
+    except (nastran_table.Unusual, ValueError):  # line by line, which names what is wrong
+        points, elements = _of_lines(body)
+    return _parts(points, elements, names)
+
+
+def _of_tables(tables):
+    """((numbers, places) of nodes, {(kind, nodes): rows of number, property and nodes}); raises Unusual."""
     points, elements = [], {}
-    for name, fields in _cards(data[start.end() if start else 0:ended.start() if ended else len(data)]):
+    for name, fields in tables:
+        if name == b"GRID":
+            if fields.shape[1] < 5 or not np.isin(fields[:, 1], list(b" 0")).all():
+                raise nastran_table.Unusual
+            points.append((nastran_table.whole_of(fields[:, 0]), nastran_table.floats_of(fields[:, 2:5], _number)))
+        elif name in _SOLIDS or name in _OTHERS:
+            for key, rows in _rows_of(name, fields):
+                elements.setdefault(key, []).append(rows)
+        elif name == b"INCLUDE" or _UNKNOWN.fullmatch(name):
+            raise nastran_table.Unusual
+    if not points:
+        raise nastran_table.Unusual
+    points = tuple(np.concatenate(part) for part in zip(*points))
+    return points, {key: np.concatenate(parts) for key, parts in elements.items()}
+
+
+def _rows_of(name, fields):
+    """[((kind, nodes), rows), ...] of the elements of a table."""
+    empty = nastran_table.blank(fields)
+    if name == b"CQUAD" or empty[:, 0].any():
+        raise nastran_table.Unusual
+    there = (~empty[:, 2:]).sum(axis=1)
+    counts = [(low, there <= low) if k == 0 else (high, there > low) for low, high in [_SOLIDS[name]] for k in (0, 1)] \
+        if name in _SOLIDS else [(_OTHERS[name][1], np.ones(len(fields), dtype=bool))]
+    found = []
+    for count, which in counts:
+        if not which.any():
+            continue
+        if fields.shape[1] < 2 + count or empty[which, 2:2 + count].any() or name in _SOLIDS and (there[which] != count).any():
+            raise nastran_table.Unusual
+        mine = fields[which, :2 + count]
+        mine[empty[which, 1], 1] = mine[empty[which, 1], 0]
+        kind = _KIND[count] if name in _SOLIDS else _OTHERS[name][0]
+        found.append(((kind, count), nastran_table.whole_of(mine)))
+    return found
+
+
+def _of_lines(body):
+    """The same of entries in any form; raises IoError naming what cannot be read."""
+    points, elements = [], {}
+    for name, fields in _cards(body):
         if name == b"GRID":
             if _blank_or_zero(fields, 1):
                 points.append((fields[0], *(fields[2:5] + [b"0"] * 3)[:3]))
@@ -44,7 +94,9 @@ def read(path):
             raise unsupported(f"{words_of(name)} entries")
     if not points:
         raise IoError("it has no GRID entries: it is no mesh in Nastran bulk data")
-    return _parts(points, elements, names)
+    places = np.array([_number(value) for point in points for value in point[1:]]).reshape(-1, 3)
+    return (np.array([point[0] for point in points]).astype(np.int64), places), \
+        {key: np.array(found).astype(np.int64) for key, found in elements.items()}
 
 
 def _cards(data):
@@ -103,15 +155,14 @@ def _element(name, fields):
 
 
 def _parts(points, elements, names):
-    rows = np.array([_number(value) for point in points for value in point[1:]]).reshape(-1, 3)
-    parts = Parts(rows, [], np.array([point[0] for point in points]).astype(np.int64))
+    parts = Parts(points[1], [], points[0])
     properties = {}
-    for (kind, count), found in elements.items():
-        table = np.array(found).astype(np.int64)
+    for (kind, count), table in elements.items():
         nodes = table[:, 2:][:, kinds.from_convention(kind, count, kinds.LEVELS)]
         parts.sections.append(Section(kind, nodes, table[:, 0]))
-        for number in np.unique(table[:, 1]).tolist():
-            properties.setdefault(number, []).append(table[table[:, 1] == number, 0])
+        order = np.argsort(table[:, 1], kind="stable")
+        for rows in np.split(order, np.flatnonzero(np.diff(table[order, 1])) + 1):
+            properties.setdefault(int(table[rows[0], 1]), []).append(table[rows, 0])
     for number, lists in sorted(properties.items()):
         parts.add_to_group(names.get(number, f"property {number}"), np.concatenate(lists))
     return parts

@@ -20,7 +20,7 @@ _FLAT = {3: "triangle", 6: "triangle", 4: "quadrilateral", 8: "quadrilateral"}
 _SOLID = {4: "tetrahedron", 10: "tetrahedron", 5: "pyramid", 13: "pyramid", 6: "prism", 15: "prism", 8: "hexahedron",
           20: "hexahedron"}
 # Around the element: corners and the middles between them in turn, level by level.
-_AROUND = {
+AROUND = {
     ("line", 3): (0, (0, 1), 1),
     ("triangle", 6): (0, (0, 1), 1, (1, 2), 2, (2, 0)),
     ("quadrilateral", 8): (0, (0, 1), 1, (1, 2), 2, (2, 3), 3, (3, 0)),
@@ -33,12 +33,12 @@ _AROUND = {
 
 
 @functools.lru_cache(maxsize=None)
-def _order(kind, count):
+def order_of(kind, count):
     """By which nodes get into Gmsh's order."""
-    if (kind, count) not in _AROUND:
+    if (kind, count) not in AROUND:
         return np.arange(count)
     places = kinds.places(kind, count)
-    wanted = [places[part] if isinstance(part, int) else places[list(part)].mean(axis=0) for part in _AROUND[kind, count]]
+    wanted = [places[part] if isinstance(part, int) else places[list(part)].mean(axis=0) for part in AROUND[kind, count]]
     return np.argsort(kinds.matching(kind, count, np.array(wanted)))
 
 
@@ -85,7 +85,7 @@ def _elements(body):
         kind = _kind(descriptor, count)
         head = 9 if descriptor in _WITH_RECORD else 6
         rows = equal_rows(values[at:], head + count, (len(values) - at) // (head + count), [1, 5])
-        found.append(Section(kind, rows[:, head:][:, _order(kind, count)], rows[:, 0]))
+        found.append(Section(kind, rows[:, head:][:, order_of(kind, count)], rows[:, 0]))
         at += rows.size
     return found
 

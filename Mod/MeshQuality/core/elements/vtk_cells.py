@@ -19,7 +19,8 @@ _NAMES = {4: "poly lines", 6: "triangle strips", 7: "polygons", 8: "pixels", 11:
           73: "prisms of VTK Lagrange", 74: "pyramids of VTK Lagrange"}
 # Of the arrays of cells that name a group by its number; the CAD entities that our own files have.
 _GEOMETRY = {"cad_face": 2, "cad_solid": 3}
-TABLES = (*_GEOMETRY, "patch", "CellEntityIds", "gmsh:geometrical")
+GROUP = "group"  # of files of ElementMesh: the group of each cell
+TABLES = (*_GEOMETRY, "patch", GROUP, "CellEntityIds", "gmsh:geometrical")
 
 
 def add(parts, connectivity, offsets, types, place):
@@ -38,10 +39,10 @@ def add(parts, connectivity, offsets, types, place):
             kinds.from_convention(kind, count, kinds.RINGS)
         section = Section(kind, nodes[:, order] + first, _next_numbers(parts, end - begin), _geometry(tables, kind, begin, end))
         parts.sections.append(section)
-        if "patch" in tables and len(tables["patch"]) >= end:
-            patch = tables["patch"][begin:end]
-            for i in np.unique(patch[patch >= 0]).tolist():
-                parts.add_to_group(f"patch {i}", section.numbers[patch == i])
+        for name in ("patch", GROUP):
+            group = tables[name][begin:end] if len(tables.get(name, ())) >= end else np.zeros(0, dtype=np.int64)
+            for i in np.unique(group[group >= 0]).tolist():
+                parts.add_to_group(f"{name} {i}", section.numbers[group == i])
 
 
 def _kind(number, count):

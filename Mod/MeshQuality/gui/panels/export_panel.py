@@ -21,7 +21,6 @@ from .writing_panel import WritingPanel
 translate = FreeCAD.Qt.translate
 
 _UNITS = (("mm", 1.0), ("m", 0.001), ("in", 1 / 25.4))
-_FIRST_FORMAT = {True: ".msh", False: ".stl"}  # of curved elements, of flat triangles
 
 
 class ExportPanel(WritingPanel):
@@ -34,8 +33,8 @@ class ExportPanel(WritingPanel):
     DROP = staticmethod(lambda forget: forget())
 
     def add_fields(self, layout):
-        suffixes = export.suffixes_for(self.source)
-        titles = {suffix: f"{formats.FORMATS[suffix].title} (*{suffix})" for suffix in suffixes}
+        suffixes = self._known = export.suffixes_for(self.source)
+        titles = {suffix: f"{formats.title_of(suffix)} (*{suffix})" for suffix in suffixes}
         self.formats = QtGui.QComboBox()
         for suffix, title in titles.items():
             self.formats.addItem(title, suffix)
@@ -49,7 +48,7 @@ class ExportPanel(WritingPanel):
         self.path.setProperty("acceptMode", 1)  # a file to save
         self.path.setProperty("filter", ";;".join(titles.values()))
         self.path.setProperty("fileName", os.path.join(
-            self.first_folder(), f"{self.label}{_FIRST_FORMAT[holds_elements(self.source)]}"))
+            self.first_folder(), f"{self.label}{_first_format(self.source)}"))
         self.path.setToolTip(translate("MeshQuality", "Without an extension, that of the format is added"))
         of = QtGui.QLabel(self._described())
         of.setWordWrap(True)
@@ -66,6 +65,8 @@ class ExportPanel(WritingPanel):
 
     def _described(self):
         """Says what is written, and by which patches."""
+        if export.holds_fem_mesh(self.source):
+            return translate("MeshQuality", "FEM mesh: {}, with its groups").format(self.label)
         if holds_elements(self.source):
             text = translate("MeshQuality", "Mesh: {}, curved elements of order {}").format(
                 self.label, frames.linked_of(self.source)[0].ElementsOrder)
@@ -113,18 +114,22 @@ class ExportPanel(WritingPanel):
 
     def _format_changed(self, *_):
         stem, suffix = os.path.splitext(self.path.property("fileName"))
-        if formats.known_suffix(suffix):
+        if formats.known_suffix(suffix, self._known):
             self.path.setProperty("fileName", stem + self.formats.currentData())
 
     def _path_changed(self, *_):
         path = self.path.property("fileName")
         suffix = os.path.splitext(path)[1]
-        index = self.formats.findData(formats.known_suffix(suffix))
+        index = self.formats.findData(formats.known_suffix(suffix, self._known))
         self.text.setVisible(_has_text(suffix))
         if index >= 0:
             self.formats.setCurrentIndex(index)
         self.say(translate("MeshQuality", "The file exists and will be replaced.")
                  if os.path.isfile(path) else "")
+
+
+def _first_format(source):
+    return ".msh" if holds_elements(source) or export.holds_fem_mesh(source) else ".stl"
 
 
 def _has_text(suffix):
