@@ -440,22 +440,28 @@ def touch_only(order, nodes, rows, pairs):
     """
     if not len(pairs):
         return []
-    body = _bodies(rows)
     surface = _Surface(order, nodes, rows)
+    body = _bodies(surface.rows[:, surface.corners])
     slack = _TOUCHING * float(np.ptp(surface.control.reshape(-1, 3), axis=0).max())
     return [bool(a < len(rows) and b < len(rows) and body[a] != body[b]
                  and _on_both_sides(order, surface.control[a], surface.control[b], slack, _TOUCHING_LEVELS)) for a, b in pairs]
 
 
-def _bodies(rows):
-    """By triangle a number that is the same where nodes connect them."""
-    found = np.arange(rows.max() + 1)
+def _bodies(corners):
+    """By triangle a number that is the same where edges of just two triangles connect them."""
+    edges = np.sort(np.concatenate([corners[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+    owner = np.tile(np.arange(len(corners)), 3)
+    _, index, counts = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
+    index = index.reshape(-1)
+    order = np.argsort(index, kind="stable")
+    pairs = owner[order][counts[index[order]] == 2].reshape(-1, 2)
+    found = np.arange(len(corners))
     while True:
         before = found.copy()
-        np.minimum.at(found, rows, found[rows].min(axis=1)[:, None])
+        np.minimum.at(found, pairs, found[pairs].min(axis=1)[:, None])
         found = found[found]
         if (found == before).all():
-            return found[rows[:, 0]]
+            return found
 
 
 def _on_both_sides(order, a, b, slack, levels):

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
@@ -50,7 +51,7 @@ class Patches {
             }
             control_[t] = nodes_to_bezier(lattice_, nodes);
         }
-        find_bodies(mesh);
+        find_bodies();
         limits_.rounding = kRelativeRounding * (largest + middle_.cwiseAbs().maxCoeff());
     }
 
@@ -97,15 +98,35 @@ class Patches {
     }
 
   private:
-    /// Triangles that are connected by nodes are of one body; nodes of equal coordinates do not connect.
-    void find_bodies(const CurvedMesh& mesh) {
-        const auto per = static_cast<std::size_t>(lattice_.size());
-        DisjointSets<std::int32_t> sets(mesh.nodes.size());
-        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-            sets.unite(mesh.triangles[i], mesh.triangles[i - i % per]);
+    /// Triangles are of one body where edges of just two of them connect them. Where bodies lie on each other, edges in
+    /// the same place have four.
+    void find_bodies() {
+        const auto count = static_cast<std::int32_t>(control_.size());
+        std::vector<std::array<std::int32_t, 3>> edges;  // two corners, and a triangle
+        for (std::int32_t t = 0; t < count; ++t) {
+            for (int k = 0; k < 3; ++k) {
+                const std::int32_t a = node(t, lattice_.corner(k));
+                const std::int32_t b = node(t, lattice_.corner((k + 1) % 3));
+                edges.push_back({std::min(a, b), std::max(a, b), t});
+            }
         }
-        for (std::size_t t = 0; t < control_.size(); ++t) {
-            body_.push_back(sets.find(mesh.triangles[t * per]));
+        std::sort(edges.begin(), edges.end());
+        const auto same = [&](std::size_t i, std::size_t j) {
+            return j < edges.size() && edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1];
+        };
+        DisjointSets<std::int32_t> sets(control_.size());
+        for (std::size_t i = 0; i < edges.size();) {
+            std::size_t end = i + 1;
+            while (same(i, end)) {
+                ++end;
+            }
+            if (end == i + 2) {
+                sets.unite(edges[i][2], edges[i + 1][2]);
+            }
+            i = end;
+        }
+        for (std::int32_t t = 0; t < count; ++t) {
+            body_.push_back(sets.find(t));
         }
     }
     std::int32_t node(std::int32_t t, int i) const {
@@ -147,7 +168,7 @@ class Patches {
     PatchLimits limits_;
     std::vector<std::int32_t> nodes_;         ///< by triangle in the order of the lattice; equal ones are one
     std::vector<std::vector<Vec3>> control_;  ///< by triangle
-    std::vector<std::int32_t> body_;          ///< likewise, the number of a body that shares no nodes with others
+    std::vector<std::int32_t> body_;          ///< likewise, the number of its body
 };
 
 /// All pairs whose bounding boxes meet and that do not lie on each other, and each triangle with itself.

@@ -38,8 +38,8 @@ struct CurvedCrossings {
     /// the mesh's size; or the proof needs more comparisons than `kMostPiecePairs` (patch_pair.h), or than are left of
     /// the effort.
     std::vector<std::pair<std::int32_t, std::int32_t>> not_proven;
-    /// Proven to touch only: of bodies that share no nodes, with planes that have them on both sides, but for 1e-9 of
-    /// the mesh's size.
+    /// Proven to touch only: of bodies that no edge of two triangles connects, with planes that have them on both
+    /// sides, but for 1e-9 of the mesh's size.
     std::vector<std::pair<std::int32_t, std::int32_t>> touching;
     std::size_t compared = 0;  ///< pairs whose bounding boxes meet
     std::size_t given_up = 0;  ///< of those not proven, pairs for which nothing was left of the effort

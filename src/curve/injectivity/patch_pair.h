@@ -17,7 +17,7 @@ struct SharedEntities {
     std::vector<std::array<int, 2>> corners;
     /// Edges, with all control points: two indices into `corners`.
     std::vector<std::array<int, 2>> edges;
-    /// Whether they are of bodies that share no nodes, so that they may touch.
+    /// Whether they are of different bodies, so that they may touch.
     bool may_touch = false;
 };
 
