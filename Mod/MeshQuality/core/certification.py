@@ -16,7 +16,7 @@ from .elements import bodies, conformity, kinds
 
 _VALID, _FOLDED, _INVERTED, _NOT_PROVEN = range(4)  # verdicts of the core
 _WORDS = {_FOLDED: "folded", _INVERTED: "numbered the wrong way round", _NOT_PROVEN: "not proven valid"}
-_LEFT_OUT = 3.0  # times the deviation of the mesh from the CAD: so far is a place that the mesh leaves out
+_LEFT_OUT = 3.0  # times the deviation of the mesh from the CAD: a place at this distance is left out by the mesh
 _ON_CAD = 5  # highest order of triangles that are measured against a shape
 
 
@@ -25,7 +25,8 @@ class MeshCertificate(metaclass=Public):
 
     elements          {kind: how many}
     invalid           elements that are not proven valid: folded, inverted or not proven
-    folded            somewhere J <= 0 (of triangles and quadrilaterals: the normal turns by 90 degrees or more)
+    folded            somewhere J <= 0 (of triangles and quadrilaterals: the normal turns by 90 degrees or more; of triangles that
+                      were measured against a shape: it does not follow that of the CAD face)
     inverted          J < 0 everywhere: the nodes are numbered the wrong way round
     not_proven        neither proven valid nor folded
     invalid_elements  which these are: "tetrahedron 22 folded at (1, 2, 3) mm"
@@ -53,7 +54,7 @@ class MeshCertificate(metaclass=Public):
     """
 
     __slots__ = {
-        "_blocks": None, "_source": None, "_crossings": None, "elements": "{kind: how many}", "folded": "how many are folded",
+        "_blocks": None, "_source": None, "_crossings": None, "_turning": None, "elements": "{kind: how many}", "folded": "how many are folded",
         "inverted": "how many are numbered the wrong way round", "not_proven": "how many are neither proven nor folded",
         "invalid_elements": "sentences: which are not valid, and where", "distortion": "bounds of each, by block",
         "conforming": "whether elements fit together", "oriented": "whether neighbours are seen from the same side",
@@ -71,6 +72,7 @@ class MeshCertificate(metaclass=Public):
     def __init__(self):
         self.elements, self.distortion, self.invalid_elements, self.notes = {}, (), [], []
         self._blocks, self._source, self._crossings = [], None, ((), (), ())
+        self._turning = ()
         self.folded = self.inverted = self.not_proven = 0
         self.conforming = self.oriented = True
         self.curved_intersections = self.not_proven_apart = self.not_on_shape = self.overlapping_bodies = None
@@ -240,6 +242,27 @@ def _measure(mesh, order, surface, shape, found, progress):
     found.triangle_face, found.triangle_deviation = face, deviation
     found.max_deviation = float(deviation.max(initial=0.0))
     found.folded_on_cad = int((~(quality > 0.0)).sum())
+    if mesh.dimension == 2:
+        _follow_cad(found, quality)
+
+
+def _follow_cad(found, quality):
+    """Triangles of a surface mesh that turn by 90 degrees or more are valid where they follow the CAD normal all over."""
+    block = next(i for i, (kind, *_) in enumerate(found._blocks) if kind == "triangle")
+    kind, order, verdict, low = found._blocks[block]
+    turning = np.flatnonzero((verdict == _FOLDED) & (quality > 0.0))
+    if not len(turning):
+        return
+    verdict, low = verdict.copy(), low.copy()
+    verdict[turning], low[turning] = _VALID, quality[turning]
+    found._blocks[block] = kind, order, verdict, low
+    found.distortion = tuple(low if i == block else part for i, part in enumerate(found.distortion))
+    found._turning, found.folded = turning.tolist(), found.folded - len(turning)
+    named = {f"triangle {i} {_WORDS[_FOLDED]} at" for i in found._turning}
+    found.invalid_elements = [said for said in found.invalid_elements if said.partition(" (")[0] not in named]
+    many = len(turning) > 1
+    found.notes.append(f"{len(turning):,} triangle{'s' if many else ''} that turn{'' if many else 's'} by 90 degrees or more "
+                       f"follow{'' if many else 's'} the CAD face: valid")
 
 
 def _measure_from_cad(mesh, order, surface, shape, found, progress):

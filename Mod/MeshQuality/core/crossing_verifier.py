@@ -17,7 +17,7 @@ from ..errors import Cancelled
 from .elements import kinds, lagrange
 
 APART, CROSSING, UNKNOWN = 1, -1, 0
-_LEVELS, _PIECES = 12, 4000  # of cutting, and pairs of pieces of one pair of triangles
+_LEVELS, _PIECES = 12, 40_000  # of cutting, and pairs of pieces of one pair of triangles
 _ROUNDS = 60  # of the search for a plane
 _ROUNDING = 1e-12  # of the largest coordinate
 _AT_A_TIME = 40_000  # pairs

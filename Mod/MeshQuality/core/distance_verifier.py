@@ -17,6 +17,8 @@ _MOST_POINTS = 1_000_000
 _LOOSE, _SHARE, _NOTHING = 1.5, 0.1, 1e-7  # of the distance at other points: times its own, the largest, the size of the mesh
 _COMPARED = 500  # triangles that are compared with their own face
 _NAMED = 3
+_MIDDLE = (1 / 3, 1 / 3, 0.0)
+_AROUND = [(i / 4 + 1 / 12, j / 4 + 1 / 12, 0.0) for i in range(4) for j in range(4 - i)]  # of triangles that turn far
 
 
 def faults_of(shape, nodes, order, rows, said, proven, progress=None):
@@ -35,11 +37,17 @@ def faults_of(shape, nodes, order, rows, said, proven, progress=None):
     distance = _distances(shape, nodes, order, rows, progress)
     _name(found, distance > allowed, "is {:.3g} mm from the shape, more than the certificate says", distance)
     compared = np.unique(np.linspace(0, len(rows) - 1, min(_COMPARED, len(rows))).astype(int))
-    own, turned = _own_faces(shape, nodes, order, rows[compared], faces[compared])
+    own, against = _own_faces(shape, nodes, order, rows[compared], faces[compared], _MIDDLE)
+    turned = int(against.sum())
     wrong = np.zeros(len(rows), dtype=bool)
     wrong[compared] = own > allowed[compared]
     distance[compared] = own
     _name(found, wrong, "is {:.3g} mm from the CAD face that the certificate says it is on", distance)
+    turning = np.array(said.get("turning", []), dtype=int)
+    against = np.zeros(len(rows), dtype=bool)
+    for place in _AROUND if len(turning) else ():
+        against[turning] |= _own_faces(shape, nodes, order, rows[turning], faces[turning], place)[1]
+    _name(found, against, "is turned against its CAD face, which the certificate says it follows", distance)
     if turned > _number(proven["folded_on_cad"]):
         found.append(f"the certificate says folded_on_cad = {proven['folded_on_cad']!r}, but {turned:,} triangles are turned "
                      "against their CAD faces")
@@ -59,7 +67,7 @@ def _name(found, wrong, text, values):
 
 def _points(nodes, order, rows, steps):
     """float64 (F, n, 3): a lattice of points of each triangle."""
-    at = kinds.places("triangle", kinds.count_of("triangle", steps)) if steps else np.full((1, 3), 1 / 3)
+    at = np.array([(i / steps, j / steps, 0.0) for i in range(steps + 1) for j in range(steps + 1 - i)])
     return np.einsum("pn,fnx->fpx", lagrange.at_places("triangle", kinds.count_of("triangle", order), at), nodes[rows])
 
 
@@ -72,22 +80,21 @@ def _distances(shape, nodes, order, rows, progress):
     return found.reshape(len(rows), -1).max(axis=1)
 
 
-def _own_faces(shape, nodes, order, rows, faces):
-    """(the distance of the middle of each triangle from its face, how many are turned there)."""
+def _own_faces(shape, nodes, order, rows, faces, place):
+    """(the distance of a place of each triangle from its face, whether it is turned against the face there)."""
     import Part
 
-    middle = _points(nodes, order, rows, 0)[:, 0]
     step = 1e-4
-    at = np.array([[1 / 3 - step, 1 / 3, 0], [1 / 3 + step, 1 / 3, 0], [1 / 3, 1 / 3 - step, 0], [1 / 3, 1 / 3 + step, 0]])
+    at = np.array(place) + np.array([[0, 0, 0], [-step, 0, 0], [step, 0, 0], [0, -step, 0], [0, step, 0]])
     around = np.einsum("pn,fnx->fpx", lagrange.at_places("triangle", rows.shape[1], at), nodes[rows])
-    normal = np.cross(around[:, 1] - around[:, 0], around[:, 3] - around[:, 2])
-    own, turned = [], 0
-    for point, direction, face in zip(middle.tolist(), normal, faces.tolist()):
+    normal = np.cross(around[:, 2] - around[:, 1], around[:, 4] - around[:, 3])
+    own, against = [], []
+    for point, direction, face in zip(around[:, 0].tolist(), normal, faces.tolist()):
         face = shape.Faces[face]
         vector = FreeCAD.Vector(*point)
         own.append(face.distToShape(Part.Vertex(vector))[0])
-        turned += float(direction @ np.array(face.normalAt(*face.Surface.parameter(vector)))) < 0
-    return np.array(own), turned
+        against.append(float(direction @ np.array(face.normalAt(*face.Surface.parameter(vector)))) < 0)
+    return np.array(own), np.array(against, dtype=bool)
 
 
 def missing(shape, nodes, rows, order, said):

@@ -77,8 +77,11 @@ def _block(kind, order, verdict, low):
 
 
 def _surface(certificate, measured):
-    """What is said of the triangles of the surface: pairs of them, by index, and of each its CAD face and its distance."""
+    """What is said of the triangles of the surface: pairs of them, by index, those that are valid as they follow the CAD face,
+    and of each its CAD face and its distance.
+    """
     content = {name: [list(pair) for pair in pairs] for name, pairs in zip(PAIRS, certificate._crossings)}
+    content["turning"] = list(certificate._turning)
     if measured and certificate.triangle_face is not None:
         up = [math.ceil(value * 10.0**_PLACES) / 10.0**_PLACES for value in certificate.triangle_deviation.tolist()]
         content.update(face=certificate.triangle_face.tolist(), deviation=[round(value, _PLACES) for value in up])
@@ -129,8 +132,8 @@ def _is_surface(said):
     if not all(isinstance(part, list) and all(isinstance(pair, list) and len(pair) == 2 and all(map(_is_count, pair))
                                               for pair in part) for part in pairs):
         return False
-    faces, deviations = said.get("face", []), said.get("deviation", [])
-    return isinstance(faces, list) and isinstance(deviations, list) and all(map(_is_count, faces)) \
+    faces, turning, deviations = (said.get(name, []) for name in ("face", "turning", "deviation"))
+    return all(isinstance(part, list) for part in (faces, turning, deviations)) and all(map(_is_count, [*faces, *turning])) \
         and all(isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < math.inf
                 for value in deviations)
 

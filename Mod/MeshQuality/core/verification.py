@@ -72,14 +72,13 @@ def verify(certificate, mesh=None, progress=None):
     cad = None if content["cad"] is None else _check_cad(content["cad"], folder, found)
     mesh = ElementMesh.read(path)
     blocks = [(block, kinds.DIMENSION[block.kind] == mesh.dimension) for block in mesh.blocks]
-    _check_blocks(blocks, mesh.nodes, content["blocks"], found, progress)
+    _check_blocks(blocks, mesh.nodes, content, found, progress)
     _check_sums(content, found)
     _check_conformity(mesh, [block for block, checked in blocks if checked], content["proven"], found)
     order, surface = triangles_of_surface(mesh)
-    said = content.get("surface", {})
     _check_overlaps(mesh, content["proven"], found)
-    _check_crossings(mesh.nodes, order, surface, said, content["proven"], found, progress)
-    _check_distances(mesh, order, surface, cad, said, content["proven"], found, progress)
+    _check_crossings(mesh.nodes, order, surface, content, found, progress)
+    _check_distances(mesh, order, surface, cad, content, found, progress)
     return found
 
 
@@ -101,8 +100,9 @@ def _check_overlaps(mesh, proven, found):
         found.faults.append(f"the certificate says overlapping_bodies = {proven['overlapping_bodies']!r}, but it is {count}")
 
 
-def _check_crossings(nodes, order, surface, said, proven, found, progress):
+def _check_crossings(nodes, order, surface, content, found, progress):
     """The pairs that the certificate lists cross, or are left open; all others are apart."""
+    proven, said = content["proven"], content.get("surface", {})
     if surface is None:
         if proven.get("curved_intersections") is not None or proven.get("not_proven_apart") is not None:
             found.faults.append("the certificate counts curved triangles that cross, but the surface is not of triangles of one order")
@@ -134,13 +134,26 @@ def _check_crossings(nodes, order, surface, said, proven, found, progress):
         found.notes.append(f"{len(open_ones):,} pairs of triangles that the certificate leaves open were not looked at")
 
 
-def _check_distances(mesh, order, surface, cad, said, proven, found, progress):
+def _check_distances(mesh, order, surface, cad, content, found, progress):
+    proven, said = content["proven"], content.get("surface", {})
     claims = [name for name in ("max_deviation", "cad_deviation") if proven.get(name) is not None]
+    if said.get("turning") and (cad is None or "max_deviation" not in claims or surface is None
+                                or max(said["turning"]) >= len(surface) or mesh.dimension == 3):
+        found.faults.append("the certificate says that triangles follow their CAD faces, which cannot be shown again: put the CAD "
+                            "file where the certificate says, or certify the mesh again")
+        return
     if not claims:
+        return
+    if cad is None and content["cad"] is not None:
+        found.notes.append("the distance from the shape was not looked for again")
         return
     if cad is None or surface is None:
         found.faults.append(f"the certificate says {claims[0]} = {proven[claims[0]]!r}, which cannot be shown again without the CAD "
                             "file that was measured against: put it where the certificate says, or certify the mesh again")
+        return
+    if cad.lower().endswith(".fcstd"):
+        found.notes.append(f"the distance from the shape was not looked for again: '{cad}' is a document; export the part as .step or "
+                           ".brep, and certify with that file")
         return
     shape = _shape_in(cad)
     if "max_deviation" in claims:
@@ -160,7 +173,8 @@ def _shape_in(path):
         raise IoError(f"cannot read '{path}': {error}; certificates are verified against .step, .iges and .brep") from error
 
 
-def _check_blocks(blocks, nodes, said, found, progress):
+def _check_blocks(blocks, nodes, content, found, progress):
+    said, turning = content["blocks"], content.get("surface", {}).get("turning", [])
     present = [(block.kind, block.order, len(block.nodes) if checked else 0) for block, checked in blocks]
     claimed = [(block["kind"], block["order"], block["elements"]) for block in said]
     if present != claimed:
@@ -181,7 +195,10 @@ def _check_blocks(blocks, nodes, said, found, progress):
             part = slice(start, start + _AT_A_TIME)
             examined.append(verifier.examine(block.kind, block.order, nodes, block.nodes[part], verdict[part] == 2))
             done += len(examined[-1][0])
-        _compare(block.kind, verdict, np.array(claims["distortion"]), *map(np.concatenate, zip(*examined)), found)
+        J, distortion = map(np.concatenate, zip(*examined))
+        if block.kind == "triangle" and turning and max(turning) < len(J):
+            J[turning], distortion[turning] = verifier.POSITIVE, np.inf  # those are compared with the CAD
+        _compare(block.kind, verdict, np.array(claims["distortion"]), J, distortion, found)
 
 
 def _in_words(blocks):

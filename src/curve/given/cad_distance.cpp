@@ -64,7 +64,7 @@ class CurvedTriangles {
 
   private:
     static constexpr int kSteps = 4;   // flat triangles along an edge of a curved one
-    static constexpr int kRounds = 8;  // of Gauss-Newton's method, from the nearest flat triangle on
+    static constexpr int kRounds = 8;  // rounds of Gauss-Newton's method, from the nearest flat triangle on
 
     std::size_t cells() const { return static_cast<std::size_t>(steps_) * static_cast<std::size_t>(steps_); }
     std::size_t own_points() const {
@@ -147,7 +147,7 @@ class CurvedTriangles {
     const Lattice& lattice_;
     int steps_;
     std::vector<std::vector<Vec3>> control_;
-    std::vector<std::array<double, 2>> places_;  ///< of the points of one triangle
+    std::vector<std::array<double, 2>> places_;  ///< parameters of the points of one triangle
     std::vector<Vec3> points_;
     std::vector<mesh::Triangle> flat_;
     std::optional<mesh::AabbTree> tree_;
@@ -290,6 +290,19 @@ std::pair<double, Vec3> farthest(const CurvedTriangles& surface, const std::vect
                                   : std::pair{*most, points[static_cast<std::size_t>(most - distance.begin())]};
 }
 
+/// By face the lengths of the longest lines of a coarse grid on it.
+std::vector<std::array<double, 2>> extents_of_faces(Session& session) {
+    constexpr int kCoarse = 6;
+    const std::vector<geometry::Face>& faces = session.topology().faces;
+    std::vector<std::array<double, 2>> found(faces.size(), {0.0, 0.0});
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        if (!faces[f].no_area) {
+            found[f] = extent(grid_of(session, static_cast<int>(f), kCoarse, kCoarse, false));
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
@@ -304,15 +317,10 @@ CadDistances cad_distances(geometry::Engine& engine, const std::shared_ptr<geome
     const CurvedTriangles surface(nodes, order, triangles);
     Session session(engine, model, &watched);
     const geometry::Topology& topology = session.topology();
-    // Lines of a coarse grid, which tell the size of a face.
-    constexpr int kCoarse = 6;
-    std::vector<std::array<double, 2>> extents(topology.faces.size());
+    const std::vector<std::array<double, 2>> extents = extents_of_faces(session);
     double area = 0.0;
-    for (std::size_t f = 0; f < topology.faces.size(); ++f) {
-        if (!topology.faces[f].no_area) {
-            extents[f] = extent(grid_of(session, static_cast<int>(f), kCoarse, kCoarse, false));
-            area += extents[f][0] * extents[f][1];
-        }
+    for (const std::array<double, 2>& sides : extents) {
+        area += sides[0] * sides[1];
     }
     const double count =
         std::max(kLeastSamples, kSamplesOfTriangle * double(triangles.size()) / Lattice::of(2, order).size());

@@ -13,8 +13,12 @@
 /// 1999, for the triangles of a mesh.
 namespace mq::curve {
 
-/// Pieces of curved triangles smaller than this share of the mesh's size are not halved any more.
+/// Pieces of curved triangles smaller than this share of the mesh's size are not halved any more, nor those smaller
+/// than that share of the smaller triangle, if this is less.
 constexpr double kLeastPiece = 1e-6;
+constexpr double kLeastShare = 1e-3;
+/// What is within this share of the mesh's size of a plane counts as on it.
+constexpr double kTouching = 1e-9;
 
 /// How long pairs are compared that a few comparisons of pieces do not decide, such as those of bodies that lie on each
 /// other: comparisons of pieces, all pairs together.
@@ -42,7 +46,7 @@ struct CurvedCrossings {
     /// sides, but for 1e-9 of the mesh's size.
     std::vector<std::pair<std::int32_t, std::int32_t>> touching;
     std::size_t compared = 0;  ///< pairs whose bounding boxes meet
-    std::size_t given_up = 0;  ///< of those not proven, pairs for which nothing was left of the effort
+    std::size_t given_up = 0;  ///< pairs among those not proven for which nothing was left of the effort
 
     bool none() const { return crossing.empty() && not_proven.empty(); }
 };

@@ -228,7 +228,7 @@ class PairSearch {
     /// Whether the pieces are on both sides of a plane, which both may touch; faces in one plane look away from each
     /// other. Planes are those that tell flat triangles apart.
     bool touch(const PatchPiece& a, const PatchPiece& b) const {
-        const double slack = kInPlane * limits_.least_size;
+        const double slack = limits_.touching;
         const auto on_both_sides = [&](const Vec3& direction) {
             const double length = direction.norm();
             if (!(length > 0.0)) {
@@ -274,15 +274,12 @@ class PairSearch {
         return found;
     }
 
-    /// Distance from a plane, relative to the smallest pieces: hulls farther apart were told before.
-    static constexpr double kInPlane = 1e-3;
-
     /// Whether both pieces are in one plane and overlap there: no halving tells them apart.
     bool overlap_in_plane(const PatchPiece& a, const PatchPiece& b) const {
         const PatchPiece& wide = a.size >= b.size ? a : b;
         const Vec3 normal = (wide.corners[1] - wide.corners[0]).cross(wide.corners[2] - wide.corners[0]).normalized();
         const auto in_plane = [&](const Vec3& p) {
-            return std::abs(normal.dot(p - wide.corners[0])) <= kInPlane * limits_.least_size;
+            return std::abs(normal.dot(p - wide.corners[0])) <= limits_.touching;
         };
         const double depth = a.bend + b.bend + 2.0 * limits_.rounding;
         return std::all_of(a.control.begin(), a.control.end(), in_plane) &&

@@ -23,7 +23,7 @@ struct SharedEntities {
 
 enum class PatchContact {
     None,       ///< proven: they meet nowhere else
-    Touching,   ///< proven: they are on both sides of planes, but for a thousandth of the least size of pieces
+    Touching,   ///< proven: they are on both sides of planes, but for PatchLimits::touching
     Crossing,   ///< proven: one pierces the other
     NotProven,  ///< they touch, or are nearer than the proofs can tell
 };
@@ -41,6 +41,7 @@ constexpr int kMostPiecePairs = 4000;
 struct PatchLimits {
     double rounding = 0.0;    ///< bound of the error of control points and of their differences
     double least_size = 0.0;  ///< pieces that are smaller on both sides are not halved
+    double touching = 0.0;    ///< distance from a plane of what counts as on it
     int most_pairs = kMostPiecePairs;
 };
 

@@ -152,7 +152,7 @@ namespace {
 /// extreme one is at right angles to two vectors, or, where all are in a plane, in it and at right angles to one. Slow,
 /// but it does not depend on how thin the cone is.
 bool extreme_directions_suffice(const std::vector<Vec3>& units, const std::vector<double>& margins) {
-    // Of a unit vector: what may be the rounding of a product, and a cross product without a direction.
+    // What may be the rounding of a product of unit vectors, and a cross product of them that has no direction.
     constexpr double kRounding = 1e-12;
     constexpr double kNoDirection = 1e-9;
     Vec3 sum = Vec3::Zero();
