@@ -55,6 +55,7 @@ FOLDED = ("1 of {count2} elements is not proven valid: {list}.",
           "{count} of {count2} elements are not proven valid: {list}.")
 NOT_CONFORMING = ("the elements do not fit together: a face has more than two of them, or a corner of one lies amid an edge or "
                   "a face of another.")
+OVERLAPPING_BODIES = ("1 pair of bodies lies in one another.", "{count} pairs of bodies lie in one another.")
 NOT_ON_SHAPE = "the surface is not on the shape: {text}."
 ELEMENTS_TURNED = "neighbouring elements disagree on the side that is outside."
 DISTORTED = "max. shape distortion {number} (limit {number2}), {phrase}."
@@ -67,7 +68,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, NOT_CONFORMING, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 

@@ -78,6 +78,10 @@ void bind_curve_report(py::module_& m) {
         .def_readonly("chord_height_asked", &CurveReport::chord_height_asked,
                       "largest deviation that was requested, mm; 0: none")
         .def_readonly("straight", &CurveReport::straight, "MeshReport of the mesh that was curved")
+        .def_readonly("curved_intersections", &CurveReport::curved_intersections,
+                      "pairs of curved triangles that are proven to cross; -1: not looked for")
+        .def_readonly("not_proven_apart", &CurveReport::not_proven_apart,
+                      "pairs that are neither proven to cross nor to be apart, as where they touch; -1: not looked for")
         .def_property_readonly(
             "self_intersections", [](const CurveReport& r) { return r.straight.self_intersections; },
             "pairs of triangles of the straight mesh that cross; -1: not looked for")

@@ -99,8 +99,9 @@ py::array_t<double> measured_distortions(const CurvedMesh& mesh, const py::objec
 
 using PairList = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// The pairs that are proven to cross, and those that are not proven to be apart.
-std::tuple<PairList, PairList, bool> crossings_of(const CurvedMesh& mesh, const py::object& progress) {
+/// The pairs that are proven to cross, those that are not proven to be apart, those that touch, and how many were given
+/// up.
+std::tuple<PairList, PairList, PairList, std::size_t> crossings_of(const CurvedMesh& mesh, const py::object& progress) {
     curve::CurvedCrossings found = watch(progress, [&](Progress& handle) {
         handle.stage("comparing curved triangles", 0.0, 1.0);
         return curve::curved_crossings(mesh, &handle);
@@ -109,7 +110,7 @@ std::tuple<PairList, PairList, bool> crossings_of(const CurvedMesh& mesh, const 
     for (const curve::CurvedCrossings::Crossing& pair : found.crossing) {
         crossing.emplace_back(pair.a, pair.b);
     }
-    return {std::move(crossing), std::move(found.not_proven), found.complete};
+    return {std::move(crossing), std::move(found.not_proven), std::move(found.touching), found.given_up};
 }
 
 std::shared_ptr<triangulate::Result> surface_of(const Tessellation& tessellation) {
@@ -190,9 +191,9 @@ void bind_curved_mesh(py::module_& m) {
     cls.def("tetrahedron_distortions", &measured_distortions<curve::tetrahedron_distortions>,
             py::arg("progress") = py::none(), "float64 (E,): likewise.");
     cls.def("curved_crossings", &crossings_of, py::arg("progress") = py::none(),
-            "Pairs of triangles that cross, those not proven to be apart, and whether all were compared; (i, i): a "
-            "triangle "
-            "that meets itself.");
+            "Pairs of triangles that cross, those not proven to be apart, those that only touch, and how many of the "
+            "second "
+            "were not compared to the end; (i, i): a triangle that meets itself.");
     cls.def("tessellate", &tessellated, py::arg("deviation"), py::arg("progress") = py::none());
     cls.def("write", &write, py::arg("path"), py::arg("format"), py::arg("names"), py::arg("colours"), py::arg("patch"),
             py::arg("given"), py::arg("scale"), "As Surface.write.");

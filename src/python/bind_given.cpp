@@ -121,6 +121,28 @@ py::tuple measure_given_surface(const PointArray& nodes, int order, const Indice
     return py::make_tuple(array_of(found.face), array_of(found.quality), array_of(found.deviation));
 }
 
+py::tuple cad_distances(const PointArray& nodes, int order, const Indices& triangles, const PartShape& part,
+                        const py::object& progress) {
+    const std::vector<Vec3> points = points_of(nodes);
+    const std::vector<std::int32_t> rows(triangles.data(), triangles.data() + triangles.size());
+    geometry::Engine& engine = shared_engine();
+    const curve::CadDistances found = watch(progress, [&](Progress& handle) {
+        handle.stage("measuring the distance from the shape to the mesh", 0.0, 1.0);
+        return workflows::cad_distances(engine, *part.shape, points, order, rows, handle);
+    });
+    const Vec3& p = found.farthest;
+    return py::make_tuple(array_of(found.of_face), std::array<double, 3>{p.x(), p.y(), p.z()}, found.spacing,
+                          found.samples);
+}
+
+py::array distances_to_faces(const PartShape& part, const PointArray& points, const py::object& progress) {
+    const std::vector<Vec3> places = points_of(points);
+    geometry::Engine& engine = shared_engine();
+    return array_of(watch(progress, [&](Progress& handle) {
+        return workflows::distances_to_faces(engine, *part.shape, places, handle);
+    }));
+}
+
 }  // namespace
 
 void bind_given(py::module_& m) {
@@ -138,6 +160,13 @@ void bind_given(py::module_& m) {
     m.def("measure_given_surface", &measure_given_surface, py::arg("nodes"), py::arg("order"), py::arg("triangles"),
           py::arg("shape"), py::arg("progress") = py::none(),
           "(face, quality, deviation) by triangle of a surface that another program made of the Part.Shape.");
+    m.def("cad_distances", &cad_distances, py::arg("nodes"), py::arg("order"), py::arg("triangles"), py::arg("shape"),
+          py::arg("progress") = py::none(),
+          "(distance by CAD face, farthest point, spacing of the samples, their number) from the Part.Shape to a "
+          "surface.");
+    m.def("distances_to_faces", &distances_to_faces, py::arg("shape"), py::arg("points"),
+          py::arg("progress") = py::none(),
+          "float64 (N,): distances of points from the faces of the Part.Shape, without any of its mesh.");
 }
 
 }  // namespace mq::python

@@ -2,6 +2,8 @@
 #include "workflows/curve_shape.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -12,7 +14,9 @@
 #include "curve/given/curve_given.h"
 #include "curve/given/edge_discretisation.h"
 #include "curve/given/matching.h"
+#include "curve/injectivity/curved_crossings.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "geometry/occt/shape_distance.h"
 #include "geometry/occt/shape_model.h"
 #include "geometry/occt/solid_volume.h"
 #include "triangulate/triangulate.h"
@@ -108,6 +112,39 @@ void measure_volume(Mesh& mesh, geometry::Engine& engine, const TopoDS_Shape& sh
     engine.run([&] { mesh.report.cad_volume = geometry::solid_content(shape, &progress); }, &progress);
 }
 
+/// Counts the curved triangles that cross, and says where the first pair does.
+void find_crossings(CurvedMesh& mesh, Progress& progress) {
+    progress.stage("comparing curved triangles", 1.0, 1.0);
+    StageClock clock(mesh.report.seconds);
+    const curve::CurvedCrossings found = curve::curved_crossings(mesh, &progress, curve::kQuickEffort);
+    clock.end("comparing curved triangles");
+    mesh.report.curved_intersections = static_cast<std::int64_t>(found.crossing.size());
+    mesh.report.not_proven_apart = static_cast<std::int64_t>(found.not_proven.size());
+    const auto face_of = [&](std::int32_t triangle) {
+        return curve::name_of(2, mesh.triangle_face[static_cast<std::size_t>(triangle)]);
+    };
+    if (!found.crossing.empty()) {
+        const curve::CurvedCrossings::Crossing& first = found.crossing.front();
+        std::array<char, 80> place;
+        std::snprintf(place.data(), place.size(), " near (%.4g, %.4g, %.4g) mm", first.point.x(), first.point.y(),
+                      first.point.z());
+        mesh.report.notes.push_back(std::to_string(found.crossing.size()) +
+                                    " pairs of curved triangles cross, one on " + face_of(first.a) + " and " +
+                                    face_of(first.b) + place.data());
+    }
+    if (found.given_up > 0) {
+        mesh.report.notes.push_back(std::to_string(found.given_up) +
+                                    " pairs of curved triangles were not compared to the end, as where bodies lie on "
+                                    "each other: certify compares more");
+    }
+}
+
+/// What is measured of the mesh that is kept.
+void measure_result(CurvedMesh& mesh, geometry::Engine& engine, const TopoDS_Shape& shape, Progress& progress) {
+    measure_volume(mesh, engine, shape, progress);
+    find_crossings(mesh, progress);
+}
+
 }  // namespace
 
 CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, const curve::CurveOptions& options,
@@ -120,7 +157,7 @@ CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, cons
         model_of(engine, shape, geometry::Creases::Cut,
                  {[&](const Box& box) { return straight.detail_of(box); }, straight.sew, straight.imprint}, progress);
     CurvedMesh mesh = best_of_attempts(engine, model, straight, options, progress);
-    measure_volume(mesh, engine, shape, progress);
+    measure_result(mesh, engine, shape, progress);
     mesh.report.cpu_seconds = watch_all.cpu();
     return mesh;
 }
@@ -136,7 +173,7 @@ CurvedMesh curve_surface(geometry::Engine& engine, const TopoDS_Shape& shape, co
     mesh.straight = surface.mesh;
     mesh.report.straight = surface.report;
     mesh.report.chord_height_asked = surface.report.chord_height_asked;
-    measure_volume(mesh, engine, shape, progress);
+    measure_result(mesh, engine, shape, progress);
     return mesh;
 }
 
@@ -200,7 +237,7 @@ CurvedMesh curve_given_mesh(geometry::Engine& engine, const TopoDS_Shape& shape,
     progress.stage("reading the shape", 0.0, 0.0);
     return on_shape_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
         CurvedMesh mesh = curve::curve_given(engine, model, given, options, &progress);
-        measure_volume(mesh, engine, shape, progress);
+        measure_result(mesh, engine, shape, progress);
         return mesh;
     });
 }
@@ -224,6 +261,19 @@ curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, cons
     return on_shape_as_meshed(engine, shape, false, progress, [&](const auto& model) {
         return curve::measure_given_surface(engine, model, nodes, order, triangles, &progress);
     });
+}
+
+curve::CadDistances cad_distances(geometry::Engine& engine, const TopoDS_Shape& shape, const std::vector<Vec3>& nodes,
+                                  int order, const std::vector<std::int32_t>& triangles, Progress& progress) {
+    const auto model = model_of(engine, shape, geometry::Creases::Keep, {{}, false, false}, progress);
+    return curve::cad_distances(engine, model, nodes, order, triangles, &progress);
+}
+
+std::vector<double> distances_to_faces(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                       const std::vector<Vec3>& points, Progress& progress) {
+    std::vector<double> found;
+    engine.run([&] { found = geometry::distances_to_faces(shape, points, &progress); }, &progress);
+    return found;
 }
 
 }  // namespace mq::workflows

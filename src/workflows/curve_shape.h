@@ -3,6 +3,7 @@
 
 #include "base/progress.h"
 #include "curve/curve.h"
+#include "curve/given/cad_distance.h"
 #include "curve/given/given_mesh.h"
 #include "curve/given/measure_given.h"
 #include "curve/mixed/curve_mixed.h"
@@ -42,5 +43,14 @@ curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_S
 curve::GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const TopoDS_Shape& shape,
                                                   const std::vector<Vec3>& nodes, int order,
                                                   const std::vector<std::int32_t>& triangles, Progress& progress);
+
+/// The other direction: sampled points of the CAD faces against the surface of a mesh.
+/// @throws as curve::cad_distances.
+curve::CadDistances cad_distances(geometry::Engine& engine, const TopoDS_Shape& shape, const std::vector<Vec3>& nodes,
+                                  int order, const std::vector<std::int32_t>& triangles, Progress& progress);
+
+/// geometry::distances_to_faces: the distance of each point from the faces of a shape, mm, without any of its mesh.
+std::vector<double> distances_to_faces(geometry::Engine& engine, const TopoDS_Shape& shape,
+                                       const std::vector<Vec3>& points, Progress& progress);
 
 }  // namespace mq::workflows

@@ -47,7 +47,7 @@ CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",
     "min_distortion", "mean_distortion", "max_shape_distortion", "max_deviation", "rms_deviation",
     "chord_height_asked", "volume", "cad_volume", "volume_error", "self_intersections", "overlaps", "crossing_faces",
-    "contacts", "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
+    "contacts", "curved_intersections", "not_proven_apart", "straightened", "moved_vertices", "repairs", "notes", "seconds", "cpu_seconds",
 )
 
 

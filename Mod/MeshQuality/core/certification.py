@@ -12,11 +12,12 @@ from ..listing import Public
 from . import convert, fem_places, saved_certificate
 from .curved_arrays import ARRAYS
 from .element_mesh import ElementMesh
-from .elements import conformity, kinds
+from .elements import bodies, conformity, kinds
 from .writing import checked_scale
 
 _VALID, _FOLDED, _INVERTED, _NOT_PROVEN = range(4)  # verdicts of the core
 _WORDS = {_FOLDED: "folded", _INVERTED: "numbered the wrong way round", _NOT_PROVEN: "not proven valid"}
+_LEFT_OUT = 3.0  # times the deviation of the mesh from the CAD: a place at this distance is left out by the mesh
 _ON_CAD = 5  # highest order of triangles that are measured against a shape
 
 
@@ -25,17 +26,23 @@ class MeshCertificate(metaclass=Public):
 
     elements          {kind: how many}
     invalid           elements that are not proven valid: folded, inverted or not proven
-    folded            somewhere J <= 0 (of triangles and quadrilaterals: the normal turns by 90 degrees or more)
+    folded            somewhere J <= 0 (of triangles and quadrilaterals: the normal turns by 90 degrees or more; of triangles that
+                      were measured against a shape: it does not follow that of the CAD face)
     inverted          J < 0 everywhere: the nodes are numbered the wrong way round
     not_proven        neither proven valid nor folded
     invalid_elements  which these are: "tetrahedron 22 folded at (1, 2, 3) mm"
     min_distortion    the smallest proven lower bound of min J / max |J|, equation (3) of Dey, O'Bara, Shephard 1999
     distortion        float64 (E,) by block of the mesh: these bounds, in the order of its elements
-    conforming        whether no face has more than two elements, and no corner lies amid an edge or a face of another:
-                      at an inner node of it, and of straight elements at the middle
+    conforming        whether no face has more than two elements, and no corner lies amid an edge or a face of another
     oriented          whether neighbours are seen from the same side
+    overlapping_bodies
+                      pairs of bodies, which share no nodes, of which one lies in the other; None without volumes
     max_deviation     largest distance of the surface from its CAD faces, mm; None without a shape
     folded_on_cad     triangles of the surface that fold over their CAD face; None without a shape
+    cad_deviation     the other way: largest distance of points of the CAD faces and edges from the surface of the mesh, mm, so that
+                      what the mesh leaves out shows; None without a shape
+    cad_spacing       mm, how far these points are apart at most: no place of the CAD is farther from the mesh than by both
+    face_deviation    float64 (shape.Faces,), cad_deviation of each CAD face; None without a shape
     curved_intersections
                       pairs of curved triangles of the surface that are proven to cross, equation (2); None where the surface is not
                       of triangles of one order
@@ -48,11 +55,15 @@ class MeshCertificate(metaclass=Public):
     """
 
     __slots__ = {
-        "_blocks": None, "_scale": None, "_source": None, "elements": "{kind: how many}", "folded": "how many are folded",
+        "_blocks": None, "_scale": None, "_source": None, "_crossings": None, "_turning": None, "elements": "{kind: how many}",
+        "folded": "how many are folded",
         "inverted": "how many are numbered the wrong way round", "not_proven": "how many are neither proven nor folded",
         "invalid_elements": "sentences: which are not valid, and where", "distortion": "bounds of each, by block",
         "conforming": "whether elements fit together", "oriented": "whether neighbours are seen from the same side",
-        "max_deviation": "mm, or None", "folded_on_cad": "triangles that fold over their CAD face, or None",
+        "overlapping_bodies": "pairs of which one lies in the other, or None",
+        "max_deviation": "mm, or None", "cad_deviation": "of CAD faces from the mesh, mm, or None",
+        "cad_spacing": "of the points measured there, mm, or None", "face_deviation": "float64 (shape.Faces,), mm, or None",
+        "folded_on_cad": "triangles that fold over their CAD face, or None",
         "curved_intersections": "pairs of triangles that cross, or None",
         "not_on_shape": "why the surface is not on the shape, or None",
         "not_proven_apart": "pairs that may cross, or None",
@@ -63,9 +74,11 @@ class MeshCertificate(metaclass=Public):
     def __init__(self):
         self.elements, self.distortion, self.invalid_elements, self.notes = {}, (), [], []
         self._blocks, self._scale, self._source = [], 1.0, None
+        self._crossings, self._turning = ((), (), ()), ()
         self.folded = self.inverted = self.not_proven = 0
         self.conforming = self.oriented = True
-        self.curved_intersections = self.not_proven_apart = self.not_on_shape = None
+        self.curved_intersections = self.not_proven_apart = self.not_on_shape = self.overlapping_bodies = None
+        self.cad_deviation = self.cad_spacing = self.face_deviation = None
         self.max_deviation = self.folded_on_cad = self.triangle_face = self.triangle_deviation = None
 
     @property
@@ -81,8 +94,8 @@ class MeshCertificate(metaclass=Public):
     def to_dict(self):
         """All but the arrays, for JSON."""
         names = ("elements", "invalid", "folded", "inverted", "not_proven", "invalid_elements", "min_distortion",
-                 "conforming", "oriented", "curved_intersections", "not_proven_apart", "max_deviation", "folded_on_cad",
-                 "not_on_shape", "notes")
+                 "conforming", "oriented", "overlapping_bodies", "curved_intersections", "not_proven_apart", "max_deviation", "folded_on_cad",
+                 "cad_deviation", "cad_spacing", "not_on_shape", "notes")
         return {name: getattr(self, name) for name in names}
 
     def save(self, path, cad=None):
@@ -103,12 +116,16 @@ class MeshCertificate(metaclass=Public):
                  f"{self.not_proven:,} not proven",
                  f"distortion   {self.min_distortion:.3g} at least",
                  f"conforming   {'yes' if self.conforming else 'no'}, oriented {'yes' if self.oriented else 'no'}"]
+        if self.overlapping_bodies is not None:
+            lines.append(f"bodies       {self.overlapping_bodies:,} pairs of which one lies in the other")
         if self.curved_intersections is not None:
             lines.append(f"crossings    {self.curved_intersections:,} pairs of triangles, {self.not_proven_apart:,} not proven "
                          "apart")
         if self.max_deviation is not None:
             lines.append(f"deviation    {self.max_deviation:.3g} mm at most, {self.folded_on_cad:,} triangles fold over "
                          "their CAD face")
+        if self.cad_deviation is not None:
+            lines.append(f"from the CAD {self.cad_deviation:.3g} mm at most, at points {self.cad_spacing:.3g} mm apart")
         return "\n".join([*lines, *(f"note         {note}" for note in self.notes)]) + "\n"
 
     def __repr__(self):
@@ -139,11 +156,16 @@ def certify(mesh, shape=None, progress=None, mesh_scale=1.0):
     found.notes += mesh.faults
     _prove(mesh, found, progress)
     found.conforming, found.oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
-    order, surface = _triangles_of_surface(mesh)
+    if mesh.dimension == 3:
+        _find_overlaps(mesh, found)
+    order, surface = triangles_of_surface(mesh)
     if surface is not None:
         _find_crossings(mesh.nodes, order, surface, found, progress)
     if shape is not None:
-        _measure(mesh, order, surface, fem_places.shape_at(source, mesh, shape), found, progress)
+        shape = fem_places.shape_at(source, mesh, shape)
+        _measure(mesh, order, surface, shape, found, progress)
+        if surface is not None:
+            _measure_from_cad(mesh, order, surface, shape, found, progress)
     return found
 
 
@@ -179,7 +201,7 @@ def _prove(mesh, found, progress):
     found.distortion = tuple(parts)
 
 
-def _triangles_of_surface(mesh):
+def triangles_of_surface(mesh):
     """(order, int32 (F, n)) of a surface that is of triangles of one order, up to 5; else (None, None)."""
     surface = mesh.boundary()
     order = kinds.order_of("triangle", surface[0].shape[1]) if len(surface) == 1 else None
@@ -191,14 +213,26 @@ def _find_crossings(nodes, order, surface, found, progress):
     nothing = np.empty(0)
     arrays = {**dict.fromkeys(ARRAYS.values(), nothing), "nodes": nodes[used].ravel(), "triangles": triangles.ravel(),
               "triangle_face": np.zeros(len(surface)), "node_entity": np.tile([2, 0], len(used))}
-    crossing, open_ones, complete = extension().curved_from_arrays(order, arrays).curved_crossings(progress)
+    crossing, open_ones, touching, given_up = extension().curved_from_arrays(order, arrays).curved_crossings(progress)
     found.curved_intersections, found.not_proven_apart = len(crossing), len(open_ones)
-    for pairs, word in ((crossing, "cross"), (open_ones, "are not proven apart")):
+    found._crossings = crossing, open_ones, touching
+    for pairs, word in ((crossing, ("crosses", "cross")), (open_ones, ("is not proven apart", "are not proven apart"))):
         if len(pairs):
             x, y, z = nodes[surface[pairs[0][0], :3]].mean(axis=0)
-            found.notes.append(f"{len(pairs):,} pairs of triangles {word}, one at ({x:.4g}, {y:.4g}, {z:.4g}) mm")
-    if not complete:
-        found.notes.append("there may be more such pairs: the search ended, as where bodies lie on each other")
+            said = f"1 pair of triangles {word[0]}, at" if len(pairs) == 1 else f"{len(pairs):,} pairs of triangles {word[1]}, one at"
+            found.notes.append(f"{said} ({x:.4g}, {y:.4g}, {z:.4g}) mm")
+    if given_up:
+        found.notes.append(f"{given_up:,} of these pairs were not compared to the end, as where bodies lie on each other")
+
+
+def _find_overlaps(mesh, found):
+    inside = bodies.inside_others(mesh.blocks, mesh.nodes)
+    found.overlapping_bodies = len({frozenset(pair[:2]) for pair in inside})
+    if inside:
+        x, y, z = inside[0][2]
+        said = "1 pair of bodies lies in one another, at" if found.overlapping_bodies == 1 else \
+            f"{found.overlapping_bodies:,} pairs of bodies lie in one another, one at"
+        found.notes.append(f"{said} ({x:.4g}, {y:.4g}, {z:.4g}) mm")
 
 
 def _measure(mesh, order, surface, shape, found, progress):
@@ -218,6 +252,45 @@ def _measure(mesh, order, surface, shape, found, progress):
     found.triangle_face, found.triangle_deviation = face, deviation
     found.max_deviation = float(deviation.max(initial=0.0))
     found.folded_on_cad = int((~(quality > 0.0)).sum())
+    if mesh.dimension == 2:
+        _follow_cad(found, quality)
+
+
+def _follow_cad(found, quality):
+    """Triangles of a surface mesh that turn by 90 degrees or more are valid where they follow the CAD normal all over."""
+    block = next(i for i, (kind, *_) in enumerate(found._blocks) if kind == "triangle")
+    kind, order, verdict, low = found._blocks[block]
+    turning = np.flatnonzero((verdict == _FOLDED) & (quality > 0.0))
+    if not len(turning):
+        return
+    verdict, low = verdict.copy(), low.copy()
+    verdict[turning], low[turning] = _VALID, quality[turning]
+    found._blocks[block] = kind, order, verdict, low
+    found.distortion = tuple(low if i == block else part for i, part in enumerate(found.distortion))
+    found._turning, found.folded = turning.tolist(), found.folded - len(turning)
+    named = {f"triangle {i} {_WORDS[_FOLDED]} at" for i in found._turning}
+    found.invalid_elements = [said for said in found.invalid_elements if said.partition(" (")[0] not in named]
+    many = len(turning) > 1
+    found.notes.append(f"{len(turning):,} triangle{'s' if many else ''} that turn{'' if many else 's'} by 90 degrees or more "
+                       f"follow{'' if many else 's'} the CAD face: valid")
+
+
+def _measure_from_cad(mesh, order, surface, shape, found, progress):
+    """The other direction; triangles that the mesh lists between bodies count, too."""
+    listed = [block.nodes for block in mesh.blocks if block.kind == "triangle" and block.order == order]
+    rows = np.concatenate([surface, *listed]) if mesh.dimension == 3 else surface
+    try:
+        by_face, farthest, spacing, _ = extension().cad_distances(mesh.nodes, order, rows, shape, progress)
+    except (InvalidInput, TopologyError, GeometryError) as error:
+        found.notes.append(f"the shape was not measured against the mesh: {error}")
+        return
+    found.face_deviation = np.zeros(len(shape.Faces))
+    found.face_deviation[:len(by_face)] = by_face
+    found.cad_deviation, found.cad_spacing = float(found.face_deviation.max(initial=0.0)), float(spacing)
+    if found.cad_deviation > _LEFT_OUT * max(found.max_deviation or 0.0, 1e-6 * shape.BoundBox.DiagonalLength):
+        x, y, z = farthest
+        found.notes.append(f"the mesh leaves out a part of Face{int(found.face_deviation.argmax()) + 1}, which is "
+                           f"{found.cad_deviation:.3g} mm from it at ({x:.4g}, {y:.4g}, {z:.4g}) mm")
 
 
 def _between_solids(mesh, surface):

@@ -3,6 +3,7 @@
 
 import hashlib
 import json
+import math
 import os
 
 import numpy as np
@@ -15,7 +16,10 @@ from .writing import atomically
 
 FORMAT, VERSION = "MeshQuality mesh certificate", 1
 CLAIMS = ("folded", "inverted", "not_proven")  # in the order of the core's verdicts 1, 2 and 3
+PAIRS = ("crossing", "not_proven_apart", "touching")  # of triangles of the surface
+OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # what is said of the shape
 _DIGITS = 4  # of the bounds; rounded down, so that they stay bounds
+_PLACES = 9  # of distances in mm, rounded up
 
 
 def digest_of(path):
@@ -44,7 +48,10 @@ def save(certificate, path, cad=None):
         "options": {"scale": certificate._scale},
         "proven": {name: value for name, value in certificate.to_dict().items() if name != "invalid_elements"},
         "blocks": [_block(*block) for block in certificate._blocks],
+        "surface": _surface(certificate, cad is not None),
     }
+    if cad is None:
+        content["proven"].update(dict.fromkeys(OF_SHAPE))
     text = json.dumps(content, allow_nan=False) + "\n"
 
     def write(ready):
@@ -67,6 +74,18 @@ def _block(kind, order, verdict, low):
     return {"kind": kind, "order": order, "elements": len(verdict),
             **{claim: np.flatnonzero(verdict == number).tolist() for number, claim in enumerate(CLAIMS, 1)},
             "distortion": [round(value, _DIGITS) for value in rounded.tolist()]}
+
+
+def _surface(certificate, measured):
+    """What is said of the triangles of the surface: pairs of them, by index, those that are valid as they follow the CAD face,
+    and of each its CAD face and its distance.
+    """
+    content = {name: [list(pair) for pair in pairs] for name, pairs in zip(PAIRS, certificate._crossings)}
+    content["turning"] = list(certificate._turning)
+    if measured and certificate.triangle_face is not None:
+        up = [math.ceil(value * 10.0**_PLACES) / 10.0**_PLACES for value in certificate.triangle_deviation.tolist()]
+        content.update(face=certificate.triangle_face.tolist(), deviation=[round(value, _PLACES) for value in up])
+    return content
 
 
 def load(path):
@@ -104,7 +123,21 @@ def _fault_of(content):
     for number, block in enumerate(blocks):
         if not isinstance(block, dict) or not _is_block(block):
             return f"block {number} is not complete"
-    return None
+    return None if _is_surface(content.get("surface", {})) else "'surface' is not complete"
+
+
+def _is_surface(said):
+    """Whether what is said of the surface is of the types that it must be of; certificates may say nothing of it."""
+    if not isinstance(said, dict) or ("face" in said) != ("deviation" in said):
+        return False
+    pairs = [said.get(name, []) for name in PAIRS]
+    if not all(isinstance(part, list) and all(isinstance(pair, list) and len(pair) == 2 and all(map(_is_count, pair))
+                                              for pair in part) for part in pairs):
+        return False
+    faces, turning, deviations = (said.get(name, []) for name in ("face", "turning", "deviation"))
+    return all(isinstance(part, list) for part in (faces, turning, deviations)) and all(map(_is_count, [*faces, *turning])) \
+        and all(isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < math.inf
+                for value in deviations)
 
 
 def _is_file(said):

@@ -379,6 +379,8 @@ def of_certificate(certificate):
         found.append(Finding(_sentence(phrases.NOT_CONFORMING)))
     if not certificate.oriented:
         found.append(Finding(_sentence(phrases.ELEMENTS_TURNED)))
+    if certificate.overlapping_bodies:
+        found.append(Finding(_counted(phrases.OVERLAPPING_BODIES, certificate.overlapping_bodies)))
     if certificate.curved_intersections:
         found.append(Finding(_counted(phrases.CROSSING, certificate.curved_intersections)))
     if certificate.not_on_shape:

@@ -6,11 +6,12 @@ import os
 import numpy as np
 
 from .. import options
-from ..errors import Cancelled
+from ..errors import Cancelled, IoError
 from ..listing import Public
-from . import convert, saved_certificate, verifier
+from . import convert, crossing_verifier, distance_verifier, saved_certificate, verifier
+from .certification import triangles_of_surface
 from .element_mesh import ElementMesh
-from .elements import conformity, kinds
+from .elements import bodies, hanging, kinds
 from .saved_certificate import CLAIMS
 
 _NAMED = 5  # elements that are named of each fault
@@ -58,7 +59,8 @@ def verify(certificate, mesh=None, progress=None):
     progress     as for curve
 
     The mesh must be the same bytes. A verifier that shares no code with the prover shows every element again to be what
-    the certificate says, see docs/method/validity.md. Distances from a shape and crossings are not looked for again.
+    the certificate says, and that curved triangles of the surface are apart, see docs/method/given.md. Distances are measured
+    again from the CAD file that the certificate names.
     Raises IoError where a file is not there, InvalidInput where it is no certificate; Cancelled.
     """
     options.require_callable(progress)
@@ -67,26 +69,112 @@ def verify(certificate, mesh=None, progress=None):
     path = os.path.join(folder, content["mesh"]["file"]) if mesh is None else os.fsdecode(convert.file_name(mesh))
     if saved_certificate.digest_of(path)["sha256"] != content["mesh"]["sha256"]:
         found.faults.append(f"the mesh '{path}' is not the file that was certified: its SHA-256 is another one")
-    if content["cad"] is not None:
-        _check_cad(content["cad"], folder, found)
+    cad = None if content["cad"] is None else _check_cad(content["cad"], folder, found)
     mesh = ElementMesh.read(path, saved_certificate.scale_of(content))
     blocks = [(block, kinds.DIMENSION[block.kind] == mesh.dimension) for block in mesh.blocks]
-    _check_blocks(blocks, mesh.nodes, content["blocks"], found, progress)
+    _check_blocks(blocks, mesh.nodes, content, found, progress)
     _check_sums(content, found)
     _check_conformity(mesh, [block for block, checked in blocks if checked], content["proven"], found)
-    found.notes.append("crossings of curved triangles and the distance from a shape were not looked for again")
+    order, surface = triangles_of_surface(mesh)
+    _check_overlaps(mesh, content["proven"], found)
+    _check_crossings(mesh.nodes, order, surface, content, found, progress)
+    _check_distances(mesh, order, surface, cad, content, found, progress)
     return found
 
 
 def _check_cad(said, folder, found):
+    """The path of the CAD file; None where it is not there or another one."""
     path = os.path.join(folder, said["file"])
     if not os.path.isfile(path):
         found.notes.append(f"the CAD file '{path}' is not there: it was not compared")
     elif saved_certificate.digest_of(path)["sha256"] != said["sha256"]:
         found.faults.append(f"the CAD file '{path}' is not the one that was measured against: its SHA-256 is another one")
+    else:
+        return path
+    return None
 
 
-def _check_blocks(blocks, nodes, said, found, progress):
+def _check_overlaps(mesh, proven, found):
+    count = len({frozenset(pair[:2]) for pair in bodies.inside_others(mesh.blocks, mesh.nodes)}) if mesh.dimension == 3 else None
+    if proven.get("overlapping_bodies", count) != count:
+        found.faults.append(f"the certificate says overlapping_bodies = {proven['overlapping_bodies']!r}, but it is {count}")
+
+
+def _check_crossings(nodes, order, surface, content, found, progress):
+    """The pairs that the certificate lists cross, or are left open; all others are apart."""
+    proven, said = content["proven"], content.get("surface", {})
+    if surface is None:
+        if proven.get("curved_intersections") is not None or proven.get("not_proven_apart") is not None:
+            found.faults.append("the certificate counts curved triangles that cross, but the surface is not of triangles of one order")
+        return
+    crossing, open_ones, touching = (list(map(tuple, said.get(name, ()))) for name in saved_certificate.PAIRS)
+    for name, pairs in (("curved_intersections", crossing), ("not_proven_apart", open_ones)):
+        if proven.get(name) != len(set(pairs)):
+            found.faults.append(f"the certificate says {name} = {proven.get(name)!r}, but lists {len(set(pairs)):,} such pairs")
+    pairs, verdict = crossing_verifier.examine(order, nodes, surface, crossing, open_ones + touching, progress)
+    listed = set(crossing)
+    wrong, open_count = [], 0
+    for pair, only in zip(touching, crossing_verifier.touch_only(order, nodes, surface, touching)):
+        wrong += [] if only else [f"triangles {pair[0]} and {pair[1]} of the surface are certified to touch only, but that could not be "
+                                  "shown"]
+    for pair, what in zip(map(tuple, pairs.tolist()), verdict.tolist()):
+        if pair in listed:
+            wrong += ["triangles {} and {} of the surface are certified to cross, but are apart"] * (what == crossing_verifier.APART)
+            open_count += what == crossing_verifier.UNKNOWN
+        else:
+            why = "cross" if what == crossing_verifier.CROSSING else "could not be shown to be"
+            wrong.append(f"triangles {{}} and {{}} of the surface are certified apart, but {why}")
+        wrong = [text.format(*pair) if "{}" in text else text for text in wrong]
+    found.faults += wrong[:_NAMED]
+    if len(wrong) > _NAMED:
+        found.faults.append(f"and {len(wrong) - _NAMED:,} more pairs of triangles likewise")
+    if open_count:
+        found.notes.append(f"{open_count:,} of the pairs of triangles that cross by the certificate were not shown again to do so")
+    if open_ones:
+        found.notes.append(f"{len(open_ones):,} pairs of triangles that the certificate leaves open were not looked at")
+
+
+def _check_distances(mesh, order, surface, cad, content, found, progress):
+    proven, said = content["proven"], content.get("surface", {})
+    claims = [name for name in ("max_deviation", "cad_deviation") if proven.get(name) is not None]
+    if said.get("turning") and (cad is None or "max_deviation" not in claims or surface is None
+                                or max(said["turning"]) >= len(surface) or mesh.dimension == 3):
+        found.faults.append("the certificate says that triangles follow their CAD faces, which cannot be shown again: put the CAD "
+                            "file where the certificate says, or certify the mesh again")
+        return
+    if not claims:
+        return
+    if cad is None and content["cad"] is not None:
+        found.notes.append("the distance from the shape was not looked for again")
+        return
+    if cad is None or surface is None:
+        found.faults.append(f"the certificate says {claims[0]} = {proven[claims[0]]!r}, which cannot be shown again without the CAD "
+                            "file that was measured against: put it where the certificate says, or certify the mesh again")
+        return
+    if cad.lower().endswith(".fcstd"):
+        found.notes.append(f"the distance from the shape was not looked for again: '{cad}' is a document; export the part as .step or "
+                           ".brep, and certify with that file")
+        return
+    shape = _shape_in(cad)
+    if "max_deviation" in claims:
+        found.faults += distance_verifier.faults_of(shape, mesh.nodes, order, surface, said, proven, progress)
+    if "cad_deviation" in claims:
+        listed = [block.nodes for block in mesh.blocks if block.kind == "triangle" and block.order == order]
+        rows = np.concatenate([surface, *listed]) if mesh.dimension == 3 else surface
+        found.faults += distance_verifier.missing(shape, mesh.nodes, rows, order, proven["cad_deviation"])
+
+
+def _shape_in(path):
+    import Part
+
+    try:
+        return Part.read(path)
+    except Exception as error:  # whatever OpenCASCADE says of a file that it does not read
+        raise IoError(f"cannot read '{path}': {error}; certificates are verified against .step, .iges and .brep") from error
+
+
+def _check_blocks(blocks, nodes, content, found, progress):
+    said, turning = content["blocks"], content.get("surface", {}).get("turning", [])
     present = [(block.kind, block.order, len(block.nodes) if checked else 0) for block, checked in blocks]
     claimed = [(block["kind"], block["order"], block["elements"]) for block in said]
     if present != claimed:
@@ -107,7 +195,10 @@ def _check_blocks(blocks, nodes, said, found, progress):
             part = slice(start, start + _AT_A_TIME)
             examined.append(verifier.examine(block.kind, block.order, nodes, block.nodes[part], verdict[part] == 2))
             done += len(examined[-1][0])
-        _compare(block.kind, verdict, np.array(claims["distortion"]), *map(np.concatenate, zip(*examined)), found)
+        J, distortion = map(np.concatenate, zip(*examined))
+        if block.kind == "triangle" and turning and max(turning) < len(J):
+            J[turning], distortion[turning] = verifier.POSITIVE, np.inf  # those are compared with the CAD
+        _compare(block.kind, verdict, np.array(claims["distortion"]), J, distortion, found)
 
 
 def _in_words(blocks):
@@ -156,7 +247,7 @@ def _check_sums(content, found):
 def _check_conformity(mesh, blocks, proven, found):
     """Faces counted once more, by their corners, with the way round them."""
     dimension, oriented = mesh.dimension, True
-    conforming = not conformity.hangs(blocks, mesh.nodes)
+    conforming = not hanging.hangs(blocks, mesh.nodes)
     seen = {}
     for block in blocks:
         sides = kinds.FACES[block.kind] if dimension == 3 else kinds.EDGES[block.kind]

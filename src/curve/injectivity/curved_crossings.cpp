@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
+#include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "curve/bezier/bernstein.h"
 #include "curve/bezier/node_orders.h"
@@ -35,6 +37,7 @@ class Patches {
         }
         middle_ = all.empty() ? Vec3::Zero() : all.center();
         limits_.least_size = kLeastPiece * all.largest_side();
+        limits_.touching = kTouching * all.largest_side();
         nodes_.resize(mesh.triangles.size());
         control_.resize(mesh.triangles.size() / per);
         std::vector<Vec3> nodes(per);
@@ -48,7 +51,13 @@ class Patches {
                 largest = std::max(largest, nodes[at].cwiseAbs().maxCoeff());
             }
             control_[t] = nodes_to_bezier(lattice_, nodes);
+            Box box;
+            for (const Vec3& p : control_[t]) {
+                box.add(p);
+            }
+            size_.push_back(box.largest_side());
         }
+        find_bodies();
         limits_.rounding = kRelativeRounding * (largest + middle_.cwiseAbs().maxCoeff());
     }
 
@@ -68,6 +77,7 @@ class Patches {
 
     SharedEntities shared(std::int32_t a, std::int32_t b) const {
         SharedEntities found;
+        found.may_touch = body_[static_cast<std::size_t>(a)] != body_[static_cast<std::size_t>(b)];
         for (int k = 0; k < 3; ++k) {
             for (int m = 0; m < 3; ++m) {
                 if (node(a, lattice_.corner(k)) == node(b, lattice_.corner(m))) {
@@ -86,12 +96,47 @@ class Patches {
         return found;
     }
 
-    PatchVerdict contact(std::int32_t a, std::int32_t b) const {
-        return a == b ? contact_with_itself(lattice_, control(a), limits_)
-                      : contact_of_patches(lattice_, control(a), control(b), shared(a, b), limits_);
+    PatchVerdict contact(std::int32_t a, std::int32_t b, int most_pairs) const {
+        PatchLimits limits = limits_;
+        limits.most_pairs = most_pairs;
+        const double smaller = std::min(size_[static_cast<std::size_t>(a)], size_[static_cast<std::size_t>(b)]);
+        limits.least_size = std::min(limits.least_size, kLeastShare * smaller);
+        return a == b ? contact_with_itself(lattice_, control(a), limits)
+                      : contact_of_patches(lattice_, control(a), control(b), shared(a, b), limits);
     }
 
   private:
+    /// Triangles are of one body where edges of just two of them connect them. Where bodies lie on each other, edges in
+    /// the same place have four.
+    void find_bodies() {
+        const auto count = static_cast<std::int32_t>(control_.size());
+        std::vector<std::array<std::int32_t, 3>> edges;  // two corners, and a triangle
+        for (std::int32_t t = 0; t < count; ++t) {
+            for (int k = 0; k < 3; ++k) {
+                const std::int32_t a = node(t, lattice_.corner(k));
+                const std::int32_t b = node(t, lattice_.corner((k + 1) % 3));
+                edges.push_back({std::min(a, b), std::max(a, b), t});
+            }
+        }
+        std::sort(edges.begin(), edges.end());
+        const auto same = [&](std::size_t i, std::size_t j) {
+            return j < edges.size() && edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1];
+        };
+        DisjointSets<std::int32_t> sets(control_.size());
+        for (std::size_t i = 0; i < edges.size();) {
+            std::size_t end = i + 1;
+            while (same(i, end)) {
+                ++end;
+            }
+            if (end == i + 2) {
+                sets.unite(edges[i][2], edges[i + 1][2]);
+            }
+            i = end;
+        }
+        for (std::int32_t t = 0; t < count; ++t) {
+            body_.push_back(sets.find(t));
+        }
+    }
     std::int32_t node(std::int32_t t, int i) const {
         return nodes_[static_cast<std::size_t>(t) * static_cast<std::size_t>(lattice_.size()) +
                       static_cast<std::size_t>(i)];
@@ -131,6 +176,8 @@ class Patches {
     PatchLimits limits_;
     std::vector<std::int32_t> nodes_;         ///< by triangle in the order of the lattice; equal ones are one
     std::vector<std::vector<Vec3>> control_;  ///< by triangle
+    std::vector<double> size_;                ///< likewise, the largest side of its box, mm
+    std::vector<std::int32_t> body_;          ///< likewise, the number of its body
 };
 
 /// All pairs whose bounding boxes meet and that do not lie on each other, and each triangle with itself.
@@ -169,11 +216,54 @@ std::vector<Pair> candidates(const Patches& patches, const Progress* progress) {
     return pairs;
 }
 
+/// Compares pairs, several at once. @return their verdicts, in their order
+std::vector<PatchVerdict> verdicts(const Patches& patches, const Pair* pairs, std::size_t count, int most_pairs,
+                                   std::size_t at_once, Progress* progress) {
+    std::vector<PatchVerdict> found(count);
+    parallel_for(static_cast<int>((count + at_once - 1) / at_once), [&](int k) {
+        const std::size_t first = at_once * static_cast<std::size_t>(k);
+        for (std::size_t i = first; i < std::min(first + at_once, count); ++i) {
+            check_cancelled(progress);
+            found[i] = patches.contact(pairs[i][0], pairs[i][1], most_pairs);
+        }
+    });
+    return found;
+}
+
+/// Compares the pairs that a few comparisons of pieces decide. @return the others
+std::vector<Pair> compare_quickly(const Patches& patches, const std::vector<Pair>& pairs, CurvedCrossings& result,
+                                  Progress* progress) {
+    // Pieces of a pair: nearly all pairs need fewer.
+    constexpr int kFew = 48;
+    // Pairs of one task, a few hundred microseconds of work, and between two reports of the progress.
+    constexpr std::size_t kAtOnce = 64;
+    constexpr std::size_t kInRound = 256 * kAtOnce;
+    std::vector<Pair> left;
+    for (std::size_t round = 0; round < pairs.size(); round += kInRound) {
+        const std::size_t count = std::min(kInRound, pairs.size() - round);
+        const std::vector<PatchVerdict> found = verdicts(patches, pairs.data() + round, count, kFew, kAtOnce, progress);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Pair& pair = pairs[round + i];
+            if (found[i].contact == PatchContact::Crossing) {
+                result.crossing.push_back({pair[0], pair[1], found[i].point + patches.middle()});
+            } else if (found[i].contact == PatchContact::Touching) {
+                result.touching.emplace_back(pair[0], pair[1]);
+            } else if (found[i].contact == PatchContact::NotProven && found[i].looked_at >= kFew) {
+                left.push_back(pair);
+            } else if (found[i].contact == PatchContact::NotProven) {
+                result.not_proven.emplace_back(pair[0], pair[1]);
+            }
+        }
+        if (progress != nullptr) {
+            progress->advance(0.5 * static_cast<double>(round + count) / static_cast<double>(pairs.size()));
+        }
+    }
+    return left;
+}
+
 }  // namespace
 
-CurvedCrossings curved_crossings(const CurvedMesh& mesh, Progress* progress) {
-    // Pairs of one task: a few hundred microseconds of work, unless some are hard.
-    constexpr std::size_t kAtOnce = 64;
+CurvedCrossings curved_crossings(const CurvedMesh& mesh, Progress* progress, const CrossingEffort& effort) {
     CurvedCrossings result;
     if (mesh.triangles.empty()) {
         return result;
@@ -181,34 +271,38 @@ CurvedCrossings curved_crossings(const CurvedMesh& mesh, Progress* progress) {
     const Patches patches(mesh);
     const std::vector<Pair> pairs = candidates(patches, progress);
     result.compared = pairs.size() - patches.size();
-    // The end of the search must not depend on the number of threads: it is looked at between rounds.
-    constexpr std::size_t kInRound = 16 * kAtOnce;
-    for (std::size_t round = 0; round < pairs.size() && result.complete; round += kInRound) {
-        const std::size_t end = std::min(round + kInRound, pairs.size());
-        std::vector<CurvedCrossings> found((end - round + kAtOnce - 1) / kAtOnce);
-        parallel_for(static_cast<int>(found.size()), [&](int k) {
-            const std::size_t first = round + kAtOnce * static_cast<std::size_t>(k);
-            CurvedCrossings& here = found[static_cast<std::size_t>(k)];
-            for (std::size_t i = first; i < std::min(first + kAtOnce, end); ++i) {
-                check_cancelled(progress);
-                const auto [a, b] = pairs[i];
-                const PatchVerdict verdict = patches.contact(a, b);
-                if (verdict.contact == PatchContact::Crossing) {
-                    here.crossing.push_back({a, b, verdict.point + patches.middle()});
-                } else if (verdict.contact == PatchContact::NotProven) {
-                    here.not_proven.emplace_back(a, b);
-                }
+    const std::vector<Pair> left = compare_quickly(patches, pairs, result, progress);
+    // What is left of the effort must not depend on the number of threads: it is looked at between rounds.
+    constexpr std::size_t kInRound = 32;
+    const std::size_t most = effort.base + effort.for_each_triangle * patches.size();
+    std::size_t looked_at = 0;
+    for (std::size_t round = 0; round < left.size(); round += kInRound) {
+        const std::size_t count = std::min(kInRound, left.size() - round);
+        const bool given_up = looked_at >= most;
+        const std::vector<PatchVerdict> found =
+            given_up ? std::vector<PatchVerdict>(count)
+                     : verdicts(patches, left.data() + round, count, kMostPiecePairs, 1, progress);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Pair& pair = left[round + i];
+            looked_at += static_cast<std::size_t>(found[i].looked_at);
+            if (found[i].contact == PatchContact::Crossing) {
+                result.crossing.push_back({pair[0], pair[1], found[i].point + patches.middle()});
+            } else if (found[i].contact == PatchContact::Touching) {
+                result.touching.emplace_back(pair[0], pair[1]);
+            } else if (given_up || found[i].contact == PatchContact::NotProven) {
+                result.not_proven.emplace_back(pair[0], pair[1]);
+                result.given_up += given_up ? 1 : 0;
             }
-        });
-        for (const CurvedCrossings& some : found) {
-            result.crossing.insert(result.crossing.end(), some.crossing.begin(), some.crossing.end());
-            result.not_proven.insert(result.not_proven.end(), some.not_proven.begin(), some.not_proven.end());
         }
         if (progress != nullptr) {
-            progress->advance(static_cast<double>(end) / static_cast<double>(pairs.size()));
+            progress->advance(0.5 + 0.5 * static_cast<double>(round + count) / static_cast<double>(left.size()));
         }
-        result.complete = end == pairs.size() || result.crossing.size() + result.not_proven.size() < kMostFound;
     }
+    std::sort(result.not_proven.begin(), result.not_proven.end());
+    std::sort(result.touching.begin(), result.touching.end());
+    std::sort(result.crossing.begin(), result.crossing.end(), [](const auto& a, const auto& b) {
+        return Pair{a.a, a.b} < Pair{b.a, b.b};
+    });
     return result;
 }
 

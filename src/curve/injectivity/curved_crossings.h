@@ -13,11 +13,21 @@
 /// 1999, for the triangles of a mesh.
 namespace mq::curve {
 
-/// Pieces of curved triangles smaller than this share of the mesh's size are not halved any more.
+/// Pieces of curved triangles smaller than this share of the mesh's size are not halved any more, nor those smaller
+/// than that share of the smaller triangle, if this is less.
 constexpr double kLeastPiece = 1e-6;
+constexpr double kLeastShare = 1e-3;
+/// What is within this share of the mesh's size of a plane counts as on it.
+constexpr double kTouching = 1e-9;
 
-/// Pairs that cross or are not proven apart from which on no more are looked for; each may take milliseconds.
-constexpr std::size_t kMostFound = 500;
+/// How long pairs are compared that a few comparisons of pieces do not decide, such as those of bodies that lie on each
+/// other: comparisons of pieces, all pairs together.
+struct CrossingEffort {
+    std::size_t base = 2'000'000;
+    std::size_t for_each_triangle = 0;
+};
+/// A small share of the time that curving takes.
+constexpr CrossingEffort kQuickEffort{20'000, 30};
 
 /// The pairs of curved triangles that meet elsewhere than in the vertices and edges that they share, by ascending
 /// indices. A triangle that meets itself is the pair (i, i).
@@ -29,11 +39,14 @@ struct CurvedCrossings {
     };
     std::vector<Crossing> crossing;  ///< proven to cross
     /// Neither proven to cross nor to be apart: they touch, or lie on each other, or are nearer than `kLeastPiece` of
-    /// the mesh's size; or the proof needs more than `kMostPiecePairs` (patch_pair.h) comparisons.
+    /// the mesh's size; or the proof needs more comparisons than `kMostPiecePairs` (patch_pair.h), or than are left of
+    /// the effort.
     std::vector<std::pair<std::int32_t, std::int32_t>> not_proven;
+    /// Proven to touch only: of bodies that no edge of two triangles connects, with planes that have them on both
+    /// sides, but for 1e-9 of the mesh's size.
+    std::vector<std::pair<std::int32_t, std::int32_t>> touching;
     std::size_t compared = 0;  ///< pairs whose bounding boxes meet
-    /// Whether all of them were: the search ends once kMostFound pairs are found, as where bodies lie on each other.
-    bool complete = true;
+    std::size_t given_up = 0;  ///< pairs among those not proven for which nothing was left of the effort
 
     bool none() const { return crossing.empty() && not_proven.empty(); }
 };
@@ -42,6 +55,7 @@ struct CurvedCrossings {
 /// apart, but for rounding errors, which are bounded. Nodes of equal coordinates are one node. Triangles with the same
 /// nodes lie on each other, as where two bodies touch: they are no crossing.
 /// @throws Cancelled.
-CurvedCrossings curved_crossings(const CurvedMesh& mesh, Progress* progress = nullptr);
+CurvedCrossings curved_crossings(const CurvedMesh& mesh, Progress* progress = nullptr,
+                                 const CrossingEffort& effort = {});
 
 }  // namespace mq::curve

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -127,7 +128,7 @@ class PairSearch {
     PatchVerdict run() {
         waiting_.emplace_back(0, 0);
         PatchVerdict verdict;
-        for (int looked_at = 0; !waiting_.empty(); ++looked_at) {
+        for (; !waiting_.empty(); ++verdict.looked_at) {
             const auto [i, j] = waiting_.front();
             waiting_.pop_front();
             const PatchPiece& a = a_[i];
@@ -140,14 +141,19 @@ class PairSearch {
             if (meet_only_there(a, b, meeting)) {
                 continue;
             }
-            if (const std::optional<Vec3> point = crossing(a, b)) {
-                return {PatchContact::Crossing, *point};
+            if (shared_.may_touch && touch(a, b)) {
+                verdict.contact = std::max(verdict.contact, PatchContact::Touching);
+                continue;
             }
-            if (looked_at >= kMostPiecePairs || overlap_in_plane(a, b) || overlap_in_plane(b, a)) {
-                return {PatchContact::NotProven, a.corners[0]};
+            if (const std::optional<Vec3> point = crossing(a, b)) {
+                return {PatchContact::Crossing, *point, verdict.looked_at};
+            }
+            if (verdict.looked_at >= limits_.most_pairs || overlap_in_plane(a, b)) {
+                return {PatchContact::NotProven, a.corners[0], verdict.looked_at};
             }
             if (std::max(a.size, b.size) < limits_.least_size) {
-                verdict = {PatchContact::NotProven, a.corners[0]};
+                verdict.contact = PatchContact::NotProven;
+                verdict.point = a.corners[0];
             } else {
                 halve(i, j, a.size >= b.size ? 0 : 1, nullptr);
             }
@@ -219,29 +225,83 @@ class PairSearch {
         return true;
     }
 
-    /// Whether both pieces are in one plane and a corner of the first is inside the second: no halving tells them
-    /// apart.
-    bool overlap_in_plane(const PatchPiece& first, const PatchPiece& second) const {
-        // Distance from the plane, relative to the smallest pieces: hulls farther apart were told before.
-        constexpr double kInPlane = 1e-3;
-        const std::array<Vec3, 3>& to = second.corners;
-        const Vec3 normal = (to[1] - to[0]).cross(to[2] - to[0]).normalized();
-        const auto in_plane = [&](const Vec3& p) {
-            return std::abs(normal.dot(p - to[0])) <= kInPlane * limits_.least_size;
+    /// Whether the pieces are on both sides of a plane, which both may touch; faces in one plane look away from each
+    /// other. Planes are those that tell flat triangles apart.
+    bool touch(const PatchPiece& a, const PatchPiece& b) const {
+        const double slack = limits_.touching;
+        const auto on_both_sides = [&](const Vec3& direction) {
+            const double length = direction.norm();
+            if (!(length > 0.0)) {
+                return false;
+            }
+            const auto [low_a, high_a] = range(a, direction / length);
+            const auto [low_b, high_b] = range(b, direction / length);
+            const bool in_one_plane = std::max(high_a, high_b) - std::min(low_a, low_b) <= 2.0 * slack;
+            return !in_one_plane && (low_a >= high_b - slack || low_b >= high_a - slack);
         };
-        const auto inside = [&](const Vec3& p) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Vec3 along = to[(k + 1) % 3] - to[k];
-                const double depth = along.cross(p - to[k]).dot(normal) / along.norm();
-                if (!(depth > second.bend + limits_.rounding)) {
-                    return false;
+        const Vec3 normal_a = (a.corners[1] - a.corners[0]).cross(a.corners[2] - a.corners[0]);
+        const Vec3 normal_b = (b.corners[1] - b.corners[0]).cross(b.corners[2] - b.corners[0]);
+        if (on_both_sides(normal_a) || on_both_sides(normal_b)) {
+            return true;
+        }
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 edge_a = a.corners[(k + 1) % 3] - a.corners[k];
+            const Vec3 edge_b = b.corners[(k + 1) % 3] - b.corners[k];
+            if (on_both_sides(normal_a.cross(edge_a)) || on_both_sides(normal_b.cross(edge_b))) {
+                return true;
+            }
+            for (std::size_t m = 0; m < 3; ++m) {
+                if (on_both_sides(edge_a.cross(b.corners[(m + 1) % 3] - b.corners[m]))) {
+                    return true;
                 }
             }
-            return true;
+        }
+        const auto in_plane = [&](const PatchPiece& piece) {
+            const auto [low, high] = range(piece, normal_a.normalized());
+            return std::max(high - normal_a.normalized().dot(a.corners[0]),
+                            normal_a.normalized().dot(a.corners[0]) - low) <= slack;
         };
-        return std::any_of(first.corners.begin(), first.corners.end(), inside) &&
-               std::all_of(first.control.begin(), first.control.end(), in_plane) &&
-               std::all_of(second.control.begin(), second.control.end(), in_plane);
+        return normal_a.dot(normal_b) < 0.0 && in_plane(a) && in_plane(b);
+    }
+
+    static std::pair<double, double> range(const PatchPiece& piece, const Vec3& direction) {
+        std::pair<double, double> found{std::numeric_limits<double>::infinity(),
+                                        -std::numeric_limits<double>::infinity()};
+        for (const Vec3& p : piece.control) {
+            found.first = std::min(found.first, direction.dot(p));
+            found.second = std::max(found.second, direction.dot(p));
+        }
+        return found;
+    }
+
+    /// Whether both pieces are in one plane and overlap there: no halving tells them apart.
+    bool overlap_in_plane(const PatchPiece& a, const PatchPiece& b) const {
+        const PatchPiece& wide = a.size >= b.size ? a : b;
+        const Vec3 normal = (wide.corners[1] - wide.corners[0]).cross(wide.corners[2] - wide.corners[0]).normalized();
+        const auto in_plane = [&](const Vec3& p) {
+            return std::abs(normal.dot(p - wide.corners[0])) <= limits_.touching;
+        };
+        const double depth = a.bend + b.bend + 2.0 * limits_.rounding;
+        return std::all_of(a.control.begin(), a.control.end(), in_plane) &&
+               std::all_of(b.control.begin(), b.control.end(), in_plane) &&
+               overlap(a.corners, b.corners, normal, depth) && overlap(b.corners, a.corners, normal, depth);
+    }
+
+    /// Whether no edge of the first triangle has the second one on its outer side, or less than `depth` of it within.
+    static bool overlap(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>& second, const Vec3& normal,
+                        double depth) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 across = normal.cross(first[(k + 1) % 3] - first[k]);
+            const double inward = across.dot(first[(k + 2) % 3] - first[k]) >= 0.0 ? 1.0 : -1.0;
+            double deepest = -std::numeric_limits<double>::infinity();
+            for (const Vec3& p : second) {
+                deepest = std::max(deepest, inward * across.dot(p - first[k]));
+            }
+            if (!(deepest > depth * across.norm())) {
+                return false;
+            }
+        }
+        return true;
     }
 
     std::optional<Vec3> crossing(const PatchPiece& a, const PatchPiece& b) const {

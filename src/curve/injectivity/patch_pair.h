@@ -17,10 +17,13 @@ struct SharedEntities {
     std::vector<std::array<int, 2>> corners;
     /// Edges, with all control points: two indices into `corners`.
     std::vector<std::array<int, 2>> edges;
+    /// Whether they are of different bodies, so that they may touch.
+    bool may_touch = false;
 };
 
 enum class PatchContact {
     None,       ///< proven: they meet nowhere else
+    Touching,   ///< proven: they are on both sides of planes, but for PatchLimits::touching
     Crossing,   ///< proven: one pierces the other
     NotProven,  ///< they touch, or are nearer than the proofs can tell
 };
@@ -28,16 +31,19 @@ enum class PatchContact {
 struct PatchVerdict {
     PatchContact contact = PatchContact::None;
     Vec3 point = Vec3::Zero();  ///< about the place where they cross, or where nothing was proven, mm
+    int looked_at = 0;          ///< pairs of pieces that were compared
 };
 
-/// The lengths below which nothing is proven, mm.
+/// Pairs of pieces that are compared for one pair of patches, at most: more show nothing more.
+constexpr int kMostPiecePairs = 4000;
+
+/// The lengths below which nothing is proven, mm, and the effort.
 struct PatchLimits {
     double rounding = 0.0;    ///< bound of the error of control points and of their differences
     double least_size = 0.0;  ///< pieces that are smaller on both sides are not halved
+    double touching = 0.0;    ///< distance from a plane of what counts as on it
+    int most_pairs = kMostPiecePairs;
 };
-
-/// Pairs of pieces that are looked at for one pair of patches, at most.
-constexpr int kMostPiecePairs = 4000;
 
 /// Two different patches of one order.
 PatchVerdict contact_of_patches(const Lattice& lattice, const std::vector<Vec3>& a, const std::vector<Vec3>& b,

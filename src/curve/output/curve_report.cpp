@@ -31,6 +31,10 @@ std::string to_text(const CurveReport& report) {
                       report.volume_error());
         result += text;
     }
+    if (report.curved_intersections >= 0) {
+        result += "pairs of curved triangles that cross: " + std::to_string(report.curved_intersections) +
+                  ", not proven apart: " + std::to_string(report.not_proven_apart) + "\n";
+    }
     for (const auto& [operation, count] : report.repairs) {
         if (count > 0) {
             result += operation + ": " + std::to_string(count) + "\n";

@@ -35,7 +35,11 @@ struct CurveReport {
     double cad_volume = 0.0;          ///< volume of the model's solids, mm^3; 0: unknown
     std::size_t moved_vertices = 0;   ///< corner vertices that left their places in the straight mesh
     double chord_height_asked = 0.0;  ///< largest deviation that was requested, mm; 0: none
-    mesh::MeshReport straight;        ///< report of the mesh that was curved
+    /// Pairs of curved triangles that are proven to cross, and those that are neither proven to cross nor to be apart
+    /// (injectivity/curved_crossings.h); -1: not looked for.
+    std::int64_t curved_intersections = -1;
+    std::int64_t not_proven_apart = -1;
+    mesh::MeshReport straight;  ///< report of the mesh that was curved
     std::vector<std::pair<std::string, std::size_t>> repairs;
     std::vector<std::string> notes;
     StageTimes seconds;

@@ -8,16 +8,14 @@ refinement leaves it.
 import numpy as np
 
 from . import kinds
-
-_NEAR = 1e-6  # of the length of an edge: places that are the same
+from .hanging import hangs
 
 
 def of_blocks(blocks, nodes):
     """(conforming, oriented): whether no side has more than two elements and no corner hangs, and whether all pairs see a
     side from two sides.
 
-    A corner hangs that is an inner node of another element, or lies at the middle of an edge or a side of a straight one
-    to two of whose corners an edge leads from it. Sides are the faces of volume elements; of a mesh without these, the
+    A corner hangs that is an inner node of another element, or lies on an edge or a side of one (hanging.py). Sides are the faces of volume elements; of a mesh without these, the
     edges of triangles and quadrilaterals, where more than two may meet.
     """
     highest = max(kinds.DIMENSION[block.kind] for block in blocks)
@@ -46,39 +44,3 @@ def _counted(sides):
     way = np.where(after < before, 1, -1)
     _, index, counts = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True, return_counts=True)
     return counts, np.bincount(index, weights=way)
-
-
-def hangs(whole, nodes):
-    """Whether a corner of an element lies amid another one."""
-    corners = np.unique(np.concatenate([block.nodes[:, : kinds.CORNERS[block.kind]].ravel() for block in whole]))
-    inner = [block.nodes[:, kinds.CORNERS[block.kind] :].ravel() for block in whole]
-    if np.isin(corners, np.concatenate(inner)).any():
-        return True
-    edges = np.concatenate([block.nodes[:, list(edge)] for block in whole for edge in kinds.EDGES[block.kind]]).astype(np.int64)
-    known = set((edges.min(axis=1) * len(nodes) + edges.max(axis=1)).tolist())
-
-    def joined(point, part):  # of two solids that only touch, nodes may lie anywhere
-        return sum(min(point, q) * len(nodes) + max(point, q) in known for q in part) >= 2
-
-    for block in whole:
-        sides = kinds.FACES[block.kind] if kinds.DIMENSION[block.kind] == 3 else ()
-        for part in (*kinds.EDGES[block.kind], *sides) if block.order == 1 else ():
-            rows = block.nodes[:, list(part)]
-            if any(joined(int(corners[i]), rows[j].tolist()) for i, j in _meeting(nodes[corners], nodes[rows])):
-                return True
-    return False
-
-
-def _meeting(points, others):
-    """Pairs (i, j) where points[i] is at the middle of the corners others[j]."""
-    middles = others.mean(axis=1)
-    tolerance = _NEAR * np.abs(others - middles[:, None]).max(axis=(1, 2))
-    order = np.argsort(points[:, 0], kind="stable")
-    index = np.arange(len(middles))
-    first, last = (np.searchsorted(points[order, 0], middles[:, 0] + shift) for shift in (-tolerance, tolerance))
-    while len(index):
-        index, first, last = (array[first < last] for array in (index, first, last))
-        found = order[first]
-        near = np.abs(points[found] - middles[index]).max(axis=1) <= tolerance[index]
-        yield from zip(found[near].tolist(), index[near].tolist())
-        first = first + 1

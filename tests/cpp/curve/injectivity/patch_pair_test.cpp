@@ -14,7 +14,7 @@
 namespace mq::curve {
 namespace {
 
-constexpr PatchLimits kLimits{1e-13, 1e-6};
+constexpr PatchLimits kLimits{1e-13, 1e-6, 1e-9};
 
 using Control = std::vector<Vec3>;
 

@@ -70,5 +70,21 @@ TEST(Separation, VectorsShorterThanTheMarginSayNothing) {
     EXPECT_FALSE(in_open_half_space({{1, 0, 0}, {0, 1e-6, 0}}, 1e-6));
 }
 
+TEST(Separation, AConeOfDirectionsThatIsThinIsFound) {
+    // Vectors all but around in a plane, which only directions near one hold.
+    for (const double degrees : {170.0, 179.0, 179.99, 179.9999}) {
+        std::vector<Vec3> vectors;
+        for (int i = 0; i <= 12; ++i) {
+            const double angle = (i / 12.0 - 0.5) * degrees * M_PI / 180.0;
+            vectors.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+            vectors.emplace_back(std::cos(angle), std::sin(angle), 1e-3);
+            vectors.emplace_back(std::cos(angle), std::sin(angle), -1e-3);
+        }
+        EXPECT_TRUE(in_open_half_space(vectors, 1e-12)) << degrees;
+        vectors.emplace_back(-1.0, 0.0, 0.0);
+        EXPECT_FALSE(in_open_half_space(vectors, 1e-12)) << degrees;
+    }
+}
+
 }  // namespace
 }  // namespace mq::curve
