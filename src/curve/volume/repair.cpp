@@ -29,17 +29,15 @@ class Repair {
         for (int round = 0; round < VolumeTuning::kFreeingRounds && free_corners(); ++round) {
         }
         curve_single_edges();
-        std::vector<int> last;
         for (int round = 0; round < VolumeTuning::kCurvingRounds; ++round) {
             if (round >= moving_round()) {
                 improve(bad_ones());
             }
-            const std::vector<int> bad = bad_ones();
-            if (bad.empty() || (round > moving_round() && bad == last)) {
+            const std::vector<int> bad = with_attempts_left(bad_ones());
+            if (bad.empty()) {
                 break;
             }
-            curve_inside(bad, 2 + round, round);
-            last = bad;
+            curve_inside(bad, round);
         }
         done_.invalid_after = invalid();
         return done_;
@@ -65,6 +63,19 @@ class Repair {
             }
         }
         return bad;
+    }
+
+    /// An element that stays bad although its neighbours are the same is not curved any more. Counts an attempt of each
+    /// of the others.
+    std::vector<int> with_attempts_left(const std::vector<int>& bad) {
+        attempts_.resize(volume_.tetrahedra.size(), 0);
+        std::vector<int> result;
+        for (const int t : bad) {
+            if (attempts_[static_cast<std::size_t>(t)]++ < VolumeTuning::kCurvingAttempts) {
+                result.push_back(t);
+            }
+        }
+        return result;
     }
 
     /// Elements that a single edge or face can repair need no patch. Only where bad elements are few: many together
@@ -93,11 +104,11 @@ class Repair {
     }
 
     /// Bad elements whose surroundings meet share a patch.
-    void curve_inside(const std::vector<int>& bad, int layers, int round) {
+    void curve_inside(const std::vector<int>& bad, int round) {
         std::vector<char> taken(volume_.tetrahedra.size(), 0);
         std::vector<char> marked(volume_.tetrahedra.size(), 0);
         for (const int t : bad) {
-            mark_around(t, layers, marked);
+            mark_around(t, round == 0 ? VolumeTuning::kFirstLayers : VolumeTuning::kPatchLayers, marked);
         }
         for (const int t : bad) {
             if (taken[static_cast<std::size_t>(t)]) {
@@ -152,10 +163,10 @@ class Repair {
         const std::unordered_set<int> loose =
             round >= moving_round() ? loose_vertices(members) : std::unordered_set<int>();
         const int order = volume_.shapes().order();
-        if (order > 2) {
+        // Quadratics come first; higher orders start from what they have reached.
+        if (order > 2 && round != 1) {
             done_.relocations += curve_patch(members, loose, 2, round);
         }
-        // The first round is for most of the bad elements; those that it leaves are handled again in smaller patches.
         if (order == 2 || (round > 0 && any_poor(members))) {
             done_.relocations += curve_patch(members, loose, order, order > 2 ? 1 : round);
         }
@@ -205,11 +216,32 @@ class Repair {
         return any;
     }
 
+    /// Changes the topology around bad elements; not again where that failed and the neighbours are the same.
     void improve(const std::vector<int>& bad) {
         for (const int t : bad) {
-            if (volume_.tetrahedra[static_cast<std::size_t>(t)].alive) {
-                progress_.check();
-                change(t, VolumeEditor::Rule::Improve);
+            const auto k = static_cast<std::size_t>(t);
+            settled_.resize(volume_.tetrahedra.size(), 0);
+            if (!volume_.tetrahedra[k].alive || settled_[k] != 0) {
+                continue;
+            }
+            progress_.check();
+            const std::array<int, 4> v = volume_.tetrahedra[k].corners;
+            if (change(t, VolumeEditor::Rule::Improve)) {
+                reopen_around(v);
+            } else {
+                settled_[k] = 1;
+            }
+        }
+    }
+
+    /// The elements around a change may be tried again.
+    void reopen_around(const std::array<int, 4>& corners) {
+        settled_.resize(volume_.tetrahedra.size(), 0);
+        attempts_.resize(volume_.tetrahedra.size(), 0);
+        for (const int v : corners) {
+            for (const int t : volume_.of_vertex(v)) {
+                settled_[static_cast<std::size_t>(t)] = 0;
+                attempts_[static_cast<std::size_t>(t)] = 0;
             }
         }
     }
@@ -277,6 +309,8 @@ class Repair {
     double good_;   // quality from which tetrahedra stay as they are
     double freed_;  // quality from which corners with three fixed edges stay as they are
     FoldedTriangles folded_;
+    std::vector<int> attempts_;  // by tetrahedron: how often a patch was made for it
+    std::vector<char> settled_;  // by tetrahedron: no change of the topology helps
     VolumeRepairs done_;
 };
 

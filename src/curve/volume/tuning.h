@@ -20,6 +20,11 @@ struct VolumeTuning {
     MESHQUALITY_TUNED(int, kFreeingRounds, 4);
     /// Rounds of curving and changing the topology at most.
     MESHQUALITY_TUNED(int, kCurvingRounds, 5);
+    /// Layers of tetrahedra around bad ones in the first patches, and in those around what they leave.
+    MESHQUALITY_TUNED(int, kFirstLayers, 2);
+    MESHQUALITY_TUNED(int, kPatchLayers, 1);
+    /// Patches made for an element at most while its neighbours stay the same.
+    MESHQUALITY_TUNED(int, kCurvingAttempts, 3);
     /// Sweeps that carry the bulges of the surface's edges inwards.
     MESHQUALITY_TUNED(int, kInwardSweeps, 15);
     /// Edges of one element that are tried singly.
@@ -45,7 +50,16 @@ struct VolumeTuning {
     /// Rounds of straightening at most; each straightens the elements that the last one made invalid.
     MESHQUALITY_TUNED(int, kStraightenRounds, 50);
     /// Positions of the barrier at most; each needs a minimisation.
-    MESHQUALITY_TUNED(int, kBarrierMoves, 20);
+    MESHQUALITY_TUNED(int, kBarrierMoves, 10);
+    /// A position of the barrier after which more than this fraction of the elements' distances from the target is left
+    /// has stalled.
+    MESHQUALITY_TUNED(double, kLeastProgress, 0.9);
+    /// The barrier of an element at most, relative to the straight element: valid elements may become worse than they
+    /// are to help others, but not this bad.
+    MESHQUALITY_TUNED(double, kHighestBarrier, 0.1);
+    /// Fraction of a patch's elements below the target at which its optimisation ends: those that are still bad get
+    /// smaller patches.
+    MESHQUALITY_TUNED(double, kPatchShare, 0.02);
     /// Steps of the minimisation for one position of the barrier at most.
     MESHQUALITY_TUNED(int, kMinimisationSteps, 30);
     /// Pairs of steps and gradient differences that BFGS keeps; the usual 5 to 10.

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "curve/bezier/blending.h"
+#include "curve/volume/jacobian_batch.h"
 #include "curve/volume/tuning.h"
 
 namespace mq::curve {
@@ -20,174 +21,177 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// The Jacobian of one element and its derivative by the control points, on buffers used again.
-class ElementJacobian {
-  public:
-    explicit ElementJacobian(const Lattice& lattice)
-        : lattice_(lattice),
-          m_(lattice.degree() - 1),
-          lower_(Lattice::of(3, m_)),
-          first_(ProductTable::of(3, m_, m_)),
-          second_(ProductTable::of(3, m_, 2 * m_)),
-          coefficients(at(Lattice::of(3, 3 * m_).size())),
-          crosses_(at(Lattice::of(3, 2 * m_).size())),
-          by_cross_(crosses_.size()) {
-        for (auto& d : derivatives_) {
-            d.resize(at(lower_.size()));
-        }
-        by_derivatives_ = derivatives_;
-    }
-
-    void evaluate(const std::vector<Vec3>& control) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            differentiate(control, k);
-        }
-        std::fill(crosses_.begin(), crosses_.end(), Vec3::Zero());
-        std::fill(coefficients.begin(), coefficients.end(), 0.0);
-        for (int i = 0; i < lower_.size(); ++i) {
-            for (int j = 0; j < lower_.size(); ++j) {
-                const auto& e = first_.at(i, j);
-                crosses_[at(e.target)] += e.weight * derivatives_[1][at(i)].cross(derivatives_[2][at(j)]);
-            }
-        }
-        for (int i = 0; i < lower_.size(); ++i) {
-            for (std::size_t j = 0; j < crosses_.size(); ++j) {
-                const auto& e = second_.at(i, static_cast<int>(j));
-                coefficients[at(e.target)] += e.weight * derivatives_[0][at(i)].dot(crosses_[j]);
-            }
-        }
-    }
-
-    /// Differentiates the sum of the coefficients multiplied by `weights`; call after `evaluate`.
-    void differentiate_sum(const std::vector<double>& weights, std::vector<Vec3>& by_control) {
-        for (auto& d : by_derivatives_) {
-            std::fill(d.begin(), d.end(), Vec3::Zero());
-        }
-        std::fill(by_cross_.begin(), by_cross_.end(), Vec3::Zero());
-        for (int i = 0; i < lower_.size(); ++i) {
-            for (std::size_t j = 0; j < crosses_.size(); ++j) {
-                const auto& e = second_.at(i, static_cast<int>(j));
-                const double w = weights[at(e.target)] * e.weight;
-                by_derivatives_[0][at(i)] += w * crosses_[j];
-                by_cross_[j] += w * derivatives_[0][at(i)];
-            }
-        }
-        for (int i = 0; i < lower_.size(); ++i) {
-            for (int j = 0; j < lower_.size(); ++j) {
-                const auto& e = first_.at(i, j);
-                const Vec3 g = e.weight * by_cross_[at(e.target)];
-                by_derivatives_[1][at(i)] += derivatives_[2][at(j)].cross(g);
-                by_derivatives_[2][at(j)] += g.cross(derivatives_[1][at(i)]);
-            }
-        }
-        by_control.assign(at(lattice_.size()), Vec3::Zero());
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (int i = 0; i < lower_.size(); ++i) {
-                const Vec3 g = lattice_.degree() * by_derivatives_[k][at(i)];
-                by_control[at(lattice_.index(raised(i, k + 1)))] += g;
-                by_control[at(lattice_.index(raised(i, 0)))] -= g;
-            }
-        }
-        spread_inner_gradient(lattice_, by_control);
-    }
-
-    const Lattice& lower() const { return lower_; }
-
-  private:
-    Exponents raised(int i, std::size_t k) const {
-        Exponents e = lower_.exponents(i);
-        ++e[k];
-        return e;
-    }
-    void differentiate(const std::vector<Vec3>& control, std::size_t k) {
-        for (int i = 0; i < lower_.size(); ++i) {
-            derivatives_[k][at(i)] = lattice_.degree() * (control[at(lattice_.index(raised(i, k + 1)))] -
-                                                          control[at(lattice_.index(raised(i, 0)))]);
-        }
-    }
-
-    const Lattice& lattice_;
-    int m_;
-    const Lattice& lower_;
-    const ProductTable& first_;
-    const ProductTable& second_;
-
-  public:
-    std::vector<double> coefficients;
-
-  private:
-    std::vector<Vec3> crosses_;
-    std::vector<Vec3> by_cross_;
-    std::array<std::vector<Vec3>, 3> derivatives_;
-    std::array<std::vector<Vec3>, 3> by_derivatives_;
-};
-
+/// The objective of a patch: each element has a barrier of its own, so that elements that cannot become valid keep no
+/// others back, and valid ones stay valid.
 class Objective {
   public:
-    explicit Objective(UntanglingPatch& patch) : patch_(patch), jacobian_(patch.lattice()) { find_movable(); }
-
-    double barrier = 0.0;
-
-    /// The least coefficient that can be changed.
-    double least(const Eigen::VectorXd& x) {
-        patch_.set_state(x);
-        double least = 1.0;
-        for (std::size_t i = 0; i < patch_.elements(); ++i) {
-            patch_.gather(i, control_);
-            jacobian_.evaluate(control_);
-            for (std::size_t k = 0; k < jacobian_.coefficients.size(); ++k) {
-                if (movable_[i][k]) {
-                    least = std::min(least, jacobian_.coefficients[k] / patch_.straight(i));
-                }
-            }
-        }
-        return least;
+    explicit Objective(UntanglingPatch& patch) : patch_(patch), jacobian_(patch.lattice()) {
+        weights_.resize(jacobian_.coefficients.size());
+        find_movable();
     }
 
-    double operator()(const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
+    /// The least coefficients of the elements that can be changed, 1 at most.
+    const std::vector<Lanes>& least() const { return least_; }
+    std::size_t elements() const { return elements_.size(); }
+
+    void find_least(const Eigen::VectorXd& x) {
+        patch_.set_state(x);
+        least_.assign(batches(), Lanes::Ones());
+        for (std::size_t batch = 0; batch < batches(); ++batch) {
+            evaluate(batch);
+            for (std::size_t k = 0; k < weights_.size(); ++k) {
+                least_[batch] = least_[batch].min(relative(batch, k));
+            }
+        }
+    }
+
+    /// Sets each barrier below the least coefficient, but at `highest` at most.
+    void raise_barriers(double highest) {
+        barrier_.resize(batches());
+        for (std::size_t batch = 0; batch < batches(); ++batch) {
+            const Lanes& least = least_[batch];
+            barrier_[batch] = (least - 0.1 * least.abs().max(0.1)).min(highest);
+        }
+    }
+
+    /// The objective, or infinity where it is not defined or exceeds `bound`.
+    double value(const Eigen::VectorXd& x, double bound) {
+        patch_.set_state(x);
+        double sum = 0.0;
+        for (std::size_t batch = 0; batch < batches() && sum <= bound; ++batch) {
+            evaluate(batch);
+            sum += value_of(batch);
+        }
+        return sum <= bound ? sum : kInfinity;
+    }
+
+    /// The same with the derivative, which is incomplete where the result is infinite.
+    double value(const Eigen::VectorXd& x, double bound, Eigen::VectorXd& gradient) {
         patch_.set_state(x);
         gradient.setZero(x.size());
         double sum = 0.0;
-        weights_.resize(jacobian_.coefficients.size());
-        for (std::size_t i = 0; i < patch_.elements(); ++i) {
-            patch_.gather(i, control_);
-            jacobian_.evaluate(control_);
-            for (std::size_t k = 0; k < weights_.size(); ++k) {
-                weights_[k] = 0.0;
-                if (!movable_[i][k]) {
-                    continue;
-                }
-                const double b = jacobian_.coefficients[k] / patch_.straight(i);
-                if (!(b > barrier)) {
-                    return kInfinity;
-                }
-                const double log = std::log((b - barrier) / (1.0 - barrier));
-                sum += log * log + (b - 1.0) * (b - 1.0);
-                weights_[k] = (2.0 * log / (b - barrier) + 2.0 * (b - 1.0)) / patch_.straight(i);
+        for (std::size_t batch = 0; batch < batches(); ++batch) {
+            evaluate(batch);
+            sum += value_of(batch);
+            if (!(sum <= bound)) {
+                return kInfinity;
             }
-            jacobian_.differentiate_sum(weights_, by_control_);
-            patch_.scatter(i, by_control_, gradient);
+            jacobian_.differentiate_sum(weights_, by_lanes_);
+            scatter(batch, gradient);
         }
         return sum;
     }
 
   private:
+    std::size_t batches() const { return inverse_.size(); }
+    std::size_t count(std::size_t batch) const {
+        return std::min<std::size_t>(kLanes, elements_.size() - batch * kLanes);
+    }
+
+    /// Coefficient k relative to the straight element; 1 where nothing can change it.
+    Lanes relative(std::size_t batch, std::size_t k) const {
+        const unsigned char movable = movable_[batch][k];
+        Lanes b = jacobian_.coefficients[k] * inverse_[batch];
+        for (int lane = 0; lane < kLanes; ++lane) {
+            b[lane] = (movable >> lane & 1) != 0 ? b[lane] : 1.0;
+        }
+        return b;
+    }
+
+    /// The sum over one batch; sets the weights of its derivative.
+    double value_of(std::size_t batch) {
+        const Lanes& barrier = barrier_[batch];
+        Lanes sum = Lanes::Zero();
+        for (std::size_t k = 0; k < weights_.size(); ++k) {
+            if (movable_[batch][k] == 0) {
+                weights_[k].setZero();
+                continue;
+            }
+            const Lanes b = relative(batch, k);
+            const Lanes above = b - barrier;
+            if (!(above > 0.0).all()) {
+                return kInfinity;
+            }
+            const Lanes log = (above / (1.0 - barrier)).log();
+            sum += log * log + (b - 1.0) * (b - 1.0);
+            weights_[k] = (2.0 * log / above + 2.0 * (b - 1.0)) * inverse_[batch];
+        }
+        return sum[0] + sum[1] + sum[2] + sum[3];
+    }
+
+    void evaluate(std::size_t batch) {
+        for (std::size_t lane = 0; lane < count(batch); ++lane) {
+            patch_.gather(elements_[batch * kLanes + lane], control_);
+            const auto l = static_cast<Eigen::Index>(lane);
+            for (std::size_t p = 0; p < control_.size(); ++p) {
+                jacobian_.control[p].x[l] = control_[p].x();
+                jacobian_.control[p].y[l] = control_[p].y();
+                jacobian_.control[p].z[l] = control_[p].z();
+            }
+        }
+        jacobian_.evaluate();
+    }
+
+    void scatter(std::size_t batch, Eigen::VectorXd& gradient) {
+        by_control_.resize(by_lanes_.size());
+        for (std::size_t lane = 0; lane < count(batch); ++lane) {
+            const auto l = static_cast<Eigen::Index>(lane);
+            for (std::size_t p = 0; p < by_lanes_.size(); ++p) {
+                by_control_[p] = {by_lanes_[p].x[l], by_lanes_[p].y[l], by_lanes_[p].z[l]};
+            }
+            spread_inner_gradient(patch_.lattice(), by_control_);
+            patch_.scatter(elements_[batch * kLanes + lane], by_control_, gradient);
+        }
+    }
+
     /// A coefficient depends on the control points next to it; where all those are fixed nothing can change it.
+    /// Elements without any that can be changed are left out.
     void find_movable() {
-        const Lattice& lattice = patch_.lattice();
-        const Lattice& form = Lattice::of(3, 3 * (lattice.degree() - 1));
+        const int points = patch_.lattice().size();
+        std::vector<std::vector<std::size_t>> dependent(at(points));
+        for (int p = 0; p < points; ++p) {
+            dependent[at(p)] = dependent_on(p);
+        }
         for (std::size_t i = 0; i < patch_.elements(); ++i) {
-            std::vector<char> movable(at(form.size()), 0);
-            for (int p = 0; p < lattice.size(); ++p) {
+            std::vector<char> movable(weights_.size(), 0);
+            bool any = false;
+            for (int p = 0; p < points; ++p) {
                 if (!patch_.is_free(i, p)) {
                     continue;
                 }
-                for (int k = 0; k < form.size(); ++k) {
-                    movable[at(k)] |= depends(form.exponents(k), lattice.exponents(p)) ? 1 : 0;
+                any = true;
+                for (const std::size_t k : dependent[at(p)]) {
+                    movable[k] = 1;
                 }
             }
-            movable_.push_back(std::move(movable));
+            if (any) {
+                append(i, movable);
+            }
         }
+    }
+
+    void append(std::size_t element, const std::vector<char>& movable) {
+        const std::size_t lane = elements_.size() % kLanes;
+        if (lane == 0) {
+            inverse_.push_back(Lanes::Ones());
+            movable_.emplace_back(weights_.size(), static_cast<unsigned char>(0));
+        }
+        elements_.push_back(element);
+        inverse_.back()[static_cast<Eigen::Index>(lane)] = 1.0 / patch_.straight(element);
+        for (std::size_t k = 0; k < movable.size(); ++k) {
+            movable_.back()[k] = static_cast<unsigned char>(movable_.back()[k] | (movable[k] != 0 ? 1U << lane : 0U));
+        }
+    }
+
+    std::vector<std::size_t> dependent_on(int point) const {
+        const Lattice& form = Lattice::of(3, 3 * (patch_.lattice().degree() - 1));
+        std::vector<std::size_t> result;
+        for (int k = 0; k < form.size(); ++k) {
+            if (depends(form.exponents(k), patch_.lattice().exponents(point))) {
+                result.push_back(at(k));
+            }
+        }
+        return result;
     }
 
     /// Some derivative that holds point `e` is a factor of coefficient `l`.
@@ -208,11 +212,16 @@ class Objective {
     }
 
     UntanglingPatch& patch_;
-    ElementJacobian jacobian_;
-    std::vector<std::vector<char>> movable_;
+    JacobianBatch jacobian_;
+    std::vector<std::size_t> elements_;                // of the patch that can change, four to a batch
+    std::vector<Lanes> inverse_;                       // 1 / J of the straight element
+    std::vector<std::vector<unsigned char>> movable_;  // by batch and coefficient: a bit for each lane
+    std::vector<Lanes> barrier_;
+    std::vector<Lanes> least_;
     std::vector<Vec3> control_;
     std::vector<Vec3> by_control_;
-    std::vector<double> weights_;
+    std::vector<LaneVector> by_lanes_;
+    std::vector<Lanes> weights_;
 };
 
 /// Limited-memory BFGS with backtracking.
@@ -223,7 +232,7 @@ class Minimiser {
     /// @return whether x moved.
     bool run(Eigen::VectorXd& x, double scale, const Progress& progress) {
         Eigen::VectorXd gradient;
-        double value = objective_(x, gradient);
+        double value = objective_.value(x, kInfinity, gradient);
         bool moved = false;
         pairs_.clear();
         for (int step = 0; step < VolumeTuning::kMinimisationSteps; ++step) {
@@ -237,13 +246,15 @@ class Minimiser {
             Eigen::VectorXd next_gradient;
             double length = 1.0;
             double next_value = kInfinity;
-            for (int i = 0; i < VolumeTuning::kLineHalvings; ++i, length *= 0.5) {
+            for (int i = 0; i < VolumeTuning::kLineHalvings && next_value == kInfinity; ++i, length *= 0.5) {
+                progress.check();
                 next = x + length * direction;
-                next_value = objective_(next, next_gradient);
-                if (next_value <= value + 1e-4 * length * direction.dot(gradient)) {
-                    break;
+                const double bound = value + 1e-4 * length * direction.dot(gradient);
+                // Full steps are mostly taken; of shorter ones only the value is found before they are.
+                next_value = i == 0 ? objective_.value(next, bound, next_gradient) : objective_.value(next, bound);
+                if (i > 0 && next_value < kInfinity) {
+                    next_value = objective_.value(next, bound, next_gradient);
                 }
-                next_value = kInfinity;
             }
             if (next_value == kInfinity) {
                 return moved;
@@ -303,11 +314,40 @@ class Minimiser {
 
 }  // namespace
 
+namespace {
+
+/// How far the elements are from the target; those that are turned inside out count alike.
+double shortfall(const std::vector<Lanes>& least, double target) {
+    double sum = 0.0;
+    for (const Lanes& l : least) {
+        sum += (target - l.max(-1.0)).max(0.0).sum();
+    }
+    return sum;
+}
+
+double smallest(const std::vector<Lanes>& least) {
+    double result = 1.0;
+    for (const Lanes& l : least) {
+        result = std::min(result, l.minCoeff());
+    }
+    return result;
+}
+
+std::size_t below(const std::vector<Lanes>& least, double target) {
+    std::size_t result = 0;
+    for (const Lanes& l : least) {
+        result += static_cast<std::size_t>((l < target).count());
+    }
+    return result;
+}
+
+}  // namespace
+
 double untangle(UntanglingPatch& patch, double target, const Progress& progress) {
-    if (patch.free_count() == 0) {
+    Objective objective(patch);
+    if (objective.elements() == 0) {
         return 1.0;
     }
-    Objective objective(patch);
     Minimiser minimiser(objective);
     Eigen::VectorXd x = patch.state();
     double size = 0.0;
@@ -315,19 +355,24 @@ double untangle(UntanglingPatch& patch, double target, const Progress& progress)
         size += std::cbrt(std::abs(patch.straight(i)));
     }
     size /= static_cast<double>(patch.elements());
-    double least = objective.least(x);
+    objective.find_least(x);
+    double missing = shortfall(objective.least(), target);
     int stalled = 0;
-    for (int move = 0; move < VolumeTuning::kBarrierMoves && least < target && stalled < 3; ++move) {
-        objective.barrier = least - 0.1 * std::max(std::abs(least), 0.1);
+    for (int move = 0; move < VolumeTuning::kBarrierMoves && missing > 0.0 && stalled < 2; ++move) {
+        objective.raise_barriers(VolumeTuning::kHighestBarrier);
         if (!minimiser.run(x, size, progress)) {
             break;
         }
-        const double now = objective.least(x);
-        stalled = now > least + 1e-3 + 0.01 * std::abs(least) ? 0 : stalled + 1;
-        least = now;
+        objective.find_least(x);
+        const double now = shortfall(objective.least(), target);
+        stalled = now < VolumeTuning::kLeastProgress * missing ? 0 : stalled + 1;
+        missing = now;
+        if (below(objective.least(), target) < VolumeTuning::kPatchShare * static_cast<double>(patch.elements())) {
+            break;
+        }
     }
     patch.set_state(x);
-    return least;
+    return smallest(objective.least());
 }
 
 }  // namespace mq::curve

@@ -22,10 +22,7 @@ UntanglingPatch::UntanglingPatch(TetrahedralMesh& volume, const std::vector<int>
       lattice_(Lattice::of(3, degree)),
       members_(tetrahedra),
       loose_(loose),
-      is_member_(volume.tetrahedra.size(), 0) {
-    for (const int t : members_) {
-        is_member_[static_cast<std::size_t>(t)] = 1;
-    }
+      is_member_(tetrahedra.begin(), tetrahedra.end()) {
     for (const int t : members_) {
         take_element(t);
     }
@@ -77,16 +74,14 @@ int UntanglingPatch::add_point(const Vec3& p, bool free) {
 
 bool UntanglingPatch::inside_edge(int a, int b) const {
     const std::vector<int> around = volume_.of_edge(a, b);
-    return !volume_.fixed_edge(a, b) && std::all_of(around.begin(), around.end(), [&](int t) {
-        return is_member_[static_cast<std::size_t>(t)] != 0;
-    });
+    return !volume_.fixed_edge(a, b) &&
+           std::all_of(around.begin(), around.end(), [&](int t) { return is_member_.count(t) > 0; });
 }
 
 bool UntanglingPatch::inside_face(int a, int b, int c) const {
     const std::vector<int> beside = volume_.of_face(a, b, c);
-    return !volume_.fixed_face(a, b, c) && std::all_of(beside.begin(), beside.end(), [&](int t) {
-        return is_member_[static_cast<std::size_t>(t)] != 0;
-    });
+    return !volume_.fixed_face(a, b, c) &&
+           std::all_of(beside.begin(), beside.end(), [&](int t) { return is_member_.count(t) > 0; });
 }
 
 void UntanglingPatch::take_element(int t) {

@@ -66,7 +66,7 @@ class UntanglingPatch {
     const Lattice& lattice_;
     std::vector<int> members_;
     std::unordered_set<int> loose_;
-    std::vector<char> is_member_;
+    std::unordered_set<int> is_member_;
     std::vector<std::vector<int>> points_of_;  // by element and lattice point; -1: blended, inside the region
     std::vector<double> straight_;
     std::vector<Vec3> points_;
