@@ -186,7 +186,9 @@ curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_S
     progress.stage("reading the shape", 0.0, 0.0);
     return on_solids_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
         curve::CurvedMixedMesh mesh = curve::curve_mixed(engine, model, given, options, &progress);
-        measure_volume(mesh, engine, shape, progress);
+        if (given.has_volume()) {
+            measure_volume(mesh, engine, shape, progress);
+        }
         return mesh;
     });
 }

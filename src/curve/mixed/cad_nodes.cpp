@@ -203,6 +203,38 @@ void CadNodes::take_triangles(std::vector<Vec3>& nodes) {
     }
 }
 
+void CadNodes::take_back(const std::vector<Vec3>& nodes) {
+    const Lattice& lattice = Lattice::of(2, table_.order());
+    const std::vector<int> order = gmsh_order(lattice);
+    for (const auto& [a, b] : edges_) {
+        put_edge(a, b, nodes);
+    }
+    std::vector<int> triangles;
+    std::vector<Vec3> places(at(lattice.size()));
+    for (const CadFace& face : found_.faces) {
+        if (face.kind != ElementKind::Triangle) {
+            continue;
+        }
+        const std::vector<std::int32_t> numbers = table_.nodes_of(face.kind, face.corners.data());
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            places[at(order[i])] = nodes[at(numbers[i])];
+        }
+        const std::vector<Vec3> control = nodes_to_bezier(lattice, places);
+        std::vector<Vec3> inner;
+        for (int i = 0; i < lattice.size(); ++i) {
+            if (lattice.carriers(i) == 3) {
+                inner.push_back(control[at(i)]);
+            }
+        }
+        if (!inner.empty()) {
+            found_.matched.surface.shapes.set_face(
+                {vertex(face.corners[0]), vertex(face.corners[1]), vertex(face.corners[2])}, inner);
+        }
+        triangles.push_back(face.triangles.front());
+    }
+    placement_.measure(triangles);
+}
+
 std::vector<Vec3> CadNodes::projected(int face, const std::vector<Vec3>& points) {
     if (placement_.planar(face)) {
         return points;

@@ -43,6 +43,9 @@ class CadNodes {
     /// meets a face that stands on its wall; returns how many were changed.
     std::size_t follow_edges(std::vector<Vec3>& nodes);
 
+    /// Gives edges and triangles of the surface the shapes that nodes say, which were moved by others, and measures them.
+    void take_back(const std::vector<Vec3>& nodes);
+
     /// Whether corners are those of an edge or a face on the CAD.
     bool has(const std::vector<std::int32_t>& corners) const { return sides_.count(sorted(corners)) > 0; }
     /// By face: the largest distance of points between the nodes from its CAD face, mm.

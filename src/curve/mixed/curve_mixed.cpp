@@ -23,7 +23,7 @@ namespace mq::curve {
 namespace {
 
 /// Layers of elements around invalid ones that are relaxed with them, one attempt after the other.
-constexpr std::array<int, 3> kRelaxedLayers{1, 2, 4};
+constexpr std::array<int, 3> kRelaxedLayers{1, 2, 3};
 
 std::size_t at(std::int64_t i) {
     return static_cast<std::size_t>(i);
@@ -259,6 +259,9 @@ class MixedCurving {
             if (more) {
                 prove_all();
             }
+        }
+        if (!done.empty()) {
+            cad_.take_back(nodes_);
         }
         for (const std::size_t e : done) {
             report_.straightened.push_back(name_of_element(e));

@@ -14,8 +14,8 @@ namespace mq::curve {
 
 namespace {
 
-/// Points along an edge of the domain are one more than this at most.
-constexpr int kMostSteps = 6;
+/// Points along an edge of the domain are more than the order by this and one.
+constexpr int kMoreSteps = 2;
 
 /// Points of a product of simplices.
 std::vector<ProductPoint> points_of(const ProductLattice& lattice, int steps) {
@@ -58,7 +58,7 @@ Eigen::MatrixXd values_of(const ProductLattice& lattice, const std::vector<Produ
 
 SampledJacobian::SampledJacobian(ElementKind kind, int order) {
     const std::vector<NodalPolynomial> derivatives = derivatives_of(kind, order, full_node_count(kind, order));
-    const std::vector<ProductPoint> points = points_of(derivatives[0].lattice, std::min(2 * order, kMostSteps));
+    const std::vector<ProductPoint> points = points_of(derivatives[0].lattice, order + kMoreSteps);
     for (std::size_t k = 0; k < 3; ++k) {
         gradients_[k] = values_of(derivatives[k].lattice, points) * derivatives[k].from_nodes.cast<double>();
     }
