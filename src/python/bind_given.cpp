@@ -128,11 +128,13 @@ void bind_given(py::module_& m) {
           py::arg("regions"), py::arg("shape"), py::arg("options"), py::arg("imprint"),
           py::arg("progress") = py::none(),
           "Curves the corners of a mesh that another program made of the Part.Shape.");
-    m.def("curve_mixed", &curve_mixed, py::arg("nodes"), py::arg("elements"), py::arg("listed"), py::arg("shape"),
-          py::arg("options"), py::arg("imprint"), py::arg("progress") = py::none(),
-          "Curves elements of any kinds, which another program made of the Part.Shape: lists of (kind, corners, bodies), "
-          "solids or else the surface, and beside solids what the mesh lists of surfaces. A dictionary with nodes, blocks "
-          "of (kind, nodes, entity, quality, given element), edges, given_node, moved_nodes and report.");
+    m.def(
+        "curve_mixed", &curve_mixed, py::arg("nodes"), py::arg("elements"), py::arg("listed"), py::arg("shape"),
+        py::arg("options"), py::arg("imprint"), py::arg("progress") = py::none(),
+        "Curves elements of any kinds, which another program made of the Part.Shape: lists of (kind, corners, bodies), "
+        "solids or else the surface, and beside solids what the mesh lists of surfaces. A dictionary with nodes, "
+        "blocks "
+        "of (kind, nodes, entity, quality, given element), edges, given_node, moved_nodes and report.");
     m.def("measure_given_surface", &measure_given_surface, py::arg("nodes"), py::arg("order"), py::arg("triangles"),
           py::arg("shape"), py::arg("progress") = py::none(),
           "(face, quality, deviation) by triangle of a surface that another program made of the Part.Shape.");

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Shapes with straight meshes of prisms, hexahedra and pyramids, whose layers are thin. Runs inside FreeCAD."""
 
+import functools
 import math
 
 import numpy as np
@@ -89,19 +90,16 @@ def pipe(layers=5, growth=3.0, around=8, bend=False):
     if bend:
         turn = s * math.pi / 2
         points = np.stack([(12 + x) * np.cos(turn), (12 + x) * np.sin(turn), -y], axis=-1)
-        def solid(radius):
-            circle = Part.makeCircle(radius, Vector(12, 0, 0), Vector(0, 1, 0))
-            return Part.Face(Part.Wire(circle)).revolve(Vector(), Vector(0, 0, 1), 90)
-        shape = solid(5).cut(solid(3))
-        points = points[::-1] if np.linalg.det(_axes(points)) < 0 else points
+        shape = _bend(5).cut(_bend(3))
     else:
         points = np.stack([x, y, 10 * s], axis=-1)
         shape = Part.makeCylinder(5, 10).cut(Part.makeCylinder(3, 10))
     return shape, mesh_of(*_with_kind(*joined(*grid(points))))
 
 
-def _axes(points):
-    return np.stack([points[1, 0, 0] - points[0, 0, 0], points[0, 1, 0] - points[0, 0, 0], points[0, 0, 1] - points[0, 0, 0]])
+def _bend(radius):
+    circle = Part.makeCircle(radius, Vector(12, 0, 0), Vector(0, 1, 0))
+    return Part.Face(Part.Wire(circle)).revolve(Vector(), Vector(0, 0, 1), 90)
 
 
 def _with_kind(nodes, hexahedra):
@@ -109,7 +107,7 @@ def _with_kind(nodes, hexahedra):
 
 
 def blade(layers=4, growth=3.0):
-    """A twistless blade between two arcs, cut off at both ends: hexahedra, thin at both sides."""
+    """A blade without twist between two arcs, cut off at both ends: hexahedra, thin at both sides."""
     half, rise, height = 10.0, 2.0, 8.0
     sag = 0.5
     upper = Part.Arc(Vector(-half, sag, 0), Vector(0, sag + rise, 0), Vector(half, sag, 0)).toShape()
@@ -149,6 +147,7 @@ def with_pyramids(shape, mesh, chosen):
     return shape, mesh_of(nodes, ("pyramid", np.concatenate(pyramids)), ("hexahedron", rest))
 
 
+@functools.lru_cache(maxsize=1)
 def volumes():
     """{name: (shape, mesh)}"""
     found = {"shell of prisms": shell(), "prisms around a sphere": around_sphere(), "pipe of hexahedra": pipe(),

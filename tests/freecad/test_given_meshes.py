@@ -178,8 +178,10 @@ class Refused(GivenTest):
 
     def test_other_elements(self):
         prism = mesh_of([*UNIT[:4], [1, 0, 1], [0, 1, 1]], ("prism", [[0, 1, 2, 3, 4, 5]]))
-        with self.assertRaisesRegex(mq.InvalidInput, "1 prism: only triangles and tetrahedra are curved; certify takes all"):
+        with self.assertRaisesRegex(mq.TopologyError, "does not follow"):  # half of the box
             mq.curve(Part.makeBox(1, 1, 1), mesh=prism)
+        with self.assertRaisesRegex(mq.InvalidInput, "patches are of meshes of triangles and tetrahedra"):
+            mq.curve(Part.makeBox(1, 1, 1), mesh=prism, patches={"wall": ["Face1"]})
         self.assertEqual(mq.certify(prism).invalid, 0)
 
     def test_options_of_meshes_that_are_made(self):

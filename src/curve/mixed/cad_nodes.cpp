@@ -2,6 +2,7 @@
 #include "curve/mixed/cad_nodes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -159,8 +160,7 @@ void CadNodes::take_edges(std::vector<Vec3>& nodes) {
         std::vector<Vec3> control(numbers.size());
         for (int i = 0; i <= table_.order(); ++i) {
             const bool end = i == 0 || i == table_.order();
-            control[at(line.index({table_.order() - i, i, 0, 0}))] =
-                end ? nodes[at(numbers[at(i)])] : inner[at(i - 1)];
+            control[at(line.index({table_.order() - i, i, 0, 0}))] = end ? nodes[at(numbers[at(i)])] : inner[at(i - 1)];
         }
         const std::vector<Vec3> places = bezier_to_nodes(line, control);
         for (int i = 1; i < table_.order(); ++i) {
@@ -279,16 +279,40 @@ void CadNodes::place_quadrilaterals(std::vector<Vec3>& nodes) {
     }
 }
 
-std::size_t CadNodes::follow_edges(std::vector<Vec3>& nodes) {
+std::set<int> CadNodes::faces_with_quadrilaterals() const {
     std::set<int> faces;
     for (const CadFace& face : found_.faces) {
         if (face.kind == ElementKind::Quadrilateral) {
             faces.insert(face.face);
         }
     }
+    return faces;
+}
+
+std::vector<SideRow> CadNodes::rows() const {
+    std::vector<SideRow> all;
+    for (const int face : faces_with_quadrilaterals()) {
+        std::vector<SideRow> of_face = rows_on(face);
+        std::move(of_face.begin(), of_face.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+std::vector<SideRow> CadNodes::rows_on(int face) const {
+    std::vector<RowQuadrilateral> quadrilaterals;
+    for (const CadFace& f : found_.faces) {
+        if (f.face == face && f.kind == ElementKind::Quadrilateral) {
+            quadrilaterals.push_back({{f.corners[0], f.corners[1], f.corners[2], f.corners[3]}, {-1, -1}});
+        }
+    }
+    return rows_of_edges(quadrilaterals, table_.straight(),
+                         [&](const std::vector<std::int32_t>& side) { return on_cad_edge(side[0], side[1]); });
+}
+
+std::size_t CadNodes::follow_edges(std::vector<Vec3>& nodes) {
     std::size_t changed = 0;
     bool any = false;
-    for (const int face : faces) {
+    for (const int face : faces_with_quadrilaterals()) {
         any = follow_edges_of(face, nodes, changed) || any;
     }
     if (any) {
@@ -314,14 +338,8 @@ bool CadNodes::bends_much(const SideRow& row, const std::vector<Vec3>& displacem
 }
 
 bool CadNodes::follow_edges_of(int face, std::vector<Vec3>& nodes, std::size_t& changed) {
-    std::vector<RowQuadrilateral> quadrilaterals;
-    for (const CadFace& f : found_.faces) {
-        if (f.face == face && f.kind == ElementKind::Quadrilateral) {
-            quadrilaterals.push_back({{f.corners[0], f.corners[1], f.corners[2], f.corners[3]}, {-1, -1}});
-        }
-    }
     const auto on_edge = [&](const std::vector<std::int32_t>& side) { return on_cad_edge(side[0], side[1]); };
-    std::vector<SideRow> rows = rows_of_edges(quadrilaterals, table_.straight(), on_edge);
+    std::vector<SideRow> rows = rows_on(face);
     // How the edges at the ends differ from edges inside of the face.
     std::vector<std::int32_t> numbers;
     std::vector<Vec3> chords;

@@ -39,11 +39,15 @@ class CadNodes {
 
     /// Places all nodes, each edge and each face by itself.
     void place(std::vector<Vec3>& nodes);
-    /// Makes edges inside of CAD faces follow the edges of these across rows of quadrilaterals, as where a boundary layer
-    /// meets a face that stands on its wall; returns how many were changed.
+    /// Makes edges inside of CAD faces follow the edges of these across rows of quadrilaterals, as where a boundary
+    /// layer meets a face that stands on its wall; returns how many were changed.
     std::size_t follow_edges(std::vector<Vec3>& nodes);
 
-    /// Gives edges and triangles of the surface the shapes that nodes say, which were moved by others, and measures them.
+    /// Rows of edges across the quadrilaterals of each CAD face, from CAD edges on.
+    std::vector<SideRow> rows() const;
+
+    /// Gives edges and triangles of the surface the shapes that nodes say, which were moved by others, and measures
+    /// them.
     void take_back(const std::vector<Vec3>& nodes);
 
     /// Whether corners are those of an edge or a face on the CAD.
@@ -64,6 +68,8 @@ class CadNodes {
     std::vector<Vec3> projected(int face, const std::vector<Vec3>& points);
     /// Whether the ends of a row are displaced by a notable part of its thinnest layer at an end.
     bool bends_much(const SideRow& row, const std::vector<Vec3>& displacement);
+    std::vector<SideRow> rows_on(int face) const;
+    std::set<int> faces_with_quadrilaterals() const;
     bool follow_edges_of(int face, std::vector<Vec3>& nodes, std::size_t& changed);
 
     geometry::Session& session_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -28,6 +29,9 @@ constexpr std::array<int, 3> kRelaxedLayers{1, 2, 3};
 std::size_t at(std::int64_t i) {
     return static_cast<std::size_t>(i);
 }
+
+/// The corners of a mesh edge, ascending.
+using Edge = std::array<std::int32_t, 2>;
 
 class MixedCurving {
   public:
@@ -64,9 +68,10 @@ class MixedCurving {
             relax();
             clock_.end("relaxing");
         } else {
-            report_.repairs.emplace_back("edges on faces that follow CAD edges", cad_.follow_edges(nodes_));
             prove_all();
             report_.invalid_before = invalid().size();
+            report_.repairs.emplace_back("edges on faces that follow CAD edges", cad_.follow_edges(nodes_));
+            prove_all();
         }
         if (options_.straighten) {
             straighten();
@@ -229,27 +234,142 @@ class MixedCurving {
             }
             const std::vector<Vec3> nodes = nodes_;
             const std::vector<double> quality = quality_;
-            const std::size_t done = relax_nodes(elements_, options_.order, table_.straight(), fixed_, bad, layers,
-                                                 nodes_, progress_);
+            const std::size_t done =
+                relax_nodes(elements_, options_.order, table_.straight(), fixed_, bad, layers, nodes_, progress_);
             prove_all();
             if (invalid().size() < bad.size()) {
                 patches += done;
             } else {
                 nodes_ = nodes;
                 quality_ = quality;
+                if (layers > 1) {
+                    break;  // what more elements around do not change is in the corners
+                }
             }
         }
         report_.repairs.emplace_back("patches of elements relaxed", patches);
     }
 
-    /// Invalid elements lose the shapes of all their sides, and so do neighbours that become invalid by it, until none
-    /// is left or straight elements are invalid themselves.
+    /// Edges that bend together: those of the thinnest row that an edge is in.
+    std::map<Edge, std::vector<Edge>> columns() {
+        const auto on_cad = [&](const std::vector<std::int32_t>& side) { return cad_.has(side); };
+        std::vector<SideRow> rows = rows_of_edges(inner_quadrilaterals(), mesh_.nodes, on_cad);
+        std::vector<SideRow> more = cad_.rows();
+        std::move(more.begin(), more.end(), std::back_inserter(rows));
+        std::stable_sort(rows.begin(), rows.end(),
+                         [](const SideRow& a, const SideRow& b) { return a.height < b.height; });
+        std::map<Edge, std::vector<Edge>> result;
+        for (const SideRow& row : rows) {
+            std::vector<Edge> edges;
+            for (const auto& side : row.sides) {
+                const Edge edge{std::min(side[0], side[1]), std::max(side[0], side[1])};
+                if (result.count(edge) == 0) {
+                    edges.push_back(edge);
+                }
+            }
+            for (const Edge& edge : edges) {
+                result[edge] = edges;
+            }
+        }
+        return result;
+    }
+
+    std::set<Edge> edges_of(std::size_t e) const {
+        std::set<Edge> result;
+        for (const auto& [a, b] : sides_of(elements_[e].kind).edges) {
+            const std::int32_t from = mesh_.elements[e].corners[a];
+            const std::int32_t to = mesh_.elements[e].corners[b];
+            result.insert({std::min(from, to), std::max(from, to)});
+        }
+        return result;
+    }
+
+    bool has_any(std::size_t e, const std::set<Edge>& edges) const {
+        const std::set<Edge> own = edges_of(e);
+        return std::any_of(own.begin(), own.end(), [&](const Edge& edge) { return edges.count(edge) > 0; });
+    }
+
+    /// Bends the edges of invalid elements less and less, with all edges of their columns, until they are straight.
+    void soften() {
+        constexpr int kRounds = 8;
+        constexpr int kHalvings = 4;
+        const std::map<Edge, std::vector<Edge>> together = columns();
+        std::set<Edge> softened;
+        for (int round = 0; round < kRounds && !invalid().empty(); ++round) {
+            std::set<Edge> now;
+            for (const std::size_t e : invalid()) {
+                for (const Edge& edge : edges_of(e)) {
+                    const auto column = together.find(edge);
+                    now.insert(edge);
+                    if (column != together.end()) {
+                        now.insert(column->second.begin(), column->second.end());
+                    }
+                }
+            }
+            const double share = round < kHalvings ? 0.5 : 0.0;
+            for (const auto& [a, b] : now) {
+                for (const std::int32_t n : table_.edge(a, b)) {
+                    const Vec3& straight = table_.straight()[at(n)];
+                    nodes_[at(n)] = straight + share * (nodes_[at(n)] - straight);
+                }
+            }
+            blend_at(now);
+            softened.insert(now.begin(), now.end());
+            prove_all();
+        }
+        for (std::size_t e = 0; e < elements_.size(); ++e) {
+            if (has_any(e, softened)) {
+                straightened_.insert(e);
+            }
+        }
+    }
+
+    /// Blends the nodes inside of faces and elements that have one of the edges, on the CAD, too.
+    void blend_at(const std::set<Edge>& edges) {
+        const auto fill = [&](ElementKind kind, const std::vector<std::int32_t>& numbers) {
+            std::vector<Vec3> by;
+            for (const std::int32_t n : numbers) {
+                by.push_back(nodes_[at(n)] - table_.straight()[at(n)]);
+            }
+            const Blending& blending = Blending::of(kind, options_.order);
+            blending.apply(by);
+            for (const int i : blending.inner) {
+                nodes_[at(numbers[at(i)])] = table_.straight()[at(numbers[at(i)])] + by[at(i)];
+            }
+        };
+        for (std::size_t e = 0; e < elements_.size(); ++e) {
+            if (!has_any(e, edges)) {
+                continue;
+            }
+            for (std::size_t f = 0; f < sides_of(elements_[e].kind).faces.size(); ++f) {
+                const std::vector<std::int32_t> c = face_corners(mesh_.elements[e], f);
+                bool touched = false;
+                for (std::size_t k = 0; k < c.size(); ++k) {
+                    const std::int32_t next = c[(k + 1) % c.size()];
+                    touched = touched || edges.count({std::min(c[k], next), std::max(c[k], next)}) > 0;
+                }
+                if (touched) {
+                    const ElementKind kind = c.size() == 3 ? ElementKind::Triangle : ElementKind::Quadrilateral;
+                    fill(kind, table_.nodes_of(kind, c.data()));
+                }
+            }
+        }
+        for (std::size_t e = 0; e < elements_.size() && given_.has_volume(); ++e) {
+            if (has_any(e, edges)) {
+                fill(elements_[e].kind, elements_[e].nodes);
+            }
+        }
+    }
+
+    /// Invalid elements bend less, with their columns; those that stay invalid lose the shapes of all their sides, and
+    /// so do neighbours that become invalid by it, until none is left or straight elements are invalid themselves.
     void straighten() {
-        std::set<std::size_t> done;
+        soften();
+        std::set<std::size_t> straight;
         for (bool more = true; more;) {
             more = false;
             for (const std::size_t e : invalid()) {
-                if (done.insert(e).second) {
+                if (straight.insert(e).second) {
                     more = true;
                     for (const std::int32_t n : elements_[e].nodes) {
                         nodes_[at(n)] = table_.straight()[at(n)];
@@ -260,13 +380,14 @@ class MixedCurving {
                 prove_all();
             }
         }
-        if (!done.empty()) {
+        straightened_.insert(straight.begin(), straight.end());
+        if (!straightened_.empty()) {
             cad_.take_back(nodes_);
         }
-        for (const std::size_t e : done) {
+        for (const std::size_t e : straightened_) {
             report_.straightened.push_back(name_of_element(e));
         }
-        report_.repairs.emplace_back("elements made straight", done.size());
+        report_.repairs.emplace_back("elements made straight or straighter", straightened_.size());
     }
 
     /// "prism 3 of Solid1": the number is that in the list of its kind.
@@ -280,9 +401,7 @@ class MixedCurving {
         return found_.volume[e] < 0 ? name : name + " of Solid" + std::to_string(found_.volume[e] + 1);
     }
 
-    int entity_of_face(const CadFace& face) const {
-        return session_.topology().of_shape({2, face.face}).index;
-    }
+    int entity_of_face(const CadFace& face) const { return session_.topology().of_shape({2, face.face}).index; }
 
     void add_blocks(CurvedMixedMesh& mesh) {
         std::map<ElementKind, ElementBlock> solids;
@@ -325,8 +444,8 @@ class MixedCurving {
             for (std::size_t k = 0; k < face.corners.size(); ++k) {
                 const std::int32_t a = std::min(face.corners[k], face.corners[(k + 1) % face.corners.size()]);
                 const std::int32_t b = std::max(face.corners[k], face.corners[(k + 1) % face.corners.size()]);
-                const Segment* segment = surface.segment(found_.matched.vertex_of_node[at(a)],
-                                                         found_.matched.vertex_of_node[at(b)]);
+                const Segment* segment =
+                    surface.segment(found_.matched.vertex_of_node[at(a)], found_.matched.vertex_of_node[at(b)]);
                 const int entity = segment == nullptr ? -1 : session_.topology().of_shape({1, segment->edge}).index;
                 if (entity >= 0 && met.insert({a, b}).second) {
                     const std::vector<std::int32_t> nodes = table_.edge(a, b);
@@ -435,6 +554,7 @@ class MixedCurving {
     std::vector<Vec3> nodes_;
     std::vector<char> fixed_;
     std::vector<double> quality_;
+    std::set<std::size_t> straightened_;
 };
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace mq::curve {
 /// The nodes inside of an element as sums of those on its boundary: of a triangle or quadrilateral on its edges, of a
 /// solid on its faces.
 ///
-/// Quadrilaterals, prisms and hexahedra are blended transfinitely (Gordon and Hall 1973), level by level: linear between
-/// bottom and top, and what the sides deviate from that is blended within each level. So an element that is linear from
-/// bottom to top stays so, which layers rely on. Pyramids are blended within each level, simplices as in
+/// Quadrilaterals, prisms and hexahedra are blended transfinitely (Gordon and Hall 1973), level by level: linear
+/// between bottom and top, and what the sides deviate from that is blended within each level. So an element that is
+/// linear from bottom to top stays so, which layers rely on. Pyramids are blended within each level, simplices as in
 /// bezier/blending.h.
 struct Blending {
     std::vector<int> inner;  ///< nodes in Gmsh's order

@@ -25,8 +25,8 @@ class Layers {
     void add_edges(const SideRow& row);
     /// Adds what a row of faces says of the nodes inside of these, from what these deviate from their edges.
     void add_faces(const SideRow& row);
-    /// Nodes with their displacement: the mean of what the rows say, weighted by the inverse squares of their heights, so
-    /// that thin layers follow their walls.
+    /// Nodes with their displacement: the mean of what the rows say, weighted by the inverse squares of their heights,
+    /// so that thin layers follow their walls.
     std::vector<std::pair<std::int32_t, Vec3>> result() const;
 
   private:

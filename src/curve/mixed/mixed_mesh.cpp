@@ -14,8 +14,9 @@ namespace {
 void require_nodes(const MixedMesh& mesh, const std::vector<MixedElement>& elements) {
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const std::string name = std::string(name_of(elements[i].kind)) + " " + std::to_string(i);
-        std::vector<std::int32_t> corners(elements[i].corners.begin(),
-                                          elements[i].corners.begin() + static_cast<std::ptrdiff_t>(elements[i].count()));
+        std::vector<std::int32_t> corners(
+            elements[i].corners.begin(),
+            elements[i].corners.begin() + static_cast<std::ptrdiff_t>(elements[i].count()));
         std::sort(corners.begin(), corners.end());
         if (corners.front() < 0 || static_cast<std::size_t>(corners.back()) >= mesh.nodes.size()) {
             throw InvalidInput(name + " of the given mesh has a node that the mesh does not: write the mesh anew");

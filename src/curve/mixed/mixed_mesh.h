@@ -9,7 +9,8 @@
 #include "curve/elements/element_kind.h"
 #include "curve/given/given_mesh.h"
 
-/// Meshes of prisms, pyramids, hexahedra and quadrilaterals beside simplices: curved without a change of their elements.
+/// Meshes of prisms, pyramids, hexahedra and quadrilaterals beside simplices: curved without a change of their
+/// elements.
 namespace mq::curve {
 
 /// An element by its corners in Gmsh's order; those past the corners of its kind are -1.

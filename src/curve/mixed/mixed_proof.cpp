@@ -38,8 +38,8 @@ double volume_of(const std::vector<ElementNodes>& elements, int order, const std
         for (const std::int32_t n : element.nodes) {
             own.push_back(nodes[static_cast<std::size_t>(n)]);
         }
-        const auto of_kind = jacobians.try_emplace(element.kind, element.kind, order,
-                                                   full_node_count(element.kind, order)).first;
+        const auto of_kind =
+            jacobians.try_emplace(element.kind, element.kind, order, full_node_count(element.kind, order)).first;
         sum += of_kind->second.volume(own);
     }
     return sum;

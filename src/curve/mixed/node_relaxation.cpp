@@ -17,8 +17,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// The least sample that ends the work, relative to the straight element.
 constexpr double kTarget = 0.15;
-constexpr int kBarrierMoves = 12;
-constexpr int kSteps = 40;
+constexpr int kBarrierMoves = 8;
+constexpr int kSteps = 25;
 constexpr int kHalvings = 12;
 
 std::size_t at(std::int64_t i) {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "curve/elements/element_kind.h"
 #include "base/vec.h"
+#include "curve/elements/element_kind.h"
 
 namespace mq::curve {
 

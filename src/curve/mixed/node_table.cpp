@@ -29,8 +29,7 @@ void put_triangle(Eigen::MatrixXd& weights, Eigen::Index row, Eigen::Index first
 
 Eigen::MatrixXd weights_of(ElementKind kind, int order) {
     const std::vector<GridPoint> points = gmsh_nodes(kind, order);
-    Eigen::MatrixXd weights =
-        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()), full_node_count(kind, 1));
+    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()), full_node_count(kind, 1));
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         const double x = static_cast<double>(points[i][0]) / order;
