@@ -7,12 +7,11 @@ import numpy as np
 
 from .. import formats
 from ..errors import InvalidInput, IoError
-from . import convert, element_files, writing
+from . import convert, element_files, mixed_orders, writing
 from .element_mesh import ElementMesh
 from .elements import conformity, kinds
 from .elements.assembly import Content, ElementBlock
-
-_ENTITY = {1: "Edge", 2: "Face", 3: "Solid"}
+from .elements.entity_groups import entity_groups
 
 
 class CurvedElementMesh(ElementMesh):
@@ -70,9 +69,7 @@ class CurvedElementMesh(ElementMesh):
         """
         if len({block.order for block in self.blocks}) > 1:
             raise InvalidInput("the mesh has elements of several orders already: take the orders from the mesh of one order")
-        from . import mixed_orders  # noqa: PLC0415  which makes such meshes
-
-        return mixed_orders.with_orders(self, self.order, orders, raise_invalid)
+        return with_orders(self, self.order, orders, raise_invalid)
 
     def write(self, path, scale=1.0):
         """Writes into a file; one that is there is replaced once the new one is complete.
@@ -96,6 +93,11 @@ class CurvedElementMesh(ElementMesh):
         return f"{super().__repr__()[:-1]}, {valid}>"
 
 
+def with_orders(mesh, order, orders, raise_invalid):
+    """The CurvedElementMesh of an ElementMesh of one order; see CurvedElementMesh.with_orders."""
+    return CurvedElementMesh(*mixed_orders.with_orders(mesh, order, orders, raise_invalid))
+
+
 def of_core(found, order, given):
     """The CurvedElementMesh of what the core's curve_mixed gives, with the groups of the ElementMesh that was given."""
     blocks, quality, rows = [], [], []
@@ -114,21 +116,6 @@ def of_core(found, order, given):
 def _block(kind, order, nodes, entity):
     return ElementBlock(kind, order, np.ascontiguousarray(nodes, dtype=np.int32), np.full(len(nodes), -1, dtype=np.int32),
                         np.array(entity, dtype=np.int32))
-
-
-def entity_groups(blocks):
-    """{"Face1": ((block, rows), ...)} by what the blocks say as geometry."""
-    members = {}
-    for number, block in enumerate(blocks):
-        for entity in np.unique(block.geometry[block.geometry >= 0]).tolist():
-            name = f"{_ENTITY[kinds.DIMENSION[block.kind]]}{entity + 1}"
-            rows = np.flatnonzero(block.geometry == entity).astype(np.int32)
-            members[name] = (*members.get(name, ()), (number, rows))
-    return dict(sorted(members.items(), key=lambda item: (-_dimension(item[1], blocks), item[0])))
-
-
-def _dimension(parts, blocks):
-    return kinds.DIMENSION[blocks[parts[0][0]].kind]
 
 
 def carried_groups(given, blocks, rows):
