@@ -14,7 +14,10 @@ from test_cli import run
 from test_curved_files import PYTHON, has
 
 import MeshQuality as mq
+from MeshQuality.core import fem
+from MeshQuality.core.element_mesh import ElementMesh
 from MeshQuality.core.elements import kinds, polynomials
+from MeshQuality.core.elements.assembly import Content
 
 NAIVE = {"shell of prisms": 50, "prisms around a sphere": 50, "pipe of hexahedra": 16, "pipe bend of hexahedra": 16,
          "blade of hexahedra": 8, "pipe with pyramids": 16}  # at least as many are invalid where the surface alone is curved
@@ -100,6 +103,22 @@ class Volumes(LayersTest):
                 block, rows = parts[0]
                 for point in mesh.nodes[mesh.blocks[block].nodes[rows[:5], 4]]:
                     self.assertLess(face.distToShape(Part.Vertex(Vector(*point)))[0], 1e-6, name)
+
+    def test_two_solids_that_share_a_wall_between_layers(self):
+        _, given = layered_meshes.pipe()
+        block = given.blocks[0]
+        radius = np.hypot(*np.moveaxis(given.nodes[block.nodes], 2, 0)[:2]).mean(axis=1)
+        wall = float(np.unique(np.round(np.hypot(*given.nodes.T[:2]), 9))[2])
+        solids = np.where(radius > wall, 1, 0).astype(np.int32)
+        told = ElementMesh(Content(given.nodes.copy(), (block._replace(geometry=solids),), {}, ()))
+        inner = Part.makeCylinder(wall, 10).cut(Part.makeCylinder(3, 10))
+        outer = Part.makeCylinder(5, 10).cut(Part.makeCylinder(wall, 10))
+        mesh = mq.curve(Part.makeCompound([inner, outer]), mesh=told, order=3)
+        self.assertEqual((mesh.report.invalid, mq.certify(mesh).invalid), (0, 0))
+        self.assertEqual(np.bincount(mesh.blocks[0].geometry).tolist(), np.bincount(solids).tolist())
+        surface = next(block for block in mesh.blocks if block.kind == "quadrilateral")
+        between = np.isclose(np.hypot(*mesh.nodes[surface.nodes[:, :4]].mean(axis=1).T[:2]), wall * np.cos(np.pi / 8), atol=1e-3)
+        self.assertEqual(int(between.sum()), 24)  # once, where both solids meet
 
     def test_meshes_of_gmsh(self):
         if not has("gmsh"):
@@ -261,10 +280,27 @@ class Files(LayersTest):
     def test_what_files_do_not_hold(self):
         shape, given = layered_meshes.volumes()["pipe with pyramids"]
         mesh = mq.curve(shape, mesh=given, order=2)
-        with self.assertRaisesRegex(mq.InvalidInput, "pyramids of order 2 have no cells in VTK: write .msh"):
+        with self.assertRaisesRegex(mq.InvalidInput, "hold no pyramids of order 2 with 14 nodes: choose one of .msh"):
             mesh.write(os.path.join(self.folder, "mesh.vtu"))
         with self.assertRaisesRegex(mq.IoError, "ends in one of .msh .vtu"):
             mesh.write(os.path.join(self.folder, "mesh.stl"))
+
+
+class Documents(LayersTest):
+    def test_objects_keep_cured_tetrahedra_only(self):
+        made = fem.module().FemMesh()
+        for number, point in enumerate([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], 1):
+            made.addNode(*map(float, point), number)
+        made.addVolume([5, 6, 7, 8, 1, 2, 3, 4])
+        part = self.document.addObject("Part::Box", "Part")
+        part.Length = part.Width = part.Height = 1
+        given = self.document.addObject("Fem::FemMeshObject", "Given")
+        given.FemMesh = made
+        self.document.recompute()
+        with self.assertRaisesRegex(mq.InvalidInput, "neither triangles nor tetrahedra: such meshes are cured by"):
+            mq.add_cured_mesh(given, part)
+        mesh = mq.curve(part.Shape, mesh=ElementMesh.of(given), order=2)
+        self.assertEqual((mesh.report.invalid, len(mesh.nodes)), (0, 27))
 
 
 class Program(LayersTest):

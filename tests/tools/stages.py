@@ -41,7 +41,7 @@ STAGES = {
         ["boolean"],
     ],
     "curve": [["curve/bezier"], ["curve/elements", "curve/surface"], ["curve/volume/netgen", "curve/volume/mesher"], ["curve/volume"], ["curve/output"],
-              ["curve/injectivity"], ["curve"], ["curve/given"]],
+              ["curve/injectivity"], ["curve"], ["curve/given"], ["curve/mixed"]],
     "improve": [["improve"]],
     "workflows": [["workflows"]],
     "view": [["view"]],

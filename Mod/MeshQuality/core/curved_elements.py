@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """CurvedElementMesh: curved elements of several kinds, as boundary layers have them."""
 
-import os
-
 import numpy as np
 
-from .. import formats
-from ..errors import InvalidInput, IoError
-from . import convert, element_files, writing
+from ..errors import InvalidInput
+from . import mixed_orders
 from .element_mesh import ElementMesh
 from .elements import conformity, kinds
 from .elements.assembly import Content, ElementBlock
-
-_ENTITY = {1: "Edge", 2: "Face", 3: "Solid"}
+from .elements.entity_groups import entity_groups
 
 
 class CurvedElementMesh(ElementMesh):
@@ -70,30 +66,17 @@ class CurvedElementMesh(ElementMesh):
         """
         if len({block.order for block in self.blocks}) > 1:
             raise InvalidInput("the mesh has elements of several orders already: take the orders from the mesh of one order")
-        from . import mixed_orders  # noqa: PLC0415  which makes such meshes
-
-        return mixed_orders.with_orders(self, self.order, orders, raise_invalid)
-
-    def write(self, path, scale=1.0):
-        """Writes into a file; one that is there is replaced once the new one is complete.
-
-        path   the extension says the format: .msh (Gmsh 4.1, with a physical group a CAD entity) holds all kinds and orders,
-               .vtu (VTK) all but pyramids of order 2 and more
-        scale  factor from mm to the file's coordinates: 0.001 for metres
-        Raises InvalidInput naming the elements and the remedy; IoError naming the path.
-        """
-        name = os.fsdecode(convert.file_name(path))
-        suffix = formats.known_suffix(os.path.splitext(name)[1], tuple(element_files.WRITERS))
-        if suffix is None:
-            raise IoError(f"cannot write '{name}': elements of several kinds are written into files with a name that ends in "
-                          f"one of {' '.join(element_files.WRITERS)}")
-        scale = writing.checked_scale(scale)
-        writing.atomically(name, suffix, lambda ready: element_files.WRITERS[suffix](self, ready, scale))
+        return with_orders(self, self.order, orders, raise_invalid)
 
     def __repr__(self):
         folded = sum(int((~(quality > 0.0)).sum()) for quality in self._quality)
         valid = f"{folded:,} not proven valid" if folded else "all valid"
         return f"{super().__repr__()[:-1]}, {valid}>"
+
+
+def with_orders(mesh, order, orders, raise_invalid):
+    """The CurvedElementMesh of an ElementMesh of one order; see CurvedElementMesh.with_orders."""
+    return CurvedElementMesh(*mixed_orders.with_orders(mesh, order, orders, raise_invalid))
 
 
 def of_core(found, order, given):
@@ -114,21 +97,6 @@ def of_core(found, order, given):
 def _block(kind, order, nodes, entity):
     return ElementBlock(kind, order, np.ascontiguousarray(nodes, dtype=np.int32), np.full(len(nodes), -1, dtype=np.int32),
                         np.array(entity, dtype=np.int32))
-
-
-def entity_groups(blocks):
-    """{"Face1": ((block, rows), ...)} by what the blocks say as geometry."""
-    members = {}
-    for number, block in enumerate(blocks):
-        for entity in np.unique(block.geometry[block.geometry >= 0]).tolist():
-            name = f"{_ENTITY[kinds.DIMENSION[block.kind]]}{entity + 1}"
-            rows = np.flatnonzero(block.geometry == entity).astype(np.int32)
-            members[name] = (*members.get(name, ()), (number, rows))
-    return dict(sorted(members.items(), key=lambda item: (-_dimension(item[1], blocks), item[0])))
-
-
-def _dimension(parts, blocks):
-    return kinds.DIMENSION[blocks[parts[0][0]].kind]
 
 
 def carried_groups(given, blocks, rows):

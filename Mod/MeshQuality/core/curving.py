@@ -8,7 +8,7 @@ from .. import options
 from ..compat import extension, program
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert, curved_elements, fem, fem_places, frames, given, mixed_orders, orders, writing
+from . import convert, curved_elements, fem, fem_places, frames, given, orders, writing
 from .certification import given_mesh
 from .curved_arrays import ARRAYS
 from .element_mesh import ElementMesh
@@ -166,7 +166,7 @@ class CurvedMesh(metaclass=Public):
         orders = np.asarray(orders)
         highest = int(orders.max(initial=1)) if orders.dtype.kind in "iu" else self.order
         mesh = self if highest <= self.order else self.with_order(highest)
-        return mixed_orders.with_orders(ElementMesh.of(mesh), mesh.order, orders, raise_invalid)
+        return curved_elements.with_orders(ElementMesh.of(mesh), mesh.order, orders, raise_invalid)
 
     def tessellate(self, deviation=None, progress=None):
         """Flat triangles that the curved ones keep within `deviation` mm of.
@@ -278,6 +278,18 @@ def _require_no_straight_options(values):
         raise InvalidInput(f"{given[0]} is for a mesh that is made, not for one that is given: leave it out with mesh=")
 
 
+def _curve_given(shape, mesh, curving, imprint, division, progress):
+    """What the core makes of an ElementMesh; the CurvedElementMesh where it has other elements than simplices."""
+    module, solids = extension(), len(shape.Solids)
+    if not given.is_mixed(mesh):
+        return module.curve_given(*given.corners_of(mesh, solids), shape, curving, imprint, progress)
+    if division is not None:
+        raise InvalidInput("patches are of meshes of triangles and tetrahedra: leave them out, elements of other kinds have "
+                           "a group for each face")
+    found = module.curve_mixed(*given.blocks_of(mesh, solids), shape, curving, imprint, progress)
+    return curved_elements.of_core(found, curving.order, mesh)
+
+
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False,
@@ -327,17 +339,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
-        shape = convert.shape_of(shape_or_mesh)
-        mesh = fem_places.mesh_at(mesh, shape_or_mesh) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
-        if given.is_mixed(mesh):
-            if division is not None:
-                raise InvalidInput("patches are of meshes of triangles and tetrahedra: leave them out, elements of other "
-                                   "kinds have a group for each face")
-            blocks = given.blocks_of(mesh, len(shape.Solids))
-            found = module.curve_mixed(*blocks, shape, curving, values["imprint"], progress)
-            return curved_elements.of_core(found, int(order), mesh)
-        corners = given.corners_of(mesh, len(shape.Solids))
-        curved = module.curve_given(*corners, shape, curving, values["imprint"], progress)
+        given_elements = fem_places.mesh_at(mesh, shape_or_mesh) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
+        curved = _curve_given(convert.shape_of(shape_or_mesh), given_elements, curving, values["imprint"], division, progress)
     elif isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:
             raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")
@@ -348,4 +351,5 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         straight = module.TriangulateOptions()
         options.hand_over(values, straight)
         curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
-    return CurvedMesh(curved, patches=kept(division, curved))
+    mixed = isinstance(curved, curved_elements.CurvedElementMesh)
+    return curved if mixed else CurvedMesh(curved, patches=kept(division, curved))

@@ -7,9 +7,9 @@ import numpy as np
 
 from ..compat import extension
 from ..errors import InvalidInput
-from .curved_elements import CurvedElementMesh, entity_groups
 from .elements import kinds, polynomials
 from .elements.assembly import Content, ElementBlock
+from .elements.entity_groups import entity_groups
 
 _UNITS = 3600  # weights of corners at nodes on sides are whole numbers of its parts, for orders 1 to 5
 
@@ -24,7 +24,7 @@ class _Sides(NamedTuple):
 
 
 def with_orders(mesh, order, orders, raise_invalid):
-    """The CurvedElementMesh of elements of one order, when each has an order of its own.
+    """(Content, quality by block) of elements of one order, when each has an order of its own.
 
     mesh           has nodes, blocks and group_members as an ElementMesh, all full elements of `order`
     orders         of the elements of the highest dimension, block by block
@@ -46,7 +46,7 @@ def _beside_invalid(mesh, found, element):
     """bool (E,): which elements have a corner of one that is not proven valid."""
     whole = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == mesh.dimension]
     invalid = np.zeros(sum(len(block.nodes) for block in whole), dtype=bool)
-    for quality, rows in zip(found.quality, element):
+    for quality, rows in zip(found[1], element):
         invalid[rows[~(quality > 0.0)]] = True
     corners = [block.nodes[:, :kinds.CORNERS[block.kind]] for block in whole]
     bad = np.zeros(len(mesh.nodes), dtype=bool)
@@ -57,7 +57,7 @@ def _beside_invalid(mesh, found, element):
 
 
 def _made(mesh, order, orders):
-    """(CurvedElementMesh, [int (n,) by block of it that has the highest dimension: which elements these are])."""
+    """((Content, quality), [int (n,) by block of these that has the highest dimension: which elements these are])."""
     whole = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] == mesh.dimension]
     rest = [block for block in mesh.blocks if kinds.DIMENSION[block.kind] < mesh.dimension]
     parts = np.split(orders, np.cumsum([len(block.nodes) for block in whole])[:-1])
@@ -185,7 +185,7 @@ class _Made:
         return keys
 
     def mesh(self, before):
-        """The CurvedElementMesh."""
+        """(Content, quality)."""
         keys = np.concatenate([part[4].reshape(-1, 8) for part in self.parts])
         places = np.concatenate([part[3].reshape(-1, 3) for part in self.parts])
         _, first, number = np.unique(keys, axis=0, return_index=True, return_inverse=True)
@@ -205,7 +205,7 @@ class _Made:
             at += count
         members = {**self._carried(before, rows_of), **entity_groups(blocks)}
         quality = [self._quality(block, nodes) for block in blocks]
-        return CurvedElementMesh(Content(nodes, tuple(blocks), members, ()), quality)
+        return Content(nodes, tuple(blocks), members, ()), quality
 
     @staticmethod
     def _quality(block, nodes):

@@ -20,7 +20,7 @@ namespace {
 
 using geometry::Query;
 
-/// Displacements below this part of the model's size are rounding.
+/// Displacements below this fraction of the model's size are rounding.
 constexpr double kNoDisplacement = 1e-9;
 
 std::size_t at(std::int64_t i) {
@@ -119,6 +119,10 @@ MatchedFaces match_faces_of(geometry::Session& session, const MixedMesh& mesh, i
             }
             result.faces.push_back(std::move(face));
         }
+    }
+    if (!mesh.has_volume() && result.faces.size() != mesh.elements.size()) {
+        throw InvalidInput(std::to_string(mesh.elements.size() - result.faces.size()) +
+                           " elements of the given surface have the corners of others: remove them from the mesh");
     }
     return result;
 }
@@ -337,16 +341,14 @@ bool CadNodes::bends_much(const SideRow& row, const std::vector<Vec3>& displacem
     return most > kNotable * row.height * std::min(first, last);
 }
 
-bool CadNodes::follow_edges_of(int face, std::vector<Vec3>& nodes, std::size_t& changed) {
-    const auto on_edge = [&](const std::vector<std::int32_t>& side) { return on_cad_edge(side[0], side[1]); };
-    std::vector<SideRow> rows = rows_on(face);
-    // How the edges at the ends differ from edges inside of the face.
+std::vector<Vec3> CadNodes::displacement_of_ends(int face, const std::vector<SideRow>& rows,
+                                                 const std::vector<Vec3>& nodes) {
     std::vector<std::int32_t> numbers;
     std::vector<Vec3> chords;
     for (const SideRow& row : rows) {
         for (const auto* side : {&row.sides.front(), &row.sides.back()}) {
             for (const std::int32_t n : table_.edge((*side)[0], (*side)[1])) {
-                if (on_edge(*side) && at(n) >= table_.vertices()) {
+                if (on_cad_edge((*side)[0], (*side)[1]) && at(n) >= table_.vertices()) {
                     numbers.push_back(n);
                     chords.push_back(table_.straight()[at(n)]);
                 }
@@ -358,6 +360,12 @@ bool CadNodes::follow_edges_of(int face, std::vector<Vec3>& nodes, std::size_t& 
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         displacement[at(numbers[i])] = nodes[at(numbers[i])] - by_itself[i];
     }
+    return displacement;
+}
+
+bool CadNodes::follow_edges_of(int face, std::vector<Vec3>& nodes, std::size_t& changed) {
+    std::vector<SideRow> rows = rows_on(face);
+    const std::vector<Vec3> displacement = displacement_of_ends(face, rows, nodes);
     // On bent faces nodes were spaced evenly, which is better than by rows where layers are thick.
     if (!placement_.planar(face)) {
         rows.erase(std::remove_if(rows.begin(), rows.end(),
@@ -368,8 +376,8 @@ bool CadNodes::follow_edges_of(int face, std::vector<Vec3>& nodes, std::size_t& 
     for (const SideRow& row : rows) {
         layers.add_edges(row);
     }
-    numbers.clear();
-    chords.clear();
+    std::vector<std::int32_t> numbers;
+    std::vector<Vec3> chords;
     std::vector<Vec3> by;
     const double rounding = kNoDisplacement * session_.topology().box.largest_side();
     for (const auto& [node, of_node] : layers.result()) {

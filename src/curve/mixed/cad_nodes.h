@@ -18,7 +18,7 @@ struct CadFace {
     ElementKind kind = ElementKind::Triangle;
     std::vector<std::int32_t> corners;  ///< outward of the element behind; on surfaces as they were given
     int face = -1;                      ///< the CAD face
-    std::vector<int> triangles;         ///< of the matched surface: itself, or its two halves
+    std::vector<int> triangles;         ///< in the matched surface: itself, or its two halves
     std::int64_t element = -1;          ///< the element behind it, the first one of an interface
 };
 
@@ -66,7 +66,9 @@ class CadNodes {
     void place_quadrilaterals(std::vector<Vec3>& nodes);
     void put_edge(std::int32_t a, std::int32_t b, const std::vector<Vec3>& nodes);
     std::vector<Vec3> projected(int face, const std::vector<Vec3>& points);
-    /// Whether the ends of a row are displaced by a notable part of its thinnest layer at an end.
+    /// By node: how edges of the CAD at the ends of rows differ from edges inside of the face.
+    std::vector<Vec3> displacement_of_ends(int face, const std::vector<SideRow>& rows, const std::vector<Vec3>& nodes);
+    /// Whether the ends of a row are displaced by a notable fraction of its thinnest layer at an end.
     bool bends_much(const SideRow& row, const std::vector<Vec3>& displacement);
     std::vector<SideRow> rows_on(int face) const;
     std::set<int> faces_with_quadrilaterals() const;

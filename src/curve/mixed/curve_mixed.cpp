@@ -55,18 +55,17 @@ class MixedCurving {
     }
 
     CurvedMixedMesh run() {
-        progress_.stage("curving the surface", 0.2, 0.4);
+        progress_.stage("curving the surface", 0.2, 0.6);
         nodes_ = table_.straight();
         cad_.place(nodes_);
         fix_nodes();
         clock_.end("curving the surface");
         if (given_.has_volume()) {
-            progress_.stage("curving the layers", 0.4, 0.6);
             curve_inside();
             clock_.end("curving the layers");
-            progress_.stage("relaxing", 0.6, 0.9);
+            progress_.stage("repairing the volume", 0.6, 0.9);
             relax();
-            clock_.end("relaxing");
+            clock_.end("repairing the volume");
         } else {
             prove_all();
             report_.invalid_before = invalid().size();
@@ -570,7 +569,13 @@ CurvedMixedMesh curve_mixed(geometry::Engine& engine, const std::shared_ptr<geom
     const double start = cpu_seconds();
     geometry::Session session(engine, model, &watched);
     watched.stage("classifying", 0.0, 0.2);
-    CurvedMixedMesh mesh = MixedCurving(session, given, checked, watched).run();
+    MixedMesh oriented = given;
+    const std::size_t turned = orient_elements(oriented);
+    CurvedMixedMesh mesh = MixedCurving(session, oriented, checked, watched).run();
+    if (turned > 0) {
+        mesh.report.notes.push_back(std::to_string(turned) +
+                                    " elements of the given mesh were numbered the wrong way round");
+    }
     mesh.report.cpu_seconds = cpu_seconds() - start;
     return mesh;
 }

@@ -10,7 +10,7 @@ namespace mq::curve {
 
 namespace {
 
-/// The part of its height by which a row may be pressed together or drawn apart.
+/// By which fraction of its height a row may be pressed together or drawn apart.
 constexpr double kMostStrain = 1.0 / 3.0;
 
 /// The share of the displacement that is left at the end of a row that is not on the CAD.

@@ -14,8 +14,7 @@ namespace mq::curve {
 /// A whole row is one macro-element: its wall is curved, its top is straight or curved less, and it is linear from one
 /// to the other. Each side gets the share of the displacement that its own fractions say, so layers are pieces of the
 /// macro-element, and valid where it is. A row whose other end is inside of the mesh ends with the share `kept` of the
-/// displacement: none where the row is high enough, more where the wall bends so far that the row would be pressed
-/// together by more than a third.
+/// displacement: none where the row is high enough, more where the wall bends by more than a third of its height.
 class Layers {
   public:
     /// @param displacement  by node: from where the side would be by itself

@@ -2,6 +2,8 @@
 #include "curve/mixed/mixed_mesh.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <string>
 
 #include "base/error.h"
@@ -88,6 +90,31 @@ Simplices divided_into_simplices(const MixedMesh& mesh) {
         result.mesh.triangles.insert(result.mesh.triangles.end(), triangles.begin(), triangles.end());
     }
     return result;
+}
+
+std::size_t orient_elements(MixedMesh& mesh) {
+    if (!mesh.has_volume()) {
+        return 0;
+    }
+    static const std::map<ElementKind, std::array<std::size_t, 8>> mirrored{
+        {ElementKind::Tetrahedron, {0, 1, 3, 2, 4, 5, 6, 7}},
+        {ElementKind::Pyramid, {0, 3, 2, 1, 4, 5, 6, 7}},
+        {ElementKind::Prism, {3, 4, 5, 0, 1, 2, 6, 7}},
+        {ElementKind::Hexahedron, {4, 5, 6, 7, 0, 1, 2, 3}}};
+    Simplices simplices = divided_into_simplices(mesh);
+    const std::vector<std::array<int, 4>> before = simplices.mesh.tetrahedra;
+    orient_tetrahedra(simplices.mesh);
+    std::set<std::size_t> turned;
+    for (std::size_t t = 0; t < before.size(); ++t) {
+        if (before[t] != simplices.mesh.tetrahedra[t] && turned.insert(simplices.element[t]).second) {
+            MixedElement& element = mesh.elements[simplices.element[t]];
+            const std::array<std::int32_t, 8> corners = element.corners;
+            for (std::size_t k = 0; k < 8; ++k) {
+                element.corners[k] = corners[mirrored.at(element.kind)[k]];
+            }
+        }
+    }
+    return turned.size();
 }
 
 }  // namespace mq::curve

@@ -48,6 +48,10 @@ struct Simplices {
 };
 Simplices divided_into_simplices(const MixedMesh& mesh);
 
+/// Turns solid elements round that see the faces to their neighbours from the wrong side, see orient_tetrahedra().
+/// @return how many were turned.
+std::size_t orient_elements(MixedMesh& mesh);
+
 /// The two triangles of a quadrilateral, or the triangle itself.
 std::vector<std::array<int, 3>> triangles_of(const std::vector<std::int32_t>& corners);
 

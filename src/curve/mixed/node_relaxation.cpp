@@ -219,12 +219,9 @@ std::vector<std::vector<std::size_t>> elements_of_nodes(const std::vector<Elemen
     return result;
 }
 
-}  // namespace
-
-std::size_t relax_nodes(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& straight,
-                        const std::vector<char>& fixed, const std::vector<std::size_t>& bad, int layers,
-                        std::vector<Vec3>& nodes, const Progress& progress) {
-    const auto beside = elements_of_nodes(elements, nodes.size());
+/// By element whether it is a bad one, or within some layers around these.
+std::vector<char> around(const std::vector<ElementNodes>& elements, const std::vector<std::vector<std::size_t>>& beside,
+                         const std::vector<std::size_t>& bad, int layers) {
     std::vector<char> within(elements.size(), 0);
     std::vector<std::size_t> chosen = bad;
     for (const std::size_t e : bad) {
@@ -244,6 +241,16 @@ std::size_t relax_nodes(const std::vector<ElementNodes>& elements, int order, co
             }
         }
     }
+    return within;
+}
+
+}  // namespace
+
+std::size_t relax_nodes(const std::vector<ElementNodes>& elements, int order, const std::vector<Vec3>& straight,
+                        const std::vector<char>& fixed, const std::vector<std::size_t>& bad, int layers,
+                        std::vector<Vec3>& nodes, const Progress& progress) {
+    const auto beside = elements_of_nodes(elements, nodes.size());
+    const std::vector<char> within = around(elements, beside, bad, layers);
     // Nodes are free where all of their elements are within; elements that share one change together.
     DisjointSets<std::size_t> joined(elements.size());
     std::vector<std::int32_t> free;
@@ -259,8 +266,10 @@ std::size_t relax_nodes(const std::vector<ElementNodes>& elements, int order, co
     }
     std::unordered_map<std::size_t, std::pair<std::vector<std::size_t>, std::vector<std::int32_t>>> patches;
     std::vector<std::size_t> roots;
-    std::sort(chosen.begin(), chosen.end());
-    for (const std::size_t e : chosen) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        if (!within[e]) {
+            continue;
+        }
         auto& patch = patches[joined.find(e)];
         if (patch.first.empty()) {
             roots.push_back(joined.find(e));

@@ -74,6 +74,16 @@ TEST(MixedMesh, NeighboursDivideTheirFaceAlike) {
     EXPECT_EQ(surface_of(simplices.mesh).size(), 48u);  // two on each of 24 squares, and none inside
 }
 
+TEST(MixedMesh, ElementsThatAreInsideOutAreTurned) {
+    MixedMesh mesh = cubes(2, 2, 2);
+    std::swap_ranges(mesh.elements[3].corners.begin(), mesh.elements[3].corners.begin() + 4,
+                     mesh.elements[3].corners.begin() + 4);
+    EXPECT_EQ(orient_elements(mesh), 1u);
+    EXPECT_EQ(mesh.elements[3].corners, cubes(2, 2, 2).elements[3].corners);
+    EXPECT_EQ(orient_elements(mesh), 0u);
+    EXPECT_NEAR(volume_of(divided_into_simplices(mesh).mesh), 8.0, 1e-12);
+}
+
 TEST(MixedMesh, FaultsAreNamed) {
     MixedMesh mesh = cubes(1, 1, 1);
     mesh.elements[0].corners[3] = mesh.elements[0].corners[2];
