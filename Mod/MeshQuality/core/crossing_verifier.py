@@ -17,7 +17,8 @@ from ..errors import Cancelled
 from .elements import kinds, lagrange
 
 APART, CROSSING, UNKNOWN = 1, -1, 0
-_LEVELS, _PIECES = 12, 40_000  # of cutting, and pairs of pieces of one pair of triangles
+_LEVELS = 12  # of cutting
+_PIECES, _MANY_PIECES, _TRIED = 2000, 40_000, 50  # of one pair of triangles; for the pairs left, so many of them at most
 _ROUNDS = 60  # of the search for a plane
 _ROUNDING = 1e-12  # of the largest coordinate
 _AT_A_TIME = 40_000  # pairs
@@ -277,11 +278,15 @@ def examine(order, nodes, rows, listed=(), left_out=(), progress=None):
         if progress is not None and progress(start / len(pairs), "crossings") is False:
             raise Cancelled("the verification was cancelled")
         some = pairs[start:start + _AT_A_TIME]
-        left.append(some[~_apart(surface, some)])
+        left.append(some[~_apart(surface, some, _PIECES)])
     left = np.concatenate(left)
     verdict = np.array([CROSSING if _meet(surface, a, b) else UNKNOWN for a, b in left.tolist()], dtype=int)
-    open_ = np.flatnonzero((verdict == UNKNOWN) & _among(left, listed, len(rows)))
-    verdict[open_[_apart(surface, left[open_])]] = APART
+    said = _among(left, listed, len(rows))
+    for chosen, most in ((said, _PIECES), (~said, _MANY_PIECES)):
+        tried = np.flatnonzero((verdict == UNKNOWN) & chosen)[:_TRIED]
+        verdict[tried[_apart(surface, left[tried], most)]] = APART
+    unneeded = (verdict == APART) & ~said
+    left, verdict = left[~unneeded], verdict[~unneeded]
     far = sorted(set(map(tuple, listed)) - set(map(tuple, left.tolist())))
     return np.concatenate([left, np.array(far, dtype=int).reshape(-1, 2)]), np.append(verdict, [APART] * len(far)).astype(int)
 
@@ -294,7 +299,7 @@ def _among(pairs, others, count):
     return np.isin(pairs @ key, np.asarray(others) @ key)
 
 
-def _apart(surface, pairs):
+def _apart(surface, pairs, most):
     """bool (P,): which pairs are proven to meet in shared vertices and edges only."""
     found = np.zeros(len(pairs), dtype=bool)
     own = pairs[:, 0] == pairs[:, 1]
@@ -303,7 +308,7 @@ def _apart(surface, pairs):
         found[i] = _apart_from_itself(surface, surface.control[pairs[i, 0]], 4)
     others = np.flatnonzero(~own)
     found[others] = _search(surface, surface.control[pairs[others, 0]], surface.control[pairs[others, 1]],
-                            *surface.shared(pairs[others]))
+                            *surface.shared(pairs[others]), most)
     return found
 
 
@@ -317,11 +322,11 @@ def _apart_from_itself(surface, control, depth):
     equal = (_QUARTERS[first][:, :, None] == _QUARTERS[second][:, None, :]).all(axis=3)
     partner = np.where(equal.any(axis=2), equal.argmax(axis=2), -1)
     edges = np.stack([(np.delete(partner, k, axis=1) >= 0).all(axis=1) for k in range(3)], axis=1)
-    return bool(_search(surface, parts[first], parts[second], partner, edges).all()) \
+    return bool(_search(surface, parts[first], parts[second], partner, edges, _PIECES).all()) \
         and all(_apart_from_itself(surface, part, depth - 1) for part in parts)
 
 
-def _search(surface, a, b, partner, edges):
+def _search(surface, a, b, partner, edges, most):
     """bool (P,): by pieces, all of one level together, so that pieces along a common edge have equal corners."""
     count, order = len(a), surface.order
     open_, owner = np.ones(count, dtype=bool), np.arange(count)
@@ -331,7 +336,7 @@ def _search(surface, a, b, partner, edges):
         equal, on_edge = _equal_corners(at_a, at_b, partner[owner], edges[owner])
         left = ~_settled(order, a, b, equal, on_edge, surface.margin)
         counts = np.bincount(owner[left], minlength=count)
-        open_ &= 16 * counts <= _PIECES
+        open_ &= 16 * counts <= most
         if level == _LEVELS - 1:
             return open_ & (counts == 0)
         left &= open_[owner]

@@ -276,11 +276,12 @@ class PairSearch {
 
     /// Whether both pieces are in one plane and overlap there: no halving tells them apart.
     bool overlap_in_plane(const PatchPiece& a, const PatchPiece& b) const {
+        // Relative to the pieces: small ones have other slopes, not only other heights.
+        constexpr double kFlat = 1e-3;
+        const double slack = std::min(limits_.touching, kFlat * std::min(a.size, b.size));
         const PatchPiece& wide = a.size >= b.size ? a : b;
         const Vec3 normal = (wide.corners[1] - wide.corners[0]).cross(wide.corners[2] - wide.corners[0]).normalized();
-        const auto in_plane = [&](const Vec3& p) {
-            return std::abs(normal.dot(p - wide.corners[0])) <= limits_.touching;
-        };
+        const auto in_plane = [&](const Vec3& p) { return std::abs(normal.dot(p - wide.corners[0])) <= slack; };
         const double depth = a.bend + b.bend + 2.0 * limits_.rounding;
         return std::all_of(a.control.begin(), a.control.end(), in_plane) &&
                std::all_of(b.control.begin(), b.control.end(), in_plane) &&
