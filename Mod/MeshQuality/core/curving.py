@@ -267,6 +267,10 @@ def _require_no_straight_options(values):
         raise InvalidInput(f"{given[0]} is for a mesh that is made, not for one that is given: leave it out with mesh=")
 
 
+def _given_on(shape, mesh, mesh_scale):
+    return fem_places.mesh_at(mesh, shape) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
+
+
 @options.takes_aliases(options.CURVE)
 def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invalid=False, shape=None,
           min_angle=20.0, chord_height=None, chord_height_relative=None, max_edge=None, imprint=False,
@@ -315,8 +319,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
         shape = convert.shape_of(shape_or_mesh)
-        mesh = fem_places.mesh_at(mesh, shape_or_mesh) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
-        corners = given.corners_of(mesh, len(shape.Solids))
+        corners = given.corners_of(_given_on(shape_or_mesh, mesh, mesh_scale), len(shape.Solids))
         curved = module.curve_given(*corners, shape, curving, values["imprint"], progress)
     elif isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:
