@@ -142,6 +142,18 @@ class Written(helpers.DocumentTest):
             self.assertEqual({name: [rows.tolist() for _, rows in parts] for name, parts in found.group_members.items()},
                              {"both": [[0, 1]], "second": [[1]], "first": [[0]]}, ending)
 
+    def test_numbers_that_calculix_reads(self):
+        """It takes 20 characters, of which -1.7367714493258766e-16 has more."""
+        points = kinds.places("tetrahedron", 4) + (-1.7367714493258766e-16, 1e-300 / 3, -1 / 3e7)
+        mesh = mesh_of(points, [("tetrahedron", np.arange(4))], {})
+        ours = mq.curve(Part.makeCylinder(5, 10), order=2, volume=True)
+        for written in (mesh, ours):
+            with open(self.written(written, ".inp"), encoding="utf-8") as file:
+                rows = file.read().split("*NODE\n")[1].split("*")[0].splitlines()
+            self.assertLessEqual(max(len(word.strip()) for row in rows for word in row.split(",")), 20)
+            found = np.array([row.split(",")[1:] for row in rows], dtype=float)
+            np.testing.assert_allclose(found, written.nodes, rtol=1e-12, atol=0)
+
     def test_scale_and_format(self):
         mesh = single("prism", 6)
         path = os.path.join(self.folder, "mesh.txt")

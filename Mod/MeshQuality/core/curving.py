@@ -278,6 +278,10 @@ def _require_no_straight_options(values):
         raise InvalidInput(f"{given[0]} is for a mesh that is made, not for one that is given: leave it out with mesh=")
 
 
+def _given_on(shape, mesh, mesh_scale):
+    return fem_places.mesh_at(mesh, shape) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
+
+
 def _curve_given(shape, mesh, curving, imprint, division, progress):
     """What the core makes of an ElementMesh; the CurvedElementMesh where it has other elements than simplices."""
     module, solids = extension(), len(shape.Solids)
@@ -339,8 +343,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     curving = module.CurveOptions()
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
-        given_elements = fem_places.mesh_at(mesh, shape_or_mesh) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
-        curved = _curve_given(convert.shape_of(shape_or_mesh), given_elements, curving, values["imprint"], division, progress)
+        elements = _given_on(shape_or_mesh, mesh, mesh_scale)
+        curved = _curve_given(convert.shape_of(shape_or_mesh), elements, curving, values["imprint"], division, progress)
     elif isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:
             raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")

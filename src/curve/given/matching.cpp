@@ -84,8 +84,8 @@ void require_same_place(const Box& mesh, const Box& edges, const Box& model) {
         if (fits(scaled)) {
             throw InvalidInput("the given mesh is " + in_digits(std::max(factor, 1.0 / factor), 4) + " times " +
                                (factor > 1.0 ? "smaller" : "larger") + " than the shape, as if " + unit +
-                               ": give mesh_scale=" + in_digits(factor, 5) +
-                               ", on the command line --mesh-scale " + in_digits(factor, 5));
+                               ": give mesh_scale=" + in_digits(factor, 5) + ", on the command line --mesh-scale " +
+                               in_digits(factor, 5));
         }
     }
     const Vec3 shift = model.center() - mesh.center();

@@ -1,11 +1,30 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 #include "mesh/io/io_formats.h"
 
 namespace mq::mesh {
 
 namespace {
+
+/// CalculiX reads no number of more characters.
+constexpr std::size_t kLongest = 20;
+
+/// Digits of a number that fits at any sign and exponent.
+constexpr int kDigits = 13;
+
+/// Appends a number that reads back as the same where it is short enough for that.
+void append_real(Output& out, double value) {
+    std::array<char, 40> text;
+    const auto first = text.data();
+    auto last = std::to_chars(first, first + text.size(), value).ptr;
+    if (static_cast<std::size_t>(last - first) > kLongest) {
+        last = std::to_chars(first, first + text.size(), value, std::chars_format::general, kDigits).ptr;
+    }
+    out.append(first, static_cast<std::size_t>(last - first));
+}
 
 constexpr std::size_t kPerLine =
     8;  ///< numbers of a set in one line; Abaqus takes 16, and 132 characters are CalculiX's
@@ -111,7 +130,7 @@ void to_abaqus(Output& out, const ExportMesh& mesh) {
         const Vec3 p = mesh.point(i);
         for (int axis = 0; axis < 3; ++axis) {
             out += ", ";
-            out.append_number(p[axis]);
+            append_real(out, p[axis]);
         }
         out += '\n';
     }

@@ -15,6 +15,7 @@ _TYPES = {("line", 2): "B31", ("line", 3): "B32", ("triangle", 3): "S3", ("trian
           ("prism", 6): "C3D6", ("prism", 15): "C3D15", ("hexahedron", 8): "C3D8", ("hexahedron", 20): "C3D20"}
 _LINE = [0, 2, 1]  # the middle node comes between the others
 _WIDTH = 8
+_LONGEST, _DIGITS = 20, 13  # characters of a number; how many digits fit at any sign and exponent
 
 BOUNDARIES = 0  # how many lower dimensions are elements, too
 
@@ -28,7 +29,7 @@ def write(mesh, path):
     """Writes a Numbered mesh."""
     with open(path, "w", encoding="utf-8") as file:
         file.write("*HEADING\nMeshQuality\n*NODE\n")
-        file.writelines(f"{i},{x!r},{y!r},{z!r}\n" for i, (x, y, z) in enumerate(mesh.points.tolist(), 1))
+        file.writelines(f"{i},{_real(x)},{_real(y)},{_real(z)}\n" for i, (x, y, z) in enumerate(mesh.points.tolist(), 1))
         shown = [i for i, (kind, _) in enumerate(mesh.blocks) if kinds.DIMENSION[kind] == mesh.dimension]
         for i in shown:
             kind, nodes = mesh.blocks[i]
@@ -40,6 +41,12 @@ def write(mesh, path):
         sides = sides_of(mesh, SIDES) if mesh.dimension == 3 else {}
         for name in mesh.groups:
             _write_group(file, mesh, name, sides.get(name))
+
+
+def _real(value):
+    """A number in as many characters as CalculiX reads."""
+    text = repr(value)
+    return text if len(text) <= _LONGEST else f"{value:.{_DIGITS}g}"
 
 
 def _broken(text, count):

@@ -55,6 +55,6 @@ def lines(rows, separator=" "):
 
 
 def wrapped(numbers, width, separator=", "):
-    """Numbers as text, so many a line."""
+    """Numbers as text, `width` of them a line."""
     words = list(map(str, numbers.tolist()))
     return "".join(f"{separator.join(words[i:i + width])}\n" for i in range(0, len(words), width))

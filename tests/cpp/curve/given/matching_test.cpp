@@ -109,7 +109,8 @@ TEST(Matching, OtherUnitsAndPlacesAreSaid) {
     }
     EXPECT_NE(refusal(model, metres).find("scale=1000"), std::string::npos) << refusal(model, metres);
     EXPECT_NE(refusal(model, inches).find("scale=25.4"), std::string::npos) << refusal(model, inches);
-    EXPECT_NE(refusal(model, larger).find("25.4 times larger than the shape, as if the shape were in inches: give mesh_scale=0.03937"),
+    EXPECT_NE(refusal(model, larger)
+                  .find("25.4 times larger than the shape, as if the shape were in inches: give mesh_scale=0.03937"),
               std::string::npos)
         << refusal(model, larger);
     EXPECT_NE(refusal(model, elsewhere).find("(-100, 0, 0) mm"), std::string::npos) << refusal(model, elsewhere);
