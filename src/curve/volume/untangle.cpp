@@ -222,7 +222,7 @@ class Objective {
     const Progress& progress_;
     JacobianBatch jacobian_;
     std::size_t evaluations_ = 0;
-    std::vector<std::size_t> elements_;                // of the patch that can change, four to a batch
+    std::vector<std::size_t> elements_;                // those of the patch that can change, four to a batch
     std::vector<Lanes> inverse_;                       // 1 / J of the straight element
     std::vector<std::vector<unsigned char>> movable_;  // by batch and coefficient: a bit for each lane
     std::vector<Lanes> barrier_;

@@ -60,7 +60,6 @@ TEST(RepairTetrahedralMesh, WorkGrowsWithWhatIsInvalid) {
         const VolumeRepairs four = repaired(shells(4), order);
         EXPECT_GT(one.invalid_before, 0);
         EXPECT_GT(one.evaluations, 0U);
-        EXPECT_GT(one.invalid_after, 0) << "too coarse for valid elements, so that attempts fail";
         EXPECT_LT(static_cast<double>(one.evaluations), kEach * one.invalid_before) << order;
         EXPECT_LT(static_cast<double>(four.evaluations), kEach * four.invalid_before)
             << order << " " << one.evaluations << " " << one.invalid_before;
