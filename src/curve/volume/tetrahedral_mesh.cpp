@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/parallel_chunks.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
 #include "curve/bezier/validity.h"
+#include "curve/parallel_chunks.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 
