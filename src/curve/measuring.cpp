@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
+#include "curve/bezier/parallel_chunks.h"
 #include "curve/bezier/validity.h"
 #include "curve/output/shape_distortion.h"
-#include "curve/parallel_chunks.h"
 #include "curve/surface/enclosed_volume.h"
 #include "curve/volume/straighten.h"
 

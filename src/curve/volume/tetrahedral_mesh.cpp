@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "curve/bezier/parallel_chunks.h"
 #include "curve/bezier/validity.h"
-#include "curve/parallel_chunks.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 

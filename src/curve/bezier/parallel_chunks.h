@@ -7,8 +7,8 @@
 
 namespace mq {
 
-/// Runs work(k) for k = 0 .. count - 1, a chunk of neighbours at a time, see parallel_for; in this thread where there is
-/// one chunk only.
+/// Runs work(k) for k = 0 .. count - 1, a chunk of neighbours at a time, see parallel_for; in this thread where there
+/// is one chunk only.
 template <typename Work>
 void for_chunks(int count, const Work& work) {
     // Calls in a chunk: enough of them that starting it costs little.
