@@ -38,6 +38,21 @@ void repair(SurfaceEditor& editor, const geometry::Topology& topology, const Cur
     }
 }
 
+/// Joins stages of one name: solids may be filled and repaired more than once.
+StageTimes joined(const StageTimes& stages) {
+    StageTimes result;
+    for (const auto& [name, seconds] : stages) {
+        const auto known =
+            std::find_if(result.begin(), result.end(), [&](const auto& stage) { return stage.first == name; });
+        if (known == result.end()) {
+            result.emplace_back(name, seconds);
+        } else {
+            known->second += seconds;
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 void CurveOptions::validate() const {
@@ -83,6 +98,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     CurvedMesh result = measured(editor, straight_triangles, filled ? &filled->volume : nullptr, session.topology(),
                                  options.straighten, report, watched);
     clock.end("measuring");
+    report.seconds = joined(report.seconds);
     report.cpu_seconds = cpu_seconds() - start;
     result.report = std::move(report);
     return result;

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "curve/bezier/parallel_chunks.h"
 #include "curve/bezier/validity.h"
 #include "curve/output/shape_distortion.h"
 #include "curve/surface/enclosed_volume.h"
@@ -70,41 +71,53 @@ void note_gaps(SurfaceEditor& editor, const geometry::Topology& topology, CurveR
                            ": elements there leave the shape to reach it");
 }
 
-/// TetrahedralMesh figures replace those of the surface; invalid triangles stay counted.
+/// The qualities of the living tetrahedra.
+std::vector<Quality> qualities_of(const TetrahedralMesh& volume, const std::vector<int>& living,
+                                  const Progress& progress) {
+    const Lattice& lattice = Lattice::of(3, volume.shapes().order());
+    std::vector<Quality> qualities(living.size());
+    for_chunks(static_cast<int>(living.size()), [&](int i) {
+        progress.check();
+        const auto k = static_cast<std::size_t>(i);
+        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(living[k])];
+        std::vector<Vec3> control;
+        volume.shapes().tetrahedron(tetrahedron.corners, control);
+        qualities[k] = quality_of(jacobian_of(lattice, control), volume.straight_jacobian(tetrahedron.corners));
+    });
+    return qualities;
+}
+
+/// Figures of the tetrahedra replace those of the surface; invalid triangles stay counted.
 /// @param straightened tetrahedra by their index.
 /// @return the scaled Jacobian of each living tetrahedron.
 std::vector<double> measure_volume(const TetrahedralMesh& volume, const std::set<int>& straightened,
-                                   CurveReport& report) {
-    std::vector<double> qualities;
-    const Lattice& lattice = Lattice::of(3, volume.shapes().order());
-    std::vector<Vec3> control;
-    report.elements = 0;
+                                   CurveReport& report, const Progress& progress) {
+    std::vector<double> scaled;
+    const std::vector<int> living = volume.living();
+    const std::vector<Quality> qualities = qualities_of(volume, living, progress);
+    report.elements = living.size();
     report.min_distortion = 1.0;
     report.min_scaled_jacobian = 1.0;
     double sum = 0.0;
-    for (const int t : volume.living()) {
-        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(t)];
-        volume.shapes().tetrahedron(tetrahedron.corners, control);
-        const JacobianForm form = jacobian_of(lattice, control);
-        const double straight = volume.straight_jacobian(tetrahedron.corners);
-        const Quality quality = quality_of(form, straight);
-        report.min_distortion = std::min(report.min_distortion, quality.distortion);
-        report.min_scaled_jacobian = std::min(report.min_scaled_jacobian, quality.scaled_jacobian);
-        qualities.push_back(quality.scaled_jacobian);
-        sum += quality.distortion;
-        const std::string name =
-            "tetrahedron " + std::to_string(report.elements) + " of Solid" + std::to_string(tetrahedron.volume + 1);
-        if (straightened.count(t) > 0) {
-            report.straightened.push_back(name);
+    for (std::size_t i = 0; i < living.size(); ++i) {
+        const Tetrahedron& tetrahedron = volume.tetrahedra[static_cast<std::size_t>(living[i])];
+        report.min_distortion = std::min(report.min_distortion, qualities[i].distortion);
+        report.min_scaled_jacobian = std::min(report.min_scaled_jacobian, qualities[i].scaled_jacobian);
+        scaled.push_back(qualities[i].scaled_jacobian);
+        sum += qualities[i].distortion;
+        const auto name = [&] {
+            return "tetrahedron " + std::to_string(i) + " of Solid" + std::to_string(tetrahedron.volume + 1);
+        };
+        if (straightened.count(living[i]) > 0) {
+            report.straightened.push_back(name());
         }
-        ++report.elements;
         if (!(tetrahedron.quality > 0.0)) {
             ++report.invalid;
-            report.invalid_elements.push_back(name);
+            report.invalid_elements.push_back(name());
         }
     }
-    report.mean_distortion = report.elements == 0 ? 0.0 : sum / static_cast<double>(report.elements);
-    return qualities;
+    report.mean_distortion = living.empty() ? 0.0 : sum / static_cast<double>(living.size());
+    return scaled;
 }
 
 double largest_distortion(const CurvedMesh& mesh, bool volume, Progress& progress) {
@@ -168,7 +181,7 @@ CurvedMesh measured(SurfaceEditor& editor, const std::set<int>& straight_triangl
     if (volume != nullptr) {
         const std::set<int> straight_tetrahedra = straighten ? straighten_tetrahedra(*volume, editor) : std::set<int>();
         measure_surface(editor, topology, straight_triangles, report);
-        qualities = measure_volume(*volume, straight_tetrahedra, report);
+        qualities = measure_volume(*volume, straight_tetrahedra, report, progress);
         for (const int t : volume->living()) {
             tetrahedra.push_back(volume->tetrahedra[static_cast<std::size_t>(t)]);
         }
@@ -177,7 +190,7 @@ CurvedMesh measured(SurfaceEditor& editor, const std::set<int>& straight_triangl
     }
     note_gaps(editor, topology, report);
     report.repairs.emplace_back("elements made straight", report.straightened.size());
-    report.volume = enclosed_volume(editor.surface, topology);
+    report.volume = enclosed_volume(editor.surface, topology, progress);
     CurvedMesh result = assemble(editor.surface, tetrahedra, number);
     result.tetrahedron_quality = std::move(qualities);
     for (const int t : living(editor.surface)) {

@@ -58,9 +58,13 @@ bool lies_on_itself(const mesh::MeshReport& straight) {
 CurvedMesh attempt(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model,
                    const triangulate::TriangulateOptions& straight, const curve::CurveOptions& options,
                    std::optional<double>& asked, Progress& progress) {
+    StageTimes seconds;
+    StageClock clock(seconds);
     triangulate::Result mesh = triangulate::triangulate(engine, model, straight, &progress);
+    clock.end("straight mesh");
     asked = asked.value_or(mesh.report.chord_height_asked);
     CurvedMesh result = curve::curve(engine, model, mesh.mesh, options, &progress);
+    result.report.seconds.insert(result.report.seconds.begin(), seconds.begin(), seconds.end());
     result.straight = std::move(mesh.mesh);
     result.report.straight = std::move(mesh.report);
     result.report.chord_height_asked = *asked;
@@ -152,12 +156,24 @@ CurvedMesh curve_shape(geometry::Engine& engine, const TopoDS_Shape& shape, cons
     options.validate();
     straight.validate();
     const Stopwatch watch_all;
+    StageTimes seconds;
+    StageClock clock(seconds);
     progress.stage("reading the shape", 0.0, 0.0);
     const auto model =
         model_of(engine, shape, geometry::Creases::Cut,
                  {[&](const Box& box) { return straight.detail_of(box); }, straight.sew, straight.imprint}, progress);
+    clock.end("reading the shape");
     CurvedMesh mesh = best_of_attempts(engine, model, straight, options, progress);
-    measure_result(mesh, engine, shape, progress);
+    StageTimes& stages = mesh.report.seconds;
+    clock.end("other straight meshes");
+    for (const auto& [stage, time] : stages) {
+        seconds.back().second -= time;
+    }
+    measure_volume(mesh, engine, shape, progress);
+    clock.end("measuring the solids");
+    stages.insert(stages.begin(), seconds.front());
+    stages.insert(stages.end(), seconds.begin() + 1, seconds.end());
+    find_crossings(mesh, progress);
     mesh.report.cpu_seconds = watch_all.cpu();
     return mesh;
 }

@@ -18,6 +18,9 @@ class Assembler {
     Assembler(const CurvedSurface& surface, const std::vector<Tetrahedron>& tetrahedra)
         : surface_(surface), tetrahedra_(tetrahedra) {
         mesh_.order = surface.shapes.order();
+        for (int dimension = 1; dimension <= 3; ++dimension) {
+            orders_[static_cast<std::size_t>(dimension)] = gmsh_order(Lattice::of(dimension, mesh_.order));
+        }
     }
 
     CurvedMesh run(std::vector<int>* number) {
@@ -72,12 +75,11 @@ class Assembler {
                 ordered[key] = segment.edge;
             }
         }
-        const std::vector<int> order = gmsh_order(Lattice::of(1, mesh_.order));
         for (const auto& [key, edge] : ordered) {
             const int a = static_cast<int>(key >> 32);
             const int b = static_cast<int>(key & 0xffffffffu);
             const auto nodes = edge_nodes(a, b, {1, edge});
-            for (const int i : order) {
+            for (const int i : orders_[1]) {
                 const int last = mesh_.order;
                 const int node = i == 0      ? number_[static_cast<std::size_t>(a)]
                                  : i == last ? number_[static_cast<std::size_t>(b)]
@@ -146,7 +148,7 @@ class Assembler {
     void append(const std::array<int, N>& corners, std::vector<std::int32_t>& list, mesh::VertexEntity entity) {
         const Lattice& lattice = Lattice::of(static_cast<int>(N) - 1, mesh_.order);
         std::vector<Vec3> inside;
-        for (const int i : gmsh_order(lattice)) {
+        for (const int i : orders_[N - 1]) {
             const Exponents& e = lattice.exponents(i);
             std::vector<std::size_t> on;
             for (std::size_t k = 0; k < N; ++k) {
@@ -185,8 +187,9 @@ class Assembler {
     const std::vector<Tetrahedron>& tetrahedra_;
     CurvedMesh mesh_;
     std::vector<int> number_;
-    std::map<EdgeKey, std::vector<int>> edges_;
-    std::map<FaceKey, std::vector<int>> faces_;
+    std::array<std::vector<int>, 4> orders_;  // by dimension: Gmsh's order of the nodes
+    std::unordered_map<EdgeKey, std::vector<int>> edges_;
+    std::unordered_map<FaceKey, std::vector<int>, KeyHash> faces_;
 };
 
 }  // namespace

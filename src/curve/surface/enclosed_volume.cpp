@@ -11,7 +11,8 @@ namespace mq::curve {
 namespace {
 
 /// By CAD face: the volume of the cone from `apex` to its triangles.
-std::vector<double> cones_of_faces(const CurvedSurface& surface, std::size_t faces, const Vec3& apex) {
+std::vector<double> cones_of_faces(const CurvedSurface& surface, std::size_t faces, const Vec3& apex,
+                                   const Progress& progress) {
     const Lattice& lattice = Lattice::of(2, surface.shapes.order());
     std::vector<double> cones(faces, 0.0);
     std::vector<Vec3> control;
@@ -19,6 +20,7 @@ std::vector<double> cones_of_faces(const CurvedSurface& surface, std::size_t fac
         if (!triangle.alive) {
             continue;
         }
+        progress.check();
         surface.shapes.triangle(triangle.corners, control);
         for (Vec3& point : control) {
             point -= apex;
@@ -34,8 +36,8 @@ std::vector<double> cones_of_faces(const CurvedSurface& surface, std::size_t fac
 
 }  // namespace
 
-double enclosed_volume(const CurvedSurface& surface, const geometry::Topology& topology) {
-    const std::vector<double> cones = cones_of_faces(surface, topology.faces.size(), topology.box.center());
+double enclosed_volume(const CurvedSurface& surface, const geometry::Topology& topology, const Progress& progress) {
+    const std::vector<double> cones = cones_of_faces(surface, topology.faces.size(), topology.box.center(), progress);
     double sum = 0.0;
     for (std::size_t v = 0; v < topology.volumes.size(); ++v) {
         if (topology.volumes[v].kind == geometry::Volume::Kind::Solid) {

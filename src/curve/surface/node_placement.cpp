@@ -223,6 +223,7 @@ void Placement::measure(const std::vector<int>& triangles) {
     std::vector<Query> batch;
     std::vector<std::vector<Vec3>> controls;
     for (const int t : triangles) {
+        session_.check();
         const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
         std::vector<Vec3> control;
         surface_.shapes.triangle(triangle.corners, control);
@@ -245,6 +246,7 @@ void Placement::measure(const std::vector<int>& triangles) {
     const auto answers = session_.ask(std::move(batch));
     std::size_t next = 0;
     for (std::size_t k = 0; k < triangles.size(); ++k) {
+        session_.check();
         SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(triangles[k])];
         const double sign = surface_.face_sign[static_cast<std::size_t>(triangle.face)];
         std::vector<Vec3> normals(static_cast<std::size_t>(lattice.size()), Vec3::Zero());
@@ -276,6 +278,7 @@ std::vector<double> Placement::deviations(const std::vector<int>& triangles) {
     std::vector<Query> batch;
     std::vector<Vec3> control;
     for (const int t : triangles) {
+        session_.check();
         const SurfaceTriangle& triangle = surface_.triangles[static_cast<std::size_t>(t)];
         surface_.shapes.triangle(triangle.corners, control);
         const std::array<Vec2, 3> uv = corner_uv(triangle);

@@ -9,16 +9,11 @@
 
 namespace mq::curve {
 
-VolumeEditor::Score VolumeEditor::score(const std::array<int, 4>& c) const {
-    Score score;
-    const double shape = volume.straight_shape(c);
+double VolumeEditor::fixed_score(const std::array<int, 4>& c) const {
     const CurvedShapes& shapes = volume.shapes();
-    if (!volume.curved(c)) {
-        score.quality = shape > 0.0 ? std::min(1.0, shape / VolumeTuning::kSliverShape) : -1.0;
-        return score;
-    }
     const double order = shapes.order();
     const double straight = volume.straight_jacobian(c);
+    double least = 1.0;
     for (std::size_t k = 0; k < 4; ++k) {
         std::array<Vec3, 3> tangents;
         bool fixed = true;
@@ -31,10 +26,21 @@ VolumeEditor::Score VolumeEditor::score(const std::array<int, 4>& c) const {
         if (fixed) {
             // Corners (k, k + 1, k + 2, k + 3) are an odd permutation of (0, 1, 2, 3) for odd k.
             const double sign = k % 2 == 0 ? 1.0 : -1.0;
-            score.fixed =
-                std::min(score.fixed, sign * tangents[0].cross(tangents[1]).dot(tangents[2]) / std::abs(straight));
+            least = std::min(least, sign * tangents[0].cross(tangents[1]).dot(tangents[2]) / std::abs(straight));
         }
     }
+    return least;
+}
+
+VolumeEditor::Score VolumeEditor::score(const std::array<int, 4>& c) const {
+    Score score;
+    const double shape = volume.straight_shape(c);
+    const CurvedShapes& shapes = volume.shapes();
+    if (!volume.curved(c)) {
+        score.quality = shape > 0.0 ? std::min(1.0, shape / VolumeTuning::kSliverShape) : -1.0;
+        return score;
+    }
+    score.fixed = fixed_score(c);
     std::vector<Vec3> control;
     shapes.tetrahedron(c, control);
     const JacobianForm form = jacobian_of(Lattice::of(3, shapes.order()), control);

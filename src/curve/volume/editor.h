@@ -23,6 +23,8 @@ class VolumeEditor {
         double quality = 1.0;
     };
     Score score(const std::array<int, 4>& corners) const;
+    /// Score::fixed of a curved element, for which its Jacobian is not formed.
+    double fixed_score(const std::array<int, 4>& corners) const;
     Score worst(const std::vector<std::array<int, 4>>& elements) const;
 
     enum class Rule {

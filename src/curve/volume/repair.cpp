@@ -24,7 +24,7 @@ class Repair {
           folded_(volume.surface) {}
 
     VolumeRepairs run() {
-        volume_.measure(volume_.living());
+        volume_.measure(volume_.living(), &progress_);
         done_.invalid_before = invalid();
         for (int round = 0; round < VolumeTuning::kFreeingRounds && free_corners(); ++round) {
         }
@@ -174,12 +174,12 @@ class Repair {
     }
 
     int curve_patch(const std::vector<int>& members, const std::unordered_set<int>& loose, int degree, int round) {
-        UntanglingPatch patch(volume_, members, loose, degree);
+        UntanglingPatch patch(volume_, members, loose, degree, progress_);
         if (round == 0) {
             patch.propagate_curvature(VolumeTuning::kInwardSweeps);
         }
-        untangle(patch, VolumeTuning::kTargetJacobian, progress_);
-        return patch.store();
+        done_.evaluations += untangle(patch, VolumeTuning::kTargetJacobian, progress_);
+        return patch.store(progress_);
     }
 
     bool any_poor(const std::vector<int>& members) const {
@@ -208,7 +208,8 @@ class Repair {
         for (std::size_t t = 0; t < volume_.tetrahedra.size(); ++t) {
             const Tetrahedron& tetrahedron = volume_.tetrahedra[t];
             if (tetrahedron.alive && tetrahedron.quality < freed_ && !folded_.has_face_of(tetrahedron.corners) &&
-                editor_.score(tetrahedron.corners).fixed < VolumeTuning::kFreeCorner) {
+                volume_.curved(tetrahedron.corners) &&
+                editor_.fixed_score(tetrahedron.corners) < VolumeTuning::kFreeCorner) {
                 progress_.check();
                 any = change(static_cast<int>(t), VolumeEditor::Rule::Free) || any;
             }

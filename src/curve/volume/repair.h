@@ -14,17 +14,19 @@ struct VolumeRepairs {
     int face_swaps = 0;
     int collapses = 0;
     int curved_edges = 0;
-    int relocated_faces = 0;  ///< faces whose inner nodes moved
-    int relocations = 0;      ///< inner vertices moved
-    int splits = 0;           ///< vertices put on inner edges, faces and into tetrahedra
-    int patches = 0;          ///< patches whose inner edges and faces were curved
+    int relocated_faces = 0;      ///< faces whose inner nodes moved
+    int relocations = 0;          ///< inner vertices moved
+    int splits = 0;               ///< vertices put on inner edges, faces and into tetrahedra
+    int patches = 0;              ///< patches whose inner edges and faces were curved
+    std::size_t evaluations = 0;  ///< Jacobians evaluated to curve patches
 };
 
 /// Repairs invalid and poor tetrahedra; the surface stays as it is.
 ///
 /// First the elements that no curving can help, because three edges on the surface meet in one of their corners nearly
 /// in a plane: swaps, then splits. Then the bad ones with the layers around them form patches, whose inner edges and
-/// faces are curved. Elements that are bad after that are swapped, collapsed or split, and curved again.
+/// faces are curved. Elements that are bad after that are swapped, collapsed or split, and curved again. What failed is
+/// not tried again while its neighbours are the same, so that the work is in proportion to the bad elements.
 /// Tetrahedra on folded triangles of the surface are left alone, as nothing inside can make them valid. Valid ones keep
 /// their corners where the scope says so.
 VolumeRepairs repair_volume(TetrahedralMesh& volume, const Progress& progress, RepairScope scope = RepairScope::Poor);

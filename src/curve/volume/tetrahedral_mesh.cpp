@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
+#include "curve/bezier/parallel_chunks.h"
 #include "curve/bezier/validity.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
@@ -131,11 +132,13 @@ double TetrahedralMesh::measure(const std::array<int, 4>& corners) const {
     return certified_ratio(jacobian_of(Lattice::of(3, shapes().order()), control));
 }
 
-void TetrahedralMesh::measure(const std::vector<int>& list) {
-    for (const int t : list) {
-        Tetrahedron& tetrahedron = tetrahedra[static_cast<std::size_t>(t)];
+void TetrahedralMesh::measure(const std::vector<int>& list, const Progress* progress) {
+    const auto one = [&](int i) {
+        check_cancelled(progress);
+        Tetrahedron& tetrahedron = tetrahedra[static_cast<std::size_t>(list[static_cast<std::size_t>(i)])];
         tetrahedron.quality = measure(tetrahedron.corners);
-    }
+    };
+    for_chunks(static_cast<int>(list.size()), one);
 }
 
 FoldedTriangles::FoldedTriangles(const CurvedSurface& surface) {

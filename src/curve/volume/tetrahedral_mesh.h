@@ -47,7 +47,9 @@ class TetrahedralMesh {
 
     /// Certified quality of an element.
     double measure(const std::array<int, 4>& corners) const;
-    void measure(const std::vector<int>& tetrahedra);
+    /// Sets the qualities of elements, in parallel where there are many.
+    /// @throws Cancelled
+    void measure(const std::vector<int>& tetrahedra, const Progress* progress = nullptr);
     std::vector<int> living() const;
 
   private:

@@ -25,7 +25,8 @@ std::size_t at(int i) {
 /// others back, and valid ones stay valid.
 class Objective {
   public:
-    explicit Objective(UntanglingPatch& patch) : patch_(patch), jacobian_(patch.lattice()) {
+    Objective(UntanglingPatch& patch, const Progress& progress)
+        : patch_(patch), progress_(progress), jacobian_(patch.lattice()) {
         weights_.resize(jacobian_.coefficients.size());
         find_movable();
     }
@@ -33,6 +34,8 @@ class Objective {
     /// The least coefficients of the elements that can be changed, 1 at most.
     const std::vector<Lanes>& least() const { return least_; }
     std::size_t elements() const { return elements_.size(); }
+    /// The number of Jacobians evaluated.
+    std::size_t evaluations() const { return evaluations_; }
 
     void find_least(const Eigen::VectorXd& x) {
         patch_.set_state(x);
@@ -119,7 +122,10 @@ class Objective {
         return sum[0] + sum[1] + sum[2] + sum[3];
     }
 
+    /// @throws Cancelled
     void evaluate(std::size_t batch) {
+        progress_.check();
+        evaluations_ += count(batch);
         for (std::size_t lane = 0; lane < count(batch); ++lane) {
             patch_.gather(elements_[batch * kLanes + lane], control_);
             const auto l = static_cast<Eigen::Index>(lane);
@@ -153,6 +159,7 @@ class Objective {
             dependent[at(p)] = dependent_on(p);
         }
         for (std::size_t i = 0; i < patch_.elements(); ++i) {
+            progress_.check();
             std::vector<char> movable(weights_.size(), 0);
             bool any = false;
             for (int p = 0; p < points; ++p) {
@@ -212,8 +219,10 @@ class Objective {
     }
 
     UntanglingPatch& patch_;
+    const Progress& progress_;
     JacobianBatch jacobian_;
-    std::vector<std::size_t> elements_;                // of the patch that can change, four to a batch
+    std::size_t evaluations_ = 0;
+    std::vector<std::size_t> elements_;                // those of the patch that can change, four to a batch
     std::vector<Lanes> inverse_;                       // 1 / J of the straight element
     std::vector<std::vector<unsigned char>> movable_;  // by batch and coefficient: a bit for each lane
     std::vector<Lanes> barrier_;
@@ -230,13 +239,12 @@ class Minimiser {
     explicit Minimiser(Objective& objective) : objective_(objective) {}
 
     /// @return whether x moved.
-    bool run(Eigen::VectorXd& x, double scale, const Progress& progress) {
+    bool run(Eigen::VectorXd& x, double scale) {
         Eigen::VectorXd gradient;
         double value = objective_.value(x, kInfinity, gradient);
         bool moved = false;
         pairs_.clear();
         for (int step = 0; step < VolumeTuning::kMinimisationSteps; ++step) {
-            progress.check();
             Eigen::VectorXd direction = -two_loops(gradient, scale);
             if (direction.dot(gradient) >= 0.0) {
                 pairs_.clear();
@@ -247,7 +255,6 @@ class Minimiser {
             double length = 1.0;
             double next_value = kInfinity;
             for (int i = 0; i < VolumeTuning::kLineHalvings && next_value == kInfinity; ++i, length *= 0.5) {
-                progress.check();
                 next = x + length * direction;
                 const double bound = value + 1e-4 * length * direction.dot(gradient);
                 // Full steps are mostly taken; of shorter ones only the value is found before they are.
@@ -325,14 +332,6 @@ double shortfall(const std::vector<Lanes>& least, double target) {
     return sum;
 }
 
-double smallest(const std::vector<Lanes>& least) {
-    double result = 1.0;
-    for (const Lanes& l : least) {
-        result = std::min(result, l.minCoeff());
-    }
-    return result;
-}
-
 std::size_t below(const std::vector<Lanes>& least, double target) {
     std::size_t result = 0;
     for (const Lanes& l : least) {
@@ -343,10 +342,10 @@ std::size_t below(const std::vector<Lanes>& least, double target) {
 
 }  // namespace
 
-double untangle(UntanglingPatch& patch, double target, const Progress& progress) {
-    Objective objective(patch);
+std::size_t untangle(UntanglingPatch& patch, double target, const Progress& progress) {
+    Objective objective(patch, progress);
     if (objective.elements() == 0) {
-        return 1.0;
+        return 0;
     }
     Minimiser minimiser(objective);
     Eigen::VectorXd x = patch.state();
@@ -360,19 +359,20 @@ double untangle(UntanglingPatch& patch, double target, const Progress& progress)
     int stalled = 0;
     for (int move = 0; move < VolumeTuning::kBarrierMoves && missing > 0.0 && stalled < 2; ++move) {
         objective.raise_barriers(VolumeTuning::kHighestBarrier);
-        if (!minimiser.run(x, size, progress)) {
+        if (!minimiser.run(x, size)) {
             break;
         }
         objective.find_least(x);
         const double now = shortfall(objective.least(), target);
         stalled = now < VolumeTuning::kLeastProgress * missing ? 0 : stalled + 1;
         missing = now;
-        if (below(objective.least(), target) < VolumeTuning::kPatchShare * static_cast<double>(patch.elements())) {
+        if (stalled > 0 &&
+            below(objective.least(), target) < VolumeTuning::kPatchShare * static_cast<double>(patch.elements())) {
             break;
         }
     }
     patch.set_state(x);
-    return smallest(objective.least());
+    return objective.evaluations();
 }
 
 }  // namespace mq::curve

@@ -17,13 +17,14 @@ constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{{{0, 1, 2}, {0, 1, 3}
 }  // namespace
 
 UntanglingPatch::UntanglingPatch(TetrahedralMesh& volume, const std::vector<int>& tetrahedra,
-                                 const std::unordered_set<int>& loose, int degree)
+                                 const std::unordered_set<int>& loose, int degree, const Progress& progress)
     : volume_(volume),
       lattice_(Lattice::of(3, degree)),
       members_(tetrahedra),
       loose_(loose),
       is_member_(tetrahedra.begin(), tetrahedra.end()) {
     for (const int t : members_) {
+        progress.check();
         take_element(t);
     }
 }
@@ -302,7 +303,7 @@ void UntanglingPatch::forget_inner_faces() {
     }
 }
 
-int UntanglingPatch::store() {
+int UntanglingPatch::store(const Progress& progress) {
     const int moved = move_vertices();
     for (const FreeEdge& edge : edges_) {
         volume_.shapes().set_edge(edge.a, edge.b, raised(edge));
@@ -317,7 +318,7 @@ int UntanglingPatch::store() {
     if (lattice_.degree() < volume_.shapes().order()) {
         forget_inner_faces();
     }
-    volume_.measure(members_);
+    volume_.measure(members_, &progress);
     return moved;
 }
 

@@ -15,8 +15,9 @@ class UntanglingPatch {
     /// @param loose inner vertices, all of whose elements are in the patch, that may move as well.
     /// @param degree degree of the shapes in the optimisation: the order of the mesh, or 2 to treat every edge as the
     /// quadratic through its middle, which is quick and near to the optimum of higher orders.
+    /// @throws Cancelled
     UntanglingPatch(TetrahedralMesh& volume, const std::vector<int>& tetrahedra, const std::unordered_set<int>& loose,
-                    int degree);
+                    int degree, const Progress& progress);
 
     const Lattice& lattice() const { return lattice_; }
     std::size_t elements() const { return members_.size(); }
@@ -39,7 +40,7 @@ class UntanglingPatch {
     void propagate_curvature(int sweeps);
     /// Writes the state into the volume's shapes and measures the members.
     /// @return the number of vertices moved.
-    int store();
+    int store(const Progress& progress);
 
   private:
     struct FreeEdge {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
+#include <limits>
 
 #include "curve/volume/editor.h"
 #include "curve/volume/tuning.h"
@@ -8,17 +9,24 @@ namespace mq::curve {
 
 void relocate_vertex(VolumeEditor& editor, int p, const std::vector<std::array<int, 4>>& star, double size) {
     Vec3& point = editor.volume.shapes().vertices[static_cast<std::size_t>(p)].point;
-    const auto value = [&] {
-        const VolumeEditor::Score s = editor.worst(star);
+    // The value at the present place; where it is at most `best`, any value up to that.
+    const auto value = [&](double best) {
         double flat = 1.0;
         for (const auto& corners : star) {
             flat = std::min(flat, editor.volume.straight_shape(corners));
         }
         // Flat or inverted straight elements are refused by the editor, however good their curved ones are.
         constexpr double kRefused = -1e6;
-        return flat > VolumeTuning::kLeastShape ? std::min(s.quality, 0.3) + 0.3 * flat : kRefused + flat;
+        if (!(flat > VolumeTuning::kLeastShape)) {
+            return kRefused + flat;
+        }
+        double quality = 0.3;
+        for (std::size_t i = 0; i < star.size() && quality + 0.3 * flat > best; ++i) {
+            quality = std::min(quality, editor.score(star[i]).quality);
+        }
+        return quality + 0.3 * flat;
     };
-    double best = value();
+    double best = value(-std::numeric_limits<double>::infinity());
     double step = 0.25 * size;
     for (int halving = 0; halving < VolumeTuning::kVertexHalvings; ++halving, step *= 0.5) {
         bool moved = true;
@@ -27,7 +35,7 @@ void relocate_vertex(VolumeEditor& editor, int p, const std::vector<std::array<i
             for (int way = 0; way < 6; ++way) {
                 const Vec3 before = point;
                 point[way / 2] += way % 2 == 0 ? step : -step;
-                const double now = value();
+                const double now = value(best);
                 if (now > best) {
                     best = now;
                     moved = true;

@@ -14,7 +14,7 @@ namespace {
 
 double volume_of(const TopoDS_Shape& shape, int order) {
     PlacedCurvedSurface placed(geometry::make_shape_model(shape), order, 1.0);
-    return enclosed_volume(placed.surface, placed.session.topology());
+    return enclosed_volume(placed.surface, placed.session.topology(), Progress());
 }
 
 TEST(EnclosedVolume, IsExactWhereTheMeshIs) {

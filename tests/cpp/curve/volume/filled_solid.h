@@ -18,14 +18,18 @@
 namespace mq::curve {
 
 /// A sector of a thin tube: radii 1 - thickness and 1, height 1, about z.
-inline std::shared_ptr<geometry::Model> thin_wall(double thickness, double angle) {
+inline TopoDS_Shape thin_wall_shape(double thickness, double angle) {
     BRepBuilderAPI_MakePolygon profile;
     for (const auto& [r, z] : {std::pair{1.0 - thickness, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {1.0 - thickness, 1.0}}) {
         profile.Add(gp_Pnt(r, 0.0, z));
     }
     profile.Close();
     const TopoDS_Shape face = BRepBuilderAPI_MakeFace(profile.Wire(), Standard_True).Shape();
-    return geometry::make_shape_model(BRepPrimAPI_MakeRevol(face, gp_Ax1(gp::Origin(), gp::DZ()), angle).Shape());
+    return BRepPrimAPI_MakeRevol(face, gp_Ax1(gp::Origin(), gp::DZ()), angle).Shape();
+}
+
+inline std::shared_ptr<geometry::Model> thin_wall(double thickness, double angle) {
+    return geometry::make_shape_model(thin_wall_shape(thickness, angle));
 }
 
 /// Everything up to the filling, so that single operations can be tried.

@@ -3,6 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <gp_Trsf.hxx>
+
 #include "curve/volume/filled_solid.h"
 
 namespace mq::curve {
@@ -24,6 +30,47 @@ TEST(RepairTetrahedralMesh, ThinWallsBecomeValid) {
 
 TEST(RepairTetrahedralMesh, ThereIsSomethingToRepair) {
     EXPECT_GT(curved(thin_wall(0.04, 0.5 * M_PI), of_order(2, true)).report.invalid_before, 0u);
+}
+
+/// Hollow balls beside each other.
+std::shared_ptr<geometry::Model> shells(int count) {
+    const TopoDS_Shape one =
+        BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(1.0).Shape(), BRepPrimAPI_MakeSphere(0.9).Shape()).Shape();
+    TopoDS_Compound all;
+    const BRep_Builder builder;
+    builder.MakeCompound(all);
+    for (int i = 0; i < count; ++i) {
+        gp_Trsf aside;
+        aside.SetTranslation(gp_Vec(3.0 * i, 0.0, 0.0));
+        builder.Add(all, one.Moved(aside));
+    }
+    return geometry::make_shape_model(all);
+}
+
+VolumeRepairs repaired(const std::shared_ptr<geometry::Model>& model, int order) {
+    Filled filled(model, order);
+    return repair_volume(filled.volume, filled.progress);
+}
+
+TEST(RepairTetrahedralMesh, WorkGrowsWithWhatIsInvalid) {
+    // Jacobians evaluated for an invalid element at most.
+    constexpr double kEach = 2000.0;
+    for (int order = 2; order <= 3; ++order) {
+        const VolumeRepairs one = repaired(shells(1), order);
+        const VolumeRepairs four = repaired(shells(4), order);
+        EXPECT_GT(one.invalid_before, 0);
+        EXPECT_GT(one.evaluations, 0U);
+        EXPECT_LT(static_cast<double>(one.evaluations), kEach * one.invalid_before) << order;
+        EXPECT_LT(static_cast<double>(four.evaluations), kEach * four.invalid_before)
+            << order << " " << one.evaluations << " " << one.invalid_before;
+        EXPECT_LT(four.evaluations, 6 * one.evaluations) << order;
+    }
+}
+
+TEST(RepairTetrahedralMesh, CancelledAtOnce) {
+    Filled filled(shells(1), 3);
+    filled.progress.cancel();
+    EXPECT_THROW(repair_volume(filled.volume, filled.progress), Cancelled);
 }
 
 }  // namespace
