@@ -283,6 +283,7 @@ STAGES = {
     "assembly": "assembling the result",
     "measuring": "measuring",
     "measuring the distance": "measuring the distance",
+    "measuring the distance from the shape to the mesh": "measuring the distance from the shape to the mesh",
     "measuring the distortion": "measuring the distortion",
     "cutting into triangles": "dividing into triangles",
     "checking elements": "checking the elements",

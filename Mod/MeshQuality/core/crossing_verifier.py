@@ -18,7 +18,7 @@ from .elements import kinds, lagrange
 
 APART, CROSSING, UNKNOWN = 1, -1, 0
 _LEVELS = 12  # of cutting
-_PIECES, _MANY_PIECES, _TRIED = 2000, 40_000, 50  # of one pair of triangles; for the pairs left, so many of them at most
+_PIECES, _MANY_PIECES, _TRIED = 2000, 40_000, 50  # pieces of a pair; pieces of each of the first pairs left; pairs that get the latter
 _ROUNDS = 60  # of the search for a plane
 _ROUNDING = 1e-12  # of the largest coordinate
 _AT_A_TIME = 40_000  # pairs

@@ -283,10 +283,11 @@ def _given_on(shape, mesh, mesh_scale):
 
 
 def _curve_given(shape, mesh, curving, imprint, division, progress):
-    """What the core makes of an ElementMesh; the CurvedElementMesh where it has other elements than simplices."""
+    """The CurvedMesh of an ElementMesh; the CurvedElementMesh where it has other elements than simplices."""
     module, solids = extension(), len(shape.Solids)
     if not given.is_mixed(mesh):
-        return module.curve_given(*given.corners_of(mesh, solids), shape, curving, imprint, progress)
+        curved = module.curve_given(*given.corners_of(mesh, solids), shape, curving, imprint, progress)
+        return CurvedMesh(curved, patches=kept(division, curved))
     if division is not None:
         raise InvalidInput("patches are of meshes of triangles and tetrahedra: leave them out, elements of other kinds have "
                            "a group for each face")
@@ -344,8 +345,8 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     options.hand_over({name: values.pop(name) for name in ("order", "volume", "straighten_invalid")}, curving)
     if mesh is not None:
         elements = _given_on(shape_or_mesh, mesh, mesh_scale)
-        curved = _curve_given(convert.shape_of(shape_or_mesh), elements, curving, values["imprint"], division, progress)
-    elif isinstance(shape_or_mesh, SurfaceMesh):
+        return _curve_given(convert.shape_of(shape_or_mesh), elements, curving, values["imprint"], division, progress)
+    if isinstance(shape_or_mesh, SurfaceMesh):
         if shape is None:
             raise InvalidInput("a SurfaceMesh is curved to the shape it was made from: give shape=")
         if division is None and shape_or_mesh._patches is not None:
@@ -355,5 +356,4 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         straight = module.TriangulateOptions()
         options.hand_over(values, straight)
         curved = module.curve(convert.shape_of(shape_or_mesh), curving, straight, progress)
-    mixed = isinstance(curved, curved_elements.CurvedElementMesh)
-    return curved if mixed else CurvedMesh(curved, patches=kept(division, curved))
+    return CurvedMesh(curved, patches=kept(division, curved))
