@@ -451,6 +451,14 @@
         <source>Which these are</source>
         <translation>Welche das sind</translation>
     </message>
+    <message>
+        <source>Number of pairs of curved triangles that are neither proven to cross nor to be apart, as where bodies touch</source>
+        <translation>Anzahl der Paare gekrümmter Dreiecke, bei denen weder bewiesen ist, dass sie sich kreuzen, noch dass sie getrennt sind, etwa wo sich Körper berühren</translation>
+    </message>
+    <message>
+        <source>Number of pairs of curved triangles that cross</source>
+        <translation>Anzahl der Paare gekrümmter Dreiecke, die sich kreuzen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2253,6 +2261,22 @@
     <message>
         <source>the surface is not on the shape: {text}.</source>
         <translation>die Oberfläche liegt nicht auf der Form: {text}.</translation>
+    </message>
+    <message>
+        <source>FEM mesh: {}, with its groups</source>
+        <translation>FEM-Netz: {}, mit seinen Gruppen</translation>
+    </message>
+    <message>
+        <source>1 pair of bodies lies in one another.</source>
+        <translation>1 Paar von Körpern liegt ineinander.</translation>
+    </message>
+    <message>
+        <source>measuring the distance from the shape to the mesh</source>
+        <translation>Abstand der Form vom Netz messen</translation>
+    </message>
+    <message>
+        <source>{count} pairs of bodies lie in one another.</source>
+        <translation>{count} Paare von Körpern liegen ineinander.</translation>
     </message>
 </context>
 <context>
