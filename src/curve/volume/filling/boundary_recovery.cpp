@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "curve/volume/filling/delaunay.h"
+#include "curve/volume/filling/star_cavity.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 
 namespace mq::curve {
@@ -303,39 +304,18 @@ void BoundaryRecovery::divide_triangle(const SurfaceConstraints::Triangle& t) {
 }
 
 /// Inserts a point into the cells that it should divide, or else into the one that holds it.
-int BoundaryRecovery::insert(const Vec3& p, const std::vector<int>& cavity) {
-    if (!connect(p, cavity)) {
-        const int cell = Locator(mesh_).find(p, cavity.front());
-        if (cell < 0 || !connect(p, {cell})) {
+int BoundaryRecovery::insert(const Vec3& p, const std::vector<int>& cells) {
+    StarCavity cavity(mesh_, surface_);
+    if (!cavity.open(p, cells, -1, {})) {
+        const int cell = Locator(mesh_).find(p, cells.front());
+        if (cell < 0 || !cavity.open(p, {cell}, -1, {})) {
             throw MeshingFailed("a point on the surface finds no place");
         }
     }
-    return static_cast<int>(mesh_.points.size()) - 1;
-}
-
-bool BoundaryRecovery::connect(const Vec3& p, const std::vector<int>& cavity) {
-    std::vector<std::array<int, 4>> faces;
-    for (const int c : cavity) {
-        const Cell& cell = mesh_.cells[c];
-        for (int face = 0; face < 4; ++face) {
-            if (std::find(cavity.begin(), cavity.end(), cell.n[face]) != cavity.end()) {
-                continue;
-            }
-            const int(&f)[3] = kFaceOf[face];
-            const std::array<int, 4> v{cell.v[f[0]], cell.v[f[1]], cell.v[f[2]], -1};
-            if (orient3d(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), p) <= 0) {
-                return false;
-            }
-            faces.push_back(v);
-        }
-    }
     const int vertex = mesh_.add_point(p);
-    for (auto& f : faces) {
-        f[3] = vertex;
-    }
     std::vector<int> created;
-    mesh_.replace(cavity, faces, created);
-    return true;
+    mesh_.replace(cavity.cells(), cavity.cells_of(vertex), created);
+    return vertex;
 }
 
 }  // namespace mq::curve

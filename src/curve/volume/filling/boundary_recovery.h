@@ -51,8 +51,7 @@ class BoundaryRecovery {
     bool piercing_edge(const SurfaceConstraints::Triangle& t, std::array<int, 2>& edge);
     void divide_edge(int a, int b);
     void divide_triangle(const SurfaceConstraints::Triangle& t);
-    int insert(const Vec3& p, const std::vector<int>& cavity);
-    bool connect(const Vec3& p, const std::vector<int>& cavity);
+    int insert(const Vec3& p, const std::vector<int>& cells);
     void count_division();
 
     Tetrahedralisation& mesh_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "curve/volume/filling/flips.h"
+#include "curve/volume/filling/star_cavity.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 
 namespace mq::curve {
@@ -65,64 +66,76 @@ void remove_outside(Tetrahedralisation& mesh, const SurfaceConstraints& surface,
 
 namespace {
 
-/// The cells around a point on the surface once it has moved inwards, those on its parent triangles with them.
-std::vector<std::array<int, 4>> star_after(const Tetrahedralisation& mesh, const std::vector<int>& star,
-                                           const SurfaceConstraints::Division& division) {
-    std::vector<std::array<int, 4>> cells;
-    for (const int c : star) {
-        cells.push_back(mesh.cells[c].v);
-    }
-    for (const auto& t : division.parents) {
-        cells.push_back({t[0], t[2], t[1], division.vertex});
-    }
-    return cells;
-}
-
-double worst_quality(const Tetrahedralisation& mesh, const std::vector<std::array<int, 4>>& cells) {
+double worst_quality(const Tetrahedralisation& mesh, const std::vector<std::array<int, 3>>& faces, const Vec3& p) {
     double worst = 1.0;
-    for (const auto& v : cells) {
-        worst = std::min(worst, volume_quality(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3])));
+    for (const auto& f : faces) {
+        worst = std::min(worst, volume_quality(mesh.point(f[0]), mesh.point(f[1]), mesh.point(f[2]), p));
     }
     return worst;
+}
+
+/// The directions in which a point on the surface may find its place: by the normals, and towards what lies inside.
+std::vector<Vec3> ways_inside(const Tetrahedralisation& mesh, const SurfaceConstraints::Division& division,
+                              const std::vector<int>& star) {
+    Vec3 inwards = Vec3::Zero();
+    for (const auto& t : division.parents) {
+        inwards -= (mesh.point(t[1]) - mesh.point(t[0])).cross(mesh.point(t[2]) - mesh.point(t[0])).normalized();
+    }
+    Vec3 middle = Vec3::Zero();
+    for (const int c : star) {
+        for (const int v : mesh.cells[c].v) {
+            middle += (mesh.point(v) - mesh.point(division.vertex)) / (4.0 * static_cast<double>(star.size()));
+        }
+    }
+    std::vector<Vec3> ways{inwards.normalized(), middle.normalized(), (inwards.normalized() + middle.normalized())};
+    for (const auto& t : division.parents) {
+        ways.push_back(-(mesh.point(t[1]) - mesh.point(t[0])).cross(mesh.point(t[2]) - mesh.point(t[0])).normalized());
+    }
+    return ways;
+}
+
+void move_inwards(Tetrahedralisation& mesh, const SurfaceConstraints& surface,
+                  const SurfaceConstraints::Division& division) {
+    /// Halvings of the first step: down to what rounding leaves of it.
+    constexpr int kHalvings = 36;
+    std::vector<int> star;
+    mesh.star(division.vertex, star);
+    std::vector<std::array<int, 3>> parents;
+    double size = 0.0;
+    for (const auto& t : division.parents) {
+        parents.push_back({t[0], t[2], t[1]});
+        size = std::max(size, (mesh.point(t[1]) - mesh.point(t[0])).norm());
+    }
+    const Vec3 start = mesh.point(division.vertex);
+    StarCavity cavity(mesh, surface);
+    Vec3 best = start;
+    double best_quality = 0.0;
+    for (const Vec3& way : ways_inside(mesh, division, star)) {
+        double step = size;
+        for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
+            const Vec3 place = start + step * way;
+            if (cavity.open(place, star, division.vertex, parents)) {
+                const double quality = worst_quality(mesh, cavity.faces(), place);
+                best = quality > best_quality ? place : best;
+                best_quality = std::max(quality, best_quality);
+            }
+        }
+    }
+    if (!(best_quality > 0.0) || !cavity.open(best, star, division.vertex, parents)) {
+        throw MeshingFailed("a point on the surface cannot be moved inwards");
+    }
+    mesh.move_point(division.vertex, best);
+    std::vector<int> created;
+    const auto added = cavity.cells_of(division.vertex);
+    mesh.replace(cavity.cells(), added, created);
 }
 
 }  // namespace
 
 void move_divisions_inwards(Tetrahedralisation& mesh, const SurfaceConstraints& surface) {
-    /// Halvings of the first step: down to what rounding leaves of it.
-    constexpr int kHalvings = 40;
-    std::vector<int> star;
-    std::vector<int> created;
     const auto& divisions = surface.divisions();
     for (auto division = divisions.rbegin(); division != divisions.rend(); ++division) {
-        const int v = division->vertex;
-        Vec3 inwards = Vec3::Zero();
-        double size = 0.0;
-        for (const auto& t : division->parents) {
-            const Vec3 normal = (mesh.point(t[1]) - mesh.point(t[0])).cross(mesh.point(t[2]) - mesh.point(t[0]));
-            inwards -= normal.normalized();
-            size = std::max(size, std::sqrt(normal.norm()));
-        }
-        inwards.normalize();
-        mesh.star(v, star);
-        const auto cells = star_after(mesh, star, *division);
-        const Vec3 start = mesh.point(v);
-        Vec3 best = start;
-        double best_quality = 0.0;
-        double step = size;
-        for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
-            mesh.move_point(v, start + step * inwards);
-            const double quality = worst_quality(mesh, cells);
-            if (quality > best_quality) {
-                best_quality = quality;
-                best = mesh.point(v);
-            }
-        }
-        mesh.move_point(v, best);
-        if (!(best_quality > 0.0)) {
-            throw MeshingFailed("a point on the surface cannot be moved inwards");
-        }
-        mesh.replace(star, cells, created);
+        move_inwards(mesh, surface, *division);
     }
 }
 

@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "curve/volume/filling/tuning.h"
 
 namespace mq::curve {
 
 Optimisation::Optimisation(Tetrahedralisation& mesh, int first_inner)
-    : mesh_(mesh), flipper_(mesh), first_inner_(first_inner) {
+    : mesh_(mesh), flipper_(mesh), placing_(mesh), insertion_(mesh), first_inner_(first_inner) {
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+        budget_ += FillingTuning::kInsertedShare;
         quality_.push_back(mesh.alive(static_cast<int>(c)) ? quality_of(mesh, static_cast<int>(c), sine_quality) : 1.0);
     }
 }
@@ -20,15 +22,16 @@ void Optimisation::run(const Progress& progress) {
     for (int sweep = 0; sweep < FillingTuning::kSweeps; ++sweep) {
         const bool flipped = flip_cells(progress);
         const bool moved = move_vertices(progress);
-        if (!flipped && !moved) {
+        const bool inserted = sweep >= FillingTuning::kFirstInsertion && insert_vertices(progress);
+        if (!flipped && !moved && !inserted) {
             break;
         }
     }
 }
 
-void Optimisation::note_created() {
+void Optimisation::note(const std::vector<int>& changed) {
     quality_.resize(mesh_.cells.size(), 1.0);
-    for (const int c : flipper_.created()) {
+    for (const int c : changed) {
         quality_[c] = quality_of(mesh_, c, sine_quality);
     }
 }
@@ -66,7 +69,7 @@ bool Optimisation::remove_one_edge(int cell) {
             }
             rule.floor += FillingTuning::kLeastGain * std::abs(rule.floor);
             if (flipper_.remove_ring(v[i], v[k], rule)) {
-                note_created();
+                note(flipper_.created());
                 return true;
             }
         }
@@ -84,7 +87,7 @@ bool Optimisation::flip_one_face(int cell) {
         }
         rule.floor = std::min(quality(cell), quality(other)) * (1.0 + FillingTuning::kLeastGain);
         if (flipper_.flip_face(cell, face, rule)) {
-            note_created();
+            note(flipper_.created());
             return true;
         }
     }
@@ -104,102 +107,110 @@ bool Optimisation::move_vertices(const Progress& progress) {
     return any;
 }
 
-/// The worst quality around a vertex at another place; no more is computed once it is below `enough`.
-double Optimisation::worst_at(int v, const Vec3& place, double enough) const {
+bool Optimisation::move_vertex(int v) {
+    placing_.faces.clear();
     double worst = std::numeric_limits<double>::max();
     for (const int c : star_) {
         const Cell& cell = mesh_.cells[c];
         const int(&f)[3] = kFaceOf[mesh_.index_of(c, v)];
-        // The face seen from the vertex, with the vertex last.
-        worst = std::min(worst, sine_quality(mesh_.point(cell.v[f[0]]), mesh_.point(cell.v[f[1]]),
-                                             mesh_.point(cell.v[f[2]]), place));
-        if (worst <= enough) {
-            break;
-        }
+        placing_.faces.push_back({cell.v[f[0]], cell.v[f[1]], cell.v[f[2]]});
+        worst = std::min(worst, quality(c));
     }
-    return worst;
-}
-
-bool Optimisation::try_place(int v, const Vec3& place, double& worst) {
-    const double value = worst_at(v, place, worst * (1.0 + FillingTuning::kLeastGain));
-    if (!(value > worst * (1.0 + FillingTuning::kLeastGain))) {
+    Vec3 place = mesh_.point(v);
+    if (!placing_.improve(place, worst)) {
         return false;
     }
-    for (const int c : star_) {
-        const Cell& cell = mesh_.cells[c];
-        const int(&f)[3] = kFaceOf[mesh_.index_of(c, v)];
-        if (orient3d(mesh_.point(cell.v[f[0]]), mesh_.point(cell.v[f[1]]), mesh_.point(cell.v[f[2]]), place) <= 0) {
-            return false;
-        }
-    }
-    worst = value;
     mesh_.move_point(v, place);
+    note(star_);
     return true;
 }
 
-/// The direction in which the worst cells around a vertex get better.
-Vec3 Optimisation::uphill(int v) const {
-    double worst = std::numeric_limits<double>::max();
-    for (const int c : star_) {
-        worst = std::min(worst, quality_of(mesh_, c, sine_quality));
-    }
-    Vec3 sum = Vec3::Zero();
-    for (const int c : star_) {
-        const double here = quality_of(mesh_, c, sine_quality);
-        if (here > 1.1 * worst) {
-            continue;
-        }
-        const Cell& cell = mesh_.cells[c];
-        const int(&f)[3] = kFaceOf[mesh_.index_of(c, v)];
-        const Vec3& p = mesh_.point(cell.v[f[0]]);
-        const Vec3& q = mesh_.point(cell.v[f[1]]);
-        const Vec3& r = mesh_.point(cell.v[f[2]]);
-        const double delta = 1e-5 * (mesh_.point(v) - p).norm();
-        Vec3 gradient;
-        for (int i = 0; i < 3; ++i) {
-            Vec3 moved = mesh_.point(v);
-            moved[i] += delta;
-            gradient[i] = sine_quality(p, q, r, moved) - here;
-        }
-        if (gradient.norm() > 0.0) {
-            sum += gradient.normalized();
+bool Optimisation::insert_vertices(const Progress& progress) {
+    std::vector<std::pair<double, int>> poor;
+    for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
+        const int cell = static_cast<int>(c);
+        if (mesh_.alive(cell) && quality(cell) < FillingTuning::kPoorSine) {
+            poor.emplace_back(quality(cell), cell);
         }
     }
-    return sum;
-}
-
-bool Optimisation::move_vertex(int v) {
-    double worst = worst_at(v, mesh_.point(v), -1.0);
-    double length = 0.0;
-    Vec3 middle = Vec3::Zero();
-    for (const int c : star_) {
-        for (const int w : mesh_.cells[c].v) {
-            length += (mesh_.point(w) - mesh_.point(v)).norm() / 3.0;
-            middle += mesh_.point(w) - mesh_.point(v);
-        }
-    }
-    length /= static_cast<double>(star_.size());
-    middle /= 3.0 * static_cast<double>(star_.size());
-    bool any = try_place(v, mesh_.point(v) + middle, worst) || try_place(v, mesh_.point(v) + 0.5 * middle, worst);
-    for (int step = 0; step < FillingTuning::kVertexSteps; ++step) {
-        const Vec3 direction = uphill(v);
-        const double norm = direction.norm();
-        bool better = false;
-        double by = FillingTuning::kFirstStep * length;
-        for (int i = 0; i < FillingTuning::kStepHalvings && norm > 1e-9 && !better; ++i, by *= 0.4) {
-            better = try_place(v, mesh_.point(v) + by / norm * direction, worst);
-        }
-        if (!better) {
+    std::sort(poor.begin(), poor.end());
+    bool any = false;
+    for (const auto& [before, cell] : poor) {
+        progress.check();
+        if (budget_ <= 0) {
             break;
         }
-        any = true;
-    }
-    if (any) {
-        for (const int c : star_) {
-            quality_[c] = quality_of(mesh_, c, sine_quality);
+        // Other insertions may have changed the cell.
+        if (mesh_.alive(cell) && quality(cell) == before && insert_near(cell)) {
+            any = true;
+            --budget_;
         }
     }
     return any;
+}
+
+/// Tries the cavity of the middle of a poor cell, then the cells around its edges and at its faces, until a new vertex
+/// in one of them makes the worst cell better.
+bool Optimisation::insert_near(int cell) {
+    const std::array<int, 4> v = mesh_.cells[cell].v;
+    const Vec3 middle = 0.25 * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]) + mesh_.point(v[3]));
+    if (insertion_.open(middle, cell) && insert_into(insertion_.cavity(), middle)) {
+        return true;
+    }
+    for (int i = 0; i < 4; ++i) {
+        for (int k = i + 1; k < 4; ++k) {
+            if (mesh_.ring(cell, v[i], v[k], ring_) &&
+                insert_into(ring_.cells, 0.5 * (mesh_.point(v[i]) + mesh_.point(v[k])))) {
+                return true;
+            }
+        }
+    }
+    for (int face = 0; face < 4; ++face) {
+        if (mesh_.cells[cell].n[face] >= 0) {
+            const int(&f)[3] = kFaceOf[face];
+            const Vec3 center = (mesh_.point(v[f[0]]) + mesh_.point(v[f[1]]) + mesh_.point(v[f[2]])) / 3.0;
+            if (insert_into({cell, mesh_.cells[cell].n[face]}, center)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+bool Optimisation::insert_into(const std::vector<int>& cavity, const Vec3& start) {
+    placing_.faces.clear();
+    double before = std::numeric_limits<double>::max();
+    for (const int c : cavity) {
+        before = std::min(before, quality(c));
+        const Cell& cell = mesh_.cells[c];
+        for (int face = 0; face < 4; ++face) {
+            if (std::find(cavity.begin(), cavity.end(), cell.n[face]) == cavity.end()) {
+                const int(&f)[3] = kFaceOf[face];
+                placing_.faces.push_back({cell.v[f[0]], cell.v[f[1]], cell.v[f[2]]});
+            }
+        }
+    }
+    Vec3 place = start;
+    double worst = placing_.worst_at(place, -std::numeric_limits<double>::max());
+    placing_.improve(place, worst);
+    if (!(worst > FillingTuning::kInsertionGain * before) || !sees_all(place)) {
+        return false;
+    }
+    const int vertex = mesh_.add_point(place);
+    std::vector<std::array<int, 4>> added;
+    for (const auto& face : placing_.faces) {
+        added.push_back({face[0], face[1], face[2], vertex});
+    }
+    std::vector<int> created;
+    mesh_.replace(cavity, added, created);
+    note(created);
+    return true;
+}
+
+bool Optimisation::sees_all(const Vec3& place) const {
+    return std::all_of(placing_.faces.begin(), placing_.faces.end(), [&](const auto& face) {
+        return orient3d(mesh_.point(face[0]), mesh_.point(face[1]), mesh_.point(face[2]), place) > 0;
+    });
 }
 
 }  // namespace mq::curve

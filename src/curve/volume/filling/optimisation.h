@@ -4,12 +4,15 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "curve/volume/filling/delaunay.h"
 #include "curve/volume/filling/flips.h"
 #include "curve/volume/filling/tetrahedralisation.h"
+#include "curve/volume/filling/vertex_placing.h"
 
 namespace mq::curve {
 
-/// Improves the least sine of the dihedral angles, cell by cell, by flips and by moving inner vertices; every change makes
+/// Improves the least sine of the dihedral angles, cell by cell, by flips, by moving inner vertices and by
+/// new ones; every change makes
 /// the worst of the cells that it touches better (Freitag and Ollivier-Gooch 1997, Klingner and Shewchuk 2007).
 class Optimisation {
   public:
@@ -26,18 +29,22 @@ class Optimisation {
     bool flip_one_face(int cell);
     bool move_vertices(const Progress& progress);
     bool move_vertex(int v);
-    bool try_place(int v, const Vec3& place, double& worst);
-    double worst_at(int v, const Vec3& place, double enough) const;
-    Vec3 uphill(int v) const;
-    void note_created();
+    bool insert_vertices(const Progress& progress);
+    bool insert_near(int cell);
+    bool insert_into(const std::vector<int>& cavity, const Vec3& start);
+    bool sees_all(const Vec3& place) const;
+    void note(const std::vector<int>& changed);
     double quality(int cell) const { return quality_[cell]; }
 
     Tetrahedralisation& mesh_;
     Flipper flipper_;
+    VertexPlacing placing_;
+    CavityInsertion insertion_;
+    EdgeRing ring_;
     int first_inner_;
+    double budget_ = 10.0;  // new vertices at most
     std::vector<double> quality_;
     std::vector<int> star_;
-    std::vector<char> changed_;  // vertices whose surroundings have changed in this sweep
 };
 
 }  // namespace mq::curve

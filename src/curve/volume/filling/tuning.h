@@ -10,7 +10,7 @@ namespace mq::curve {
 /// The constants that tune the filling of surfaces.
 struct FillingTuning {
     /// Growth of the wanted length by the distance from the surface, for the usual grading.
-    MESHQUALITY_TUNED(double, kGrowth, 0.4);
+    MESHQUALITY_TUNED(double, kGrowth, 0.8);
     /// Circumradius of a cell, by the wanted length, from which it gets a point; 0.61 of a regular tetrahedron.
     MESHQUALITY_TUNED(double, kLargestRadius, 0.75);
     /// Distance of a new point from the vertices around, by the wanted length.
@@ -19,6 +19,14 @@ struct FillingTuning {
     MESHQUALITY_TUNED(double, kLeastHeight, 0.3);
     /// Sine of the dihedral angle below which cells are improved.
     MESHQUALITY_TUNED(double, kGoodSine, 0.5);
+    /// Sine of the dihedral angle below which cells get a new vertex, where that helps.
+    MESHQUALITY_TUNED(double, kPoorSine, 0.3);
+    /// Least factor of the worst quality that a new vertex must bring.
+    MESHQUALITY_TUNED(double, kInsertionGain, 1.1);
+    /// New vertices that cells may get in this way at most, by the number of cells.
+    MESHQUALITY_TUNED(double, kInsertedShare, 0.02);
+    /// The sweep from which on cells get new vertices.
+    MESHQUALITY_TUNED(int, kFirstInsertion, 2);
     /// Sweeps of flips and smoothing at most.
     MESHQUALITY_TUNED(int, kSweeps, 8);
     /// Cells around an edge that is removed.
