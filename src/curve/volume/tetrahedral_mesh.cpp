@@ -233,6 +233,9 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& to
         } catch (const GeometryError& error) {
             throw GeometryError(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         }
+        if (!filling.own_fault.empty()) {
+            volume.filled_by_netgen.push_back("Solid" + std::to_string(i + 1) + ": " + filling.own_fault);
+        }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {
             number.push_back(volume.add_vertex(p, static_cast<int>(i)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <string>
 #include <unordered_set>
 #include <vector>
 
@@ -24,6 +25,8 @@ class TetrahedralMesh {
 
     CurvedSurface& surface;
     std::vector<Tetrahedron> tetrahedra;
+    /// The solids that only Netgen has filled, each with what our own mesher said.
+    std::vector<std::string> filled_by_netgen;
 
     CurvedShapes& shapes() { return surface.shapes; }
     const CurvedShapes& shapes() const { return surface.shapes; }

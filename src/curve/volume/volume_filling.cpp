@@ -36,7 +36,11 @@ FilledTetrahedralMesh fill_once(CurvedSurface& surface, const geometry::Topology
     progress.stage("repairing the volume", 0.6, 0.95);
     const VolumeRepairs repairs = repair_volume(volume, progress);
     clock.end("repairing the volume");
-    return {std::move(volume), repairs, 1, {}};
+    std::vector<std::string> notes;
+    for (const std::string& solid : volume.filled_by_netgen) {
+        notes.push_back("filled by Netgen, as our own mesher failed: " + solid);
+    }
+    return {std::move(volume), repairs, 1, std::move(notes)};
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "curve/volume/filling/delaunay.h"
 #include "curve/volume/filling/star_cavity.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/filling/filling.h"
 
 namespace mq::curve {
 
@@ -40,6 +40,7 @@ RecoveryCount BoundaryRecovery::run() {
 BoundaryRecovery::Edges BoundaryRecovery::missing_edges() {
     Edges missing;
     for (const auto& e : surface_.edges()) {
+        progress_.check();
         if (mesh_.cell_with(e[0], e[1]) < 0) {
             missing.push_back(e);
         }
@@ -50,6 +51,7 @@ BoundaryRecovery::Edges BoundaryRecovery::missing_edges() {
 BoundaryRecovery::Triangles BoundaryRecovery::missing_triangles() {
     Triangles missing;
     for (const auto& t : surface_.triangles()) {
+        progress_.check();
         if (mesh_.cell_with(t[0], t[1], t[2]) < 0) {
             missing.push_back(t);
         }

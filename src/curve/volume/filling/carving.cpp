@@ -7,7 +7,7 @@
 
 #include "curve/volume/filling/flips.h"
 #include "curve/volume/filling/star_cavity.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/filling/filling.h"
 
 namespace mq::curve {
 

@@ -6,8 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "base/in_sphere.h"
 #include "base/key_set.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/filling/filling.h"
 
 namespace mq::curve {
 

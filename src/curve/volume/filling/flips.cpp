@@ -31,15 +31,16 @@ double sine_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
     if (!(volume > 0.0)) {
         return volume;
     }
-    const double abc = ab.cross(ac).squaredNorm();
-    const double abd = ab.cross(ad).squaredNorm();
-    const double acd = ac.cross(ad).squaredNorm();
-    const double bcd = bc.cross(bd).squaredNorm();
+    const double abc = 1.0 / ab.cross(ac).squaredNorm();
+    const double abd = 1.0 / ab.cross(ad).squaredNorm();
+    const double acd = 1.0 / ac.cross(ad).squaredNorm();
+    const double bcd = 1.0 / bc.cross(bd).squaredNorm();
     // The square of the sine at an edge is (6 V edge)^2 over the squares of twice the areas of its two faces.
-    const double least =
-        std::min({ab.squaredNorm() / (abc * abd), ac.squaredNorm() / (abc * acd), ad.squaredNorm() / (abd * acd),
-                  bc.squaredNorm() / (abc * bcd), bd.squaredNorm() / (abd * bcd), cd.squaredNorm() / (acd * bcd)});
-    return volume * std::sqrt(least);
+    const double at_a =
+        std::min(ab.squaredNorm() * abc * abd, std::min(ac.squaredNorm() * abc * acd, ad.squaredNorm() * abd * acd));
+    const double opposite =
+        std::min(bc.squaredNorm() * abc * bcd, std::min(bd.squaredNorm() * abd * bcd, cd.squaredNorm() * acd * bcd));
+    return volume * std::sqrt(std::min(at_a, opposite));
 }
 
 double quality_of(const Tetrahedralisation& mesh, int cell, CellQuality quality) {

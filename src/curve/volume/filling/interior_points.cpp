@@ -67,9 +67,8 @@ void InteriorPoints::insert(const Progress& progress) {
             consider(static_cast<int>(c));
         }
     }
-    CancelPace pace(progress);
     while (!queue_.empty()) {
-        pace.step();
+        progress.check();
         std::pop_heap(queue_.begin(), queue_.end());
         const Candidate top = queue_.back();
         queue_.pop_back();

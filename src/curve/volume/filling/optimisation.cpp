@@ -12,6 +12,8 @@ namespace mq::curve {
 
 Optimisation::Optimisation(Tetrahedralisation& mesh, int first_inner)
     : mesh_(mesh), flipper_(mesh), placing_(mesh), insertion_(mesh), first_inner_(first_inner) {
+    tried_.resize(mesh.cells.size(), 0);
+    settled_.resize(mesh.points.size(), 0);
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
         budget_ += FillingTuning::kInsertedShare;
         quality_.push_back(mesh.alive(static_cast<int>(c)) ? quality_of(mesh, static_cast<int>(c), sine_quality) : 1.0);
@@ -29,21 +31,36 @@ void Optimisation::run(const Progress& progress) {
     }
 }
 
+/// What has changed, and what is next to it, is tried again.
 void Optimisation::note(const std::vector<int>& changed) {
     quality_.resize(mesh_.cells.size(), 1.0);
+    tried_.resize(mesh_.cells.size(), 0);
+    settled_.resize(mesh_.points.size(), 0);
     for (const int c : changed) {
         quality_[c] = quality_of(mesh_, c, sine_quality);
+        tried_[c] = 0;
+        for (const int other : mesh_.cells[c].n) {
+            if (other >= 0) {
+                tried_[other] = 0;
+            }
+        }
+        for (const int v : mesh_.cells[c].v) {
+            settled_[v] = 0;
+        }
     }
 }
 
 bool Optimisation::flip_cells(const Progress& progress) {
     bool any = false;
-    CancelPace pace(progress);
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
         const int cell = static_cast<int>(c);
-        if (mesh_.alive(cell) && quality(cell) < FillingTuning::kGoodSine) {
-            pace.step();
-            any = improve_by_flip(cell) || any;
+        if (mesh_.alive(cell) && quality(cell) < FillingTuning::kGoodSine && !tried_[cell]) {
+            progress.check();
+            if (improve_by_flip(cell)) {
+                any = true;
+            } else {
+                tried_[cell] = 1;
+            }
         }
     }
     return any;
@@ -96,13 +113,19 @@ bool Optimisation::flip_one_face(int cell) {
 
 bool Optimisation::move_vertices(const Progress& progress) {
     bool any = false;
-    CancelPace pace(progress);
     for (std::size_t v = first_inner_; v < mesh_.points.size(); ++v) {
-        pace.step();
+        if (settled_[v]) {
+            continue;
+        }
+        progress.check();
         mesh_.star(static_cast<int>(v), star_);
         const bool poor = std::any_of(star_.begin(), star_.end(),
                                       [&](int c) { return quality(c) < FillingTuning::kGoodSine; });
-        any = (poor && move_vertex(static_cast<int>(v))) || any;
+        if (poor && move_vertex(static_cast<int>(v))) {
+            any = true;
+        } else {
+            settled_[v] = 1;
+        }
     }
     return any;
 }

@@ -44,6 +44,8 @@ class Optimisation {
     int first_inner_;
     double budget_ = 10.0;  // new vertices at most
     std::vector<double> quality_;
+    std::vector<char> tried_;    // cells that no flip has helped since something around them changed
+    std::vector<char> settled_;  // vertices that no move has helped since then
     std::vector<int> star_;
 };
 

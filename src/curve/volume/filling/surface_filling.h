@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/filling/filling.h"
 
 namespace mq::curve {
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/child_process.h"
+#include "curve/volume/mesher/netgen_filling.h"
 #include "paths.h"
 
 namespace mq::curve {
