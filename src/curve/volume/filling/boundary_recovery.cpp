@@ -89,7 +89,8 @@ bool BoundaryRecovery::recover_edge(int a, int b, int depth) {
         calls_ = 0;
         const bool even = step % 2 == 0;
         if (!advance(even ? a : b, even ? b : a, depth) && !advance(even ? b : a, even ? a : b, depth)) {
-            return false;
+            // What was tried in vain may have brought it nevertheless.
+            return mesh_.cell_with(a, b) >= 0;
         }
     }
     return false;
@@ -132,6 +133,9 @@ bool BoundaryRecovery::obstacle_on(int a, int b, Obstacle& found) {
         const auto zeros = std::count(side.begin(), side.end(), 0);
         if (*std::max_element(side.begin(), side.end()) > 0) {
             continue;
+        }
+        if (mesh_.has(cell, b)) {
+            return false;
         }
         if (zeros > 1) {
             throw MeshingFailed("a vertex of the surface lies on one of its edges");

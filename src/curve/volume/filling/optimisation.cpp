@@ -10,12 +10,22 @@
 
 namespace mq::curve {
 
-Optimisation::Optimisation(Tetrahedralisation& mesh, int first_inner)
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::max();
+
+}  // namespace
+
+Optimisation::Optimisation(Tetrahedralisation& mesh, const std::vector<std::array<int, 3>>& surface, int first_inner)
     : mesh_(mesh), flipper_(mesh), placing_(mesh), insertion_(mesh), first_inner_(first_inner) {
     tried_.resize(mesh.cells.size(), 0);
     settled_.resize(mesh.points.size(), 0);
+    for (const auto& t : surface) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            surface_edges_.insert(pair_key(t[k], t[(k + 1) % 3]));
+        }
+    }
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-        budget_ += FillingTuning::kInsertedShare;
         quality_.push_back(mesh.alive(static_cast<int>(c)) ? quality_of(mesh, static_cast<int>(c), sine_quality) : 1.0);
     }
 }
@@ -24,8 +34,9 @@ void Optimisation::run(const Progress& progress) {
     for (int sweep = 0; sweep < FillingTuning::kSweeps; ++sweep) {
         const bool flipped = flip_cells(progress);
         const bool moved = move_vertices(progress);
+        const bool freed = free_corners(progress);
         const bool inserted = sweep >= FillingTuning::kFirstInsertion && insert_vertices(progress);
-        if (!flipped && !moved && !inserted) {
+        if (sweep >= FillingTuning::kFirstInsertion && !flipped && !moved && !freed && !inserted) {
             break;
         }
     }
@@ -157,19 +168,67 @@ bool Optimisation::insert_vertices(const Progress& progress) {
         }
     }
     std::sort(poor.begin(), poor.end());
+    const double share = FillingTuning::kInsertedShare * static_cast<double>(mesh_.cells.size());
+    const auto most = static_cast<std::size_t>(share + FillingTuning::kInsertedAlways);
+    poor.resize(std::min(poor.size(), most));
     bool any = false;
     for (const auto& [before, cell] : poor) {
         progress.check();
-        if (budget_ <= 0) {
-            break;
-        }
         // Other insertions may have changed the cell.
-        if (mesh_.alive(cell) && quality(cell) == before && insert_near(cell)) {
-            any = true;
-            --budget_;
-        }
+        any = (mesh_.alive(cell) && quality(cell) == before && insert_near(cell)) || any;
     }
     return any;
+}
+
+/// Frees corners that are flat and all of whose edges lie on the surface: once that is curved, no tetrahedron there is
+/// valid. An edge of the cell opposite the corner is divided inside.
+bool Optimisation::free_corners(const Progress& progress) {
+    bool any = false;
+    const std::size_t count = mesh_.cells.size();
+    for (std::size_t c = 0; c < count; ++c) {
+        progress.check();
+        const int cell = static_cast<int>(c);
+        const int corner = mesh_.alive(cell) ? flat_corner(cell) : -1;
+        if (corner < 0) {
+            continue;
+        }
+        const std::array<int, 4> v = mesh_.cells[cell].v;
+        const int(&f)[3] = kFaceOf[corner];
+        bool freed = false;
+        for (int k = 0; k < 3 && !freed; ++k) {
+            const int a = v[f[k]];
+            const int b = v[f[(k + 1) % 3]];
+            freed = mesh_.ring(cell, a, b, ring_) &&
+                    insert_into(ring_.cells, 0.5 * (mesh_.point(a) + mesh_.point(b)), FillingTuning::kFreedSine);
+        }
+        const Vec3 middle = 0.25 * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]) + mesh_.point(v[3]));
+        freed = freed || (insertion_.open(middle, cell) &&
+                          insert_into(insertion_.cavity(), middle, FillingTuning::kFreedSine));
+        any = any || freed;
+    }
+    return any;
+}
+
+int Optimisation::flat_corner(int cell) const {
+    const std::array<int, 4>& v = mesh_.cells[cell].v;
+    if (std::any_of(v.begin(), v.end(), [&](int k) { return k >= first_inner_; })) {
+        return -1;
+    }
+    for (int k = 0; k < 4; ++k) {
+        const int(&f)[3] = kFaceOf[k];
+        if (surface_edges_.count(pair_key(v[k], v[f[0]])) + surface_edges_.count(pair_key(v[k], v[f[1]])) +
+                surface_edges_.count(pair_key(v[k], v[f[2]])) <
+            3) {
+            continue;
+        }
+        const Vec3 a = (mesh_.point(v[f[0]]) - mesh_.point(v[k])).normalized();
+        const Vec3 b = (mesh_.point(v[f[1]]) - mesh_.point(v[k])).normalized();
+        const Vec3 d = (mesh_.point(v[f[2]]) - mesh_.point(v[k])).normalized();
+        if (std::abs(a.cross(b).dot(d)) < FillingTuning::kFlatCorner) {
+            return k;
+        }
+    }
+    return -1;
 }
 
 /// Tries the cavity of the middle of a poor cell, then the cells around its edges and at its faces, until a new vertex
@@ -177,13 +236,13 @@ bool Optimisation::insert_vertices(const Progress& progress) {
 bool Optimisation::insert_near(int cell) {
     const std::array<int, 4> v = mesh_.cells[cell].v;
     const Vec3 middle = 0.25 * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]) + mesh_.point(v[3]));
-    if (insertion_.open(middle, cell) && insert_into(insertion_.cavity(), middle)) {
+    if (insertion_.open(middle, cell) && insert_into(insertion_.cavity(), middle, kNever)) {
         return true;
     }
     for (int i = 0; i < 4; ++i) {
         for (int k = i + 1; k < 4; ++k) {
             if (mesh_.ring(cell, v[i], v[k], ring_) &&
-                insert_into(ring_.cells, 0.5 * (mesh_.point(v[i]) + mesh_.point(v[k])))) {
+                insert_into(ring_.cells, 0.5 * (mesh_.point(v[i]) + mesh_.point(v[k])), kNever)) {
                 return true;
             }
         }
@@ -192,7 +251,7 @@ bool Optimisation::insert_near(int cell) {
         if (mesh_.cells[cell].n[face] >= 0) {
             const int(&f)[3] = kFaceOf[face];
             const Vec3 center = (mesh_.point(v[f[0]]) + mesh_.point(v[f[1]]) + mesh_.point(v[f[2]])) / 3.0;
-            if (insert_into({cell, mesh_.cells[cell].n[face]}, center)) {
+            if (insert_into({cell, mesh_.cells[cell].n[face]}, center, kNever)) {
                 return true;
             }
         }
@@ -200,7 +259,8 @@ bool Optimisation::insert_near(int cell) {
     return false;
 }
 
-bool Optimisation::insert_into(const std::vector<int>& cavity, const Vec3& start) {
+/// @param enough quality that is enough even where the cells were better
+bool Optimisation::insert_into(const std::vector<int>& cavity, const Vec3& start, double enough) {
     placing_.faces.clear();
     double before = std::numeric_limits<double>::max();
     for (const int c : cavity) {
@@ -216,7 +276,7 @@ bool Optimisation::insert_into(const std::vector<int>& cavity, const Vec3& start
     Vec3 place = start;
     double worst = placing_.worst_at(place, -std::numeric_limits<double>::max());
     placing_.improve(place, worst);
-    if (!(worst > FillingTuning::kInsertionGain * before) || !sees_all(place)) {
+    if (!(worst > std::min(enough, FillingTuning::kInsertionGain * before)) || !sees_all(place)) {
         return false;
     }
     const int vertex = mesh_.add_point(place);

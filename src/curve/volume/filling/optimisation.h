@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "base/key_set.h"
 #include "base/progress.h"
 #include "curve/volume/filling/delaunay.h"
 #include "curve/volume/filling/flips.h"
@@ -17,7 +19,7 @@ namespace mq::curve {
 class Optimisation {
   public:
     /// @param first_inner the first vertex that may move
-    Optimisation(Tetrahedralisation& mesh, int first_inner);
+    Optimisation(Tetrahedralisation& mesh, const std::vector<std::array<int, 3>>& surface, int first_inner);
 
     /// @throws Cancelled
     void run(const Progress& progress);
@@ -30,8 +32,10 @@ class Optimisation {
     bool move_vertices(const Progress& progress);
     bool move_vertex(int v);
     bool insert_vertices(const Progress& progress);
+    bool free_corners(const Progress& progress);
+    int flat_corner(int cell) const;
     bool insert_near(int cell);
-    bool insert_into(const std::vector<int>& cavity, const Vec3& start);
+    bool insert_into(const std::vector<int>& cavity, const Vec3& start, double enough);
     bool sees_all(const Vec3& place) const;
     void note(const std::vector<int>& changed);
     double quality(int cell) const { return quality_[cell]; }
@@ -42,7 +46,7 @@ class Optimisation {
     CavityInsertion insertion_;
     EdgeRing ring_;
     int first_inner_;
-    double budget_ = 10.0;  // new vertices at most
+    KeySet surface_edges_;
     std::vector<double> quality_;
     std::vector<char> tried_;    // cells that no flip has helped since something around them changed
     std::vector<char> settled_;  // vertices that no move has helped since then

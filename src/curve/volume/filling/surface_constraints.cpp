@@ -13,8 +13,8 @@ SurfaceConstraints::SurfaceConstraints(const std::vector<Triangle>& triangles) {
         add(t);
     }
     for (const auto& [edge, around] : edges_) {
-        if (around.size() != 2) {
-            throw MeshingFailed("an edge of the surface has not two triangles");
+        if (around.size() % 2 != 0) {
+            throw MeshingFailed("the surface is not closed");
         }
     }
 }
@@ -64,6 +64,9 @@ std::vector<SurfaceConstraints::Triangle> SurfaceConstraints::triangles() const 
 
 void SurfaceConstraints::divide_edge(int a, int b, int vertex) {
     Division division{vertex, edges_.at(pair_key(a, b)), {}};
+    if (division.parents.size() > 2) {
+        throw MeshingFailed("an edge where shells of the surface meet cannot be recovered");
+    }
     for (const Triangle& t : division.parents) {
         for (const int end : {a, b}) {
             Triangle child = t;

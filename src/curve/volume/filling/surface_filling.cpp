@@ -47,7 +47,7 @@ TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vect
     remove_outside(mesh, surface, first_inner);
     move_divisions_inwards(mesh, surface);
     InteriorPoints(mesh, triangles, FillingTuning::kGrowth * grading_factor).insert(progress);
-    Optimisation(mesh, first_inner).run(progress);
+    Optimisation(mesh, triangles, first_inner).run(progress);
     return filling_of(mesh, points.size());
 }
 

@@ -20,15 +20,21 @@ struct FillingTuning {
     /// Sine of the dihedral angle below which cells are improved.
     MESHQUALITY_TUNED(double, kGoodSine, 0.5);
     /// Sine of the dihedral angle below which cells get a new vertex, where that helps.
-    MESHQUALITY_TUNED(double, kPoorSine, 0.3);
+    MESHQUALITY_TUNED(double, kPoorSine, 0.6);
     /// Least factor of the worst quality that a new vertex must bring.
     MESHQUALITY_TUNED(double, kInsertionGain, 1.1);
-    /// New vertices that cells may get in this way at most, by the number of cells.
-    MESHQUALITY_TUNED(double, kInsertedShare, 0.02);
+    /// Volume of a corner by its three edges, below which it is flat.
+    MESHQUALITY_TUNED(double, kFlatCorner, 0.5);
+    /// Least sine that frees a flat corner whose edges all lie on the surface, unless it was worse before.
+    MESHQUALITY_TUNED(double, kFreedSine, 0.25);
+    /// Cells that may get a new vertex in one sweep, the worst ones, by the number of cells.
+    MESHQUALITY_TUNED(double, kInsertedShare, 0.01);
+    /// The same for the smallest meshes.
+    MESHQUALITY_TUNED(double, kInsertedAlways, 30.0);
     /// The sweep from which on cells get new vertices.
     MESHQUALITY_TUNED(int, kFirstInsertion, 2);
     /// Sweeps of flips and smoothing at most.
-    MESHQUALITY_TUNED(int, kSweeps, 8);
+    MESHQUALITY_TUNED(int, kSweeps, 6);
     /// Cells around an edge that is removed.
     MESHQUALITY_TUNED(std::size_t, kMostAround, 8);
     /// Steps of one vertex in one sweep at most.
