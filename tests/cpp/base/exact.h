@@ -97,7 +97,7 @@ inline int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
                          lift[2] * determinant(x[0], y[0], x[1], y[1])));
 }
 
-/// The determinant of the rows (x, y, z, x^2 + y^2 + z^2) relative to e, by its permutations.
+/// Minus the determinant of the rows (x, y, z, x^2 + y^2 + z^2) relative to e, by its permutations.
 inline int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
     std::array<std::array<mpq_class, 4>, 4> rows;
     const std::array<Vec3, 4> corners{a, b, c, d};
@@ -117,7 +117,7 @@ inline int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
         }
         sum += product;
     } while (std::next_permutation(column.begin(), column.end()));
-    return sgn(sum);
+    return -sgn(sum);
 }
 
 }  // namespace mq::exact

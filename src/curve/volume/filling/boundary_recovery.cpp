@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "curve/volume/filling/delaunay.h"
-#include "curve/volume/filling/star_cavity.h"
 #include "curve/volume/filling/filling.h"
+#include "curve/volume/filling/star_cavity.h"
 
 namespace mq::curve {
 

@@ -19,8 +19,9 @@ struct RecoveryCount {
     std::size_t divisions = 0;          ///< points put on the surface, since no flip helped
 };
 
-/// Makes the edges and then the triangles of a surface part of a tetrahedralisation of its points: by flips along them
-/// (George, Hecht and Saltel 1991), and where those end by points on the surface, which are noted in the constraints.
+/// Makes the edges and then the triangles of a surface edges and faces of a tetrahedralisation of its points: by flips
+/// along them (George, Hecht and Saltel 1991), and where those end by points on the surface, which are noted in the
+/// constraints.
 class BoundaryRecovery {
   public:
     BoundaryRecovery(Tetrahedralisation& mesh, SurfaceConstraints& surface, const Progress& progress)

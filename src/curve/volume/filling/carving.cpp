@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "curve/volume/filling/filling.h"
 #include "curve/volume/filling/flips.h"
 #include "curve/volume/filling/star_cavity.h"
-#include "curve/volume/filling/filling.h"
 
 namespace mq::curve {
 

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "base/in_sphere.h"
 #include "base/key_set.h"
+#include "base/predicates.h"
 #include "curve/volume/filling/filling.h"
 
 namespace mq::curve {
@@ -187,8 +187,8 @@ void add_surrounding(Tetrahedralisation& mesh, const Box& box) {
     constexpr double kDistance = 12.0;
     const double r = kDistance * (box.high - box.low).norm();
     const Vec3 center = box.center();
-    const Vec3 directions[4] = {{0.937, 0.171, -0.683}, {-0.871, 0.353, -0.629}, {0.091, -0.967, -0.571},
-                                {-0.153, 0.137, 1.291}};
+    const Vec3 directions[4] = {
+        {0.937, 0.171, -0.683}, {-0.871, 0.353, -0.629}, {0.091, -0.967, -0.571}, {-0.153, 0.137, 1.291}};
     std::array<int, 4> v{};
     for (int k = 0; k < 4; ++k) {
         v[k] = mesh.add_point(center + r * directions[k]);

@@ -12,8 +12,8 @@ namespace mq::curve {
 class Locator {
   public:
     explicit Locator(const Tetrahedralisation& mesh) : mesh_(mesh) {}
-    /// @return a cell that holds the point, which may lie on its boundary; -1 where the walk leaves the mesh or does not
-    /// end.
+    /// @return a cell that holds the point, which may lie on its boundary; -1 where the walk leaves the mesh or does
+    /// not end.
     int find(const Vec3& p, int start);
 
   private:
@@ -55,8 +55,8 @@ class CavityInsertion {
     std::vector<char> seen_;
 };
 
-/// The Delaunay tetrahedralisation of the points of a surface, in a tetrahedron far around them, whose corners follow the
-/// points of the surface. Exact; of points on one sphere it is one of the possible ones, always the same.
+/// The Delaunay tetrahedralisation of the points of a surface, in a tetrahedron far around them, whose corners follow
+/// the points of the surface. Exact; of points on one sphere it is one of the possible ones, always the same.
 /// @throws MeshingFailed where two points coincide; Cancelled.
 Tetrahedralisation delaunay_tetrahedralisation(const std::vector<Vec3>& points, const Progress& progress);
 

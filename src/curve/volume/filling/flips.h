@@ -23,9 +23,9 @@ double quality_of(const Tetrahedralisation& mesh, int cell, CellQuality quality)
 /// What a flip must reach.
 struct FlipRule {
     CellQuality quality = volume_quality;
-    double floor = 0.0;           ///< every new cell must be better
+    double floor = 0.0;            ///< every new cell must be better
     std::size_t most_around = 12;  ///< cells around an edge that is removed
-    int chord_a = -1;             ///< vertices around the edge that must be connected afterwards, or -1
+    int chord_a = -1;              ///< vertices around the edge that must be connected afterwards, or -1
     int chord_b = -1;
 };
 

@@ -53,7 +53,8 @@ InteriorPoints::InteriorPoints(Tetrahedralisation& mesh, const std::vector<std::
             mesh.star(static_cast<int>(v), star);
             for (const int c : star) {
                 for (const int w : mesh.cells[c].v) {
-                    const double length = length_[w] + growth * (mesh.point(static_cast<int>(v)) - mesh.point(w)).norm();
+                    const double length =
+                        length_[w] + growth * (mesh.point(static_cast<int>(v)) - mesh.point(w)).norm();
                     length_[v] = std::min(length_[v], length);
                 }
             }

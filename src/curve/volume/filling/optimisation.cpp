@@ -130,8 +130,8 @@ bool Optimisation::move_vertices(const Progress& progress) {
         }
         progress.check();
         mesh_.star(static_cast<int>(v), star_);
-        const bool poor = std::any_of(star_.begin(), star_.end(),
-                                      [&](int c) { return quality(c) < FillingTuning::kGoodSine; });
+        const bool poor =
+            std::any_of(star_.begin(), star_.end(), [&](int c) { return quality(c) < FillingTuning::kGoodSine; });
         if (poor && move_vertex(static_cast<int>(v))) {
             any = true;
         } else {
@@ -202,8 +202,8 @@ bool Optimisation::free_corners(const Progress& progress) {
                     insert_into(ring_.cells, 0.5 * (mesh_.point(a) + mesh_.point(b)), FillingTuning::kFreedSine);
         }
         const Vec3 middle = 0.25 * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]) + mesh_.point(v[3]));
-        freed = freed || (insertion_.open(middle, cell) &&
-                          insert_into(insertion_.cavity(), middle, FillingTuning::kFreedSine));
+        freed = freed ||
+                (insertion_.open(middle, cell) && insert_into(insertion_.cavity(), middle, FillingTuning::kFreedSine));
         any = any || freed;
     }
     return any;

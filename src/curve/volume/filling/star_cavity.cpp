@@ -35,7 +35,8 @@ StarCavity::Step StarCavity::step(const Vec3& p, int own) {
         for (int face = 0; face < 4; ++face) {
             const int(&k)[3] = kFaceOf[face];
             const std::array<int, 3> f{cell.v[k[0]], cell.v[k[1]], cell.v[k[2]]};
-            const bool inner = cell.n[face] >= 0 && std::find(cells_.begin(), cells_.end(), cell.n[face]) != cells_.end();
+            const bool inner =
+                cell.n[face] >= 0 && std::find(cells_.begin(), cells_.end(), cell.n[face]) != cells_.end();
             if (inner || std::find(f.begin(), f.end(), own) != f.end()) {
                 continue;
             }
@@ -44,7 +45,7 @@ StarCavity::Step StarCavity::step(const Vec3& p, int own) {
                 continue;
             }
             if (cell.n[face] < 0 || surface_.has_triangle(f[0], f[1], f[2])) {
-                return Step::Stuck;
+                return Step::Blocked;
             }
             cells_.push_back(cell.n[face]);
             return Step::Grown;

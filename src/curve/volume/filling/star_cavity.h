@@ -28,7 +28,7 @@ class StarCavity {
     std::vector<std::array<int, 4>> cells_of(int vertex) const;
 
   private:
-    enum class Step { Done, Grown, Stuck };
+    enum class Step { Done, Grown, Blocked };
 
     Step step(const Vec3& p, int own);
     bool keeps_all(int own) const;

@@ -9,8 +9,8 @@
 
 namespace mq::curve {
 
-/// Fills a closed, outward oriented surface, which may have several shells and voids: a Delaunay tetrahedralisation of its
-/// points, recovery of the surface, points inside, optimisation. Deterministic; what comes out is checked exactly.
+/// Fills a closed, outward oriented surface, which may have several shells and voids: a Delaunay tetrahedralisation of
+/// its points, recovery of the surface, points inside, optimisation. Deterministic; what comes out is checked exactly.
 /// @param grading_factor see fill()
 /// @throws MeshingFailed where the surface is not closed, intersects itself or cannot be recovered; Cancelled.
 TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,

@@ -164,7 +164,7 @@ bool Tetrahedralisation::ring(int first, int a, int b, EdgeRing& found) const {
     found.x.clear();
     int cell = first;
     // The face opposite a, turned so that it begins with b: (b, y, x) is positive seen from a, so that (a, b, x, y) is.
-    const int (&face)[3] = kFaceOf[index_of(cell, a)];
+    const int(&face)[3] = kFaceOf[index_of(cell, a)];
     int x = -1;
     int y = -1;
     for (int r = 0; r < 3; ++r) {

@@ -10,7 +10,8 @@
 
 namespace mq::curve {
 
-/// A tetrahedron of positive volume with its neighbours: n[i] lies across the face opposite v[i], -1 where there is none.
+/// A tetrahedron of positive volume with its neighbours: n[i] lies across the face opposite v[i], -1 where there is
+/// none.
 struct Cell {
     std::array<int, 4> v{-1, -1, -1, -1};
     std::array<int, 4> n{-1, -1, -1, -1};

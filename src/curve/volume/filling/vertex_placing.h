@@ -8,8 +8,8 @@
 
 namespace mq::curve {
 
-/// Looks for the place of a vertex where the worst of its cells is best (Freitag and Ollivier-Gooch 1997). The cells are
-/// given by their faces opposite the vertex, from which it is seen on the positive side.
+/// Looks for the place of a vertex where the worst of its cells is best (Freitag and Ollivier-Gooch 1997). The cells
+/// are given by their faces opposite the vertex, from which it is seen on the positive side.
 class VertexPlacing {
   public:
     explicit VertexPlacing(const Tetrahedralisation& mesh) : mesh_(mesh) {}

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "base/predicates.h"
-#include "curve/volume/filling/flips.h"
 #include "curve/volume/filling/closed_surfaces.h"
+#include "curve/volume/filling/flips.h"
 #include "curve/volume/mesher/filling_check.h"
 
 namespace mq::curve {
