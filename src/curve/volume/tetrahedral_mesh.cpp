@@ -216,8 +216,8 @@ Message in_solid(std::size_t solid, const Error& error, const std::string& place
 
 }  // namespace
 
-TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
-                            const Progress& progress) {
+TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, Mesher fill,
+                            double grading_factor, const Progress& progress) {
     TetrahedralMesh volume(surface);
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
         progress.check();
