@@ -34,7 +34,8 @@ void Optimisation::run(const Progress& progress) {
     for (int sweep = 0; sweep < FillingTuning::kSweeps; ++sweep) {
         const bool flipped = flip_cells(progress);
         const bool moved = move_vertices(progress);
-        const bool freed = free_corners(progress);
+        // The last sweeps improve what is new.
+        const bool freed = sweep + 2 < FillingTuning::kSweeps && free_corners(progress);
         const bool inserted = sweep >= FillingTuning::kFirstInsertion && insert_vertices(progress);
         if (sweep >= FillingTuning::kFirstInsertion && !flipped && !moved && !freed && !inserted) {
             break;

@@ -98,7 +98,7 @@ TEST(SurfaceFilling, TheAnglesOfASphereAreGood) {
     std::vector<Vec3> points = surface.points;
     points.insert(points.end(), filling.inner_points.begin(), filling.inner_points.end());
     for (const auto& t : filling.tetrahedra) {
-        EXPECT_GT(sine_quality(points[t[0]], points[t[1]], points[t[2]], points[t[3]]), std::sin(15.0 * M_PI / 180.0));
+        EXPECT_GT(sine_quality(points[t[0]], points[t[1]], points[t[2]], points[t[3]]), std::sin(10.0 * M_PI / 180.0));
     }
 }
 
