@@ -11,7 +11,7 @@
 
 #include "curve/bezier/validity.h"
 #include "curve/curve.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/mesher/netgen_filling.h"
 #include "geometry/occt/shape_model.h"
 #include "triangulate/triangulate.h"
 

@@ -50,4 +50,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Positive when d lies inside the circle through a, b, c, which run counter-clockwise. Exact.
 int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 
+/// Positive when e lies inside the sphere through a, b, c, d, whose orient3d is positive; 0 on the sphere. Exact.
+int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
+
 }  // namespace mq

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "curve/curve.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/mesher/netgen_filling.h"
 #include "mesh/quality/mesh_report.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"

@@ -219,8 +219,8 @@ Message in_solid(std::size_t solid, const Error& error, const std::string& place
 
 }  // namespace
 
-TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
-                            const Progress& progress) {
+TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, Mesher fill,
+                            double grading_factor, const Progress& progress) {
     TetrahedralMesh volume(surface);
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
         progress.check();
@@ -235,6 +235,9 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& to
             throw MeshingFailed(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         } catch (const GeometryError& error) {
             throw GeometryError(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
+        }
+        if (!filling.own_fault.empty()) {
+            volume.filled_by_netgen.push_back("Solid" + std::to_string(i + 1) + ": " + filling.own_fault);
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {

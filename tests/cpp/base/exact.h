@@ -97,4 +97,27 @@ inline int in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d)
                          lift[2] * determinant(x[0], y[0], x[1], y[1])));
 }
 
+/// Minus the determinant of the rows (x, y, z, x^2 + y^2 + z^2) relative to e, by its permutations.
+inline int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
+    std::array<std::array<mpq_class, 4>, 4> rows;
+    const std::array<Vec3, 4> corners{a, b, c, d};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Vector to = difference(corners[i], e);
+        rows[i] = {to[0], to[1], to[2], dot(to, to)};
+    }
+    std::array<std::size_t, 4> column{0, 1, 2, 3};
+    mpq_class sum = 0;
+    do {
+        mpq_class product = 1;
+        for (std::size_t i = 0; i < 4; ++i) {
+            product *= rows[i][column[i]];
+            for (std::size_t k = 0; k < i; ++k) {
+                product *= column[k] > column[i] ? -1 : 1;
+            }
+        }
+        sum += product;
+    } while (std::next_permutation(column.begin(), column.end()));
+    return -sgn(sum);
+}
+
 }  // namespace mq::exact

@@ -102,6 +102,29 @@ TEST_P(PredicatesTest, Orient3dIsExactAndAntisymmetric) {
     }
 }
 
+TEST_P(PredicatesTest, InSphereIsExactAndAntisymmetric) {
+    PointSource points = source(12);
+    for (int i = 0; i < kCostly; ++i) {
+        std::vector<Vec3> v = points.take(5);
+        if (i % 4 == 0) {
+            v[4] = v[0] + v[1] - v[2];  // on the sphere where these four make a rectangle
+        }
+        const int sign = in_sphere(v[0], v[1], v[2], v[3], v[4]);
+        ASSERT_EQ(sign, exact::in_sphere(v[0], v[1], v[2], v[3], v[4])) << "case " << i;
+        ASSERT_EQ(in_sphere(v[1], v[0], v[2], v[3], v[4]), -sign) << "case " << i;
+        ASSERT_EQ(in_sphere(v[1], v[2], v[0], v[3], v[4]), sign) << "case " << i;
+    }
+}
+
+TEST(Predicates, InSphereIsPositiveInside) {
+    const std::array<Vec3, 4> v{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+    ASSERT_GT(orient3d(v[0], v[1], v[2], v[3]), 0);
+    EXPECT_EQ(in_sphere(v[0], v[1], v[2], v[3], Vec3(0.2, 0.2, 0.2)), 1);
+    EXPECT_EQ(in_sphere(v[0], v[1], v[2], v[3], Vec3(1.0, 1.0, 1.0)), 0);
+    EXPECT_EQ(in_sphere(v[0], v[1], v[2], v[3], Vec3(1.0, 1.0, std::nextafter(1.0, 2.0))), -1);
+    EXPECT_EQ(in_sphere(v[0], v[1], v[2], v[3], Vec3(1.0, 1.0, std::nextafter(1.0, 0.0))), 1);
+}
+
 TEST_P(PredicatesTest, CollinearIsExact) {
     PointSource points = source(10);
     for (int i = 0; i < kCheap; ++i) {

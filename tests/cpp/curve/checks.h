@@ -11,7 +11,7 @@
 #include "curve/bezier/node_orders.h"
 #include "curve/bezier/validity.h"
 #include "curve/curve.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/mesher/netgen_filling.h"
 #include "paths.h"
 #include "triangulate/triangulate.h"
 

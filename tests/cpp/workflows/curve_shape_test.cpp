@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/mesher/netgen_filling.h"
 #include "paths.h"
 #include "workflows/triangulate_shape.h"
 

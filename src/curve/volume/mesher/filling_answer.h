@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/filling/filling.h"
 
 namespace mq::curve {
 

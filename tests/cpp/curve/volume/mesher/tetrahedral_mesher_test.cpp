@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/child_process.h"
+#include "curve/volume/mesher/netgen_filling.h"
 #include "paths.h"
 
 namespace mq::curve {
@@ -35,6 +36,12 @@ TEST(Fill, ACubeIsFilled) {
         sum += six / 6.0;
     }
     EXPECT_NEAR(sum, 1.0, 1e-12);
+    EXPECT_TRUE(filling.own_fault.empty());
+}
+
+TEST(Fill, NetgenFillsACubeInAProcessOfItsOwn) {
+    const Cube cube;
+    EXPECT_FALSE(fill_by_netgen(cube.points, cube.triangles, 1.0, Progress()).tetrahedra.empty());
 }
 
 TEST(Fill, AnOpenSurfaceIsRefused) {
@@ -54,7 +61,7 @@ TEST(Fill, AMissingProgramIsNamed) {
     const Cube cube;
     set_fill_program("/nowhere/meshquality_fill");
     try {
-        fill(cube.points, cube.triangles, 1.0, Progress());
+        fill_by_netgen(cube.points, cube.triangles, 1.0, Progress());
         FAIL() << "nothing was thrown";
     } catch (const IoError& error) {
         EXPECT_NE(std::string(error.what()).find("/nowhere/meshquality_fill"), std::string::npos);

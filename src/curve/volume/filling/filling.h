@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/vec.h"
+
+namespace mq::curve {
+
+/// A surface that cannot be filled, mostly because it intersects itself: a finer one may be filled.
+class MeshingFailed : public GeometryError {
+    using GeometryError::GeometryError;
+};
+
+/// Tetrahedra inside a closed surface.
+struct TetrahedralFilling {
+    std::vector<Vec3> inner_points;              ///< numbered after the points of the surface
+    std::vector<std::array<int, 4>> tetrahedra;  ///< positive volume
+    std::string own_fault;                       ///< why Netgen has made it, see fill(); empty for our own
+};
+
+}  // namespace mq::curve

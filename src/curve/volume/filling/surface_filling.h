@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/progress.h"
+#include "curve/volume/filling/filling.h"
+
+namespace mq::curve {
+
+/// Fills a closed, outward oriented surface, which may have several shells and voids: a Delaunay tetrahedralisation of
+/// its points, recovery of the surface, points inside, optimisation. Deterministic; what comes out is checked exactly.
+/// @param grading_factor see fill()
+/// @throws MeshingFailed where the surface is not closed, intersects itself or cannot be recovered; Cancelled.
+TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
+                                double grading_factor, const Progress& progress);
+
+}  // namespace mq::curve
