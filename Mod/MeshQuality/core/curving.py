@@ -329,8 +329,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
     options.require_callable(progress)
     values = options.check(options.CURVE, {
         "order": order, "volume": volume, "straighten_invalid": straighten_invalid, "min_angle": min_angle,
-        "chord_height": chord_height, "chord_height_relative": chord_height_relative,
-        "max_edge": max_edge, "imprint": imprint,
+        "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge, "imprint": imprint,
     })
     if mesh is not None:
         _require_no_straight_options(values)
