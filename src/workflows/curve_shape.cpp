@@ -262,7 +262,7 @@ curve::CurvedMixedMesh curve_mixed_mesh(geometry::Engine& engine, const TopoDS_S
                                         const curve::MixedMesh& given, const curve::CurveOptions& options, bool imprint,
                                         Progress& progress) {
     progress.stage("reading the shape", 0.0, 0.0);
-    return on_solids_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
+    return on_shape_as_meshed(engine, shape, imprint, progress, [&](const auto& model) {
         curve::CurvedMixedMesh mesh = curve::curve_mixed(engine, model, given, options, &progress);
         if (given.has_volume()) {
             measure_volume(mesh, engine, shape, progress);
