@@ -18,6 +18,7 @@ from .writing import checked_scale
 _VALID, _FOLDED, _INVERTED, _NOT_PROVEN = range(4)  # verdicts of the core
 _WORDS = {_FOLDED: "folded", _INVERTED: "numbered the wrong way round", _NOT_PROVEN: "not proven valid"}
 _LEFT_OUT = 3.0  # times the deviation of the mesh from the CAD: a place at this distance is left out by the mesh
+_UNKNOWN = 1e-3  # of the shape's diagonal: the distance of the mesh where it was not measured
 _ON_CAD = 5  # highest order of triangles that are measured against a shape
 
 
@@ -161,6 +162,8 @@ def certify(mesh, shape=None, progress=None, mesh_scale=1.0):
     order, surface = triangles_of_surface(mesh)
     if surface is not None:
         _find_crossings(mesh.nodes, order, surface, found, progress)
+    else:
+        found.notes.append("crossings of the surface were not looked for: it is not of triangles of one order")
     if shape is not None:
         shape = fem_places.shape_at(source, mesh, shape)
         _measure(mesh, order, surface, shape, found, progress)
@@ -287,7 +290,9 @@ def _measure_from_cad(mesh, order, surface, shape, found, progress):
     found.face_deviation = np.zeros(len(shape.Faces))
     found.face_deviation[:len(by_face)] = by_face
     found.cad_deviation, found.cad_spacing = float(found.face_deviation.max(initial=0.0)), float(spacing)
-    if found.cad_deviation > _LEFT_OUT * max(found.max_deviation or 0.0, 1e-6 * shape.BoundBox.DiagonalLength):
+    size = shape.BoundBox.DiagonalLength
+    usual = _UNKNOWN * size if found.max_deviation is None else max(found.max_deviation, 1e-6 * size)
+    if found.cad_deviation > _LEFT_OUT * usual:
         x, y, z = farthest
         found.notes.append(f"the mesh leaves out a part of Face{int(found.face_deviation.argmax()) + 1}, which is "
                            f"{found.cad_deviation:.3g} mm from it at ({x:.4g}, {y:.4g}, {z:.4g}) mm")

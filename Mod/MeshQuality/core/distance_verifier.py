@@ -14,7 +14,8 @@ from .elements import kinds, lagrange
 
 _STEPS = 7  # of the lattice of points of a triangle
 _MOST_POINTS = 1_000_000
-_LOOSE, _SHARE, _NOTHING = 1.5, 0.1, 1e-7  # of the distance at other points: times its own, the largest, the size of the mesh
+_LOOSE, _SHARE, _MOST_POINTS, _MOST_PARTS = 1_000_000, 32  # of the mesh against which the shape is held: in all; along an edge
+_NOTHING = 1.5, 0.1, 1e-7  # of the distance at other points: times its own, the largest, the size of the mesh
 _COMPARED = 500  # triangles that are compared with their own face
 _NAMED = 3
 _MIDDLE = (1 / 3, 1 / 3, 0.0)
@@ -98,9 +99,12 @@ def _own_faces(shape, nodes, order, rows, faces, place):
 
 
 def missing(shape, nodes, rows, order, said):
-    """Sentences: points of the CAD faces that are farther from the mesh than a certificate says."""
-    points = _points(nodes, order, rows, order + 2)
-    steps = np.linalg.norm(np.diff(nodes[rows[:, [0, 1, 2, 0]]], axis=1), axis=2).max() / (order + 2)
+    """(sentences, mm): points of the CAD faces that are farther from the mesh than a certificate says, and how far from it others
+    may be.
+    """
+    parts = int(np.clip(np.sqrt(_HELD_AGAINST / len(rows)), order + 2, _MOST_PARTS))
+    points = _points(nodes, order, rows, parts)
+    steps = np.linalg.norm(np.diff(nodes[rows[:, [0, 1, 2, 0]]], axis=1), axis=2).max() / parts
     reach = _LOOSE * _number(said) + steps + _NOTHING * float(np.ptp(points, axis=(0, 1)).max())
     used = set(map(tuple, np.unique(np.floor(points.reshape(-1, 3) / reach).astype(int), axis=0).tolist()))
     found = []
@@ -117,4 +121,4 @@ def missing(shape, nodes, rows, order, said):
                 break
         if len(found) == _NAMED:
             break
-    return found
+    return found, reach

@@ -18,6 +18,9 @@ FORMAT, VERSION = "MeshQuality mesh certificate", 1
 CLAIMS = ("folded", "inverted", "not_proven")  # in the order of the core's verdicts 1, 2 and 3
 PAIRS = ("crossing", "not_proven_apart", "touching")  # of triangles of the surface
 OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # what is said of the shape
+# Numbers that may be left open: what was not looked for or not measured.
+MEASURED = (*OF_SHAPE[:-1], "curved_intersections", "not_proven_apart", "overlapping_bodies")
+_LARGEST = 1e9  # of faces, and of measures in mm
 _DIGITS = 4  # of the bounds; rounded down, so that they stay bounds
 _PLACES = 9  # of distances in mm, rounded up
 
@@ -88,12 +91,16 @@ def _surface(certificate, measured):
     return content
 
 
+def _refuse(constant):
+    raise ValueError(f"{constant} is no number")
+
+
 def load(path):
     """The content of a saved certificate; raises IoError, InvalidInput naming what is wrong with it."""
     name = os.fsdecode(convert.file_name(path))
     try:
         with files.open_regular(name) as stream:
-            content = json.loads(stream.read().decode())
+            content = json.loads(stream.read().decode(), parse_constant=_refuse)
     except OSError as error:
         raise IoError(f"cannot read '{name}': {error.strerror or error}") from error
     except (ValueError, RecursionError) as error:
@@ -120,6 +127,11 @@ def _fault_of(content):
     proven, blocks = content.get("proven"), content.get("blocks")
     if not isinstance(proven, dict) or not isinstance(blocks, list):
         return "'proven' or 'blocks' is missing"
+    for name in MEASURED:  # older certificates say nothing of some
+        if not _is_measure(proven.setdefault(name)):
+            return f"'{name}' is neither a number from 0 on nor left open"
+    if not isinstance(proven.setdefault("not_on_shape"), (str, type(None))):
+        return "'not_on_shape' is no text"
     for number, block in enumerate(blocks):
         if not isinstance(block, dict) or not _is_block(block):
             return f"block {number} is not complete"
@@ -145,9 +157,13 @@ def _is_file(said):
         and said["file"].isprintable()
 
 
+def _is_measure(value):
+    return value is None or (isinstance(value, (int, float)) and not isinstance(value, bool) and 0 <= value < _LARGEST)
+
+
 def _is_scale(options):
     scale = options.get("scale") if isinstance(options, dict) else None
-    return isinstance(scale, (int, float)) and not isinstance(scale, bool) and 0.0 < scale < float("inf")
+    return isinstance(scale, (int, float)) and not isinstance(scale, bool) and 1.0 / _LARGEST < scale < _LARGEST
 
 
 def scale_of(content):
@@ -168,4 +184,4 @@ def _is_block(block):
 
 
 def _is_count(value):
-    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
+    return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < _LARGEST

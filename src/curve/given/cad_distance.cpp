@@ -42,13 +42,38 @@ class CurvedTriangles {
         tree_.emplace(points_, flat_);
     }
 
-    /// An upper bound of the distance from the nearest point, which is exact where the nearest flat triangle is of the
-    /// nearest curved one.
+    /// The distance from the nearest point. Beside an edge it may be on a neighbour of the triangle that is nearest
+    /// once all are cut flat: of those in reach kMostOwners are tried.
     double distance(const Vec3& p) const {
-        const mesh::ClosestPoint nearest = tree_->nearest(p);
-        const auto owner = static_cast<std::size_t>(nearest.triangle) / cells();
-        const std::vector<Vec3>& control = control_[owner];
-        std::array<double, 2> at = start(static_cast<std::size_t>(nearest.triangle), nearest.point);
+        const std::int32_t nearest = tree_->nearest(p).triangle;
+        double best = distance_from(nearest, p);
+        std::vector<std::size_t> tried{owner(nearest)};
+        const Box reach{p - Vec3::Constant(best), p + Vec3::Constant(best)};
+        tree_->for_each_in_box(reach, [&](std::int32_t flat) {
+            if (std::find(tried.begin(), tried.end(), owner(flat)) == tried.end()) {
+                tried.push_back(owner(flat));
+                best = std::min(best, distance_from(flat, p));
+            }
+            return tried.size() < kMostOwners;
+        });
+        return best;
+    }
+
+  private:
+    static constexpr int kSteps = 4;   // flat triangles along an edge of a curved one
+    static constexpr int kRounds = 8;  // rounds of Gauss-Newton's method, from the nearest flat triangle on
+    static constexpr std::size_t kMostOwners = 8;
+
+    std::size_t owner(std::int32_t flat) const { return static_cast<std::size_t>(flat) / cells(); }
+
+    /// The distance from the curved triangle of a flat one, from whose nearest point it is looked for.
+    double distance_from(std::int32_t flat, const Vec3& p) const {
+        const std::vector<Vec3>& control = control_[owner(flat)];
+        const mesh::Triangle& t = flat_[static_cast<std::size_t>(flat)];
+        const Vec3 nearest =
+            mesh::nearest_on_triangle(p, points_[static_cast<std::size_t>(t[0])],
+                                      points_[static_cast<std::size_t>(t[1])], points_[static_cast<std::size_t>(t[2])]);
+        std::array<double, 2> at = start(static_cast<std::size_t>(flat), nearest);
         double best = (point(control, at) - p).norm();
         for (int round = 0; round < kRounds && steps_ > 1; ++round) {
             const std::array<double, 2> next = improved(control, at, p);
@@ -61,10 +86,6 @@ class CurvedTriangles {
         }
         return best;
     }
-
-  private:
-    static constexpr int kSteps = 4;   // flat triangles along an edge of a curved one
-    static constexpr int kRounds = 8;  // rounds of Gauss-Newton's method, from the nearest flat triangle on
 
     std::size_t cells() const { return static_cast<std::size_t>(steps_) * static_cast<std::size_t>(steps_); }
     std::size_t own_points() const {

@@ -26,8 +26,8 @@ class TetrahedralMesh {
 
     CurvedSurface& surface;
     std::vector<Tetrahedron> tetrahedra;
-    /// The solids that only Netgen has filled, each with what our own mesher said.
-    std::vector<std::string> filled_by_netgen;
+    /// The solids that our own mesher has filled, each with what Netgen said.
+    std::vector<std::string> filled_by_us;
 
     CurvedShapes& shapes() { return surface.shapes; }
     const CurvedShapes& shapes() const { return surface.shapes; }

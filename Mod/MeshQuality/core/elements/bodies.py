@@ -40,13 +40,16 @@ def inside_others(blocks, nodes):
 
 
 def _bodies(whole, count):
-    """By node the lowest node that elements connect it with."""
+    """By node the lowest node that elements connect it with: trees are hooked onto lower ones and made flat in turn (Shiloach
+    and Vishkin 1982), in rounds that grow as the logarithm of the number of nodes."""
     found = np.arange(count)
     while True:
         before = found.copy()
         for block in whole:
-            np.minimum.at(found, block.nodes, found[block.nodes].min(axis=1)[:, None])
-        found = found[found]
+            trees = found[block.nodes]
+            np.minimum.at(found, trees, trees.min(axis=1)[:, None])
+        while (found[found] != found).any():
+            found = found[found]
         if (found == before).all():
             return found
 

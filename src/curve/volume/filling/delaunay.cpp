@@ -15,7 +15,7 @@ namespace mq::curve {
 int Locator::find(const Vec3& p, int start) {
     int cell = start;
     // Without a Delaunay property a walk may run in circles: other faces come first each time, and it ends.
-    const std::size_t most = 200 + mesh_.cells.size() / 8;
+    const std::size_t most = 200 + 8 * mesh_.cells.size();
     for (std::size_t step = 0; step < most && cell >= 0; ++step) {
         const Cell& c = mesh_.cells[cell];
         turn_ = turn_ * 1664525U + 1013904223U;

@@ -11,17 +11,21 @@ TetrahedralFilling fill(const std::vector<Vec3>& points, const std::vector<std::
                         double grading_factor, const Progress& progress) {
     std::string why;
     try {
-        TetrahedralFilling own = fill_surface(points, triangles, grading_factor, progress);
-        if (ends_at(triangles, own.tetrahedra)) {
-            return own;
-        }
-        why = "the tetrahedra do not end at the surface";
-    } catch (const MeshingFailed& error) {
+        return fill_by_netgen(points, triangles, grading_factor, progress);
+    } catch (const GeometryError& error) {
         why = error.what();
     }
-    TetrahedralFilling filling = fill_by_netgen(points, triangles, grading_factor, progress);
-    filling.own_fault = why;
-    return filling;
+    try {
+        TetrahedralFilling own = fill_surface(points, triangles, grading_factor, progress);
+        if (ends_at(triangles, own.tetrahedra)) {
+            own.netgen_fault = why;
+            return own;
+        }
+    } catch (const MeshingFailed& error) {
+        why += "; our own mesher: ";
+        why += error.what();
+    }
+    throw MeshingFailed(why);
 }
 
 }  // namespace mq::curve
