@@ -13,9 +13,9 @@ from ..compat import extension
 from .elements import kinds, lagrange
 
 _STEPS = 7  # of the lattice of points of a triangle
+_HELD_AGAINST, _MOST_PARTS = 1_000_000, 32  # points of the mesh against which the shape is held: in all; along an edge
 _MOST_POINTS = 1_000_000
-_LOOSE, _SHARE, _MOST_POINTS, _MOST_PARTS = 1_000_000, 32  # of the mesh against which the shape is held: in all; along an edge
-_NOTHING = 1.5, 0.1, 1e-7  # of the distance at other points: times its own, the largest, the size of the mesh
+_LOOSE, _SHARE, _NOTHING = 1.5, 0.1, 1e-7  # of the distance at other points: times its own, the largest, the size of the mesh
 _COMPARED = 500  # triangles that are compared with their own face
 _NAMED = 3
 _MIDDLE = (1 / 3, 1 / 3, 0.0)
