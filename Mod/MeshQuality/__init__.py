@@ -15,6 +15,7 @@ Meshes for scripts
     improve       the same surface with better triangles                                 -> SurfaceMesh
     quality       measures any mesh                                                      -> MeshReport
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
+                  curve takes such meshes, too: of prisms and hexahedra -> CurvedElementMesh
     certify       proves which elements of any mesh are valid                            -> MeshCertificate
     verify        checks a saved certificate again, by other means                       -> CertificateVerification
     MeshCache     by which faces that an edit left alone keep their triangles

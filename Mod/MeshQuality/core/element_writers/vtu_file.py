@@ -6,10 +6,9 @@ import base64
 import numpy as np
 
 from ..elements import kinds
-from ..elements.vtk_cells import CELLS, GROUP
+from ..elements.vtk_cells import GROUP, NEWER_CELLS
 
-# Prisms and hexahedra of any order are written only: files before version 2.2 have another order of nodes.
-_TYPES = {**{known: number for number, known in CELLS.items()}, ("hexahedron", None): 72, ("prism", None): 73}
+_TYPES = {known: number for number, known in NEWER_CELLS.items()}
 _KINDS = {"f": "Float", "i": "Int", "u": "UInt"}
 
 BOUNDARIES = 2  # how many lower dimensions are elements, too

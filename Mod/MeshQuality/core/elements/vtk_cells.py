@@ -13,6 +13,8 @@ CELLS = {3: ("line", 2), 5: ("triangle", 3), 9: ("quadrilateral", 4), 10: ("tetr
           24: ("tetrahedron", 10), 25: ("hexahedron", 20), 26: ("prism", 15), 27: ("pyramid", 13), 28: ("quadrilateral", 9),
           29: ("hexahedron", 27), 32: ("prism", 18), 68: ("line", None), 69: ("triangle", None),
           70: ("quadrilateral", None), 71: ("tetrahedron", None)}
+# Of files from version 2.2 on: before it had other orders of nodes.
+NEWER_CELLS = {**CELLS, 72: ("hexahedron", None), 73: ("prism", None)}
 _POINTS = {0, 1, 2}
 _NAMES = {4: "poly lines", 6: "triangle strips", 7: "polygons", 8: "pixels", 11: "voxels", 34: "triangles with 7 nodes",
           35: "cubic lines", 37: "pyramids with 19 nodes", 42: "polyhedra", 72: "hexahedra of VTK Lagrange",
@@ -23,8 +25,8 @@ GROUP = "group"  # of files of ElementMesh: the group of each cell
 TABLES = (*_GEOMETRY, "patch", GROUP, "CellEntityIds", "gmsh:geometrical")
 
 
-def add(parts, connectivity, offsets, types, place):
-    """Adds Sections of cells; place is ({name of an array: its numbers}, number of the first node)."""
+def add(parts, connectivity, offsets, types, place, known=CELLS):
+    """Adds Sections of cells; place is ({name of an array: its numbers}, number of the first node), known CELLS or NEWER_CELLS."""
     tables, first = place
     sizes = np.diff(np.concatenate([[0], offsets]))
     if len(offsets) != len(types) or (sizes < 0).any() or (len(offsets) and offsets[-1] > len(connectivity)):
@@ -33,9 +35,9 @@ def add(parts, connectivity, offsets, types, place):
         number, count = int(types[begin]), int(sizes[begin])
         if number in _POINTS:
             continue
-        kind = _kind(number, count)
+        kind = _kind(number, count, known)
         nodes = connectivity[offsets[begin] - count:offsets[end - 1]].reshape(-1, count)
-        order = kinds.from_lagrange(kind, count) if CELLS[number][1] is None else \
+        order = kinds.from_lagrange(kind, count) if known[number][1] is None else \
             kinds.from_convention(kind, count, kinds.RINGS)
         section = Section(kind, nodes[:, order] + first, _next_numbers(parts, end - begin), _geometry(tables, kind, begin, end))
         parts.sections.append(section)
@@ -45,8 +47,8 @@ def add(parts, connectivity, offsets, types, place):
                 parts.add_to_group(f"{name} {i}", section.numbers[group == i])
 
 
-def _kind(number, count):
-    kind, wanted = CELLS.get(number, (None, None))
+def _kind(number, count, known):
+    kind, wanted = known.get(number, (None, None))
     if kind is None:
         raise unsupported(f"{_NAMES.get(number, f'cells of type {number}')} ({count} nodes)")
     if wanted not in (None, count):

@@ -15,6 +15,7 @@ from .parts import REMEDY, Parts, content, count_within, numbers_in, unsupported
 
 _TYPES = {"Float32": "f4", "Float64": "f8", "Int8": "i1", "Int16": "i2", "Int32": "i4", "Int64": "i8", "UInt8": "u1",
           "UInt16": "u2", "UInt32": "u4", "UInt64": "u8"}
+_NEWER = ("2.2", "2.3")  # versions
 _LARGEST = 1 << 34  # bytes of one array
 
 
@@ -99,6 +100,7 @@ def read(path):
     if root.tag != "VTKFile" or root.get("type") != "UnstructuredGrid":
         raise IoError(f"it holds {root.get('type') or root.tag}, not UnstructuredGrid: write the mesh as one")
     arrays = _Arrays(root, (raw, encoded))
+    known = vtk_cells.NEWER_CELLS if root.get("version") in _NEWER else vtk_cells.CELLS
     parts, points, first = Parts(None, []), [], 0
     for piece in root.iter("Piece"):
         cells = {array.get("Name"): arrays.array(array) for array in piece.find("Cells")}
@@ -107,7 +109,7 @@ def read(path):
             raise IoError(f"it has other numbers of points or cells than it announces: {REMEDY}")
         points.append(place.reshape(-1, 3))
         groups = {array.get("Name"): arrays.array(array) for array in _tables(piece)}
-        vtk_cells.add(parts, cells["connectivity"], cells["offsets"], cells["types"], (groups, first))
+        vtk_cells.add(parts, cells["connectivity"], cells["offsets"], cells["types"], (groups, first), known)
         first += len(points[-1])
     parts.points = np.concatenate(points) if points else np.zeros((0, 3))
     return parts
