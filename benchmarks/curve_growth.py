@@ -4,7 +4,7 @@
 
     /usr/bin/python3 benchmarks/curve_growth.py [--orders 2,3,4] [--copies 4,16,48] [--only TEXT]
 
-Each row is so many copies of one solid in one shape, at one order, filled: elements and invalid elements both grow with
+Each row is a number of copies of one solid in one shape, at one order, filled: elements and invalid elements both grow with
 the copies. Seconds are the processor's of this process, user and system; the tetrahedral mesher, which runs in a process
 of its own, does not count. Stages are seconds on the clock.
 """

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <exception>
-#include <string>
 
-#define OCCGEOMETRY
-namespace nglib {
-#include <netgen/nglib.h>
-}
+#include "netgen_program.h"
 
 /// Meshes a part with tetrahedra by Netgen's nglib, for given_meshes.py:
 ///
@@ -17,13 +10,12 @@ namespace nglib {
 ///
 /// STRAIGHT.msh has elements of the first order, PLACED.msh those of the second, whose middle nodes Netgen puts on the
 /// CAD. Where Netgen makes no tetrahedra, as of shells, the files have triangles only. Prints as JSON the seconds of
-/// the processor that the second order took. A program of its own, because Netgen aborts on some parts.
+/// the processor that the second order took.
 namespace {
 
 using namespace nglib;
 
 constexpr double kElementsPerEdge = 1.0;
-constexpr double kGrading = 0.3;
 
 /// Type of an element in a .msh file, and by its node the position of it in Netgen's element.
 template <std::size_t N>
@@ -39,31 +31,8 @@ constexpr Kind<6> kTriangle6{9, {0, 1, 2, 5, 3, 4}};
 // Netgen's middle nodes are those of the edges 01, 02, 03, 12, 13, 23; Gmsh's of 01, 12, 20, 30, 32, 31.
 constexpr Kind<10> kTetrahedron10{11, {0, 1, 2, 3, 4, 7, 5, 6, 9, 8}};
 
-Ng_Meshing_Parameters parameters(double elements_per_curve) {
-    Ng_Meshing_Parameters result;
-    result.uselocalh = 1;
-    result.elementspercurve = elements_per_curve;
-    result.elementsperedge = kElementsPerEdge;
-    result.grading = kGrading;
-    result.maxh = 1e9;
-    result.minh = 0.0;
-    return result;
-}
-
-Ng_OCC_Geometry* read(const std::string& path) {
-    const auto ends = [&](const char* name) {
-        const std::string ending(name);
-        return path.size() > ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
-    };
-    if (ends(".step") || ends(".stp")) {
-        return Ng_OCC_Load_STEP(path.c_str());
-    }
-    return ends(".igs") || ends(".iges") ? Ng_OCC_Load_IGES(path.c_str()) : Ng_OCC_Load_BREP(path.c_str());
-}
-
 bool generate_surface(Ng_OCC_Geometry* geometry, Ng_Mesh* mesh, Ng_Meshing_Parameters& chosen) {
-    if (Ng_OCC_SetLocalMeshSize(geometry, mesh, &chosen) != NG_OK ||
-        Ng_OCC_GenerateEdgeMesh(geometry, mesh, &chosen) != NG_OK) {
+    if (!netgen_program::generate_edges(geometry, mesh, chosen)) {
         return false;
     }
     // It calls a surface without points inside its faces a failure, too.
@@ -138,14 +107,9 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "given_netgen MODEL.brep STRAIGHT.msh PLACED.msh ELEMENTS_PER_CURVE\n");
         return 2;
     }
-    Ng_Init();
-    Ng_OCC_Geometry* geometry = read(argv[1]);
-    if (geometry == nullptr) {
-        std::fprintf(stderr, "%s cannot be read\n", argv[1]);
-        return 1;
-    }
+    Ng_OCC_Geometry* geometry = netgen_program::read(argv[1]);
     Ng_Mesh* mesh = Ng_NewMesh();
-    Ng_Meshing_Parameters chosen = parameters(std::atof(argv[4]));
+    Ng_Meshing_Parameters chosen = netgen_program::parameters(std::atof(argv[4]), kElementsPerEdge);
     if (!generate_surface(geometry, mesh, chosen)) {
         std::fprintf(stderr, "Netgen failed\n");
         return 1;
@@ -157,13 +121,10 @@ int main(int argc, char** argv) {
     }
     const std::clock_t start = std::clock();
     Ng_OCC_Generate_SecondOrder(geometry, mesh);
-    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+    const double seconds = netgen_program::seconds_since(start);
     if (!write(argv[3], mesh)) {
         std::fprintf(stderr, "%s cannot be written\n", argv[3]);
         return 1;
     }
-    std::printf("\n{\"seconds\": %.4f}\n", seconds);
-    std::fflush(stdout);
-    // Netgen's own clean-up crashes at times.
-    std::_Exit(0);
+    netgen_program::end(seconds);
 }

@@ -1,40 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
-
-#define OCCGEOMETRY
-namespace nglib {
-#include <netgen/nglib.h>
-}
+#include "netgen_program.h"
 
 /// Meshes the faces of one solid with Netgen's nglib, for quality_peers.py:
 ///
 ///     quality_netgen MODEL.brep OUT.off ELEMENTS_PER_CURVE
 ///
-/// Prints the seconds of the processor that meshing took as JSON. A program of its own, because Netgen aborts on some
-/// parts.
+/// Prints the seconds of the processor that meshing took as JSON.
 namespace {
 
 using namespace nglib;
 
 constexpr double kElementsPerEdge = 2.0;
-constexpr double kGrading = 0.3;
-
-Ng_Meshing_Parameters parameters(double elements_per_curve) {
-    Ng_Meshing_Parameters result;
-    result.uselocalh = 1;
-    result.elementspercurve = elements_per_curve;
-    result.elementsperedge = kElementsPerEdge;
-    result.grading = kGrading;
-    result.maxh = 1e9;
-    result.minh = 0.0;
-    return result;
-}
-
 bool generate(Ng_OCC_Geometry* geometry, Ng_Mesh* mesh, Ng_Meshing_Parameters& chosen) {
-    return Ng_OCC_SetLocalMeshSize(geometry, mesh, &chosen) == NG_OK &&
-           Ng_OCC_GenerateEdgeMesh(geometry, mesh, &chosen) == NG_OK &&
+    return netgen_program::generate_edges(geometry, mesh, chosen) &&
            Ng_OCC_GenerateSurfaceMesh(geometry, mesh, &chosen) == NG_OK;
 }
 
@@ -66,23 +44,15 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "quality_netgen MODEL.brep OUT.off ELEMENTS_PER_CURVE\n");
         return 2;
     }
-    Ng_Init();
-    Ng_OCC_Geometry* geometry = Ng_OCC_Load_BREP(argv[1]);
-    if (geometry == nullptr) {
-        std::fprintf(stderr, "%s cannot be read\n", argv[1]);
-        return 1;
-    }
+    Ng_OCC_Geometry* geometry = netgen_program::read(argv[1]);
     Ng_Mesh* mesh = Ng_NewMesh();
-    Ng_Meshing_Parameters chosen = parameters(std::atof(argv[3]));
+    Ng_Meshing_Parameters chosen = netgen_program::parameters(std::atof(argv[3]), kElementsPerEdge);
     const std::clock_t start = std::clock();
     const bool done = generate(geometry, mesh, chosen);
-    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+    const double seconds = netgen_program::seconds_since(start);
     if (!done || !write(argv[2], mesh)) {
         std::fprintf(stderr, "Netgen failed\n");
         return 1;
     }
-    std::printf("\n{\"seconds\": %.4f}\n", seconds);
-    std::fflush(stdout);
-    // Netgen's own clean-up crashes at times.
-    std::_Exit(0);
+    netgen_program::end(seconds);
 }

@@ -93,4 +93,19 @@ void parallel_for(int count, Work&& work) {
     }
 }
 
+/// Runs work(k) for k = 0 .. count - 1 in parallel, a chunk of neighbours at a time, so that short calls pay; in this
+/// thread where there is one chunk only.
+/// @throws as parallel_for
+template <typename Work>
+void for_chunks(int count, const Work& work) {
+    // Calls in a chunk: enough of them that starting it costs little.
+    constexpr int kChunk = 64;
+    parallel_for((count + kChunk - 1) / kChunk, [&](int i) {
+        const int end = std::min((i + 1) * kChunk, count);
+        for (int k = i * kChunk; k < end; ++k) {
+            work(k);
+        }
+    });
+}
+
 }  // namespace mq

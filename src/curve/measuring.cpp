@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "curve/bezier/parallel_chunks.h"
+#include "base/parallel.h"
 #include "curve/bezier/validity.h"
 #include "curve/output/shape_distortion.h"
 #include "curve/surface/enclosed_volume.h"

@@ -278,6 +278,17 @@ def _require_no_straight_options(values):
         raise InvalidInput(f"{given[0]} is for a mesh that is made, not for one that is given: leave it out with mesh=")
 
 
+def _check_given(mesh, mesh_scale, values, shape):
+    """Refuses options of a mesh that is made together with one that is given, and the other way round."""
+    if mesh is None:
+        if mesh_scale != 1.0:
+            raise InvalidInput("mesh_scale= is for a mesh that another program made: give its path as mesh=")
+        return
+    _require_no_straight_options(values)
+    if shape is not None:
+        raise InvalidInput("shape= is that of a SurfaceMesh: with mesh= give the shape as first argument")
+
+
 def _given_on(shape, mesh, mesh_scale):
     return fem_places.mesh_at(mesh, shape) if frames.is_object(mesh) else given_mesh(mesh, mesh_scale)
 
@@ -331,10 +342,7 @@ def curve(shape_or_mesh, order=2, volume=False, progress=None, straighten_invali
         "order": order, "volume": volume, "straighten_invalid": straighten_invalid, "min_angle": min_angle,
         "chord_height": chord_height, "chord_height_relative": chord_height_relative, "max_edge": max_edge, "imprint": imprint,
     })
-    if mesh is not None:
-        _require_no_straight_options(values)
-        if shape is not None:
-            raise InvalidInput("shape= is that of a SurfaceMesh: with mesh= give the shape as first argument")
+    _check_given(mesh, mesh_scale, values, shape)
     division = None
     if shape is not None or not isinstance(shape_or_mesh, SurfaceMesh):
         division = division_for(shape_or_mesh if shape is None else shape, patches, patch_rest)

@@ -26,7 +26,7 @@ def write(mesh, path, scale=1.0, format=None):  # noqa: A002 - an option of Elem
         return
     writer = importlib.import_module(f".element_writers.{formats.ELEMENTS_WRITTEN[suffix]}", __package__)
     for block in _written(mesh, writer):
-        if not writer.holds(block.kind, block.nodes.shape[1]):
+        if not _has_type(writer, block):
             raise InvalidInput(f"{suffix} files hold no {kinds.PLURALS[block.kind]} of order {block.order} with "
                                f"{block.nodes.shape[1]} nodes: choose one of {' '.join(suffixes_for(mesh))}")
     writing.atomically(name, suffix, lambda ready: writer.write(Numbered(mesh, scale), ready))
@@ -53,7 +53,12 @@ def _holds(mesh, suffix):
         orders = {block.order for block in mesh.blocks if kinds.DIMENSION[block.kind] == 3}
         return len(orders) == 1
     writer = importlib.import_module(f".element_writers.{formats.ELEMENTS_WRITTEN[suffix]}", __package__)
-    return all(writer.holds(block.kind, block.nodes.shape[1]) for block in _written(mesh, writer))
+    return all(_has_type(writer, block) for block in _written(mesh, writer))
+
+
+def _has_type(writer, block):
+    """Whether a format has elements of this kind with this number of nodes, or with any number, which its table has as None."""
+    return (block.kind, block.nodes.shape[1]) in writer.TYPES or (block.kind, None) in writer.TYPES
 
 
 def _written(mesh, writer):

@@ -297,14 +297,11 @@ Samples samples_of_edge(Session& session, int edge, double spacing) {
 
 /// The largest distance of points, and which of them it is.
 std::pair<double, Vec3> farthest(const CurvedTriangles& surface, const std::vector<Vec3>& points, Progress& progress) {
-    constexpr std::size_t kAtOnce = 256;
     std::vector<double> distance(points.size());
-    parallel_for(static_cast<int>((points.size() + kAtOnce - 1) / kAtOnce), [&](int k) {
+    for_chunks(static_cast<int>(points.size()), [&](int k) {
         progress.check();
-        const std::size_t first = kAtOnce * static_cast<std::size_t>(k);
-        for (std::size_t i = first; i < std::min(first + kAtOnce, points.size()); ++i) {
-            distance[i] = surface.distance(points[i]);
-        }
+        const auto i = static_cast<std::size_t>(k);
+        distance[i] = surface.distance(points[i]);
     });
     const auto most = std::max_element(distance.begin(), distance.end());
     return most == distance.end() ? std::pair{0.0, Vec3(Vec3::Zero())}

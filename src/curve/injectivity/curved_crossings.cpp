@@ -51,11 +51,6 @@ class Patches {
                 largest = std::max(largest, nodes[at].cwiseAbs().maxCoeff());
             }
             control_[t] = nodes_to_bezier(lattice_, nodes);
-            Box box;
-            for (const Vec3& p : control_[t]) {
-                box.add(p);
-            }
-            size_.push_back(box.largest_side());
         }
         find_bodies();
         limits_.rounding = kRelativeRounding * (largest + middle_.cwiseAbs().maxCoeff());
@@ -99,8 +94,6 @@ class Patches {
     PatchVerdict contact(std::int32_t a, std::int32_t b, int most_pairs) const {
         PatchLimits limits = limits_;
         limits.most_pairs = most_pairs;
-        const double smaller = std::min(size_[static_cast<std::size_t>(a)], size_[static_cast<std::size_t>(b)]);
-        limits.least_size = std::min(limits.least_size, kLeastShare * smaller);
         return a == b ? contact_with_itself(lattice_, control(a), limits)
                       : contact_of_patches(lattice_, control(a), control(b), shared(a, b), limits);
     }
@@ -176,7 +169,6 @@ class Patches {
     PatchLimits limits_;
     std::vector<std::int32_t> nodes_;         ///< by triangle in the order of the lattice; equal ones are one
     std::vector<std::vector<Vec3>> control_;  ///< by triangle
-    std::vector<double> size_;                ///< likewise, the largest side of its box, mm
     std::vector<std::int32_t> body_;          ///< likewise, the number of its body
 };
 

@@ -13,10 +13,8 @@
 /// 1999, for the triangles of a mesh.
 namespace mq::curve {
 
-/// Pieces of curved triangles smaller than this share of the mesh's size are not halved any more, nor those smaller
-/// than that share of the smaller triangle, if this is less.
+/// Pieces of curved triangles smaller than this share of the mesh's size are not halved any more.
 constexpr double kLeastPiece = 1e-6;
-constexpr double kLeastShare = 1e-3;
 /// What is within this share of the mesh's size of a plane counts as on it.
 constexpr double kTouching = 1e-9;
 

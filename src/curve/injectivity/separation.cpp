@@ -146,51 +146,6 @@ bool hulls_apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b, double 
     });
 }
 
-namespace {
-
-/// Whether the sum of the extreme directions of the cone of all directions that are right has enough of each vector. An
-/// extreme one is at right angles to two vectors, or, where all are in a plane, in it and at right angles to one. Slow,
-/// but it does not depend on how thin the cone is.
-bool extreme_directions_suffice(const std::vector<Vec3>& units, const std::vector<double>& margins) {
-    // What may be the rounding of a product of unit vectors, and a cross product of them that has no direction.
-    constexpr double kRounding = 1e-12;
-    constexpr double kNoDirection = 1e-9;
-    Vec3 sum = Vec3::Zero();
-    const auto add = [&](Vec3 direction) {
-        const double length = direction.norm();
-        if (!(length > kNoDirection)) {
-            return;
-        }
-        direction /= length;
-        for (const double sign : {1.0, -1.0}) {
-            if (std::all_of(units.begin(), units.end(),
-                            [&](const Vec3& unit) { return sign * direction.dot(unit) >= -kRounding; })) {
-                sum += sign * direction;
-            }
-        }
-    };
-    Vec3 normal = Vec3::Zero();
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        for (std::size_t j = i + 1; j < units.size(); ++j) {
-            const Vec3 across = units[i].cross(units[j]);
-            normal = across.squaredNorm() > normal.squaredNorm() ? across : normal;
-            add(across);
-        }
-    }
-    for (const Vec3& unit : units) {
-        add(normal.cross(unit));
-    }
-    const double length = sum.norm();
-    for (std::size_t i = 0; i < units.size(); ++i) {
-        if (!(sum.dot(units[i]) > margins[i] * length)) {
-            return false;
-        }
-    }
-    return length > 0.0;
-}
-
-}  // namespace
-
 bool in_open_half_space(const std::vector<Vec3>& vectors, double margin) {
     std::vector<Vec3> units(vectors.size());
     std::vector<double> margins(vectors.size());
@@ -202,7 +157,7 @@ bool in_open_half_space(const std::vector<Vec3>& vectors, double margin) {
         units[i] = vectors[i] / length;
         margins[i] = margin / length;
     }
-    const bool found = separable(middle(units), [&](const Vec3& direction) {
+    return separable(middle(units), [&](const Vec3& direction) {
         const double norm = direction.norm();
         double least = std::numeric_limits<double>::infinity();
         Support found{Vec3::Zero(), true};
@@ -216,7 +171,6 @@ bool in_open_half_space(const std::vector<Vec3>& vectors, double margin) {
         }
         return found;
     });
-    return found || extreme_directions_suffice(units, margins);
 }
 
 }  // namespace mq::curve

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "core_phrases.h"  // made of Mod/MeshQuality/phrases.py
-#include "curve/bezier/parallel_chunks.h"
 #include "curve/bezier/validity.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
@@ -219,8 +219,8 @@ Message in_solid(std::size_t solid, const Error& error, const std::string& place
 
 }  // namespace
 
-TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, Mesher fill,
-                            double grading_factor, const Progress& progress) {
+TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
+                            const Progress& progress) {
     TetrahedralMesh volume(surface);
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
         progress.check();
@@ -237,7 +237,7 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& to
             throw GeometryError(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         }
         if (!filling.netgen_fault.empty()) {
-            volume.filled_by_us.push_back("Solid" + std::to_string(i + 1) + ": " + filling.netgen_fault);
+            volume.filled_by_own_mesher.push_back("Solid" + std::to_string(i + 1) + ": " + filling.netgen_fault);
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {

@@ -7,7 +7,6 @@
 
 #include "base/progress.h"
 #include "curve/surface/curved_surface.h"
-#include "curve/volume/filling/filling.h"
 
 namespace mq::curve {
 
@@ -27,7 +26,7 @@ class TetrahedralMesh {
     CurvedSurface& surface;
     std::vector<Tetrahedron> tetrahedra;
     /// The solids that our own mesher has filled, each with what Netgen said.
-    std::vector<std::string> filled_by_us;
+    std::vector<std::string> filled_by_own_mesher;
 
     CurvedShapes& shapes() { return surface.shapes; }
     const CurvedShapes& shapes() const { return surface.shapes; }
@@ -74,15 +73,10 @@ class FoldedTriangles {
     std::unordered_set<FaceKey, KeyHash> folded_;
 };
 
-/// What fills a surface, see fill().
-using Mesher = TetrahedralFilling (*)(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                                      double grading_factor, const Progress& progress);
-
 /// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.
-/// @param fill our own mesher, or Netgen's: fill() or fill_by_netgen()
 /// @param grading_factor see fill().
 /// @throws MeshingFailed naming the solid.
-TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, Mesher fill,
-                            double grading_factor, const Progress& progress);
+TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
+                            const Progress& progress);
 
 }  // namespace mq::curve

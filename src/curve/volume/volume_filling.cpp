@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "curve/volume/mesher/tetrahedral_mesher.h"
 
 namespace mq::curve {
 
@@ -32,13 +31,13 @@ bool refilling_may_help(const FilledTetrahedralMesh& filled) {
 FilledTetrahedralMesh fill_once(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
                                 Progress& progress, StageClock& clock) {
     progress.stage("filling", 0.5, 0.6);
-    TetrahedralMesh volume = fill_solids(surface, topology, fill, grading_factor, progress);
+    TetrahedralMesh volume = fill_solids(surface, topology, grading_factor, progress);
     clock.end("filling");
     progress.stage("repairing the volume", 0.6, 0.95);
     const VolumeRepairs repairs = repair_volume(volume, progress);
     clock.end("repairing the volume");
     std::vector<std::string> notes;
-    for (const std::string& solid : volume.filled_by_us) {
+    for (const std::string& solid : volume.filled_by_own_mesher) {
         notes.push_back("filled by our own mesher, as Netgen failed: " + solid);
     }
     return {std::move(volume), repairs, 1, std::move(notes)};

@@ -10,7 +10,7 @@ from ..elements.abaqus_file import SIDES
 from .numbered import lines, wrapped
 from .sides import sides_of
 
-_TYPES = {("line", 2): "B31", ("line", 3): "B32", ("triangle", 3): "S3", ("triangle", 6): "S6", ("quadrilateral", 4): "S4",
+TYPES = {("line", 2): "B31", ("line", 3): "B32", ("triangle", 3): "S3", ("triangle", 6): "S6", ("quadrilateral", 4): "S4",
           ("quadrilateral", 8): "S8", ("tetrahedron", 4): "C3D4", ("tetrahedron", 10): "C3D10", ("pyramid", 5): "C3D5",
           ("prism", 6): "C3D6", ("prism", 15): "C3D15", ("hexahedron", 8): "C3D8", ("hexahedron", 20): "C3D20"}
 _LINE = [0, 2, 1]  # the middle node comes between the others
@@ -18,11 +18,6 @@ _WIDTH = 8
 _LONGEST, _DIGITS = 20, 13  # characters of a number; how many digits fit at any sign and exponent
 
 BOUNDARIES = 0  # how many lower dimensions are elements, too
-
-
-def holds(kind, count):
-    """Whether the format has such elements."""
-    return (kind, count) in _TYPES
 
 
 def write(mesh, path):
@@ -35,7 +30,7 @@ def write(mesh, path):
             kind, nodes = mesh.blocks[i]
             order = _LINE if (kind, nodes.shape[1]) == ("line", 3) else np.argsort(
                 kinds.from_convention(kind, nodes.shape[1], kinds.RINGS))
-            file.write(f"*ELEMENT, TYPE={_TYPES[kind, nodes.shape[1]]}\n")
+            file.write(f"*ELEMENT, TYPE={TYPES[kind, nodes.shape[1]]}\n")
             rows = np.column_stack([np.arange(len(nodes)) + mesh.first[i], nodes[:, order] + 1])
             file.write(_broken(lines(rows, ","), nodes.shape[1]))
         sides = sides_of(mesh, SIDES) if mesh.dimension == 3 else {}

@@ -3,18 +3,12 @@
 
 import numpy as np
 
-from ..elements import kinds
-from ..elements.gmsh_file import TYPES
+from ..elements import gmsh_file, kinds
 from .numbered import lines
 
-_NUMBERS = {known: number for number, known in TYPES.items()}
+TYPES = {known: number for number, known in gmsh_file.TYPES.items()}
 
 BOUNDARIES = 2  # how many lower dimensions are elements, too
-
-
-def holds(kind, count):
-    """Whether the format has such elements."""
-    return (kind, count) in _NUMBERS
 
 
 class _Entities:
@@ -66,7 +60,7 @@ def write(mesh, path):
         file.write(f"$EndNodes\n$Elements\n{len(blocks)} {total} 1 {total}\n")
         for (dimension, tag), block, rows in blocks:
             kind, nodes = mesh.blocks[block]
-            file.write(f"{dimension} {tag} {_NUMBERS[kind, nodes.shape[1]]} {len(rows)}\n")
+            file.write(f"{dimension} {tag} {TYPES[kind, nodes.shape[1]]} {len(rows)}\n")
             file.write(lines(np.column_stack([rows + mesh.first[block], nodes[rows] + 1])))
         file.write("$EndElements\n")
 

@@ -5,7 +5,7 @@ import numpy as np
 
 from ..elements import kinds
 
-_TYPES = {("line", 2): "CBAR", ("triangle", 3): "CTRIA3", ("triangle", 6): "CTRIA6", ("quadrilateral", 4): "CQUAD4",
+TYPES = {("line", 2): "CBAR", ("triangle", 3): "CTRIA3", ("triangle", 6): "CTRIA6", ("quadrilateral", 4): "CQUAD4",
           ("quadrilateral", 8): "CQUAD8", ("tetrahedron", 4): "CTETRA", ("tetrahedron", 10): "CTETRA", ("pyramid", 5): "CPYRAM",
           ("pyramid", 13): "CPYRAM", ("prism", 6): "CPENTA", ("prism", 15): "CPENTA", ("hexahedron", 8): "CHEXA",
           ("hexahedron", 20): "CHEXA"}
@@ -13,11 +13,6 @@ _WIDTH, _WIDE, _FIELDS = 8, 16, 8
 _DIGITS = (15, 14, 13, 12, 11, 10, 9, 8)  # the last one fits always
 
 BOUNDARIES = 1  # how many lower dimensions are elements, too
-
-
-def holds(kind, count):
-    """Whether the format has such elements."""
-    return (kind, count) in _TYPES
 
 
 def write(mesh, path):
@@ -39,7 +34,7 @@ def write(mesh, path):
 def _write_elements(file, mesh, members, number):
     block, rows = members
     kind, nodes = mesh.blocks[block]
-    name = _TYPES[kind, nodes.shape[1]]
+    name = TYPES[kind, nodes.shape[1]]
     order = np.argsort(kinds.from_convention(kind, nodes.shape[1], kinds.LEVELS))
     listed = (nodes[rows][:, order] + 1).tolist()
     tail = "0.      0.      1.\n" if name == "CBAR" else ""

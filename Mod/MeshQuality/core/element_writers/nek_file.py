@@ -13,12 +13,8 @@ _SIDES = {**kinds.FACES, "hexahedron": (1, 3, 4, 2, 0, 5)}
 _MIDDLE, _CONDITION = b"m", b"MSH"  # the latter is for the case to replace by what the number means
 _BENT = 1e-9  # of an edge's length: how far a middle node is from the middle
 
+TYPES = {("hexahedron", count) for count in (8, 20, 27)}
 BOUNDARIES = 0  # how many lower dimensions are elements, too
-
-
-def holds(kind, count):
-    """Whether the format has such elements."""
-    return kind == "hexahedron" and count in (8, 20, 27)
 
 
 def write(mesh, path):

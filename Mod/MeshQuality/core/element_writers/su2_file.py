@@ -7,14 +7,9 @@ from ..elements import kinds
 from ..elements.vtk_cells import CELLS
 from .numbered import lines
 
-_TYPES = {(kind, count): number for number, (kind, count) in CELLS.items() if count == kinds.CORNERS[kind]}
+TYPES = {(kind, count): number for number, (kind, count) in CELLS.items() if count == kinds.CORNERS[kind]}
 
 BOUNDARIES = 1  # how many lower dimensions are elements, too
-
-
-def holds(kind, count):
-    """Whether the format has such elements."""
-    return (kind, count) in _TYPES
 
 
 def write(mesh, path):
@@ -36,4 +31,4 @@ def write(mesh, path):
 
 
 def _write_rows(file, kind, nodes):
-    file.write(lines(np.column_stack([np.full(len(nodes), _TYPES[kind, nodes.shape[1]]), nodes])))
+    file.write(lines(np.column_stack([np.full(len(nodes), TYPES[kind, nodes.shape[1]]), nodes])))

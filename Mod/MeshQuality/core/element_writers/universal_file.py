@@ -7,18 +7,13 @@ from ..elements.universal_file import AROUND, order_of
 from .numbered import lines
 
 # By kind and nodes the descriptor of an element.
-_TYPES = {("line", 2): 21, ("line", 3): 24, ("triangle", 3): 91, ("triangle", 6): 92, ("quadrilateral", 4): 94,
+TYPES = {("line", 2): 21, ("line", 3): 24, ("triangle", 3): 91, ("triangle", 6): 92, ("quadrilateral", 4): 94,
           ("quadrilateral", 8): 95, ("tetrahedron", 4): 111, ("tetrahedron", 10): 118, ("prism", 6): 112, ("prism", 15): 113,
           ("hexahedron", 8): 115, ("hexahedron", 20): 116}
 _OF_NODES, _OF_ELEMENTS = 7, 8
 _WIDTH = 8  # numbers in a line
 
 BOUNDARIES = 2  # how many lower dimensions are elements, too
-
-
-def holds(kind, count):
-    """Whether the format has such elements."""
-    return (kind, count) in _TYPES
 
 
 def write(mesh, path):
@@ -30,7 +25,7 @@ def write(mesh, path):
         file.write("    -1\n    -1\n  2412\n")
         for (kind, nodes), first in zip(mesh.blocks, mesh.first):
             count = nodes.shape[1]
-            head = f"{_TYPES[kind, count]:10d}         1         1         7{count:10d}\n"
+            head = f"{TYPES[kind, count]:10d}         1         1         7{count:10d}\n"
             if kind == "line":
                 head += "         0         1         1\n"
             rows = (nodes[:, np.argsort(order_of(kind, count))] + 1).tolist()

@@ -8,15 +8,10 @@ import numpy as np
 from ..elements import kinds
 from ..elements.vtk_cells import GROUP, NEWER_CELLS
 
-_TYPES = {known: number for number, known in NEWER_CELLS.items()}
+TYPES = {known: number for number, known in NEWER_CELLS.items()}
 _KINDS = {"f": "Float", "i": "Int", "u": "UInt"}
 
 BOUNDARIES = 2  # how many lower dimensions are elements, too
-
-
-def holds(kind, count):
-    """Whether the format has such elements."""
-    return (kind, count) in _TYPES or (kind, None) in _TYPES
 
 
 def write(mesh, path):
@@ -24,11 +19,11 @@ def write(mesh, path):
     connected, sizes, types = [], [], []
     for kind, nodes in mesh.blocks:
         count = nodes.shape[1]
-        number = _TYPES.get((kind, count))
+        number = TYPES.get((kind, count))
         order = kinds.from_lagrange(kind, count) if number is None else kinds.from_convention(kind, count, kinds.RINGS)
         connected.append(nodes[:, np.argsort(order)].ravel())
         sizes.append(np.full(len(nodes), count))
-        types.append(np.full(len(nodes), _TYPES[kind, None] if number is None else number, dtype=np.uint8))
+        types.append(np.full(len(nodes), TYPES[kind, None] if number is None else number, dtype=np.uint8))
     group = np.full(mesh.first[-1] - 1, -1, dtype=np.int32)
     for i, name in reversed(list(enumerate(mesh.groups))):
         group[mesh.numbers_of(name) - 1] = i
