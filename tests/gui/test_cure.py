@@ -3,6 +3,7 @@
 
 import importlib.util
 import os
+import shutil
 import sys
 import unittest
 
@@ -21,6 +22,8 @@ sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
 import cantilever  # noqa: E402
 
 HAS_FEM = importlib.util.find_spec("Fem") is not None
+if HAS_FEM:
+    import FemGui
 FOLDED = (3, 40)
 MAGENTA = (255, 32, 255)  # of what lights up
 
@@ -64,6 +67,29 @@ class Command(CureTest):
         self.assertIn("it takes the place of 'Given'", report)
         self.document.undo()
         self.assertEqual((self.document.Objects, analysis.Group), (objects, group))
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX (ccx) is not installed")
+    def test_the_window_of_fem_solves_on_it(self):
+        self.part.Shape = cantilever.beam()
+        self.given.FemMesh = given_meshes.straight_mesh(self.part.Shape, 6.0, FOLDED)
+        analysis = cantilever.add_analysis(self.part, "force")
+        analysis.addObject(self.given)
+        self.apply(self.panel(commands.Cure, self.given, self.part))
+        FreeCADGui.Control.closeDialog()
+        cured = next(obj for obj in analysis.Group if obj.isDerivedFrom("Fem::FemMeshObject"))
+        self.assertNotEqual(cured, self.given)
+        FreeCADGui.activateWorkbench("FemWorkbench")
+        self.addCleanup(FreeCADGui.activateWorkbench, "MeshQualityWorkbench")
+        FemGui.setActiveAnalysis(analysis)
+        self.select(next(obj for obj in analysis.Group if "Solver" in obj.Name))
+        gui_helpers.wait(0.5)
+        FreeCADGui.runCommand("FEM_SolverRun")
+        results = [obj for obj in analysis.Group if obj.isDerivedFrom("Fem::FemResultObject")]
+        self.assertEqual(len(results), 1)
+        end = self.part.Shape.getElement(cantilever.face_at(self.part.Shape, "x", 1))
+        found = cantilever.deflection(results[0], cured.FemMesh, end)
+        self.assertAlmostEqual(found / cantilever.deflections()["force"], 1.0, delta=0.01)
+        gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "cure_solved.png"))
 
     def test_a_mesh_says_what_it_is_of(self):
         self.select(self.given)
