@@ -7,11 +7,14 @@ import shutil
 import sys
 import unittest
 
+import FreeCAD
 import FreeCADGui
 import given_meshes
 import gui_helpers
 import helpers
 import numpy as np
+import test_language
+import test_units
 from PySide import QtGui
 
 import MeshQuality as mq
@@ -99,6 +102,53 @@ class Command(CureTest):
         self.assertEqual(commands.Cure().selected(), [self.part, self.given])
         self.select(self.part)
         self.assertFalse(commands.Cure().IsActive())
+
+
+class Nested(CureTest):
+    """A part in containers that are turned and moved, in German and in inches."""
+
+    def setUp(self):
+        super().setUp()
+        inner, outer = (self.document.addObject("App::Part", name) for name in ("Innen", "Aussen"))
+        inner.addObject(self.part)
+        outer.addObject(inner)
+        inner.Placement = FreeCAD.Placement(FreeCAD.Vector(3, 0, 0), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 30))
+        outer.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 70, 0), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 50))
+        self.part.Label, self.given.Label = "Welle", "Vorgabe"
+        self.addCleanup(test_units.use_units, test_units.MM)
+        test_units.use_units(test_units.INCHES)
+        FreeCADGui.setLocale("German")
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        gui_helpers.wait(0.2)
+
+    def test_it_cures_and_tells(self):
+        panel = self.panel(commands.Cure, self.given, self.part)
+        panel.options.more.setChecked(True)
+        self.apply(panel)
+        self.assertEqual(panel.said, "")
+        told = panel.certificate.text.text()
+        self.assertIn(" von ", told)
+        self.assertNotIn("veraltet", told)
+        self.assertNotRegex(told, r"\bmm\b|µm")
+        for text in test_language.shown_texts(panel.form):
+            self.assertIsNone(test_language.ENGLISH.search(text), text)
+        self.narrow(panel, "panel_cure_nested_de_inches")
+        panel.reject()
+        obj = next(obj for obj in self.document.Objects if "GivenInvalid" in obj.PropertiesList)
+        self.assertEqual(obj.Status, "up to date")
+        self.assertEqual(mq.certify(obj, self.part).invalid, 0)
+        self.assertLess(mq.certify(obj, self.part).max_deviation, 0.1)
+
+    def test_its_quality(self):
+        self.given.addProperty("App::PropertyLink", "Part")
+        self.given.Part = self.part
+        panel = quality_panel.open_panel(self.given)
+        self.addCleanup(lambda: panel.ended or panel.reject())
+        self.until(lambda: panel.values is not None)
+        for text in test_language.shown_texts(panel.form):
+            self.assertIsNone(test_language.ENGLISH.search(text), text)
+        self.assertNotRegex(panel.summary.text(), r"\bmm\b|µm")
+        self.narrow(panel, "quality_given_nested_de_inches")
 
 
 class Quality(CureTest):
