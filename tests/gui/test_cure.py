@@ -133,6 +133,8 @@ class Nested(CureTest):
         for text in test_language.shown_texts(panel.form):
             self.assertIsNone(test_language.ENGLISH.search(text), text)
         self.narrow(panel, "panel_cure_nested_de_inches")
+        gui_helpers.wait(0.3)
+        gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "window_cure_nested_de_inches.png"))
         panel.reject()
         obj = next(obj for obj in self.document.Objects if "GivenInvalid" in obj.PropertiesList)
         self.assertEqual(obj.Status, "up to date")
