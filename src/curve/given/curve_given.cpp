@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "curve/given/local_remeshing.h"
+#include "curve/volume/local_remeshing.h"
 #include "curve/given/matching.h"
 #include "curve/measuring.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
@@ -119,48 +119,6 @@ void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMes
     }
 }
 
-/// Invalid tetrahedra that are not on folded triangles of the surface.
-std::size_t repairable(const TetrahedralMesh& volume) {
-    const FoldedTriangles folded(volume.surface);
-    const auto& all = volume.tetrahedra;
-    return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Tetrahedron& t) {
-        return t.alive && !(t.quality > 0.0) && !folded.has_face_of(t.corners);
-    }));
-}
-
-/// Where tetrahedra stay invalid, fills ever larger cavities around them anew, with ever more vertices inside, and
-/// repairs again; each result is kept that has fewer of them.
-void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& surface, LocalRemeshing& done,
-                       Progress& progress) {
-    constexpr std::array<double, 3> kGradingFactors{1.0, 0.5, 0.2};
-    for (std::size_t i = 0; i < kGradingFactors.size(); ++i) {
-        const std::size_t before = repairable(*volume);
-        if (before == 0) {
-            return;
-        }
-        CurvedSurface kept = surface;
-        const std::vector<Tetrahedron> tetrahedra = volume->tetrahedra;
-        LocalRemeshing tried;
-        try {
-            volume.emplace(
-                remesh_invalid(*volume, surface, static_cast<int>(i) + 1, kGradingFactors[i], tried, progress));
-            repair_volume(*volume, progress, RepairScope::Invalid);
-            if (repairable(*volume) < before) {
-                done.cavities += tried.cavities;
-                continue;
-            }
-        } catch (const MeshingFailed&) {  // what was there before is as good
-        }
-        surface = std::move(kept);
-        volume.emplace(surface);
-        for (const Tetrahedron& t : tetrahedra) {
-            if (t.alive) {
-                volume->tetrahedra[static_cast<std::size_t>(volume->add(t.corners, t.volume))].quality = t.quality;
-            }
-        }
-    }
-}
-
 /// Says what was odd about the given tetrahedra.
 void note_faults(std::size_t turned, const MatchedMesh& matched, CurveReport& report) {
     const auto lost = std::count(matched.volume.begin(), matched.volume.end(), -1);
@@ -218,9 +176,10 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
         take_over_tetrahedra(volume, given, matched, placed, remeshing, watched, report);
         clock.end("filling");
         watched.stage("repairing the volume", 0.6, 0.95);
-        note(repair_volume(*volume, watched, RepairScope::Invalid), report);
-        remesh_and_repair(volume, surface, remeshing, watched);
-        report.repairs.emplace_back("cavities filled anew", remeshing.cavities);
+        VolumeRepairs repairs = repair_volume(*volume, watched, RepairScope::Invalid);
+        remesh_and_repair(volume, surface, RepairScope::Invalid, remeshing, watched);
+        repairs.cavities = static_cast<int>(remeshing.cavities);
+        note(repairs, report);
         clock.end("repairing the volume");
     }
     std::vector<int> number;

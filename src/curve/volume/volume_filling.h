@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,24 +14,15 @@ namespace mq::curve {
 /// The inside of a model, curved and repaired.
 struct FilledTetrahedralMesh {
     TetrahedralMesh volume;
-    VolumeRepairs repairs;           ///< repairs of the filling that was kept
-    int fillings = 1;                ///< fillings that were tried
-    std::vector<std::string> notes;  ///< that the solids were filled again, and with which result
+    VolumeRepairs repairs;
+    std::vector<std::string> notes;  ///< which solids were filled by our own mesher
 };
 
 /// Fills the solids and repairs their tetrahedra. Where some stay invalid, mostly since they reach from one side of the
-/// surface to the other, the solids are filled again with more vertices inside, unless all of them lie on invalid
-/// triangles of the surface. The filling with fewest invalid tetrahedra is kept, among equal ones the first; the search
-/// ends with a filling that fails or is no better than the one before.
-/// @param surface gets the vertices and shapes of the filling that is kept.
-/// @throws MeshingFailed, GeometryError where the first filling fails; Cancelled.
+/// surface to the other, the cavities around them are filled again with more vertices inside (remesh_and_repair).
+/// @param surface gets the vertices and shapes inside.
+/// @throws MeshingFailed, GeometryError where the filling fails; Cancelled.
 FilledTetrahedralMesh fill_and_repair(CurvedSurface& surface, const geometry::Topology& topology, Progress& progress,
                                       StageClock& clock);
-
-/// Maps the surface without a vertex inside, and the factor of the usual grading (see fill()), to the volume in it.
-using Filler = std::function<FilledTetrahedralMesh(CurvedSurface&, double)>;
-
-/// The same as fill_and_repair with any filler.
-FilledTetrahedralMesh best_filling(CurvedSurface& surface, const Filler& filler);
 
 }  // namespace mq::curve
