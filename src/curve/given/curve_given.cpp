@@ -10,10 +10,10 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "curve/volume/local_remeshing.h"
 #include "curve/given/matching.h"
 #include "curve/measuring.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/remeshing/local_remeshing.h"
 #include "curve/volume/straighten.h"
 
 namespace mq::curve {

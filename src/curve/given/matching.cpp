@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "curve/given/edge_discretisation.h"
 #include "curve/given/face_matching.h"
+#include "curve/volume/tetrahedral_mesh.h"
 
 namespace mq::curve {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/local_remeshing.h"
+#include "curve/volume/remeshing/local_remeshing.h"
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,6 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
-#include "curve/given/given_mesh.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 
 namespace mq::curve {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/local_remeshing.h"
+#include "curve/volume/remeshing/local_remeshing.h"
 
 #include <gtest/gtest.h>
 

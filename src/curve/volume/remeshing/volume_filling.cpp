@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/volume_filling.h"
+#include "curve/volume/remeshing/volume_filling.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "curve/volume/local_remeshing.h"
+#include "curve/volume/remeshing/local_remeshing.h"
 
 namespace mq::curve {
 
 FilledTetrahedralMesh fill_and_repair(CurvedSurface& surface, const geometry::Topology& topology, Progress& progress,
                                       StageClock& clock) {
-    constexpr double kUsualGrading = 1.0;
     progress.stage("filling", 0.5, 0.6);
-    std::optional<TetrahedralMesh> volume(fill_solids(surface, topology, kUsualGrading, progress));
+    std::optional<TetrahedralMesh> volume(fill_solids(surface, topology, progress));
     std::vector<std::string> notes;
     for (const std::string& solid : volume->filled_by_own_mesher) {
         notes.push_back("filled by our own mesher, as Netgen failed: " + solid);
