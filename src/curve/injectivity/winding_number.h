@@ -12,10 +12,10 @@ namespace mq::curve {
 /// How often a closed surface of Bezier triangles goes round a point: 1 where the point is inside, seen from which the
 /// triangles turn the right way round, 0 outside.
 ///
-/// Each triangle is divided until the point is farther from the flat triangle between the corners of every piece than
+/// Each triangle is halved until the point is farther from the flat triangle between the corners of every piece than
 /// the piece bends. The surface then does not pass the point on its way to the flat one, whose solid angles
-/// (Van Oosterom and Strackee 1983) are summed. Edges are divided alike on both sides, so that the flat surface is
-/// closed.
+/// (Van Oosterom and Strackee 1983) are summed. Where an edge is halved, the triangle between it and the middle of its
+/// curve is added: so flat pieces of neighbours end in the same chords, however they are divided.
 /// @param patches  control points
 /// @param margin   mm, by which the point must be off the surface
 /// @return nothing where the point is nearer than that, or the surface is not closed
