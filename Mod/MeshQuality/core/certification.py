@@ -33,7 +33,8 @@ class MeshCertificate(metaclass=Public):
     invalid_elements  which these are: "tetrahedron 22 folded at (1, 2, 3) mm"
     min_distortion    the smallest proven lower bound of min J / max |J|, equation (3) of Dey, O'Bara, Shephard 1999
     distortion        float64 (E,) by block of the mesh: these bounds, in the order of its elements
-    conforming        whether no face has more than two elements, and no corner lies amid an edge or a face of another
+    conforming        whether no face has more than two elements, no volume element is there twice, and no corner lies amid an edge
+                      or a face of another
     oriented          whether neighbours are seen from the same side
     overlapping_bodies
                       pairs of bodies, which share no faces, that are proven to overlap: a point is inside of an element of each;
@@ -157,6 +158,7 @@ def certify(mesh, shape=None, progress=None, mesh_scale=1.0):
     _prove(mesh, found, progress)
     found.conforming, found.oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
     if mesh.dimension == 3:
+        _name_doubled(mesh, found)
         _find_overlaps(mesh, found, progress)
     _find_crossings(mesh.nodes, sides_of_surface(mesh), found, progress)
     order, surface = triangles_of_surface(mesh)
@@ -230,6 +232,14 @@ def _find_crossings(nodes, sides, found, progress):
         found.notes.append(f"{given_up:,} of these pairs were not compared to the end, as where bodies lie on each other")
 
 
+def _name_doubled(mesh, found):
+    twice = conformity.doubled(bodies.solids(mesh.blocks))
+    if twice:
+        kind, first, second = twice[0]
+        more = f", and {len(twice) - 1:,} more pairs likewise" if len(twice) > 1 else ""
+        found.notes.append(f"{kinds.PLURALS[kind]} {first} and {second} have the same corners{more}: take one of them out of the mesh")
+
+
 def _middle(nodes, sides, number):
     """The middle of a side by its corners."""
     for kind, _, rows in sides:
@@ -257,7 +267,7 @@ def _measure(mesh, order, surface, shape, found, progress):
     if surface is None:
         found.notes.append("the surface was not measured against the shape: it is not of triangles of one order")
         return
-    if _between_solids(mesh, surface[:, :3]):
+    if _between_solids(mesh):
         found.notes.append("the surface was not measured against the shape: there are triangles between solids of the mesh")
         return
     try:
@@ -312,11 +322,13 @@ def _measure_from_cad(mesh, order, surface, shape, found, progress):
                            f"{found.cad_deviation:.3g} mm from it at ({x:.4g}, {y:.4g}, {z:.4g}) mm")
 
 
-def _between_solids(mesh, surface):
-    """Whether a mesh with volume elements has triangles of its own inside."""
+def _between_solids(mesh):
+    """Whether triangles that a mesh lists beside its volume elements are faces of two of them."""
     given = [block.nodes[:, :3] for block in mesh.blocks if block.kind == "triangle"]
     if mesh.dimension < 3 or not given:
         return False
-    outside = np.unique(np.sort(surface, axis=1), axis=0)
-    both = np.unique(np.concatenate([outside, np.sort(np.concatenate(given), axis=1)]), axis=0)
-    return len(both) > len(outside)
+    faces = [block.nodes[:, list(face)] for block in bodies.solids(mesh.blocks) for face in kinds.FACES[block.kind] if len(face) == 3]
+    faces, counts = np.unique(np.sort(np.concatenate(faces), axis=1), axis=0, return_counts=True) if faces \
+        else (np.empty((0, 3)), np.empty(0))
+    inner, listed = faces[counts == 2], np.unique(np.sort(np.concatenate(given), axis=1), axis=0)
+    return len(np.unique(np.concatenate([inner, listed]), axis=0)) < len(inner) + len(listed)

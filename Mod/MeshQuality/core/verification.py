@@ -274,8 +274,11 @@ def _check_conformity(mesh, blocks, proven, found):
     """Faces counted once more, by their corners, with the way round them."""
     dimension, oriented = mesh.dimension, True
     conforming = not hanging.hangs(blocks, mesh.nodes)
-    seen = {}
+    seen, whole = {}, set()
     for block in blocks:
+        for corners in block.nodes[:, :kinds.CORNERS[block.kind]].tolist() if dimension == 3 else ():
+            conforming = conforming and frozenset(corners) not in whole
+            whole.add(frozenset(corners))
         sides = kinds.FACES[block.kind] if dimension == 3 else kinds.EDGES[block.kind]
         for side in sides:
             for corners in block.nodes[:, list(side)].tolist():
