@@ -82,7 +82,7 @@ std::tuple<PairList, PairList, PairList, std::size_t> crossings(const PointArray
     return {std::move(crossing), std::move(found.not_proven), std::move(found.touching), found.given_up};
 }
 
-using Solids = std::vector<std::tuple<std::string, Rows, std::vector<std::tuple<std::string, int, Rows>>>>;
+using Solids = std::vector<std::tuple<std::string, int, Rows, std::vector<std::tuple<std::string, int, Rows>>>>;
 
 std::vector<std::tuple<std::int32_t, std::int32_t, std::array<double, 3>>> common_points(const PointArray& nodes,
                                                                                          const Solids& solids,
@@ -91,10 +91,10 @@ std::vector<std::tuple<std::int32_t, std::int32_t, std::array<double, 3>>> commo
     const std::vector<Vec3> points = points_of(nodes);
     const std::vector<std::int32_t> bodies(body.data(), body.data() + body.size());
     std::vector<curve::SolidBlock> blocks;
-    for (const auto& [kind, rows, faces] : solids) {
-        curve::SolidBlock block{curve::element_kind(kind), static_cast<int>(rows.shape(1)), flat(rows), {}};
-        for (const auto& [face_kind, order, local] : faces) {
-            block.faces.push_back({curve::element_kind(face_kind), order, flat(local)});
+    for (const auto& [kind, order, rows, faces] : solids) {
+        curve::SolidBlock block{curve::element_kind(kind), order, static_cast<int>(rows.shape(1)), flat(rows), {}};
+        for (const auto& [face_kind, face_order, local] : faces) {
+            block.faces.push_back({curve::element_kind(face_kind), face_order, flat(local)});
         }
         blocks.push_back(std::move(block));
     }

@@ -251,7 +251,7 @@ def _middle(nodes, sides, number):
 
 def _find_overlaps(mesh, found, progress):
     whole = bodies.solids(mesh.blocks)
-    solids = [(block.kind, block.nodes, [(kind, block.order, local[None]) for kind, local in
+    solids = [(block.kind, block.order, block.nodes, [(kind, block.order, local[None]) for kind, local in
                                          kinds.faces_of(block.kind, block.nodes.shape[1])]) for block in whole]
     found._overlaps = extension().common_points(mesh.nodes, solids, bodies.of_elements(whole), progress)
     found.overlapping_bodies = len(found._overlaps)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curve/injectivity/common_points.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,33 +11,15 @@
 #include <utility>
 
 #include "base/error.h"
+#include "curve/elements/element_derivatives.h"
+#include "curve/elements/node_cells.h"
 #include "curve/injectivity/winding_number.h"
+#include "curve/mixed/node_table.h"
 #include "mesh/intersection/aabb_tree.h"
 
 namespace mq::curve {
 
 namespace {
-
-using Tetrahedron = std::array<int, 4>;
-
-/// Tetrahedra between the corners of an element.
-const std::vector<Tetrahedron>& division(ElementKind kind) {
-    static const std::vector<Tetrahedron> tetrahedron{{0, 1, 2, 3}};
-    static const std::vector<Tetrahedron> pyramid{{0, 1, 2, 4}, {0, 2, 3, 4}};
-    static const std::vector<Tetrahedron> prism{{0, 1, 2, 5}, {0, 1, 5, 4}, {0, 4, 5, 3}};
-    static const std::vector<Tetrahedron> hexahedron{{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6},
-                                                     {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
-    switch (kind) {
-        case ElementKind::Tetrahedron:
-            return tetrahedron;
-        case ElementKind::Pyramid:
-            return pyramid;
-        case ElementKind::Prism:
-            return prism;
-        default:
-            return hexahedron;
-    }
-}
 
 /// A plane whose normal has length 1: points before it have normal . p <= offset.
 struct Plane {
@@ -130,9 +112,13 @@ class Elements {
 
     /// A point that is proven to be inside of both.
     std::optional<Vec3> common_point(std::int32_t a, std::int32_t b) const {
-        for (const Tetrahedron& first : division(block(a).kind)) {
-            for (const Tetrahedron& second : division(block(b).kind)) {
-                const std::optional<Vec3> point = middle_in_common(corners(a, first), corners(b, second), depth_);
+        const std::vector<Cell> others = cells(b, box(a));
+        for (const Cell& first : cells(a, box(b))) {
+            for (const Cell& second : others) {
+                if (!overlap(first.box, second.box)) {
+                    continue;
+                }
+                const std::optional<Vec3> point = middle_in_common(first.corners, second.corners, depth_);
                 if (point && has_inside(a, *point) && has_inside(b, *point)) {
                     return *point + all_.center();
                 }
@@ -142,6 +128,11 @@ class Elements {
     }
 
   private:
+    struct Cell {
+        std::array<Vec3, 4> corners;
+        Box box;
+    };
+
     void add_box(const std::int32_t* element, std::size_t per) {
         Box box;
         for (std::size_t i = 0; i < per; ++i) {
@@ -165,8 +156,51 @@ class Elements {
         const auto at = place_[static_cast<std::size_t>(e)].second + static_cast<std::size_t>(i);
         return nodes_[static_cast<std::size_t>(block(e).nodes[at])] - all_.center();
     }
-    std::array<Vec3, 4> corners(std::int32_t e, const Tetrahedron& part) const {
-        return {node(e, part[0]), node(e, part[1]), node(e, part[2]), node(e, part[3])};
+    Box box(std::int32_t e) const {
+        Box found;
+        for (std::int32_t i = 0; i < block(e).nodes_per_element; ++i) {
+            found.add(node(e, i));
+        }
+        return found;
+    }
+    /// Whether boxes have more in common than what touches.
+    bool overlap(const Box& a, const Box& b) const {
+        return (a.high.cwiseMin(b.high) - a.low.cwiseMax(b.low)).minCoeff() > depth_;
+    }
+    /// The tetrahedra of an element that are partly in a box. Sides of elements of order 1 may be curved, too.
+    std::vector<Cell> cells(std::int32_t e, const Box& within) const {
+        const SolidBlock& of = block(e);
+        std::vector<Vec3> own;
+        for (std::int32_t i = 0; i < of.nodes_per_element; ++i) {
+            own.push_back(node(e, i));
+        }
+        int order = of.order;
+        own = all_nodes(of.kind, order, own);
+        if (order == 1 && of.kind != ElementKind::Tetrahedron) {
+            order = 2;
+            own = of_corners(own, corner_weights(of.kind, order));
+        }
+        std::vector<Cell> found;
+        for (const std::array<int, 4>& part : node_cells(of.kind, order)) {
+            Cell cell;
+            for (std::size_t k = 0; k < 4; ++k) {
+                cell.corners[k] = own[static_cast<std::size_t>(part[k])];
+                cell.box.add(cell.corners[k]);
+            }
+            if (overlap(cell.box, within)) {
+                found.push_back(cell);
+            }
+        }
+        return found;
+    }
+    static std::vector<Vec3> of_corners(const std::vector<Vec3>& corners, const Eigen::MatrixXd& weights) {
+        std::vector<Vec3> found(static_cast<std::size_t>(weights.rows()), Vec3::Zero());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                found[i] += weights(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) * corners[k];
+            }
+        }
+        return found;
     }
     bool has_inside(std::int32_t e, const Vec3& point) const {
         std::vector<Vec3> nodes;

@@ -21,6 +21,7 @@ struct SolidBlock {
         std::vector<std::int32_t> nodes;
     };
     ElementKind kind = ElementKind::Tetrahedron;
+    int order = 1;
     int nodes_per_element = 4;
     std::vector<std::int32_t> nodes;
     std::vector<Face> faces;
@@ -35,10 +36,9 @@ struct CommonPoint {
 /// Bodies of a mesh that overlap: for two of them one point at most, which is proven to be inside of an element of
 /// each.
 ///
-/// Elements whose boxes meet are divided into tetrahedra between their corners; where two of these have more than a
+/// Elements whose boxes meet are divided into tetrahedra between their nodes; where two of these have more than a
 /// point, an edge or a face in common, the middle of what they have in common is tried. The proof is the winding number
-/// of the faces of each element. Bodies that are in one another by less than `kTouching` of the mesh's size, or only
-/// where their elements are curved, are not looked for: their surfaces are not proven apart.
+/// of the faces of each element. What is in one another by less than `kTouching` of the mesh's size does not count.
 /// @param body  by element, numbered from block to block
 /// @throws InvalidInput where the numbers do not fit together; Cancelled
 std::vector<CommonPoint> common_points(const std::vector<Vec3>& nodes, const std::vector<SolidBlock>& blocks,

@@ -30,7 +30,7 @@ def of_blocks(blocks, nodes):
         sides = [block.nodes[:, list(face)] for block in whole for face in kinds.FACES[block.kind] if len(face) == corners]
         if sides:
             counts, turns = _counted(np.concatenate(sides))
-            conforming = conforming and bool(counts.max() <= 2)
+            conforming = conforming and bool(counts.max(initial=0) <= 2)
             oriented = oriented and not (turns[counts == 2] != 0).any()
     return conforming, oriented
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "base/error.h"
 #include "curve/injectivity/solid_blocks.h"
 
@@ -45,6 +48,41 @@ TEST(CommonPoints, AreOneForTwoBodies) {
     EXPECT_EQ(common_points(solids.nodes, solids.blocks, {0, 0, 2, 2}).size(), 1U);
     EXPECT_TRUE(common_points(solids.nodes, solids.blocks, {0, 0, 0, 0}).empty());
     EXPECT_EQ(common_points(solids.nodes, solids.blocks, {0, 1, 2, 3}).size(), 6U);
+}
+
+TEST(CommonPoints, FindABulgeIntoANeighbourOfTheSameRim) {
+    // Sides with the same corners and edges: nothing pierces anything.
+    for (const double bulge : {0.25, 1e-5, -0.25}) {
+        LooseSolids solids;
+        solids.add(ElementKind::Hexahedron, Vec3::Zero());
+        solids.add(ElementKind::Hexahedron, {1, 0, 0});
+        SolidBlock& second = solids.blocks[1];
+        second.order = 2;
+        second.nodes.clear();
+        for (const GridPoint& p : gmsh_nodes(ElementKind::Hexahedron, 2)) {
+            const bool middle = p[0] == 0 && p[1] == 1 && p[2] == 1;
+            second.nodes.push_back(static_cast<std::int32_t>(solids.nodes.size()));
+            solids.nodes.emplace_back(1.0 + 0.5 * p[0] - (middle ? bulge : 0.0), 0.5 * p[1], 0.5 * p[2]);
+        }
+        second.nodes_per_element = 27;
+        second.faces.clear();
+        const std::vector<GridPoint> all = gmsh_nodes(ElementKind::Hexahedron, 2);
+        for (const std::vector<std::size_t>& corners : sides_of(ElementKind::Hexahedron).faces) {
+            SolidBlock::Face face{ElementKind::Quadrilateral, 2, {}};
+            for (const GridPoint& p : gmsh_nodes(ElementKind::Quadrilateral, 2)) {
+                GridPoint wanted{};
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const auto at = [&](std::size_t c) { return all[corners[c]][k]; };
+                    wanted[k] = at(0) + p[0] * (at(1) - at(0)) / 2 + p[1] * (at(3) - at(0)) / 2;
+                }
+                face.nodes.push_back(
+                    static_cast<std::int32_t>(std::find(all.begin(), all.end(), wanted) - all.begin()));
+            }
+            second.faces.push_back(face);
+        }
+        const std::vector<CommonPoint> found = common_points(solids.nodes, solids.blocks, solids.bodies());
+        EXPECT_EQ(found.size(), bulge > 0.0 ? 1U : 0U) << bulge;
+    }
 }
 
 TEST(CommonPoints, RefuseWhatDoesNotFit) {
