@@ -33,7 +33,7 @@ class MeshCertificate(metaclass=Public):
     invalid_elements  which these are: "tetrahedron 22 folded at (1, 2, 3) mm"
     min_distortion    the smallest proven lower bound of min J / max |J|, equation (3) of Dey, O'Bara, Shephard 1999
     distortion        float64 (E,) by block of the mesh: these bounds, in the order of its elements
-    conforming        whether no face has more than two elements, no volume element is there twice, and no corner lies amid an edge
+    conforming        whether no face has more than two elements, no element is there twice, and no corner lies amid an edge
                       or a face of another
     oriented          whether neighbours are seen from the same side
     overlapping_bodies
@@ -157,8 +157,8 @@ def certify(mesh, shape=None, progress=None, mesh_scale=1.0):
     found.notes += mesh.faults
     _prove(mesh, found, progress)
     found.conforming, found.oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
+    _name_doubled(mesh, found)
     if mesh.dimension == 3:
-        _name_doubled(mesh, found)
         _find_overlaps(mesh, found, progress)
     _find_crossings(mesh.nodes, sides_of_surface(mesh), found, progress)
     order, surface = triangles_of_surface(mesh)
@@ -184,6 +184,8 @@ def _prove(mesh, found, progress):
     highest = mesh.dimension
     if highest < 2:
         raise InvalidInput("the mesh has lines only: nothing of it can be certified")
+    if not any(len(block.nodes) for block in mesh.blocks if kinds.DIMENSION[block.kind] == highest):
+        raise InvalidInput("the mesh has no elements: nothing of it can be certified")
     parts = []
     for block in mesh.blocks:
         if kinds.DIMENSION[block.kind] < highest:
@@ -233,7 +235,7 @@ def _find_crossings(nodes, sides, found, progress):
 
 
 def _name_doubled(mesh, found):
-    twice = conformity.doubled(bodies.solids(mesh.blocks))
+    twice = conformity.doubled([block for block in mesh.blocks if kinds.DIMENSION[block.kind] == mesh.dimension])
     if twice:
         kind, first, second = twice[0]
         more = f", and {len(twice) - 1:,} more pairs likewise" if len(twice) > 1 else ""

@@ -276,9 +276,11 @@ def _check_conformity(mesh, blocks, proven, found):
     conforming = not hanging.hangs(blocks, mesh.nodes)
     seen, whole = {}, set()
     for block in blocks:
-        for corners in block.nodes[:, :kinds.CORNERS[block.kind]].tolist() if dimension == 3 else ():
-            conforming = conforming and frozenset(corners) not in whole
-            whole.add(frozenset(corners))
+        for corners in block.nodes[:, :kinds.CORNERS[block.kind]].tolist():
+            first = corners.index(min(corners))
+            corners = frozenset(corners) if dimension == 3 else (*corners[first:], *corners[:first])
+            conforming = conforming and corners not in whole
+            whole.add(corners)
         sides = kinds.FACES[block.kind] if dimension == 3 else kinds.EDGES[block.kind]
         for side in sides:
             for corners in block.nodes[:, list(side)].tolist():

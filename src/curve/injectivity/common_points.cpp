@@ -13,8 +13,8 @@
 #include "base/error.h"
 #include "curve/elements/element_derivatives.h"
 #include "curve/elements/node_cells.h"
+#include "curve/elements/reference_nodes.h"
 #include "curve/injectivity/winding_number.h"
-#include "curve/mixed/node_table.h"
 #include "mesh/intersection/aabb_tree.h"
 
 namespace mq::curve {
@@ -178,7 +178,7 @@ class Elements {
         own = all_nodes(of.kind, order, own);
         if (order == 1 && of.kind != ElementKind::Tetrahedron) {
             order = 2;
-            own = of_corners(own, corner_weights(of.kind, order));
+            own = of_corners(of.kind, own);
         }
         std::vector<Cell> found;
         for (const std::array<int, 4>& part : node_cells(of.kind, order)) {
@@ -193,12 +193,23 @@ class Elements {
         }
         return found;
     }
-    static std::vector<Vec3> of_corners(const std::vector<Vec3>& corners, const Eigen::MatrixXd& weights) {
-        std::vector<Vec3> found(static_cast<std::size_t>(weights.rows()), Vec3::Zero());
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            for (std::size_t k = 0; k < corners.size(); ++k) {
-                found[i] += weights(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) * corners[k];
+    /// The nodes of order 2 of an element of order 1: each the mean of the corners that lie symmetrically about it.
+    static std::vector<Vec3> of_corners(ElementKind kind, const std::vector<Vec3>& corners) {
+        const std::vector<GridPoint> places = gmsh_nodes(kind, 2);
+        const auto end = places.begin() + static_cast<std::ptrdiff_t>(corners.size());
+        std::vector<Vec3> found;
+        for (const GridPoint& p : places) {
+            Vec3 sum = Vec3::Zero();
+            int count = 0;
+            for (std::size_t c = 0; c < corners.size(); ++c) {
+                const GridPoint& q = places[c];
+                if (std::find(places.begin(), end, GridPoint{2 * p[0] - q[0], 2 * p[1] - q[1], 2 * p[2] - q[2]}) !=
+                    end) {
+                    sum += corners[c];
+                    ++count;
+                }
             }
+            found.emplace_back(sum / count);
         }
         return found;
     }

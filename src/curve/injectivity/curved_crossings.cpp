@@ -66,9 +66,9 @@ std::vector<PatchVerdict> verdicts(const SurfacePatches& patches, const Pair* pa
 }
 
 /// What was found, by sides: where a side has two patches, pairs of these that differ are one.
-class Findings {
+class PairsOfSides {
   public:
-    explicit Findings(const SurfacePatches& patches) : patches_(patches) {}
+    explicit PairsOfSides(const SurfacePatches& patches) : patches_(patches) {}
 
     void add(const Pair& pair, const PatchVerdict& verdict, bool given_up) {
         const std::int32_t a = patches_.side(pair[0]);
@@ -129,8 +129,8 @@ class Findings {
 };
 
 /// Compares the pairs that a few comparisons of pieces decide. @return the others
-std::vector<Pair> compare_quickly(const SurfacePatches& patches, const std::vector<Pair>& pairs, Findings& findings,
-                                  Progress* progress) {
+std::vector<Pair> compare_quickly(const SurfacePatches& patches, const std::vector<Pair>& pairs,
+                                  PairsOfSides& pairs_of_sides, Progress* progress) {
     // Pieces of a pair: nearly all pairs need fewer.
     constexpr int kFew = 48;
     // Pairs of one task, a few hundred microseconds of work, and between two reports of the progress.
@@ -144,7 +144,7 @@ std::vector<Pair> compare_quickly(const SurfacePatches& patches, const std::vect
             if (found[i].contact == PatchContact::NotProven && found[i].looked_at >= kFew) {
                 left.push_back(pairs[round + i]);
             } else {
-                findings.add(pairs[round + i], found[i], false);
+                pairs_of_sides.add(pairs[round + i], found[i], false);
             }
         }
         if (progress != nullptr) {
@@ -158,8 +158,8 @@ std::vector<Pair> compare_quickly(const SurfacePatches& patches, const std::vect
 
 CurvedCrossings curved_crossings(const SurfacePatches& patches, Progress* progress, const CrossingEffort& effort) {
     const std::vector<Pair> pairs = candidates(patches, progress);
-    Findings findings(patches);
-    const std::vector<Pair> left = compare_quickly(patches, pairs, findings, progress);
+    PairsOfSides pairs_of_sides(patches);
+    const std::vector<Pair> left = compare_quickly(patches, pairs, pairs_of_sides, progress);
     // What is left of the effort must not depend on the number of threads: it is looked at between rounds.
     constexpr std::size_t kInRound = 32;
     const std::size_t most = effort.base + effort.for_each_triangle * patches.size();
@@ -172,13 +172,13 @@ CurvedCrossings curved_crossings(const SurfacePatches& patches, Progress* progre
                      : verdicts(patches, left.data() + round, count, kMostPiecePairs, 1, progress);
         for (std::size_t i = 0; i < count; ++i) {
             looked_at += static_cast<std::size_t>(found[i].looked_at);
-            findings.add(left[round + i], found[i], given_up);
+            pairs_of_sides.add(left[round + i], found[i], given_up);
         }
         if (progress != nullptr) {
             progress->advance(0.5 + 0.5 * static_cast<double>(round + count) / static_cast<double>(left.size()));
         }
     }
-    CurvedCrossings result = findings.result();
+    CurvedCrossings result = pairs_of_sides.result();
     result.compared = pairs.size() - patches.size();
     return result;
 }

@@ -66,7 +66,7 @@ std::pair<int, int> longest_edge_of(const std::array<Vec3, 3>& corners) {
 /// edge's own decides, so that it is the opposite for the neighbour. Its tip is out of the plane of the triangle, which
 /// points between the edge and its curve often lie in.
 std::optional<double> angle_of_gap(const Vec3& from, const Vec3& to, const Vec3& middle, const Vec3& point) {
-    constexpr double kOut = 0.1;  // of the height, so that the tip is as near to the edge as the middle is
+    constexpr double kOut = 0.1;  // share of the height, so that the tip is as near to the edge as the middle is
     const Vec3 tip =
         (from + to + middle) / 3.0 + kOut * (middle - 0.5 * (from + to)).norm() * Vec3(0.61, 0.37, 0.7).normalized();
     double sum = 0.0;

@@ -563,7 +563,7 @@ class MixedCurving {
     std::vector<Vec3> nodes_;
     std::vector<char> fixed_;
     std::vector<double> quality_;
-    std::vector<double> straight_quality_;  // of elements that were invalid when they were to be straightened
+    std::vector<double> straight_quality_;  // by element, where it was invalid
 };
 
 }  // namespace
