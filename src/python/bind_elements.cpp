@@ -72,7 +72,7 @@ std::tuple<PairList, PairList, PairList, std::size_t> crossings(const PointArray
         blocks.push_back({curve::element_kind(kind), order, static_cast<int>(rows.shape(1)), flat(rows)});
     }
     curve::CurvedCrossings found = watch(progress, [&](Progress& handle) {
-        handle.stage("comparing curved sides", 0.0, 1.0);
+        handle.stage("comparing curved triangles", 0.0, 1.0);
         return curve::curved_crossings(curve::SurfacePatches(points, blocks), &handle);
     });
     PairList crossing;
@@ -99,7 +99,7 @@ std::vector<std::tuple<std::int32_t, std::int32_t, std::array<double, 3>>> commo
         blocks.push_back(std::move(block));
     }
     const std::vector<curve::CommonPoint> found = watch(progress, [&](Progress& handle) {
-        handle.stage("looking for bodies in one another", 0.0, 1.0);
+        handle.stage("checking elements", 0.0, 1.0);
         return curve::common_points(points, blocks, bodies, &handle);
     });
     std::vector<std::tuple<std::int32_t, std::int32_t, std::array<double, 3>>> listed;
