@@ -99,6 +99,18 @@ void compare(const GivenMesh& given, CurvedMesh& mesh, CurveReport& report) {
     report.repairs.emplace_back("elements in their place", static_cast<std::size_t>(fresh));
 }
 
+/// Nodes that bodies got of their own have the numbers of those that they are copies of.
+void name_given_nodes(const std::vector<int>& given_node, CurvedMesh& mesh) {
+    for (std::int32_t& node : mesh.given_node) {
+        node = node < 0 ? node : given_node[static_cast<std::size_t>(node)];
+    }
+    for (std::int32_t& node : mesh.moved_nodes) {
+        node = given_node[static_cast<std::size_t>(node)];
+    }
+    std::sort(mesh.moved_nodes.begin(), mesh.moved_nodes.end());
+    mesh.moved_nodes.erase(std::unique(mesh.moved_nodes.begin(), mesh.moved_nodes.end()), mesh.moved_nodes.end());
+}
+
 /// The given tetrahedra in the repaired surface. Where the cavities at what was changed cannot be filled, the surface
 /// stays as it was placed.
 void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& given, MatchedMesh& matched,
@@ -197,7 +209,7 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
 
     geometry::Session session(engine, model, &watched);
     watched.stage("classifying", 0.0, 0.2);
-    MatchedMesh matched = match(session, given, options.order);
+    MatchedMesh matched = match_bodies(session, given, options.order);
     CurvedSurface& surface = matched.surface;
     clock.end("classifying");
     watched.stage("curving the surface", 0.2, 0.4);
@@ -228,6 +240,7 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
                                  options.straighten, report, watched, &number);
     result.given_node = given_nodes(matched.vertex_of_node, number, result.vertices);
     compare(given, result, report);
+    name_given_nodes(matched.given_node, result);
     note_faults(turned, matched, report);
     clock.end("measuring");
     report.cpu_seconds = cpu_seconds() - start;
