@@ -14,6 +14,9 @@ namespace {
 using geometry::Answer;
 using geometry::Query;
 
+/// A difference of arc lengths that is rounding, as a fraction of the length.
+constexpr double kSameLength = 1e-9;
+
 /// Sum of squared steps, 1 when all are equal and on a line: grows with length and with unevenness.
 double unevenness(const Vec3& from, const std::vector<Vec3>& inner, const Vec3& to) {
     double sum = 0.0;
@@ -153,13 +156,14 @@ std::vector<Answer> Placement::at_even_lengths(const std::vector<EdgeTask>& task
             auto& [low, high] = between[i];
             (more > 0.0 ? low : high) = points[i].t;
             double t = points[i].t + (speed > 0.0 ? sense * more / speed : 0.0);
-            if (more != 0.0 && !((t - low) * sense > 0.0 && (high - t) * sense > 0.0)) {
+            const double whole_range = std::abs(s.t_high - s.t_low);
+            const bool there_already = std::abs(more) <= kSameLength * whole;
+            if (!there_already && !((t - low) * sense > 0.0 && (high - t) * sense > 0.0)) {
                 t = 0.5 * (low + high);
-                left = std::abs(high - low) > SurfaceTuning::kEvenEnough * std::abs(s.t_high - s.t_low)
-                           ? SurfaceTuning::kArcRounds + 1
-                           : left;
+                left = std::abs(high - low) > SurfaceTuning::kEvenEnough * whole_range ? SurfaceTuning::kArcRounds + 1
+                                                                                       : left;
             }
-            if (std::abs(t - points[i].t) >= 1e-9 * std::abs(s.t_high - s.t_low)) {
+            if (!there_already && std::abs(t - points[i].t) >= 1e-9 * whole_range) {
                 moving.push_back(i);
             }
             points[i].t = t;
