@@ -5,6 +5,8 @@
 
 #include <set>
 
+#include "curve/volume/tetrahedral_mesh.h"
+
 namespace mq::curve {
 namespace {
 
