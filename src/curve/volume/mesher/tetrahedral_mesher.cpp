@@ -8,7 +8,7 @@
 namespace mq::curve {
 
 TetrahedralFilling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                        double grading_factor, const Progress& progress) {
+                        double grading_factor, const Progress& progress, const EndTangents& tangents) {
     std::string why;
     try {
         return fill_by_netgen(points, triangles, grading_factor, progress);
@@ -16,7 +16,7 @@ TetrahedralFilling fill(const std::vector<Vec3>& points, const std::vector<std::
         why = error.what();
     }
     try {
-        TetrahedralFilling own = fill_surface(points, triangles, grading_factor, progress);
+        TetrahedralFilling own = fill_surface(points, triangles, grading_factor, progress, tangents);
         if (ends_at(triangles, own.tetrahedra)) {
             own.netgen_fault = why;
             return own;

@@ -12,6 +12,6 @@ namespace mq::curve {
 /// growth; the smaller the factor, the more vertices lie inside.
 /// @throws MeshingFailed when both fail, IoError when Netgen cannot be started; Cancelled.
 TetrahedralFilling fill(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                        double grading_factor, const Progress& progress);
+                        double grading_factor, const Progress& progress, const EndTangents& tangents = {});
 
 }  // namespace mq::curve
