@@ -108,13 +108,12 @@ MESHERS = {"gmsh": meshed_by_gmsh, "netgen": meshed_by_netgen}
 
 
 def plain_deviation(shape, straight, order):
-    """Of curving without a mesh, from a straight mesh that is as far from the CAD; None where that is not known."""
+    """Of the surface curved without a mesh, from a straight one that is as far from the CAD; None where that is not known."""
     import MeshQuality as mq
 
     try:
         chord = mq.certify(straight, shape).max_deviation
-        volume = any(block.kind == "tetrahedron" for block in straight.blocks)
-        return mq.curve(shape, order=order, volume=volume, chord_height=chord).report.max_deviation if chord else None
+        return mq.curve(shape, order=order, chord_height=chord).report.max_deviation if chord else None
     except mq.Error:
         return None
 

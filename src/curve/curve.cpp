@@ -11,8 +11,8 @@
 #include "curve/measuring.h"
 #include "curve/surface/repair.h"
 #include "curve/surface/self_intersections.h"
+#include "curve/volume/remeshing/volume_filling.h"
 #include "curve/volume/straighten.h"
-#include "curve/volume/volume_filling.h"
 
 namespace mq::curve {
 

@@ -171,6 +171,7 @@ void note(const VolumeRepairs& repairs, CurveReport& report) {
     report.moved_vertices += static_cast<std::size_t>(repairs.relocations);
     report.repairs.emplace_back("vertices put into regions", repairs.splits);
     report.repairs.emplace_back("patches of tetrahedra curved inside", repairs.patches);
+    report.repairs.emplace_back("cavities filled anew", repairs.cavities);
 }
 
 CurvedMesh measured(SurfaceEditor& editor, const std::set<int>& straight_triangles, TetrahedralMesh* volume,

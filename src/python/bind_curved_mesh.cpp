@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "curve/injectivity/curved_crossings.h"
 #include "curve/output/curved_mesh.h"
 #include "curve/output/shape_distortion.h"
 #include "curve/output/tessellation.h"
@@ -97,22 +96,6 @@ py::array_t<double> measured_distortions(const CurvedMesh& mesh, const py::objec
     return py::array_t<double>(static_cast<py::ssize_t>(found.size()), found.data());
 }
 
-using PairList = std::vector<std::pair<std::int32_t, std::int32_t>>;
-
-/// The pairs that are proven to cross, those that are not proven to be apart, those that touch, and how many were given
-/// up.
-std::tuple<PairList, PairList, PairList, std::size_t> crossings_of(const CurvedMesh& mesh, const py::object& progress) {
-    curve::CurvedCrossings found = watch(progress, [&](Progress& handle) {
-        handle.stage("comparing curved triangles", 0.0, 1.0);
-        return curve::curved_crossings(mesh, &handle);
-    });
-    PairList crossing;
-    for (const curve::CurvedCrossings::Crossing& pair : found.crossing) {
-        crossing.emplace_back(pair.a, pair.b);
-    }
-    return {std::move(crossing), std::move(found.not_proven), std::move(found.touching), found.given_up};
-}
-
 std::shared_ptr<triangulate::Result> surface_of(const Tessellation& tessellation) {
     auto surface = std::make_shared<triangulate::Result>();
     surface->mesh = tessellation.mesh;
@@ -190,10 +173,6 @@ void bind_curved_mesh(py::module_& m) {
             py::arg("progress") = py::none(), "float64 (T,): upper bounds of the largest distortion, 1 is best.");
     cls.def("tetrahedron_distortions", &measured_distortions<curve::tetrahedron_distortions>,
             py::arg("progress") = py::none(), "float64 (E,): likewise.");
-    cls.def("curved_crossings", &crossings_of, py::arg("progress") = py::none(),
-            "Pairs of triangles that cross, those not proven to be apart, those that only touch, and how many of the "
-            "second "
-            "were not compared to the end; (i, i): a triangle that meets itself.");
     cls.def("tessellate", &tessellated, py::arg("deviation"), py::arg("progress") = py::none());
     cls.def("write", &write, py::arg("path"), py::arg("format"), py::arg("names"), py::arg("colours"), py::arg("patch"),
             py::arg("given"), py::arg("scale"), "As Surface.write.");

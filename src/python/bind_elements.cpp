@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
+#include <array>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "curve/elements/check_elements.h"
+#include "curve/injectivity/common_points.h"
+#include "curve/injectivity/curved_crossings.h"
 #include "curve/mixed/inner_nodes.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
@@ -46,6 +52,64 @@ py::tuple blending(const std::string& kind, int order) {
     return py::make_tuple(array_of(found.inner), array_of(weights));
 }
 
+using SideRows = std::vector<std::tuple<std::string, int, Rows>>;
+using PairList = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+std::vector<std::int32_t> flat(const Rows& rows) {
+    if (rows.ndim() != 2) {
+        throw InvalidInput("elements must be an array with the nodes of one in each row");
+    }
+    return {rows.data(), rows.data() + rows.size()};
+}
+
+/// The pairs that are proven to cross, those that are not proven to be apart, those that touch, and how many were given
+/// up.
+std::tuple<PairList, PairList, PairList, std::size_t> crossings(const PointArray& nodes, const SideRows& sides,
+                                                                const py::object& progress) {
+    const std::vector<Vec3> points = points_of(nodes);
+    std::vector<curve::SideBlock> blocks;
+    for (const auto& [kind, order, rows] : sides) {
+        blocks.push_back({curve::element_kind(kind), order, static_cast<int>(rows.shape(1)), flat(rows)});
+    }
+    curve::CurvedCrossings found = watch(progress, [&](Progress& handle) {
+        handle.stage("comparing curved triangles", 0.0, 1.0);
+        return curve::curved_crossings(curve::SurfacePatches(points, blocks), &handle);
+    });
+    PairList crossing;
+    for (const curve::CurvedCrossings::Crossing& pair : found.crossing) {
+        crossing.emplace_back(pair.a, pair.b);
+    }
+    return {std::move(crossing), std::move(found.not_proven), std::move(found.touching), found.given_up};
+}
+
+using Solids = std::vector<std::tuple<std::string, int, Rows, std::vector<std::tuple<std::string, int, Rows>>>>;
+
+std::vector<std::tuple<std::int32_t, std::int32_t, std::array<double, 3>>> common_points(const PointArray& nodes,
+                                                                                         const Solids& solids,
+                                                                                         const Rows& body,
+                                                                                         const py::object& progress) {
+    const std::vector<Vec3> points = points_of(nodes);
+    const std::vector<std::int32_t> bodies(body.data(), body.data() + body.size());
+    std::vector<curve::SolidBlock> blocks;
+    for (const auto& [kind, order, rows, faces] : solids) {
+        curve::SolidBlock block{curve::element_kind(kind), order, static_cast<int>(rows.shape(1)), flat(rows), {}};
+        for (const auto& [face_kind, face_order, local] : faces) {
+            block.faces.push_back({curve::element_kind(face_kind), face_order, flat(local)});
+        }
+        blocks.push_back(std::move(block));
+    }
+    const std::vector<curve::CommonPoint> found = watch(progress, [&](Progress& handle) {
+        handle.stage("checking elements", 0.0, 1.0);
+        return curve::common_points(points, blocks, bodies, &handle);
+    });
+    std::vector<std::tuple<std::int32_t, std::int32_t, std::array<double, 3>>> listed;
+    for (const curve::CommonPoint& common : found) {
+        listed.push_back(
+            {common.elements[0], common.elements[1], {common.point.x(), common.point.y(), common.point.z()}});
+    }
+    return listed;
+}
+
 }  // namespace
 
 void bind_elements(py::module_& m) {
@@ -56,6 +120,16 @@ void bind_elements(py::module_& m) {
           "connectivity: int32 (E, n) in Gmsh's order; raises InvalidInput.");
     m.def("blending", &blending, py::arg("kind"), py::arg("order"),
           "(inner nodes, weights of all nodes at each of them): those inside of an element from those on its sides.");
+    m.def(
+        "surface_crossings", &crossings, py::arg("nodes"), py::arg("sides"), py::arg("progress") = py::none(),
+        "Pairs of triangles and quadrilaterals that cross, those not proven to be apart, those that only touch, and "
+        "how many of the second were not compared to the end; (i, i): a side that meets itself. sides: [(kind, order, "
+        "int32 (F, n) in Gmsh's order)], numbered from one to the next.");
+    m.def("common_points", &common_points, py::arg("nodes"), py::arg("solids"), py::arg("body"),
+          py::arg("progress") = py::none(),
+          "[(element, element, point)]: for two bodies that overlap a point inside of both. solids: [(kind, int32 (E, "
+          "n), "
+          "[(kind of a face, order, int32 (1, m) nodes of an element)])]; body: by element.");
 }
 
 }  // namespace mq::python

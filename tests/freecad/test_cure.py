@@ -128,6 +128,23 @@ class Nested(CureTest):
         found["placed"].Placement = self.nested.Placement
         return found
 
+    def test_turned_by_a_quarter_about_the_middle_of_its_box(self):
+        """Both places have the same box: the nodes lie on the faces in one of them only."""
+        block = Part.makeBox(40, 40, 40).cut(Part.makeCylinder(5, 40, FreeCAD.Vector(10, 10, 0)))
+        part, container = self.part(block), self.document.addObject("App::Part", "Turned")
+        container.addObject(part)
+        container.Placement = FreeCAD.Placement(FreeCAD.Vector(), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 90), FreeCAD.Vector(20, 20, 20))
+        self.document.recompute()
+        there = block.copy()
+        there.Placement = container.Placement
+        for shape in (block, there):
+            given = self.given(part)
+            given.FemMesh = given_meshes.straight_mesh(shape, 12.0, ())
+            certificate = mq.certify(given, part)
+            self.assertIsNone(certificate.not_on_shape, str(certificate))
+            self.assertLess(certificate.max_deviation, 1.0)
+            self.assertLess(certificate.cad_deviation, 1.0)
+
     def test_the_cured_mesh_is_where_the_fem_workbench_looks(self):
         for name, given in self.meshes().items():
             with self.subTest(name):

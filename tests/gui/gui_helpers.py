@@ -33,6 +33,18 @@ def screen():
     return QtGui.QGuiApplication.primaryScreen().grabWindow(0).toImage()
 
 
+def wait_until_still():
+    """Lets the event loop run until the screen shows the same for half a second."""
+    before, end = None, time.monotonic() + LIMIT
+    while time.monotonic() < end:
+        wait(0.5)
+        now = screen()
+        if now == before:
+            return
+        before = now
+    raise AssertionError(f"the screen still changes after {LIMIT} s")
+
+
 def pixels_of(image):
     """A picture as (height, width, 3) numbers."""
     image = image.convertToFormat(QtGui.QImage.Format_RGB888)

@@ -3,14 +3,18 @@
 
 import importlib.util
 import os
+import shutil
 import sys
 import unittest
 
+import FreeCAD
 import FreeCADGui
 import given_meshes
 import gui_helpers
 import helpers
 import numpy as np
+import test_language
+import test_units
 from PySide import QtGui
 
 import MeshQuality as mq
@@ -21,6 +25,8 @@ sys.path.append(os.path.join(helpers.ROOT, "benchmarks"))
 import cantilever  # noqa: E402
 
 HAS_FEM = importlib.util.find_spec("Fem") is not None
+if HAS_FEM:
+    import FemGui
 FOLDED = (3, 40)
 MAGENTA = (255, 32, 255)  # of what lights up
 
@@ -65,6 +71,29 @@ class Command(CureTest):
         self.document.undo()
         self.assertEqual((self.document.Objects, analysis.Group), (objects, group))
 
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX (ccx) is not installed")
+    def test_the_window_of_fem_solves_on_it(self):
+        self.part.Shape = cantilever.beam()
+        self.given.FemMesh = given_meshes.straight_mesh(self.part.Shape, 6.0, FOLDED)
+        analysis = cantilever.add_analysis(self.part, "force")
+        analysis.addObject(self.given)
+        self.apply(self.panel(commands.Cure, self.given, self.part))
+        FreeCADGui.Control.closeDialog()
+        cured = next(obj for obj in analysis.Group if obj.isDerivedFrom("Fem::FemMeshObject"))
+        self.assertNotEqual(cured, self.given)
+        FreeCADGui.activateWorkbench("FemWorkbench")
+        self.addCleanup(FreeCADGui.activateWorkbench, "MeshQualityWorkbench")
+        FemGui.setActiveAnalysis(analysis)
+        self.select(next(obj for obj in analysis.Group if "Solver" in obj.Name))
+        gui_helpers.wait(0.5)
+        FreeCADGui.runCommand("FEM_SolverRun")
+        results = [obj for obj in analysis.Group if obj.isDerivedFrom("Fem::FemResultObject")]
+        self.assertEqual(len(results), 1)
+        end = self.part.Shape.getElement(cantilever.face_at(self.part.Shape, "x", 1))
+        found = cantilever.deflection(results[0], cured.FemMesh, end)
+        self.assertAlmostEqual(found / cantilever.deflections()["force"], 1.0, delta=0.01)
+        gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "cure_solved.png"))
+
     def test_a_mesh_says_what_it_is_of(self):
         self.select(self.given)
         self.assertFalse(commands.Cure().IsActive())
@@ -73,6 +102,55 @@ class Command(CureTest):
         self.assertEqual(commands.Cure().selected(), [self.part, self.given])
         self.select(self.part)
         self.assertFalse(commands.Cure().IsActive())
+
+
+class Nested(CureTest):
+    """A part in containers that are turned and moved, in German and in inches."""
+
+    def setUp(self):
+        super().setUp()
+        inner, outer = (self.document.addObject("App::Part", name) for name in ("Innen", "Aussen"))
+        inner.addObject(self.part)
+        outer.addObject(inner)
+        inner.Placement = FreeCAD.Placement(FreeCAD.Vector(3, 0, 0), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 30))
+        outer.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 70, 0), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 50))
+        self.part.Label, self.given.Label = "Welle", "Vorgabe"
+        self.addCleanup(test_units.use_units, test_units.MM)
+        test_units.use_units(test_units.INCHES)
+        FreeCADGui.setLocale("German")
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        gui_helpers.wait(0.2)
+
+    def test_it_cures_and_tells(self):
+        panel = self.panel(commands.Cure, self.given, self.part)
+        panel.options.more.setChecked(True)
+        self.apply(panel)
+        self.assertEqual(panel.said, "")
+        told = panel.certificate.text.text()
+        self.assertIn(" von ", told)
+        self.assertNotIn("veraltet", told)
+        self.assertNotRegex(told, r"\bmm\b|µm")
+        for text in test_language.shown_texts(panel.form):
+            self.assertIsNone(test_language.ENGLISH.search(text), text)
+        self.narrow(panel, "panel_cure_nested_de_inches")
+        gui_helpers.wait(0.3)
+        gui_helpers.screen().save(os.path.join(gui_helpers.PICTURES, "window_cure_nested_de_inches.png"))
+        panel.reject()
+        obj = next(obj for obj in self.document.Objects if "GivenInvalid" in obj.PropertiesList)
+        self.assertEqual(obj.Status, "up to date")
+        self.assertEqual(mq.certify(obj, self.part).invalid, 0)
+        self.assertLess(mq.certify(obj, self.part).max_deviation, 0.1)
+
+    def test_its_quality(self):
+        self.given.addProperty("App::PropertyLink", "Part")
+        self.given.Part = self.part
+        panel = quality_panel.open_panel(self.given)
+        self.addCleanup(lambda: panel.ended or panel.reject())
+        self.until(lambda: panel.values is not None)
+        for text in test_language.shown_texts(panel.form):
+            self.assertIsNone(test_language.ENGLISH.search(text), text)
+        self.assertNotRegex(panel.summary.text(), r"\bmm\b|µm")
+        self.narrow(panel, "quality_given_nested_de_inches")
 
 
 class Quality(CureTest):

@@ -384,7 +384,7 @@ class QualityView(gui_helpers.GuiTest):
                     panel = self.open(self.meshed(Part.makeBox(3, 4, 5)))
                     window.showNormal()
                     window.move(1400 - 1423, 0)  # the right side of the 3D view is on the screen
-                    gui_helpers.wait(1.0)  # until the window has moved, all of the pictures would differ
+                    gui_helpers.wait_until_still()  # while the window moves, all of the pictures differ
                     both = self.screen_with(panel, f"quality_cube_{corner}_{size[1]}")
                     panel.scene.scene.legend(np.zeros((0, 0, 4), dtype=np.uint8), 0, 0)
                     cube_alone = self.screen_with(panel)

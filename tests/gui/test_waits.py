@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What nobody can interrupt is named in the window, and Cancel is answered all the same."""
 
+import gc
 import os
 import sys
 import threading
+import time
 from unittest import mock
 
 import FreeCADGui
 import gui_helpers
 import helpers
+from PySide import QtCore
 
 import MeshQuality as mq
 from MeshQuality import compat
@@ -128,3 +131,35 @@ class Waits(gui_helpers.PanelTest):
         panel.jobs[0].changed.connect(lambda: texts.add(panel.doing.text()))
         self.until(lambda: not panel.jobs)
         self.assertIn("waits for FreeCAD: adding the mesh to the document", texts)
+
+    def test_cycles_are_collected_on_the_thread_of_the_window(self):
+        places, ended = [], threading.Event()
+        self.addCleanup(ended.set)
+
+        class Kept(QtCore.QObject):
+            """As panels and timers are: what Qt has on the window's thread, in a cycle."""
+
+            def __init__(self):
+                super().__init__()
+                self.itself = self
+
+            def __del__(self):
+                places.append(threading.get_ident())
+
+        def compute(progress):
+            while not ended.is_set():
+                made = [[] for _ in range(20000)]  # enough for Python to collect by itself
+                del made
+                time.sleep(0.005)
+
+        job = jobs.queue().add(jobs.Job("Cycles", compute, lambda result: None))
+        self.until(lambda: job.works)
+        self.assertFalse(gc.isenabled())
+        for _ in range(100):
+            Kept()
+        self.until(lambda: len(places) == 100)
+        self.assertTrue(job.works)
+        self.assertEqual(set(places), {threading.get_ident()})
+        ended.set()
+        self.until(lambda: job.over)
+        self.assertTrue(gc.isenabled())

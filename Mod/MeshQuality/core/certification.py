@@ -10,7 +10,6 @@ from ..compat import extension
 from ..errors import GeometryError, InvalidInput, TopologyError
 from ..listing import Public
 from . import convert, fem_places, saved_certificate
-from .curved_arrays import ARRAYS
 from .element_mesh import ElementMesh
 from .elements import bodies, conformity, kinds
 from .writing import checked_scale
@@ -34,10 +33,12 @@ class MeshCertificate(metaclass=Public):
     invalid_elements  which these are: "tetrahedron 22 folded at (1, 2, 3) mm"
     min_distortion    the smallest proven lower bound of min J / max |J|, equation (3) of Dey, O'Bara, Shephard 1999
     distortion        float64 (E,) by block of the mesh: these bounds, in the order of its elements
-    conforming        whether no face has more than two elements, and no corner lies amid an edge or a face of another
+    conforming        whether no face has more than two elements, no element is there twice, and no corner lies amid an edge
+                      or a face of another
     oriented          whether neighbours are seen from the same side
     overlapping_bodies
-                      pairs of bodies, which share no nodes, of which one lies in the other; None without volumes
+                      pairs of bodies, which share no faces, that are proven to overlap: a point is inside of an element of each;
+                      None without volumes
     max_deviation     largest distance of the surface from its CAD faces, mm; None without a shape
     folded_on_cad     triangles of the surface that fold over their CAD face; None without a shape
     cad_deviation     the other way: largest distance of points of the CAD faces and edges from the surface of the mesh, mm, so that
@@ -45,9 +46,8 @@ class MeshCertificate(metaclass=Public):
     cad_spacing       mm, how far these points are apart at most: no place of the CAD is farther from the mesh than by both
     face_deviation    float64 (shape.Faces,), cad_deviation of each CAD face; None without a shape
     curved_intersections
-                      pairs of curved triangles of the surface that are proven to cross, equation (2); None where the surface is not
-                      of triangles of one order
-    not_proven_apart  pairs that are neither proven to cross nor not to, such as those of bodies that touch; likewise
+                      pairs of curved triangles and quadrilaterals of the surface that are proven to cross, equation (2)
+    not_proven_apart  pairs that are neither proven to cross nor not to, such as those of bodies that touch
     not_on_shape      why the surface is not on the shape; None where it is, or was not compared
     triangle_face     int32 (F,), the CAD face of each triangle of the surface, as mesh.boundary() has them; likewise
     triangle_deviation
@@ -56,16 +56,16 @@ class MeshCertificate(metaclass=Public):
     """
 
     __slots__ = {
-        "_blocks": None, "_scale": None, "_source": None, "_crossings": None, "_turning": None, "elements": "{kind: how many}",
+        "_blocks": None, "_scale": None, "_source": None, "_crossings": None, "_turning": None, "_overlaps": None, "elements": "{kind: how many}",
         "folded": "how many are folded",
         "inverted": "how many are numbered the wrong way round", "not_proven": "how many are neither proven nor folded",
         "invalid_elements": "sentences: which are not valid, and where", "distortion": "bounds of each, by block",
         "conforming": "whether elements fit together", "oriented": "whether neighbours are seen from the same side",
-        "overlapping_bodies": "pairs of which one lies in the other, or None",
+        "overlapping_bodies": "pairs that lie in one another, or None",
         "max_deviation": "mm, or None", "cad_deviation": "of CAD faces from the mesh, mm, or None",
         "cad_spacing": "of the points measured there, mm, or None", "face_deviation": "float64 (shape.Faces,), mm, or None",
         "folded_on_cad": "triangles that fold over their CAD face, or None",
-        "curved_intersections": "pairs of triangles that cross, or None",
+        "curved_intersections": "pairs of sides that cross, or None",
         "not_on_shape": "why the surface is not on the shape, or None",
         "not_proven_apart": "pairs that may cross, or None",
         "triangle_face": "int32 (F,), or None", "triangle_deviation": "float64 (F,), mm, or None",
@@ -75,7 +75,7 @@ class MeshCertificate(metaclass=Public):
     def __init__(self):
         self.elements, self.distortion, self.invalid_elements, self.notes = {}, (), [], []
         self._blocks, self._scale, self._source = [], 1.0, None
-        self._crossings, self._turning = ((), (), ()), ()
+        self._crossings, self._turning, self._overlaps = ((), (), ()), (), ()
         self.folded = self.inverted = self.not_proven = 0
         self.conforming = self.oriented = True
         self.curved_intersections = self.not_proven_apart = self.not_on_shape = self.overlapping_bodies = None
@@ -118,9 +118,9 @@ class MeshCertificate(metaclass=Public):
                  f"distortion   {self.min_distortion:.3g} at least",
                  f"conforming   {'yes' if self.conforming else 'no'}, oriented {'yes' if self.oriented else 'no'}"]
         if self.overlapping_bodies is not None:
-            lines.append(f"bodies       {self.overlapping_bodies:,} pairs of which one lies in the other")
+            lines.append(f"bodies       {self.overlapping_bodies:,} pairs that lie in one another")
         if self.curved_intersections is not None:
-            lines.append(f"crossings    {self.curved_intersections:,} pairs of triangles, {self.not_proven_apart:,} not proven "
+            lines.append(f"crossings    {self.curved_intersections:,} pairs of sides, {self.not_proven_apart:,} not proven "
                          "apart")
         if self.max_deviation is not None:
             lines.append(f"deviation    {self.max_deviation:.3g} mm at most, {self.folded_on_cad:,} triangles fold over "
@@ -157,13 +157,11 @@ def certify(mesh, shape=None, progress=None, mesh_scale=1.0):
     found.notes += mesh.faults
     _prove(mesh, found, progress)
     found.conforming, found.oriented = conformity.of_blocks(mesh.blocks, mesh.nodes)
+    _name_doubled(mesh, found)
     if mesh.dimension == 3:
-        _find_overlaps(mesh, found)
+        _find_overlaps(mesh, found, progress)
+    _find_crossings(mesh.nodes, sides_of_surface(mesh), found, progress)
     order, surface = triangles_of_surface(mesh)
-    if surface is not None:
-        _find_crossings(mesh.nodes, order, surface, found, progress)
-    else:
-        found.notes.append("crossings of the surface were not looked for: it is not of triangles of one order")
     if shape is not None:
         shape = fem_places.shape_at(source, mesh, shape)
         _measure(mesh, order, surface, shape, found, progress)
@@ -186,6 +184,8 @@ def _prove(mesh, found, progress):
     highest = mesh.dimension
     if highest < 2:
         raise InvalidInput("the mesh has lines only: nothing of it can be certified")
+    if not any(len(block.nodes) for block in mesh.blocks if kinds.DIMENSION[block.kind] == highest):
+        raise InvalidInput("the mesh has no elements: nothing of it can be certified")
     parts = []
     for block in mesh.blocks:
         if kinds.DIMENSION[block.kind] < highest:
@@ -211,28 +211,54 @@ def triangles_of_surface(mesh):
     return (None, None) if order is None or order > _ON_CAD else (order, surface[0])
 
 
-def _find_crossings(nodes, order, surface, found, progress):
-    used, triangles = np.unique(surface, return_inverse=True)
-    nothing = np.empty(0)
-    arrays = {**dict.fromkeys(ARRAYS.values(), nothing), "nodes": nodes[used].ravel(), "triangles": triangles.ravel(),
-              "triangle_face": np.zeros(len(surface)), "node_entity": np.tile([2, 0], len(used))}
-    crossing, open_ones, touching, given_up = extension().curved_from_arrays(order, arrays).curved_crossings(progress)
+def sides_of_surface(mesh):
+    """[(kind, order, int32 (F, n))]: the triangles and quadrilaterals that bound a mesh, of each kind and order."""
+    found = []
+    for rows in mesh.boundary():
+        kind = "triangle" if kinds.order_of("triangle", rows.shape[1]) else "quadrilateral"
+        found.append((kind, kinds.order_of(kind, rows.shape[1]), rows))
+    return found
+
+
+def _find_crossings(nodes, sides, found, progress):
+    crossing, open_ones, touching, given_up = extension().surface_crossings(nodes, sides, progress)
     found.curved_intersections, found.not_proven_apart = len(crossing), len(open_ones)
     found._crossings = crossing, open_ones, touching
-    for pairs, word in ((crossing, ("crosses", "cross")), (open_ones, ("is not proven apart", "are not proven apart"))):
+    word = "triangles" if all(kind == "triangle" for kind, *_ in sides) else "sides"
+    for pairs, said in ((crossing, ("crosses", "cross")), (open_ones, ("is not proven apart", "are not proven apart"))):
         if len(pairs):
-            x, y, z = nodes[surface[pairs[0][0], :3]].mean(axis=0)
-            said = f"1 pair of triangles {word[0]}, at" if len(pairs) == 1 else f"{len(pairs):,} pairs of triangles {word[1]}, one at"
-            found.notes.append(f"{said} ({x:.4g}, {y:.4g}, {z:.4g}) mm")
+            x, y, z = _middle(nodes, sides, pairs[0][0])
+            text = f"1 pair of {word} {said[0]}, at" if len(pairs) == 1 else f"{len(pairs):,} pairs of {word} {said[1]}, one at"
+            found.notes.append(f"{text} ({x:.4g}, {y:.4g}, {z:.4g}) mm")
     if given_up:
         found.notes.append(f"{given_up:,} of these pairs were not compared to the end, as where bodies lie on each other")
 
 
-def _find_overlaps(mesh, found):
-    inside = bodies.inside_others(mesh.blocks, mesh.nodes)
-    found.overlapping_bodies = len({frozenset(pair[:2]) for pair in inside})
-    if inside:
-        x, y, z = inside[0][2]
+def _name_doubled(mesh, found):
+    twice = conformity.doubled([block for block in mesh.blocks if kinds.DIMENSION[block.kind] == mesh.dimension])
+    if twice:
+        kind, first, second = twice[0]
+        more = f", and {len(twice) - 1:,} more pairs likewise" if len(twice) > 1 else ""
+        found.notes.append(f"{kinds.PLURALS[kind]} {first} and {second} have the same corners{more}: take one of them out of the mesh")
+
+
+def _middle(nodes, sides, number):
+    """The middle of a side by its corners."""
+    for kind, _, rows in sides:
+        if number < len(rows):
+            return nodes[rows[number, :kinds.CORNERS[kind]]].mean(axis=0)
+        number -= len(rows)
+    raise IndexError(number)
+
+
+def _find_overlaps(mesh, found, progress):
+    whole = bodies.solids(mesh.blocks)
+    solids = [(block.kind, block.order, block.nodes, [(kind, block.order, local[None]) for kind, local in
+                                         kinds.faces_of(block.kind, block.nodes.shape[1])]) for block in whole]
+    found._overlaps = extension().common_points(mesh.nodes, solids, bodies.of_elements(whole), progress)
+    found.overlapping_bodies = len(found._overlaps)
+    if found._overlaps:
+        x, y, z = found._overlaps[0][2]
         said = "1 pair of bodies lies in one another, at" if found.overlapping_bodies == 1 else \
             f"{found.overlapping_bodies:,} pairs of bodies lie in one another, one at"
         found.notes.append(f"{said} ({x:.4g}, {y:.4g}, {z:.4g}) mm")
@@ -243,7 +269,7 @@ def _measure(mesh, order, surface, shape, found, progress):
     if surface is None:
         found.notes.append("the surface was not measured against the shape: it is not of triangles of one order")
         return
-    if _between_solids(mesh, surface[:, :3]):
+    if _between_solids(mesh):
         found.notes.append("the surface was not measured against the shape: there are triangles between solids of the mesh")
         return
     try:
@@ -298,11 +324,13 @@ def _measure_from_cad(mesh, order, surface, shape, found, progress):
                            f"{found.cad_deviation:.3g} mm from it at ({x:.4g}, {y:.4g}, {z:.4g}) mm")
 
 
-def _between_solids(mesh, surface):
-    """Whether a mesh with volume elements has triangles of its own inside."""
+def _between_solids(mesh):
+    """Whether triangles that a mesh lists beside its volume elements are faces of two of them."""
     given = [block.nodes[:, :3] for block in mesh.blocks if block.kind == "triangle"]
     if mesh.dimension < 3 or not given:
         return False
-    outside = np.unique(np.sort(surface, axis=1), axis=0)
-    both = np.unique(np.concatenate([outside, np.sort(np.concatenate(given), axis=1)]), axis=0)
-    return len(both) > len(outside)
+    faces = [block.nodes[:, list(face)] for block in bodies.solids(mesh.blocks) for face in kinds.FACES[block.kind] if len(face) == 3]
+    faces, counts = np.unique(np.sort(np.concatenate(faces), axis=1), axis=0, return_counts=True) if faces \
+        else (np.empty((0, 3)), np.empty(0))
+    inner, listed = faces[counts == 2], np.unique(np.sort(np.concatenate(given), axis=1), axis=0)
+    return len(np.unique(np.concatenate([inner, listed]), axis=0)) < len(inner) + len(listed)

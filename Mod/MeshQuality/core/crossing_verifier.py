@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether curved triangles meet elsewhere than in the vertices and edges that they share: an independent check of what the
-core proves.
+"""Whether curved sides of elements meet elsewhere than in the vertices and edges that they share: an independent check of what
+the core proves.
 
-It shares no code with the core. All pairs whose boxes meet are cut into four by four pieces, level by level and many
+It shares no code with the core. All sides are triangles of one degree: quadrilaterals are two of twice their order, whose control
+points follow by interpolation. All pairs whose boxes meet are cut into four by four pieces, level by level and many
 pairs at once, until a plane is found by Gilbert's iteration (1966) between two pieces, or between their directions from a
 vertex or an edge that they share. Pairs that are said to cross are shown a common point of.
 """
@@ -18,6 +19,7 @@ from .elements import kinds, lagrange
 
 APART, CROSSING, UNKNOWN = 1, -1, 0
 _LEVELS = 12  # of cutting
+_FEW_PIECES = 200  # of a pair that is said to cross: of two quadrilaterals, most pairs of halves do not
 _PIECES, _MANY_PIECES, _TRIED = 2000, 40_000, 50  # pieces of a pair; pieces of each of the first pairs left; pairs that get the latter
 _ROUNDS = 60  # of the search for a plane
 _ROUNDING = 1e-12  # of the largest coordinate
@@ -30,9 +32,9 @@ _AWAY = 1e-4  # barycentric coordinate by which a common point is off what is sh
 
 @functools.lru_cache(maxsize=None)
 def _exponents(order):
-    """int (n, 3): of the control points, which are where the nodes are."""
-    at = lagrange.shares("triangle", kinds.places("triangle", kinds.count_of("triangle", order)))
-    return np.rint(order * at).astype(int)
+    """int (n, 3): of the control points, those of the corners first."""
+    rows = [(i, j, order - i - j) for i in range(order, -1, -1) for j in range(order - i, -1, -1)]
+    return np.array(sorted(rows, key=lambda row: -max(row) if max(row) == order else 0))
 
 
 def _bernstein(order, at):
@@ -59,36 +61,68 @@ def _cuts(order):
     return np.array([_to_control(order) @ _bernstein(order, nodes @ (quarter / 2.0)) for quarter in _QUARTERS])
 
 
-class _Surface:
-    """Control points about the middle of the mesh, and what triangles share."""
+# The halves of a quadrilateral by the corners of triangles, and where its corners are.
+_HALVES, _PLACES = ((0, 1, 2), (0, 2, 3)), {"triangle": ((0, 0), (1, 0), (0, 1)), "quadrilateral": ((0, 0), (1, 0), (1, 1), (0, 1))}
 
-    def __init__(self, order, nodes, rows):
-        self.order, self.corners = order, [int(np.flatnonzero(_exponents(order)[:, k] == order)[0]) for k in range(3)]
-        used, rows = np.unique(rows, return_inverse=True)
-        places, self._same = np.unique(nodes[used], axis=0, return_inverse=True)
-        self.rows = self._same.reshape(-1)[rows.reshape(-1, _exponents(order).shape[0])]
-        middle = (places.min(axis=0) + places.max(axis=0)) / 2
-        self.control = np.einsum("ij,fjx->fix", _to_control(order), (places - middle)[self.rows])
-        self.margin = _ROUNDING * max(np.abs(places).max(initial=0.0), 1e-300)
-        self._edges = [np.flatnonzero(_exponents(order)[:, k] == 0) for k in range(3)]  # by the corner opposite
+
+def _parts(kind):
+    """Corners of the triangles that a side is divided into."""
+    return _HALVES if kind == "quadrilateral" else _HALVES[:1]
+
+
+class _Surface:
+    """Control points about the middle of the mesh of the triangles that the sides are divided into, and what these share.
+
+    vertex  int (T, 3), side int (T,): the corners of each triangle, and its side, numbered from one kind to the next
+    """
+
+    def __init__(self, nodes, sides):
+        self.order = max((order * len(_parts(kind)) for kind, order, _ in sides), default=1)
+        at = _exponents(self.order) / self.order
+        used = np.unique(np.concatenate([rows.ravel() for *_, rows in sides])) if sides else np.empty(0, dtype=int)
+        places, same = np.unique(nodes[used], axis=0, return_inverse=True)
+        same = same.reshape(-1)
+        middle = (places.min(axis=0) + places.max(axis=0)) / 2 if len(places) else np.zeros(3)
+        control, vertex, side, named, first = [], [], [], [], 0
+        for kind, _, rows in sides:
+            rows = same[np.searchsorted(used, rows)]
+            for part in _parts(kind):
+                where = np.column_stack([at @ np.array(_PLACES[kind], dtype=float)[list(part)], np.zeros(len(at))])
+                weights = _to_control(self.order) @ lagrange.at_places(kind, rows.shape[1], where)
+                control.append(np.einsum("ij,fjx->fix", weights, (places - middle)[rows]))
+                vertex.append(rows[:, list(part)])
+                side.append(first + np.arange(len(rows)))
+            named += [tuple(row) for row in np.sort(rows, axis=1).tolist()]
+            first += len(rows)
+        count, numbers = len(at), {}
+        self.control = np.concatenate(control) if control else np.empty((0, count, 3))
+        self.vertex = np.concatenate(vertex) if vertex else np.empty((0, 3), dtype=int)
+        self.side = np.concatenate(side) if side else np.empty(0, dtype=int)
+        self._alike = np.array([numbers.setdefault(name, len(numbers)) for name in named], dtype=int)
+        loss = max(1.0, np.abs(_to_control(self.order)).sum(axis=1).max() / 100.0)
+        self.margin = _ROUNDING * loss * max(np.abs(places).max(initial=0.0), 1e-300)
 
     def shared(self, pairs):
         """(partner (P, 3), edges (P, 3)): by corner of the first the equal one of the second or -1, and by corner whether the
         edge opposite to it is an edge of the second.
         """
-        a, b = self.rows[pairs[:, 0]], self.rows[pairs[:, 1]]
-        equal = a[:, self.corners][:, :, None] == b[:, self.corners][:, None, :]
+        a, b = pairs[:, 0], pairs[:, 1]
+        equal = self.vertex[a][:, :, None] == self.vertex[b][:, None, :]
         partner = np.where(equal.any(axis=2), equal.argmax(axis=2), -1)
         edges = np.zeros((len(pairs), 3), dtype=bool)
         for k in range(3):
-            one = np.sort(a[:, self._edges[k]], axis=1)
             for m in range(3):
-                edges[:, k] |= (one == np.sort(b[:, self._edges[m]], axis=1)).all(axis=1)
+                for one in (((k + 1) % 3, (k + 2) % 3), ((k + 2) % 3, (k + 1) % 3)):
+                    other = (m + 1) % 3, (m + 2) % 3
+                    chosen = np.flatnonzero(equal[:, one[0], other[0]] & equal[:, one[1], other[1]])
+                    along = [self.control[part[chosen]][:, _edge(self.order, *ends)] for part, ends in ((a, one), (b, other))]
+                    edges[chosen, k] |= np.abs(along[0] - along[1]).max(axis=(1, 2), initial=0.0) <= self.margin
         return partner, edges
 
     def on_each_other(self, pairs):
-        """bool (P,): whether two triangles have the same nodes."""
-        return (np.sort(self.rows[pairs[:, 0]], axis=1) == np.sort(self.rows[pairs[:, 1]], axis=1)).all(axis=1)
+        """bool (P,): whether two triangles are of different sides with the same nodes."""
+        sides = self.side[pairs]
+        return (sides[:, 0] != sides[:, 1]) & (self._alike[sides[:, 0]] == self._alike[sides[:, 1]])
 
 
 def near_pairs(surface):
@@ -211,15 +245,15 @@ def _differences(order):
 
 
 @functools.lru_cache(maxsize=None)
-def _along_edge(order, first, second):
-    """(from, to) of the control points of an edge."""
+def _edge(order, first, second):
+    """int (order + 1,): the control points of the edge from one corner to another."""
     index = {tuple(row): i for i, row in enumerate(_exponents(order).tolist())}
     chain = []
     for i in range(order + 1):
         row = [0, 0, 0]
         row[first], row[second] = order - i, i
         chain.append(index[tuple(row)])
-    return np.array([chain[:-1], chain[1:]])
+    return np.array(chain)
 
 
 def _settled(order, a, b, equal, on_edge, margin):
@@ -248,8 +282,7 @@ def _apart_beyond_edge(order, a, b, edge_a, edge_b, margin):
     out = _differences(order)[3 - sum(edge_a)]
     back = _differences(order)[3 - sum(edge_b)]
     across = [a[:, out[1]] - a[:, out[0]], b[:, back[0]] - b[:, back[1]]]
-    chain = _along_edge(order, *edge_a)
-    along = a[:, chain[1]] - a[:, chain[0]]
+    along = np.diff(a[:, _edge(order, *edge_a)], axis=1)
     found = np.ones(len(a), dtype=bool)
     for sign in (1.0, -1.0):
         found[found] = _in_half_space(np.concatenate([*across, sign * along], axis=1)[found], margin)
@@ -264,14 +297,15 @@ def _monotone(order, control, margin):
     return found
 
 
-def examine(order, nodes, rows, listed=(), left_out=(), progress=None):
+def examine(nodes, sides, listed=(), left_out=(), progress=None):
     """(pairs (P, 2), verdict (P,)) of the pairs that are not proven apart, and of those that are listed: APART, CROSSING or
-    UNKNOWN. Pairs that are left out are not looked at. progress as for verify.
+    UNKNOWN. Pairs that are left out are not looked at. sides: [(kind, order, rows)]; progress as for verify.
     """
-    surface = _Surface(order, nodes, rows)
+    surface = _Surface(nodes, sides)
+    count = int(surface.side.max(initial=-1)) + 1
     pairs = near_pairs(surface)
-    pairs = pairs[~_among(pairs, left_out, len(rows))]
-    crossing = _among(pairs, listed, len(rows))
+    pairs = pairs[~_among(_of_sides(surface, pairs), left_out, count)]
+    crossing = _among(_of_sides(surface, pairs), listed, count)
     left = [pairs[crossing]]
     pairs = pairs[~crossing]
     for start in range(0, len(pairs), _AT_A_TIME):
@@ -280,15 +314,29 @@ def examine(order, nodes, rows, listed=(), left_out=(), progress=None):
         some = pairs[start:start + _AT_A_TIME]
         left.append(some[~_apart(surface, some, _PIECES)])
     left = np.concatenate(left)
-    verdict = np.array([CROSSING if _meet(surface, a, b) else UNKNOWN for a, b in left.tolist()], dtype=int)
-    said = _among(left, listed, len(rows))
+    said = _among(_of_sides(surface, left), listed, count)
+    verdict = np.full(len(left), UNKNOWN)
+    verdict[said] = np.where(_apart(surface, left[said], _FEW_PIECES), APART, UNKNOWN)
+    shown = set()  # of two sides one pair of triangles that cross is enough
+    for i, pair in enumerate(map(tuple, _of_sides(surface, left).tolist())):
+        if verdict[i] == UNKNOWN and pair not in shown and _meet(surface, *left[i].tolist()):
+            verdict[i] = CROSSING
+            shown.add(pair)
     for chosen, most in ((said, _PIECES), (~said, _MANY_PIECES)):
-        tried = np.flatnonzero((verdict == UNKNOWN) & chosen)[:_TRIED]
+        tried = np.flatnonzero((verdict == UNKNOWN) & chosen & ~_among(_of_sides(surface, left), sorted(shown), count))[:_TRIED]
         verdict[tried[_apart(surface, left[tried], most)]] = APART
-    unneeded = (verdict == APART) & ~said
-    left, verdict = left[~unneeded], verdict[~unneeded]
-    far = sorted(set(map(tuple, listed)) - set(map(tuple, left.tolist())))
-    return np.concatenate([left, np.array(far, dtype=int).reshape(-1, 2)]), np.append(verdict, [APART] * len(far)).astype(int)
+    found = {}
+    for pair, what in zip(map(tuple, _of_sides(surface, left).tolist()), verdict.tolist()):
+        found[pair] = min(found.get(pair, APART), what, key=(CROSSING, UNKNOWN, APART).index)
+    listed = set(map(tuple, listed))
+    found = {**dict.fromkeys(sorted(listed), APART), **found}
+    kept = [pair for pair, what in found.items() if what != APART or pair in listed]
+    return np.array(kept, dtype=int).reshape(-1, 2), np.array([found[pair] for pair in kept], dtype=int)
+
+
+def _of_sides(surface, pairs):
+    """int (P, 2): the sides of pairs of triangles, the lower one first."""
+    return np.sort(surface.side[pairs], axis=1).reshape(-1, 2)
 
 
 def _among(pairs, others, count):
@@ -439,31 +487,42 @@ def _pierces(order, arcs, disc, shared, margin):
     return bool((near & inside & away).any())
 
 
-def touch_only(order, nodes, rows, pairs):
-    """[bool]: which pairs of triangles of different bodies have a plane with one on each side, but for _TOUCHING of the size; by
+def touch_only(nodes, sides, pairs):
+    """[bool]: which pairs of sides of different bodies have a plane with one on each side, but for _TOUCHING of the size; by
     pieces, where one plane does not do.
     """
     if not len(pairs):
         return []
-    surface = _Surface(order, nodes, rows)
-    body = _bodies(surface.rows[:, surface.corners])
+    surface = _Surface(nodes, sides)
+    body = _bodies(surface.vertex, surface.side)
     slack = _TOUCHING * float(np.ptp(surface.control.reshape(-1, 3), axis=0).max())
-    return [bool(a < len(rows) and b < len(rows) and body[a] != body[b]
-                 and _on_both_sides(order, surface.control[a], surface.control[b], slack, _TOUCHING_LEVELS)) for a, b in pairs]
+    found = []
+    for pair in pairs:
+        first, second = (np.flatnonzero(surface.side == number) for number in pair)
+        found.append(bool(len(first) and len(second) and body[first[0]] != body[second[0]] and all(
+            _on_both_sides(surface.order, surface.control[a], surface.control[b], slack, _TOUCHING_LEVELS)
+            for a, b in itertools.product(first, second))))
+    return found
 
 
-def _bodies(corners):
-    """By triangle a number that is the same where edges of just two triangles connect them."""
+def _bodies(corners, side):
+    """By triangle a number that is the same where edges of just two triangles connect them, or one side has them."""
     edges = np.sort(np.concatenate([corners[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
     owner = np.tile(np.arange(len(corners)), 3)
     _, index, counts = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
     index = index.reshape(-1)
     order = np.argsort(index, kind="stable")
     pairs = owner[order][counts[index[order]] == 2].reshape(-1, 2)
+    order = np.argsort(side, kind="stable")
+    halves = np.flatnonzero(side[order][1:] == side[order][:-1])
+    pairs = np.concatenate([pairs, np.stack([order[halves], order[halves + 1]], axis=1)])
     found = np.arange(len(corners))
     while True:
         before = found.copy()
-        np.minimum.at(found, pairs, found[pairs].min(axis=1)[:, None])
+        lowest = found[pairs].min(axis=1)
+        for k in (0, 1):
+            np.minimum.at(found, found[pairs[:, k]], lowest)
+            np.minimum.at(found, pairs[:, k], lowest)
         found = found[found]
         if (found == before).all():
             return found

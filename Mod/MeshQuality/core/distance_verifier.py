@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether a mesh is as far from its CAD faces as a certificate says: an independent check of what the core measures.
 
-Points of each triangle, others than those that were measured, are projected onto the shape by OpenCASCADE itself, without any
-of the classification that the measures rest on. Some triangles are compared with the very face that they are said to be
+The points of each triangle that were measured are projected onto the shape by OpenCASCADE itself, without any of the
+classification that the measures rest on: the shape is not farther from them than the face that they were measured from. Some triangles are compared with the very face that they are said to be
 on. Points of the CAD faces, by FreeCAD's own tessellation, are looked for among points of the mesh.
 """
 
@@ -12,13 +12,14 @@ import numpy as np
 from ..compat import extension
 from .elements import kinds, lagrange
 
-_STEPS = 7  # of the lattice of points of a triangle
+_STEPS = 7  # of the lattice of points of a triangle; its corners are not measured
 _HELD_AGAINST, _MOST_PARTS = 1_000_000, 32  # points of the mesh against which the shape is held: in all; along an edge
 _MOST_POINTS = 1_000_000
-_LOOSE, _SHARE, _NOTHING = 1.5, 0.1, 1e-7  # of the distance at other points: times its own, the largest, the size of the mesh
+_EXACT, _NOTHING = 1e-6, 1e-7  # by which distances at the same points may differ, times their own and the size of the mesh
+_LOOSE = 1.5  # of the distance at other points, times what is said
 _COMPARED = 500  # triangles that are compared with their own face
 _NAMED = 3
-_MIDDLE = (1 / 3, 1 / 3, 0.0)
+_MIDDLE = (2 / 7, 2 / 7, 0.0)  # a measured point
 _AROUND = [(i / 4 + 1 / 12, j / 4 + 1 / 12, 0.0) for i in range(4) for j in range(4 - i)]  # of triangles that turn far
 
 
@@ -34,8 +35,8 @@ def faults_of(shape, nodes, order, rows, said, proven, progress=None):
     if not claimed.max(initial=0.0) - 1e-8 <= _number(proven["max_deviation"]) <= claimed.max(initial=0.0):
         found.append(f"the certificate says max_deviation = {proven['max_deviation']!r}, but the largest that it lists is "
                      f"{claimed.max(initial=0.0)!r}")
-    allowed = _LOOSE * claimed + _SHARE * claimed.max(initial=0.0) + _NOTHING * size
-    distance = _distances(shape, nodes, order, rows, progress)
+    allowed = (1.0 + _EXACT) * claimed + _NOTHING * size
+    distance = _distances(shape, nodes, rows, progress)
     _name(found, distance > allowed, "is {:.3g} mm from the shape, more than the certificate says", distance)
     compared = np.unique(np.linspace(0, len(rows) - 1, min(_COMPARED, len(rows))).astype(int))
     own, against = _own_faces(shape, nodes, order, rows[compared], faces[compared], _MIDDLE)
@@ -66,17 +67,21 @@ def _name(found, wrong, text, values):
         found.append(f"and {int(wrong.sum()) - _NAMED:,} more triangles likewise")
 
 
-def _points(nodes, order, rows, steps):
-    """float64 (F, n, 3): a lattice of points of each triangle."""
-    at = np.array([(i / steps, j / steps, 0.0) for i in range(steps + 1) for j in range(steps + 1 - i)])
-    return np.einsum("pn,fnx->fpx", lagrange.at_places("triangle", kinds.count_of("triangle", order), at), nodes[rows])
+def _lattice(steps):
+    return np.array([(i / steps, j / steps, 0.0) for i in range(steps + 1) for j in range(steps + 1 - i)])
 
 
-def _distances(shape, nodes, order, rows, progress):
-    steps = _STEPS
-    while steps > 1 and len(rows) * (steps + 1) * (steps + 2) // 2 > _MOST_POINTS:
-        steps -= 1
-    points = _points(nodes, order, rows, steps)
+def _points(nodes, rows, at):
+    """float64 (F, n, 3): points of each triangle."""
+    return np.einsum("pn,fnx->fpx", lagrange.at_places("triangle", rows.shape[1], at), nodes[rows])
+
+
+def _distances(shape, nodes, rows, progress):
+    """By triangle; of large meshes at some of the points that were measured."""
+    at = _lattice(_STEPS)
+    at = at[(at.max(axis=1) < 1.0) & (at.sum(axis=1) > 0.0)]
+    count = int(np.clip(_MOST_POINTS // max(len(rows), 1), 1, len(at)))
+    points = _points(nodes, rows, at[np.linspace(0, len(at) - 1, count).astype(int)])
     found = extension().distances_to_faces(shape, points.reshape(-1, 3), progress)
     return found.reshape(len(rows), -1).max(axis=1)
 
@@ -103,7 +108,7 @@ def missing(shape, nodes, rows, order, said):
     may be.
     """
     parts = int(np.clip(np.sqrt(_HELD_AGAINST / len(rows)), order + 2, _MOST_PARTS))
-    points = _points(nodes, order, rows, parts)
+    points = _points(nodes, rows, _lattice(parts))
     steps = np.linalg.norm(np.diff(nodes[rows[:, [0, 1, 2, 0]]], axis=1), axis=2).max() / parts
     reach = _LOOSE * _number(said) + steps + _NOTHING * float(np.ptp(points, axis=(0, 1)).max())
     used = set(map(tuple, np.unique(np.floor(points.reshape(-1, 3) / reach).astype(int), axis=0).tolist()))

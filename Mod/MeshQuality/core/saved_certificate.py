@@ -20,6 +20,7 @@ PAIRS = ("crossing", "not_proven_apart", "touching")  # of triangles of the surf
 OF_SHAPE = ("max_deviation", "folded_on_cad", "cad_deviation", "cad_spacing", "not_on_shape")  # what is said of the shape
 # Numbers that may be left open: what was not looked for or not measured.
 MEASURED = (*OF_SHAPE[:-1], "curved_intersections", "not_proven_apart", "overlapping_bodies")
+_CLAIMS = ("elements", "invalid", *CLAIMS, "min_distortion", "conforming", "oriented", *MEASURED, "not_on_shape")
 _LARGEST = 1e9  # of faces, and of measures in mm
 _DIGITS = 4  # of the bounds; rounded down, so that they stay bounds
 _PLACES = 9  # of distances in mm, rounded up
@@ -52,6 +53,7 @@ def save(certificate, path, cad=None):
         "proven": {name: value for name, value in certificate.to_dict().items() if name != "invalid_elements"},
         "blocks": [_block(*block) for block in certificate._blocks],
         "surface": _surface(certificate, cad is not None),
+        "overlaps": [[*map(int, pair[:2]), list(pair[2])] for pair in certificate._overlaps],
     }
     if cad is None:
         content["proven"].update(dict.fromkeys(OF_SHAPE))
@@ -127,15 +129,39 @@ def _fault_of(content):
     proven, blocks = content.get("proven"), content.get("blocks")
     if not isinstance(proven, dict) or not isinstance(blocks, list):
         return "'proven' or 'blocks' is missing"
-    for name in MEASURED:  # older certificates say nothing of some
-        if not _is_measure(proven.setdefault(name)):
+    for name in MEASURED:
+        if not _is_measure(proven.get(name)):
             return f"'{name}' is neither a number from 0 on nor left open"
-    if not isinstance(proven.setdefault("not_on_shape"), (str, type(None))):
+    if not isinstance(proven.get("not_on_shape"), (str, type(None))):
         return "'not_on_shape' is no text"
     for number, block in enumerate(blocks):
         if not isinstance(block, dict) or not _is_block(block):
             return f"block {number} is not complete"
+    if not _is_overlaps(content.get("overlaps", [])):
+        return "'overlaps' does not list pairs of elements with a point"
     return None if _is_surface(content.get("surface", {})) else "'surface' is not complete"
+
+
+def missing(content):
+    """Names of what a loaded certificate should say and does not, as those of older versions, or where it was taken out; and
+    says nothing of, from here on.
+    """
+    proven, surface = content["proven"], content.setdefault("surface", {})
+    found = [name for name in _CLAIMS if name not in proven]
+    found += [name for name in ("options", "overlaps") if name not in content]
+    found += [f"surface.{name}" for name in (*PAIRS, "turning") if name not in surface]
+    if content["cad"] is not None and all(proven.get(name) is None for name in OF_SHAPE):
+        found.append("how far the mesh is from the CAD file that it names")
+    for name in _CLAIMS:
+        proven.setdefault(name)
+    return found
+
+
+def _is_overlaps(said):
+    return isinstance(said, list) and all(
+        isinstance(pair, list) and len(pair) == 3 and all(map(_is_count, pair[:2])) and isinstance(pair[2], list)
+        and len(pair[2]) == 3 and all(isinstance(x, (int, float)) and not isinstance(x, bool) and abs(x) < _LARGEST for x in pair[2])
+        for pair in said)
 
 
 def _is_surface(said):

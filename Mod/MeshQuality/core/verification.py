@@ -9,7 +9,7 @@ from .. import options
 from ..errors import Cancelled, IoError
 from ..listing import Public
 from . import convert, crossing_verifier, distance_verifier, saved_certificate, verifier
-from .certification import triangles_of_surface
+from .certification import sides_of_surface, triangles_of_surface
 from .element_mesh import ElementMesh
 from .elements import bodies, hanging, kinds
 from .saved_certificate import CLAIMS
@@ -74,10 +74,11 @@ def verify(certificate, mesh=None, progress=None):
     blocks = [(block, kinds.DIMENSION[block.kind] == mesh.dimension) for block in mesh.blocks]
     _check_blocks(blocks, mesh.nodes, content, found, progress)
     _check_sums(content, found)
+    found.faults += [f"the certificate does not say {name}: certify the mesh again" for name in saved_certificate.missing(content)]
     _check_conformity(mesh, [block for block, checked in blocks if checked], content["proven"], found)
     order, surface = triangles_of_surface(mesh)
-    _check_overlaps(mesh, content["proven"], found)
-    _check_crossings(mesh.nodes, order, surface, content, found, progress)
+    _check_overlaps(mesh, content, found)
+    _check_crossings(mesh.nodes, sides_of_surface(mesh), content, found, progress)
     _check_distances(mesh, order, surface, cad, content, found, progress)
     return found
 
@@ -94,45 +95,67 @@ def _check_cad(said, folder, found):
     return None
 
 
-def _check_overlaps(mesh, proven, found):
-    count = len({frozenset(pair[:2]) for pair in bodies.inside_others(mesh.blocks, mesh.nodes)}) if mesh.dimension == 3 else None
-    said = proven["overlapping_bodies"]
-    if said != count and (said is not None or count):
-        found.faults.append(f"the certificate says overlapping_bodies = {said!r}, but it is {count}")
+def _check_overlaps(mesh, content, found):
+    """Each point that is said to be inside of two elements is inside of both, and no body lies in another that is not listed."""
+    said, listed = content["proven"]["overlapping_bodies"], content.get("overlaps", [])
+    if mesh.dimension < 3:
+        if said is not None or listed:
+            found.faults.append(f"the certificate says overlapping_bodies = {said!r}, but there are no volumes")
+        return
+    whole = bodies.solids(mesh.blocks)
+    body = bodies.of_elements(whole)
+    pairs = set()
+    for first, second, point in listed:
+        elements = [_element(whole, number) for number in (first, second)]
+        if None in elements or not all(bodies.holds(*element, mesh.nodes, point) for element in elements):
+            found.faults.append(f"elements {first} and {second} are certified to have a point in common, which is not inside of both")
+        else:
+            pairs.add(frozenset((int(body[first]), int(body[second]))))
+    if said != len(pairs):
+        found.faults.append(f"the certificate says overlapping_bodies = {said!r}, but lists {len(pairs):,} such pairs that hold")
+    others = {frozenset(pair[:2]) for pair in bodies.inside_others(mesh.blocks, mesh.nodes)} - pairs
+    if others:
+        found.faults.append(f"the certificate says overlapping_bodies = {said!r}, but {len(others):,} more pairs lie in one another")
 
 
-def _check_crossings(nodes, order, surface, content, found, progress):
+def _element(whole, number):
+    """(block, its element) of an element by its number from block to block; None: there is no such one."""
+    for block in whole:
+        if number < len(block.nodes):
+            return block, number
+        number -= len(block.nodes)
+    return None
+
+
+def _check_crossings(nodes, sides, content, found, progress):
     """The pairs that the certificate lists cross, or are left open; all others are apart."""
     proven, said = content["proven"], content.get("surface", {})
-    if surface is None:
-        if proven.get("curved_intersections") is not None or proven.get("not_proven_apart") is not None:
-            found.faults.append("the certificate counts curved triangles that cross, but the surface is not of triangles of one order")
-        return
+    word = "triangles" if all(kind == "triangle" for kind, *_ in sides) else "sides"
     crossing, open_ones, touching = (list(map(tuple, said.get(name, ()))) for name in saved_certificate.PAIRS)
     for name, pairs in (("curved_intersections", crossing), ("not_proven_apart", open_ones)):
         if proven.get(name) != len(set(pairs)):
             found.faults.append(f"the certificate says {name} = {proven.get(name)!r}, but lists {len(set(pairs)):,} such pairs")
-    pairs, verdict = crossing_verifier.examine(order, nodes, surface, crossing, open_ones + touching, progress)
+    pairs, verdict = crossing_verifier.examine(nodes, sides, crossing, open_ones + touching, progress)
     listed = set(crossing)
     wrong, open_count = [], 0
-    for pair, only in zip(touching, crossing_verifier.touch_only(order, nodes, surface, touching)):
-        wrong += [] if only else [f"triangles {pair[0]} and {pair[1]} of the surface are certified to touch only, but that could not be "
+    for pair, only in zip(touching, crossing_verifier.touch_only(nodes, sides, touching)):
+        wrong += [] if only else [f"{word} {pair[0]} and {pair[1]} of the surface are certified to touch only, but that could not be "
                                   "shown"]
     for pair, what in zip(map(tuple, pairs.tolist()), verdict.tolist()):
         if pair in listed:
-            wrong += ["triangles {} and {} of the surface are certified to cross, but are apart"] * (what == crossing_verifier.APART)
+            wrong += [f"{word} {{}} and {{}} of the surface are certified to cross, but are apart"] * (what == crossing_verifier.APART)
             open_count += what == crossing_verifier.UNKNOWN
         else:
             why = "cross" if what == crossing_verifier.CROSSING else "could not be shown to be"
-            wrong.append(f"triangles {{}} and {{}} of the surface are certified apart, but {why}")
+            wrong.append(f"{word} {{}} and {{}} of the surface are certified apart, but {why}")
         wrong = [text.format(*pair) if "{}" in text else text for text in wrong]
     found.faults += wrong[:_NAMED]
     if len(wrong) > _NAMED:
-        found.faults.append(f"and {len(wrong) - _NAMED:,} more pairs of triangles likewise")
+        found.faults.append(f"and {len(wrong) - _NAMED:,} more pairs of {word} likewise")
     if open_count:
-        found.notes.append(f"{open_count:,} of the pairs of triangles that cross by the certificate were not shown again to do so")
+        found.notes.append(f"{open_count:,} of the pairs of {word} that cross by the certificate were not shown again to do so")
     if open_ones:
-        found.notes.append(f"{len(open_ones):,} pairs of triangles that the certificate leaves open were not looked at")
+        found.notes.append(f"{len(open_ones):,} pairs of {word} that the certificate leaves open were not looked at")
 
 
 def _check_distances(mesh, order, surface, cad, content, found, progress):
@@ -251,8 +274,13 @@ def _check_conformity(mesh, blocks, proven, found):
     """Faces counted once more, by their corners, with the way round them."""
     dimension, oriented = mesh.dimension, True
     conforming = not hanging.hangs(blocks, mesh.nodes)
-    seen = {}
+    seen, whole = {}, set()
     for block in blocks:
+        for corners in block.nodes[:, :kinds.CORNERS[block.kind]].tolist():
+            first = corners.index(min(corners))
+            corners = frozenset(corners) if dimension == 3 else (*corners[first:], *corners[:first])
+            conforming = conforming and corners not in whole
+            whole.add(corners)
         sides = kinds.FACES[block.kind] if dimension == 3 else kinds.EDGES[block.kind]
         for side in sides:
             for corners in block.nodes[:, list(side)].tolist():

@@ -16,6 +16,7 @@ from PySide import QtCore
 
 from .. import phrases
 from ..errors import Cancelled, Error
+from .collecting import Collector
 from .translation import translated, translated_rest, translated_stage
 
 translate = FreeCAD.Qt.translate
@@ -226,6 +227,7 @@ class Queue(QtCore.QObject):
         super().__init__()
         self._waiting = collections.deque()
         self.running = None
+        self._collector = Collector()
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(_POLL)
         self._timer.timeout.connect(self._look)
@@ -257,17 +259,20 @@ class Queue(QtCore.QObject):
         if self.running is None:
             self._timer.stop()
         else:
+            self._collector.collect()
             self.running.look()
             for job in self._waiting:
                 job.changed.emit()
             if self.running.over:
                 self.running = None
+                self._collector.end()
 
     def _start_next(self):
         while self._waiting:
             job = self._waiting.popleft()
             if job.active:
                 self.running = job
+                self._collector.begin()
                 job.start()
                 return
 

@@ -16,7 +16,7 @@ from ..features import bindings, mesh_object, properties
 translate = FreeCAD.Qt.translate
 
 # Properties of a source that do not change its shape or mesh.
-_LOOKS = ("Label", "Label2", "Visibility", "Proxy", "ExpressionEngine")
+_LOOKS = ("Label", "Label2", "Visibility", "Proxy", "ExpressionEngine", "_GroupTouched")
 
 
 class Operation:

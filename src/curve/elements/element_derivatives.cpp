@@ -259,4 +259,22 @@ std::vector<NodalPolynomial> derivatives_of(ElementKind kind, int order, int nod
     return result;
 }
 
+std::vector<Vec3> all_nodes(ElementKind kind, int order, const std::vector<Vec3>& nodes) {
+    require_node_count(kind, order, static_cast<int>(nodes.size()));
+    std::vector<Vec3> all = nodes;
+    if (static_cast<int>(nodes.size()) == full_node_count(kind, order)) {
+        return all;
+    }
+    const std::vector<GridPoint> points = gmsh_nodes(kind, order);
+    const ExtendedMatrix weights = completion(points, corner_count(kind), static_cast<int>(nodes.size()));
+    for (auto i = static_cast<Eigen::Index>(nodes.size()); i < weights.rows(); ++i) {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t j = 0; j < nodes.size(); ++j) {
+            sum += static_cast<double>(weights(i, static_cast<Eigen::Index>(j))) * nodes[j];
+        }
+        all.push_back(sum);
+    }
+    return all;
+}
+
 }  // namespace mq::curve

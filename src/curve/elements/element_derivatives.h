@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/vec.h"
 #include "curve/elements/element_kind.h"
 #include "curve/elements/product_lattice.h"
 
@@ -31,5 +32,9 @@ struct NodalPolynomial {
 ///               subspace in which the inner nodes follow from the others, so that it is completed exactly.
 /// @throws InvalidInput where elements of this kind and order have another number of nodes
 std::vector<NodalPolynomial> derivatives_of(ElementKind kind, int order, int nodes);
+
+/// All nodes of an element, whose inner ones follow from the others where it is a serendipity element.
+/// @throws InvalidInput where elements of this kind and order have another number of nodes
+std::vector<Vec3> all_nodes(ElementKind kind, int order, const std::vector<Vec3>& nodes);
 
 }  // namespace mq::curve

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,10 +11,11 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "curve/given/local_remeshing.h"
+#include "curve/given/degree_raising.h"
 #include "curve/given/matching.h"
 #include "curve/measuring.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/remeshing/local_remeshing.h"
 #include "curve/volume/straighten.h"
 
 namespace mq::curve {
@@ -99,6 +101,18 @@ void compare(const GivenMesh& given, CurvedMesh& mesh, CurveReport& report) {
     report.repairs.emplace_back("elements in their place", static_cast<std::size_t>(fresh));
 }
 
+/// Nodes that bodies got of their own have the numbers of those that they are copies of.
+void name_given_nodes(const std::vector<int>& given_node, CurvedMesh& mesh) {
+    for (std::int32_t& node : mesh.given_node) {
+        node = node < 0 ? node : given_node[static_cast<std::size_t>(node)];
+    }
+    for (std::int32_t& node : mesh.moved_nodes) {
+        node = given_node[static_cast<std::size_t>(node)];
+    }
+    std::sort(mesh.moved_nodes.begin(), mesh.moved_nodes.end());
+    mesh.moved_nodes.erase(std::unique(mesh.moved_nodes.begin(), mesh.moved_nodes.end()), mesh.moved_nodes.end());
+}
+
 /// The given tetrahedra in the repaired surface. Where the cavities at what was changed cannot be filled, the surface
 /// stays as it was placed.
 void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMesh& given, MatchedMesh& matched,
@@ -116,48 +130,6 @@ void take_over_tetrahedra(std::optional<TetrahedralMesh>& volume, const GivenMes
         volume.emplace(remesh_locally(matched.surface, triangles_before, inside, done, progress));
         report.notes.push_back(
             std::string("triangles of the surface were not repaired, as tetrahedra would not fit: ") + error.what());
-    }
-}
-
-/// Invalid tetrahedra that are not on folded triangles of the surface.
-std::size_t repairable(const TetrahedralMesh& volume) {
-    const FoldedTriangles folded(volume.surface);
-    const auto& all = volume.tetrahedra;
-    return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Tetrahedron& t) {
-        return t.alive && !(t.quality > 0.0) && !folded.has_face_of(t.corners);
-    }));
-}
-
-/// Where tetrahedra stay invalid, fills ever larger cavities around them anew, with ever more vertices inside, and
-/// repairs again; each result is kept that has fewer of them.
-void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& surface, LocalRemeshing& done,
-                       Progress& progress) {
-    constexpr std::array<double, 3> kGradingFactors{1.0, 0.5, 0.2};
-    for (std::size_t i = 0; i < kGradingFactors.size(); ++i) {
-        const std::size_t before = repairable(*volume);
-        if (before == 0) {
-            return;
-        }
-        CurvedSurface kept = surface;
-        const std::vector<Tetrahedron> tetrahedra = volume->tetrahedra;
-        LocalRemeshing tried;
-        try {
-            volume.emplace(
-                remesh_invalid(*volume, surface, static_cast<int>(i) + 1, kGradingFactors[i], tried, progress));
-            repair_volume(*volume, progress, RepairScope::Invalid);
-            if (repairable(*volume) < before) {
-                done.cavities += tried.cavities;
-                continue;
-            }
-        } catch (const MeshingFailed&) {  // what was there before is as good
-        }
-        surface = std::move(kept);
-        volume.emplace(surface);
-        for (const Tetrahedron& t : tetrahedra) {
-            if (t.alive) {
-                volume->tetrahedra[static_cast<std::size_t>(volume->add(t.corners, t.volume))].quality = t.quality;
-            }
-        }
     }
 }
 
@@ -180,6 +152,109 @@ void note_faults(std::size_t turned, const MatchedMesh& matched, CurveReport& re
     }
 }
 
+/// A given mesh that was classified, curved and repaired.
+struct Curving {
+    Curving(geometry::Session& session, GivenMesh mesh, int order)
+        : given(std::move(mesh)),
+          matched(match_bodies(session, given, order)),
+          editor(std::make_unique<SurfaceEditor>(session, matched.surface)) {}
+
+    GivenMesh given;
+    MatchedMesh matched;
+    std::unique_ptr<SurfaceEditor> editor;
+    std::optional<TetrahedralMesh> volume;
+    std::set<int> straight_triangles;
+    CurveReport report;
+
+    TetrahedralMesh* tetrahedra() { return volume ? &*volume : nullptr; }
+
+    std::size_t invalid() const {
+        const auto& triangles = matched.surface.triangles;
+        auto count = std::count_if(triangles.begin(), triangles.end(),
+                                   [](const SurfaceTriangle& t) { return t.alive && !(t.quality > 0.0); });
+        if (volume) {
+            const auto& all = volume->tetrahedra;
+            count += std::count_if(all.begin(), all.end(),
+                                   [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); });
+        }
+        return static_cast<std::size_t>(count);
+    }
+};
+
+std::unique_ptr<Curving> curved_at(geometry::Session& session, const GivenMesh& given, const CurveOptions& options,
+                                   int order, Progress& progress) {
+    StageTimes seconds;
+    StageClock clock(seconds);
+    progress.stage("classifying", 0.0, 0.2);
+    auto curving = std::make_unique<Curving>(session, given, order);
+    MatchedMesh& matched = curving->matched;
+    CurveReport& report = curving->report;
+    clock.end("classifying");
+    progress.stage("curving the surface", 0.2, 0.4);
+    curving->editor->placement.place(living(matched.surface));
+    const MatchedMesh placed = matched;
+    clock.end("curving the surface");
+    progress.stage("repairing the surface", 0.4, 0.5);
+    if (options.repair) {
+        note(repair_surface(*curving->editor, progress, RepairScope::Invalid), report);
+    }
+    if (options.straighten) {
+        curving->straight_triangles = straighten_triangles(*curving->editor);
+    }
+    clock.end("repairing the surface");
+    if (!given.tetrahedra.empty()) {
+        progress.stage("filling", 0.5, 0.6);
+        LocalRemeshing remeshing;
+        take_over_tetrahedra(curving->volume, curving->given, matched, placed, remeshing, progress, report);
+        clock.end("filling");
+        progress.stage("repairing the volume", 0.6, 0.95);
+        VolumeRepairs repairs = repair_volume(*curving->volume, progress, RepairScope::Invalid);
+        remesh_and_repair(curving->volume, matched.surface, RepairScope::Invalid, remeshing, progress);
+        repairs.cavities = static_cast<int>(remeshing.cavities);
+        note(repairs, report);
+        clock.end("repairing the volume");
+    }
+    report.seconds = std::move(seconds);
+    return curving;
+}
+
+/// Elements of lower degree bend less. Where some stay invalid, takes the mesh that one degree less leaves fewer of,
+/// and puts on the CAD with the full degree what stays valid by it.
+void use_lower_degree_where_needed(std::unique_ptr<Curving>& curving, geometry::Session& session,
+                                   const GivenMesh& given, const CurveOptions& options, Progress& progress) {
+    const int order = curving->matched.surface.shapes.order();
+    const std::size_t invalid = curving->invalid();
+    if (order <= 2 || invalid == 0 || !options.repair || options.straighten) {
+        return;
+    }
+    std::unique_ptr<Curving> lower = curved_at(session, given, options, order - 1, progress);
+    use_lower_degree_where_needed(lower, session, given, options, progress);
+    if (lower->invalid() >= invalid) {
+        return;
+    }
+    StageClock clock(lower->report.seconds);
+    std::vector<Tetrahedron> tetrahedra;
+    if (lower->volume) {
+        tetrahedra = std::move(lower->volume->tetrahedra);
+    }
+    lower->matched.surface = with_degree_raised(lower->matched.surface, tetrahedra);
+    if (lower->volume) {
+        lower->volume.emplace(lower->matched.surface);
+        for (const Tetrahedron& t : tetrahedra) {
+            if (t.alive) {
+                lower->volume->tetrahedra[static_cast<std::size_t>(lower->volume->add(t.corners, t.volume))].quality =
+                    t.quality;
+            }
+        }
+    }
+    const std::size_t kept = place_where_valid(*lower->editor, lower->tetrahedra(), progress);
+    lower->report.repairs.emplace_back("triangles of lower degree", kept);
+    lower->report.seconds.insert(lower->report.seconds.begin(), curving->report.seconds.begin(),
+                                 curving->report.seconds.end());
+    clock.end("raising the degree");
+    curving = std::move(lower);
+}
+
 }  // namespace
 
 CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry::Model>& model, GivenMesh given,
@@ -190,45 +265,21 @@ CurvedMesh curve_given(geometry::Engine& engine, const std::shared_ptr<geometry:
     require_sound(given);
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
-    CurveReport report;
-    StageClock clock(report.seconds);
     const double start = cpu_seconds();
     const std::size_t turned = orient_tetrahedra(given);
-
     geometry::Session session(engine, model, &watched);
-    watched.stage("classifying", 0.0, 0.2);
-    MatchedMesh matched = match(session, given, options.order);
-    CurvedSurface& surface = matched.surface;
-    clock.end("classifying");
-    watched.stage("curving the surface", 0.2, 0.4);
-    SurfaceEditor editor(session, surface);
-    editor.placement.place(living(surface));
-    const MatchedMesh placed = matched;
-    clock.end("curving the surface");
-    watched.stage("repairing the surface", 0.4, 0.5);
-    if (options.repair) {
-        note(repair_surface(editor, watched, RepairScope::Invalid), report);
-    }
-    const std::set<int> straight_triangles = options.straighten ? straighten_triangles(editor) : std::set<int>();
-    clock.end("repairing the surface");
-    std::optional<TetrahedralMesh> volume;
-    if (checked.volume) {
-        watched.stage("filling", 0.5, 0.6);
-        LocalRemeshing remeshing;
-        take_over_tetrahedra(volume, given, matched, placed, remeshing, watched, report);
-        clock.end("filling");
-        watched.stage("repairing the volume", 0.6, 0.95);
-        note(repair_volume(*volume, watched, RepairScope::Invalid), report);
-        remesh_and_repair(volume, surface, remeshing, watched);
-        report.repairs.emplace_back("cavities filled anew", remeshing.cavities);
-        clock.end("repairing the volume");
-    }
+    std::unique_ptr<Curving> curving = curved_at(session, given, options, options.order, watched);
+    use_lower_degree_where_needed(curving, session, given, options, watched);
+
+    CurveReport report = std::move(curving->report);
+    StageClock clock(report.seconds);
     std::vector<int> number;
-    CurvedMesh result = measured(editor, straight_triangles, volume ? &*volume : nullptr, session.topology(),
-                                 options.straighten, report, watched, &number);
-    result.given_node = given_nodes(matched.vertex_of_node, number, result.vertices);
-    compare(given, result, report);
-    note_faults(turned, matched, report);
+    CurvedMesh result = measured(*curving->editor, curving->straight_triangles, curving->tetrahedra(),
+                                 session.topology(), options.straighten, report, watched, &number);
+    result.given_node = given_nodes(curving->matched.vertex_of_node, number, result.vertices);
+    compare(curving->given, result, report);
+    name_given_nodes(curving->matched.given_node, result);
+    note_faults(turned, curving->matched, report);
     clock.end("measuring");
     report.cpu_seconds = cpu_seconds() - start;
     result.report = std::move(report);

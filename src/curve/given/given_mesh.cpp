@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "curve/bezier/curved_shapes.h"
+#include "curve/volume/tetrahedral_mesh.h"
 
 namespace mq::curve {
 
@@ -120,10 +121,6 @@ std::size_t orient_tetrahedra(GivenMesh& mesh) {
 bool same_turn(const std::array<int, 3>& a, const std::array<int, 3>& b) {
     const auto at = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
     return b[(at + 1) % 3] == a[1];
-}
-
-std::array<std::array<int, 3>, 4> outward_faces(const std::array<int, 4>& v) {
-    return {{{v[1], v[2], v[3]}, {v[0], v[3], v[2]}, {v[0], v[1], v[3]}, {v[0], v[2], v[1]}}};
 }
 
 std::vector<std::array<int, 3>> surface_of(const GivenMesh& mesh) {

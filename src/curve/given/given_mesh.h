@@ -28,9 +28,6 @@ void require_sound(const GivenMesh& mesh);
 /// @return how many were turned.
 std::size_t orient_tetrahedra(GivenMesh& mesh);
 
-/// The four faces of a tetrahedron, seen from outside where its volume is positive.
-std::array<std::array<int, 3>, 4> outward_faces(const std::array<int, 4>& corners);
-
 /// Whether two triangles of the same corners go round them in the same way.
 bool same_turn(const std::array<int, 3>& a, const std::array<int, 3>& b);
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <string>
 #include <utility>
@@ -12,6 +14,8 @@
 #include "base/error.h"
 #include "curve/given/edge_discretisation.h"
 #include "curve/given/face_matching.h"
+#include "curve/given/touching_bodies.h"
+#include "curve/volume/tetrahedral_mesh.h"
 
 namespace mq::curve {
 
@@ -106,10 +110,15 @@ void require_same_place(const Box& mesh, const Box& edges, const Box& model) {
 class Matcher {
   public:
     Matcher(geometry::Session& session, const GivenMesh& mesh, int order)
-        : session_(session),
-          topology_(session.topology()),
-          mesh_(mesh),
-          result_{CurvedSurface(order), {}, {}, {}, {}} {}
+        : session_(session), topology_(session.topology()), mesh_(mesh), result_{CurvedSurface(order),
+                                                                                 {},
+                                                                                 {},
+                                                                                 {},
+                                                                                 {},
+                                                                                 {}} {
+        result_.given_node.resize(mesh.nodes.size());
+        std::iota(result_.given_node.begin(), result_.given_node.end(), 0);
+    }
 
     MatchedMesh run() {
         const SurfaceGraph graph(mesh_.nodes, surface_of(mesh_));
@@ -412,6 +421,26 @@ MatchedMesh match(geometry::Session& session, const GivenMesh& mesh, int order) 
     GivenMesh divided = mesh;
     divided.regions = solids_of(session, mesh);
     return Matcher(session, divided, order).run();
+}
+
+MatchedMesh match_bodies(geometry::Session& session, GivenMesh& mesh, int order) {
+    std::exception_ptr refusal;
+    try {
+        return match(session, mesh, order);
+    } catch (const TopologyError&) {
+        refusal = std::current_exception();
+    } catch (const GeometryError&) {
+        refusal = std::current_exception();
+    }
+    GivenMesh separated = mesh;
+    std::vector<int> given_node = separate_touching_bodies(separated);
+    if (given_node.size() == mesh.nodes.size()) {
+        std::rethrow_exception(refusal);
+    }
+    MatchedMesh matched = match(session, separated, order);
+    matched.given_node = std::move(given_node);
+    mesh = std::move(separated);
+    return matched;
 }
 
 }  // namespace mq::curve

@@ -28,6 +28,7 @@ struct MatchedMesh {
     std::vector<int> volume;          ///< by tetrahedron: the volume of the model; -1: they only lie on one another
     std::vector<MovedNode> moved;     ///< farther off than rounding; these are put on the CAD, all others stay
     std::vector<int> bare_faces;      ///< faces of volumes of which other faces have triangles, but these have none
+    std::vector<int> given_node;      ///< by node: the given one that it is, or is a copy of
 };
 
 /// Classifies a sound mesh with tetrahedra of positive volume.
@@ -39,5 +40,9 @@ struct MatchedMesh {
 /// @throws SolidsShareNodes likewise where they share none; InvalidInput where the mesh and the model differ in scale
 /// or place, naming the factor or the shift; TopologyError, GeometryError naming the entity and the place.
 MatchedMesh match(geometry::Session& session, const GivenMesh& mesh, int order);
+
+/// The same; triangles that it refuses are matched by body, where bodies touch that the shape keeps apart.
+/// @param mesh  gets copies of nodes where bodies need their own, see separate_touching_bodies
+MatchedMesh match_bodies(geometry::Session& session, GivenMesh& mesh, int order);
 
 }  // namespace mq::curve

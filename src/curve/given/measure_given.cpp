@@ -65,17 +65,18 @@ GivenSurfaceMeasures measure_given_surface(geometry::Engine& engine, const std::
                            ": triangles of orders 1 to " + std::to_string(kMaxOrder) + " are measured");
     }
     const auto width = static_cast<std::size_t>(Lattice::of(2, order).size());
-    const GivenMesh mesh = corners_of(nodes, triangles, width);
+    GivenMesh mesh = corners_of(nodes, triangles, width);
     require_sound(mesh);
     Progress unwatched;
     Progress& watched = progress != nullptr ? *progress : unwatched;
     geometry::Session session(engine, model, &watched);
     watched.stage("classifying", 0.0, 0.3);
-    MatchedMesh matched = match(session, mesh, order);
+    MatchedMesh matched = match_bodies(session, mesh, order);
     CurvedSurface& surface = matched.surface;
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         if (matched.vertex_of_node[n] >= 0) {
-            surface.shapes.vertices[static_cast<std::size_t>(matched.vertex_of_node[n])].point = nodes[n];
+            surface.shapes.vertices[static_cast<std::size_t>(matched.vertex_of_node[n])].point =
+                nodes[static_cast<std::size_t>(matched.given_node[n])];
         }
     }
     std::vector<Vec3> own(width);

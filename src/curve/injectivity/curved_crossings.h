@@ -7,16 +7,12 @@
 
 #include "base/progress.h"
 #include "base/vec.h"
+#include "curve/injectivity/surface_patches.h"
 #include "curve/output/curved_mesh.h"
 
 /// Whether the map from the straight surface to the curved one is injective: equation (2) of Dey, O'Bara, Shephard
-/// 1999, for the triangles of a mesh.
+/// 1999, for the triangles and quadrilaterals of a mesh.
 namespace mq::curve {
-
-/// Pieces of curved triangles smaller than this share of the mesh's size are not halved any more.
-constexpr double kLeastPiece = 1e-6;
-/// What is within this share of the mesh's size of a plane counts as on it.
-constexpr double kTouching = 1e-9;
 
 /// How long pairs are compared that a few comparisons of pieces do not decide, such as those of bodies that lie on each
 /// other: comparisons of pieces, all pairs together.
@@ -27,8 +23,8 @@ struct CrossingEffort {
 /// A small share of the time that curving takes.
 constexpr CrossingEffort kQuickEffort{20'000, 30};
 
-/// The pairs of curved triangles that meet elsewhere than in the vertices and edges that they share, by ascending
-/// indices. A triangle that meets itself is the pair (i, i).
+/// The pairs of curved sides that meet elsewhere than in the vertices and edges that they share, by ascending
+/// indices. A side that meets itself is the pair (i, i).
 struct CurvedCrossings {
     struct Crossing {
         std::int32_t a = -1;
@@ -54,6 +50,9 @@ struct CurvedCrossings {
 /// nodes lie on each other, as where two bodies touch: they are no crossing.
 /// @throws Cancelled.
 CurvedCrossings curved_crossings(const CurvedMesh& mesh, Progress* progress = nullptr,
+                                 const CrossingEffort& effort = {});
+/// The same for sides of elements of any kinds and orders, which are what the pairs number.
+CurvedCrossings curved_crossings(const SurfacePatches& patches, Progress* progress = nullptr,
                                  const CrossingEffort& effort = {});
 
 }  // namespace mq::curve

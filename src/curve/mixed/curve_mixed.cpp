@@ -15,6 +15,7 @@
 #include "curve/elements/reference_nodes.h"
 #include "curve/mixed/cad_nodes.h"
 #include "curve/mixed/inner_nodes.h"
+#include "curve/mixed/kept_changes.h"
 #include "curve/mixed/layers.h"
 #include "curve/mixed/mixed_proof.h"
 #include "curve/mixed/node_relaxation.h"
@@ -283,6 +284,14 @@ class MixedCurving {
         return result;
     }
 
+    /// Invalid elements that may be valid when they are straight.
+    std::vector<std::size_t> curable() const {
+        std::vector<std::size_t> result = invalid();
+        const auto hopeless = [&](std::size_t e) { return !(straight_quality_[e] > 0.0); };
+        result.erase(std::remove_if(result.begin(), result.end(), hopeless), result.end());
+        return result;
+    }
+
     bool has_any(std::size_t e, const std::set<Edge>& edges) const {
         const std::set<Edge> own = edges_of(e);
         return std::any_of(own.begin(), own.end(), [&](const Edge& edge) { return edges.count(edge) > 0; });
@@ -293,10 +302,9 @@ class MixedCurving {
         constexpr int kRounds = 8;
         constexpr int kHalvings = 4;
         const std::map<Edge, std::vector<Edge>> together = columns();
-        std::set<Edge> softened;
-        for (int round = 0; round < kRounds && !invalid().empty(); ++round) {
+        for (int round = 0; round < kRounds && !curable().empty(); ++round) {
             std::set<Edge> now;
-            for (const std::size_t e : invalid()) {
+            for (const std::size_t e : curable()) {
                 for (const Edge& edge : edges_of(e)) {
                     const auto column = together.find(edge);
                     now.insert(edge);
@@ -313,13 +321,7 @@ class MixedCurving {
                 }
             }
             blend_at(now);
-            softened.insert(now.begin(), now.end());
             prove_all();
-        }
-        for (std::size_t e = 0; e < elements_.size(); ++e) {
-            if (has_any(e, softened)) {
-                straightened_.insert(e);
-            }
         }
     }
 
@@ -361,13 +363,20 @@ class MixedCurving {
     }
 
     /// Invalid elements bend less, with their columns; those that stay invalid lose the shapes of all their sides, and
-    /// so do neighbours that become invalid by it, until none is left or straight elements are invalid themselves.
+    /// so do neighbours that become invalid by it. Elements that are invalid when straight are left alone, and what
+    /// does not help is undone.
     void straighten() {
+        const std::vector<Vec3> before = nodes_;
+        const std::vector<double> quality_before = quality_;
+        if (!invalid().empty()) {
+            straight_quality_.assign(elements_.size(), 1.0);
+            prove(elements_, options_.order, table_.straight(), invalid(), straight_quality_, progress_);
+        }
         soften();
         std::set<std::size_t> straight;
         for (bool more = true; more;) {
             more = false;
-            for (const std::size_t e : invalid()) {
+            for (const std::size_t e : curable()) {
                 if (straight.insert(e).second) {
                     more = true;
                     for (const std::int32_t n : elements_[e].nodes) {
@@ -379,14 +388,15 @@ class MixedCurving {
                 prove_all();
             }
         }
-        straightened_.insert(straight.begin(), straight.end());
-        if (!straightened_.empty()) {
+        const std::set<std::size_t> straightened = keep_what_helps(elements_, before, quality_before, quality_, nodes_);
+        if (nodes_ != before || quality_ != quality_before) {
+            prove_all();
             cad_.take_back(nodes_);
         }
-        for (const std::size_t e : straightened_) {
+        for (const std::size_t e : straightened) {
             report_.straightened.push_back(name_of_element(e));
         }
-        report_.repairs.emplace_back("elements made straight or straighter", straightened_.size());
+        report_.repairs.emplace_back("elements made straight or straighter", straightened.size());
     }
 
     /// "prism 3 of Solid1": the number is that in the list of its kind.
@@ -553,7 +563,7 @@ class MixedCurving {
     std::vector<Vec3> nodes_;
     std::vector<char> fixed_;
     std::vector<double> quality_;
-    std::set<std::size_t> straightened_;
+    std::vector<double> straight_quality_;  // by element, where it was invalid
 };
 
 }  // namespace

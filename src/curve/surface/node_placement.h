@@ -101,6 +101,8 @@ class Placement {
     const Vec3& point(int v) const { return surface_.shapes.vertices[static_cast<std::size_t>(v)].point; }
     geometry::Query node_query(const InnerEdge& edge, double s, bool project) const;
     void space_evenly(std::vector<InnerEdge>& edges);
+    std::vector<geometry::Answer> at_even_lengths(const std::vector<EdgeTask>& tasks,
+                                                  std::vector<geometry::Query>& points);
     void place_segments(const std::vector<EdgeTask>& tasks);
     void place_inner_edges(const std::vector<EdgeTask>& tasks);
     void place_faces(const std::vector<int>& triangles, bool by_parameters);

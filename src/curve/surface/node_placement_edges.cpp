@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/error.h"
 #include "curve/surface/node_placement.h"
@@ -12,6 +13,9 @@ namespace {
 
 using geometry::Answer;
 using geometry::Query;
+
+/// A difference of arc lengths that is rounding, as a fraction of the length.
+constexpr double kSameLength = 1e-9;
 
 /// Sum of squared steps, 1 when all are equal and on a line: grows with length and with unevenness.
 double unevenness(const Vec3& from, const std::vector<Vec3>& inner, const Vec3& to) {
@@ -118,6 +122,62 @@ std::vector<Placement::Gaps> Placement::segment_gaps(const std::vector<EdgeTask>
     return gaps(ends);
 }
 
+/// Parameters of the nodes of mesh edges on CAD edges at even arc lengths, by Newton's method. A step that leaves the
+/// parameters between which the node must lie, as where the speed of the curve jumps, goes to the middle of these.
+std::vector<Answer> Placement::at_even_lengths(const std::vector<EdgeTask>& tasks, std::vector<Query>& points) {
+    const auto per = static_cast<std::size_t>(surface_.shapes.order() - 1);
+    const auto segment = [&](std::size_t i) { return *surface_.segment(tasks[i / per].a, tasks[i / per].b); };
+    std::vector<std::pair<double, double>> between;  // parameters of less length than wanted, and of more
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        between.emplace_back(segment(i).t_low, segment(i).t_high);
+    }
+    auto at = session_.ask(points);
+    std::vector<std::size_t> open(points.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    // Halving may take many steps before Newton's method can take over.
+    for (int left = SurfaceTuning::kArcRounds; left > 0 && !open.empty(); --left) {
+        std::vector<Query> lengths;
+        for (const std::size_t i : open) {
+            const Segment s = segment(i);
+            lengths.push_back(Query::edge_length(s.edge, s.t_low, points[i].t));
+            lengths.push_back(Query::edge_length(s.edge, points[i].t, s.t_high));
+        }
+        const auto length = session_.ask(std::move(lengths));
+        std::vector<std::size_t> moving;
+        std::vector<Query> moved;
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            const std::size_t i = open[k];
+            const Segment s = segment(i);
+            const double whole = length[2 * k].distance + length[2 * k + 1].distance;
+            const double wanted = whole * static_cast<double>(i % per + 1) / static_cast<double>(per + 1);
+            const double more = wanted - length[2 * k].distance;
+            const double speed = at[i].normal.norm();
+            const double sense = s.t_high > s.t_low ? 1.0 : -1.0;
+            auto& [low, high] = between[i];
+            (more > 0.0 ? low : high) = points[i].t;
+            double t = points[i].t + (speed > 0.0 ? sense * more / speed : 0.0);
+            const double whole_range = std::abs(s.t_high - s.t_low);
+            const bool there_already = std::abs(more) <= kSameLength * whole;
+            if (!there_already && !((t - low) * sense > 0.0 && (high - t) * sense > 0.0)) {
+                t = 0.5 * (low + high);
+                left = std::abs(high - low) > SurfaceTuning::kEvenEnough * whole_range ? SurfaceTuning::kArcRounds + 1
+                                                                                       : left;
+            }
+            if (!there_already && std::abs(t - points[i].t) >= 1e-9 * whole_range) {
+                moving.push_back(i);
+            }
+            points[i].t = t;
+            moved.push_back(points[i]);
+        }
+        const auto there = session_.ask(std::move(moved));
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            at[open[k]] = there[k];
+        }
+        open = std::move(moving);
+    }
+    return at;
+}
+
 void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
     const int q = surface_.shapes.order();
     std::vector<Query> points;
@@ -127,37 +187,7 @@ void Placement::place_segments(const std::vector<EdgeTask>& tasks) {
             points.push_back(Query::edge_point(s.edge, s.t_low + (s.t_high - s.t_low) * k / q));  // equation (5)
         }
     }
-    auto at = session_.ask(points);
-    for (int round = 0; round < SurfaceTuning::kArcRounds; ++round) {
-        std::vector<Query> lengths;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
-            const Segment& s = *surface_.segment(task.a, task.b);
-            lengths.push_back(Query::edge_length(s.edge, s.t_low, points[i].t));
-            lengths.push_back(Query::edge_length(s.edge, points[i].t, s.t_high));
-        }
-        const auto length = session_.ask(std::move(lengths));
-        double worst = 0.0;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const EdgeTask& task = tasks[i / static_cast<std::size_t>(q - 1)];
-            const Segment& s = *surface_.segment(task.a, task.b);
-            const double whole = length[2 * i].distance + length[2 * i + 1].distance;
-            const double wanted = whole * static_cast<double>(i % static_cast<std::size_t>(q - 1) + 1) / q;
-            const double speed = at[i].normal.norm();
-            const double sense = s.t_high > s.t_low ? 1.0 : -1.0;
-            const double t = points[i].t + (speed > 0.0 ? sense * (wanted - length[2 * i].distance) / speed : 0.0);
-            // Where the derivative of the curve nearly vanishes a step may leave the segment: the parameter then stays
-            // as it is.
-            if ((t - s.t_low) * sense > 0.0 && (s.t_high - t) * sense > 0.0) {
-                worst = std::max(worst, std::abs(t - points[i].t) / std::abs(s.t_high - s.t_low));
-                points[i].t = t;
-            }
-        }
-        if (worst < 1e-9) {
-            break;
-        }
-        at = session_.ask(points);
-    }
+    const auto at = at_even_lengths(tasks, points);
     const std::vector<Gaps> open = segment_gaps(tasks);
     std::vector<Vec3> nodes;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -68,6 +68,8 @@ struct SurfaceTuning {
     MESHQUALITY_TUNED(int, kEdgeStarts, 8);
     /// Newton steps towards even arc lengths; each about squares the error.
     MESHQUALITY_TUNED(int, kArcRounds, 3);
+    /// Nodes between parameters this near to each other, as a fraction of the segment's, are at even arc lengths.
+    MESHQUALITY_TUNED(double, kEvenEnough, 1e-3);
     /// Newton steps towards even distances inside faces; the nodes need not be exact.
     MESHQUALITY_TUNED(int, kEvenRounds, 2);
     /// The largest distance of a vertex from the CAD edge, as a fraction of the edge's distance from the mesh edge

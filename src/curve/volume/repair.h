@@ -18,6 +18,7 @@ struct VolumeRepairs {
     int relocations = 0;          ///< inner vertices moved
     int splits = 0;               ///< vertices put on inner edges, faces and into tetrahedra
     int patches = 0;              ///< patches whose inner edges and faces were curved
+    int cavities = 0;             ///< cavities around invalid elements that were filled anew
     std::size_t evaluations = 0;  ///< Jacobians evaluated to curve patches
 };
 

@@ -141,6 +141,10 @@ void TetrahedralMesh::measure(const std::vector<int>& list, const Progress* prog
     for_chunks(static_cast<int>(list.size()), one);
 }
 
+std::array<std::array<int, 3>, 4> outward_faces(const std::array<int, 4>& v) {
+    return {{{v[1], v[2], v[3]}, {v[0], v[3], v[2]}, {v[0], v[1], v[3]}, {v[0], v[2], v[1]}}};
+}
+
 FoldedTriangles::FoldedTriangles(const CurvedSurface& surface) {
     for (const SurfaceTriangle& t : surface.triangles) {
         if (t.alive && !(t.quality > 0.0)) {
@@ -236,8 +240,8 @@ Message in_solid(std::size_t solid, const Error& error, const std::string& place
 
 }  // namespace
 
-TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
-                            const Progress& progress) {
+TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, const Progress& progress) {
+    constexpr double kUsualGrading = 1.0;
     TetrahedralMesh volume(surface);
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
         progress.check();
@@ -247,7 +251,7 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& to
         const Shell shell = shell_of(surface, i);
         TetrahedralFilling filling;
         try {
-            filling = fill(shell.points, shell.triangles, grading_factor, progress, shell.tangents);
+            filling = fill(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
         } catch (const MeshingFailed& error) {
             throw MeshingFailed(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         } catch (const GeometryError& error) {

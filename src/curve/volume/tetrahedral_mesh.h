@@ -61,6 +61,9 @@ class TetrahedralMesh {
     std::unordered_set<FaceKey, KeyHash> fixed_faces_;
 };
 
+/// The four faces of a tetrahedron, seen from outside where its volume is positive.
+std::array<std::array<int, 3>, 4> outward_faces(const std::array<int, 4>& corners);
+
 /// The triangles of a surface that are not valid: they fold any tetrahedron on them, whatever is inside.
 class FoldedTriangles {
   public:
@@ -74,9 +77,7 @@ class FoldedTriangles {
 };
 
 /// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.
-/// @param grading_factor see fill().
 /// @throws MeshingFailed naming the solid.
-TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, double grading_factor,
-                            const Progress& progress);
+TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, const Progress& progress);
 
 }  // namespace mq::curve

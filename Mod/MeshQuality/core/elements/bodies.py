@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bodies of a mesh, which share no nodes, that lie in one another.
+"""Bodies of a mesh, which faces of elements connect, that lie in one another.
 
-Where their surfaces do not cross, one point of each says whether it is inside of another one: as often as a ray from the
-point leaves the other body's surface more than it enters it.
+A body in another one whose surfaces do not cross is found by rays, which from a point inside leave a body's surface more
+often than they enter it. This is how verify looks for them; certify has the core look for points inside of two elements.
 """
 
 import numpy as np
@@ -16,13 +16,19 @@ _TURN = np.linalg.qr(np.array([[0.61, -0.37, 0.19], [0.23, 0.71, -0.43], [-0.31,
 
 
 def inside_others(blocks, nodes):
-    """[(body, body that it lies in, a point of it)]: numbers of bodies by their lowest nodes; volume elements only."""
-    whole = [block for block in blocks if kinds.DIMENSION[block.kind] == 3]
-    body_of_node = _bodies(whole, len(nodes))
-    if len(np.unique(np.concatenate([body_of_node[block.nodes[:, 0]] for block in whole]))) < 2:
+    """[(body, body that it lies in, a point of it)]: numbers of bodies as `of_elements` has them; volume elements only."""
+    whole = solids(blocks)
+    body_of = of_elements(whole)
+    if len(np.unique(body_of)) < 2:
         return []
-    body, points = _points(whole, nodes, body_of_node)
-    owner, triangles = _flat(whole, nodes, body_of_node)
+    starts = np.cumsum([0, *(len(block.nodes) for block in whole)])
+    body, points = _points(whole, nodes, [body_of[a:b] for a, b in zip(starts, starts[1:])])
+    owner, triangles = [], []
+    for rows, block, element in boundary.with_elements(whole):
+        owner.append(body_of[starts[block] + element])
+        triangles.append(_flat(nodes[rows], rows.shape[1]))
+    owner = np.concatenate([np.repeat(part, len(flat) // max(len(part), 1)) for part, flat in zip(owner, triangles)])
+    triangles = np.concatenate(triangles)
     found = []
     turned, corners = points @ _TURN, triangles @ _TURN
     order = np.argsort(owner, kind="stable")
@@ -39,32 +45,61 @@ def inside_others(blocks, nodes):
     return found
 
 
-def _bodies(whole, count):
-    """By node the lowest node that elements connect it with: trees are hooked onto lower ones and made flat in turn (Shiloach
-    and Vishkin 1982), in rounds that grow as the logarithm of the number of nodes."""
-    found = np.arange(count)
+def solids(blocks):
+    """The blocks of volume elements."""
+    return [block for block in blocks if kinds.DIMENSION[block.kind] == 3]
+
+
+def of_elements(whole):
+    """int32 (E,): by element the lowest one that faces connect it with: trees are hooked onto lower ones and made flat in turn
+    (Shiloach and Vishkin 1982), in rounds that grow as the logarithm of the number of elements."""
+    found = np.arange(sum(len(block.nodes) for block in whole))
+    pairs = _neighbours(whole)
     while True:
         before = found.copy()
-        for block in whole:
-            trees = found[block.nodes]
-            np.minimum.at(found, trees, trees.min(axis=1)[:, None])
+        trees = found[pairs]
+        lowest = trees.min(axis=1)
+        for k in (0, 1):
+            np.minimum.at(found, trees[:, k], lowest)
         while (found[found] != found).any():
             found = found[found]
         if (found == before).all():
-            return found
+            return found.astype(np.int32)
 
 
-def _points(whole, nodes, body_of_node):
+def _neighbours(whole):
+    """int (P, 2): elements that have the corners of a face in common."""
+    pairs, starts = [np.empty((0, 2), dtype=int)], np.cumsum([0, *(len(block.nodes) for block in whole)])
+    for corners in (3, 4):
+        faces = [(np.sort(block.nodes[:, list(face)], axis=1), start + np.arange(len(block.nodes)))
+                 for block, start in zip(whole, starts) for face in kinds.FACES[block.kind] if len(face) == corners]
+        if faces:
+            rows, owner = map(np.concatenate, zip(*faces))
+            order = np.lexsort(rows.T[::-1])
+            same = (rows[order][1:] == rows[order][:-1]).all(axis=1)
+            pairs.append(np.stack([order[1:][same], order[:-1][same]], axis=1))
+            pairs[-1] = owner[pairs[-1]]
+    return np.concatenate(pairs)
+
+
+def holds(block, element, nodes, point):
+    """Whether a point is inside of an element, by rays."""
+    shape = nodes[block.nodes[element]]
+    triangles = np.concatenate([_flat(shape[local][None], len(local)) for _, local in kinds.faces_of(block.kind, len(shape))])
+    return bool(_leaves(np.array([point]) @ _TURN, triangles @ _TURN)[0] != 0)
+
+
+def _points(whole, nodes, body_of):
     """(body, point): _POINTS of each body, in its elements with the largest boxes, which may be one."""
     parts = []
-    for block in whole:
+    for block, owner in zip(whole, body_of):
         shape = nodes[block.nodes]
         if block.kind == "tetrahedron":
             middle = np.einsum("n,enx->ex", lagrange.values("tetrahedron", block.order, np.full((1, 4), 0.25))[0], shape)
         else:
             middle = shape[:, :kinds.CORNERS[block.kind]].mean(axis=1)
         size = np.prod(shape.max(axis=1) - shape.min(axis=1), axis=1)
-        parts.append((body_of_node[block.nodes[:, 0]], size, middle))
+        parts.append((owner, size, middle))
     body, size, middle = map(np.concatenate, zip(*parts))
     order = np.lexsort((-size, body))
     body, middle = body[order], middle[order]
@@ -73,18 +108,15 @@ def _points(whole, nodes, body_of_node):
     return body[chosen], middle[chosen]
 
 
-def _flat(whole, nodes, body_of_node):
-    """(body (T,), corners (T, 3, 3)) of flat triangles that the surface is cut into."""
-    owners, found = [], []
-    for rows, _, _ in boundary.with_elements(whole):
-        count = rows.shape[1]
-        kind = "triangle" if kinds.order_of("triangle", count) else "quadrilateral"
-        order = kinds.order_of(kind, count)
-        at, cells = _lattice(kind, order if order == 1 and kind == "triangle" else _FINER * order)
-        places = np.einsum("pn,fnx->fpx", lagrange.at_places(kind, count, at), nodes[rows])
-        found.append(places[:, cells].reshape(-1, 3, 3))
-        owners.append(np.repeat(body_of_node[rows[:, 0]], len(cells)))
-    return np.concatenate(owners), np.concatenate(found)
+def _flat(sides, count):
+    """float64 (T, 3, 3): flat triangles that sides (F, nodes, 3) of this number of nodes are cut into, those of one after the
+    other.
+    """
+    kind = "triangle" if kinds.order_of("triangle", count) else "quadrilateral"
+    order = kinds.order_of(kind, count)
+    at, cells = _lattice(kind, order if order == 1 and kind == "triangle" else _FINER * order)
+    places = np.einsum("pn,fnx->fpx", lagrange.at_places(kind, count, at), sides)
+    return places[:, cells].reshape(-1, 3, 3)
 
 
 def _lattice(kind, steps):

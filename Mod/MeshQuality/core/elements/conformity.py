@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Whether the elements of a mesh fit together.
 
-They do not where a side has too many elements, or where a corner of one lies amid an edge or a side of another, as
-refinement leaves it.
+They do not where a side has too many elements, where elements are there twice, or where a corner of one lies amid an
+edge or a side of another, as refinement leaves it.
 """
 
 import numpy as np
@@ -24,15 +24,34 @@ def of_blocks(blocks, nodes):
         directed = np.concatenate([block.nodes[:, list(edge)] for block in whole for edge in kinds.EDGES[block.kind]])
         _, counts = np.unique(directed, axis=0, return_counts=True)
         _, pairs = np.unique(np.sort(directed, axis=1), axis=0, return_counts=True)
-        return not hangs(whole, nodes), bool(counts.max(initial=0) <= 1 or pairs.max(initial=0) > 2)
-    conforming, oriented = not hangs(whole, nodes), True
+        return not hangs(whole, nodes) and not doubled(whole), bool(counts.max(initial=0) <= 1 or pairs.max(initial=0) > 2)
+    conforming, oriented = not hangs(whole, nodes) and not doubled(whole), True
     for corners in (3, 4):
         sides = [block.nodes[:, list(face)] for block in whole for face in kinds.FACES[block.kind] if len(face) == corners]
         if sides:
             counts, turns = _counted(np.concatenate(sides))
-            conforming = conforming and bool(counts.max() <= 2)
+            conforming = conforming and bool(counts.max(initial=0) <= 2)
             oriented = oriented and not (turns[counts == 2] != 0).any()
     return conforming, oriented
+
+
+def doubled(whole):
+    """[(kind, index of an element, index of another one)]: elements that are there twice, indices counting on from one block of
+    the kind to the next. Volume elements are with the same corners in whatever order, surface elements with those in the same
+    order: where two bodies touch, each may have the same triangle, seen from its own side.
+    """
+    found = []
+    for kind in sorted({block.kind for block in whole}):
+        corners = np.concatenate([block.nodes[:, :kinds.CORNERS[kind]] for block in whole if block.kind == kind])
+        if kinds.DIMENSION[kind] == 3:
+            corners = np.sort(corners, axis=1)
+        else:
+            turn = np.argmin(corners, axis=1)[:, None] + np.arange(corners.shape[1])
+            corners = np.take_along_axis(corners, turn % corners.shape[1], axis=1)
+        order = np.lexsort(corners.T[::-1])
+        same = np.flatnonzero((corners[order][1:] == corners[order][:-1]).all(axis=1))
+        found += [(kind, *sorted((int(order[i]), int(order[i + 1])))) for i in same]
+    return found
 
 
 def _counted(sides):

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "curve/volume/filling/flips.h"
 #include "curve/volume/filling/tuning.h"
@@ -54,6 +55,11 @@ double CellMeasure::at(const std::array<int, 3>& face, const Vec3& place) const 
 
 double CellMeasure::value(const std::array<int, 4>& v, const Corners& p) const {
     double sine = sine_quality(*p[0], *p[1], *p[2], *p[3]);
+    if (sine > 0.0 && std::getenv("MQ_SHAPE")) {
+        static const double kW = std::atof(std::getenv("MQ_SHAPE"));
+        const double q = volume_quality(*p[0], *p[1], *p[2], *p[3]);
+        sine = std::min(sine, kW * std::cbrt(q * q));
+    }
     if (!(sine > 0.0) || std::count_if(v.begin(), v.end(), [&](int k) { return curved(k); }) < 2) {
         return sine;
     }

@@ -6,8 +6,14 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <gp_Ax2.hxx>
+#include <map>
+#include <set>
 
 #include "curve/given/given.h"
 #include "curve/given/measure_given.h"
@@ -80,6 +86,51 @@ TEST(CurveGiven, SurfacesOfTrianglesAreCurved) {
         const CurvedMesh mesh = curved_anew(part.model, given, 2);
         EXPECT_EQ(mesh.report.invalid, 0u) << part.name << "\n" << to_text(mesh.report);
     }
+}
+
+/// Nodes in the same place become one, as mesh generators do that know a place once.
+void merge_places(GivenMesh& mesh) {
+    std::map<std::array<double, 3>, int> known;
+    for (auto& triangle : mesh.triangles) {
+        for (int& v : triangle) {
+            const Vec3 p = mesh.nodes[static_cast<std::size_t>(v)] * 1e9;
+            v = known.emplace(std::array<double, 3>{std::round(p.x()), std::round(p.y()), std::round(p.z())}, v)
+                    .first->second;
+        }
+    }
+}
+
+TEST(CurveGiven, SurfacesOfBodiesThatTouchAreSeparated) {
+    const BRep_Builder builder;
+    TopoDS_Compound both;
+    builder.MakeCompound(both);
+    for (const double foot : {0.0, 2.0}) {
+        const gp_Ax2 axis(gp_Pnt(0.0, 0.0, foot), gp_Dir(0.0, 0.0, 1.0));
+        builder.Add(both, BRepPrimAPI_MakeCylinder(axis, 1.0, 2.0).Shape());
+    }
+    const auto model = geometry::make_shape_model(both);
+    GivenMesh given = given_of(curved(model, of_order(1)));
+    const std::vector<std::array<int, 3>> apart = given.triangles;
+    merge_places(given);
+    ASSERT_NE(given.triangles, apart);
+    const CurvedMesh mesh = curved_anew(model, given, 2);
+    EXPECT_EQ(mesh.report.invalid, 0u) << to_text(mesh.report);
+    EXPECT_TRUE(mesh.moved_nodes.empty());
+    EXPECT_EQ(mesh.triangles.size(), given.triangles.size() * 6);
+    std::set<std::array<double, 3>> places;
+    for (std::size_t v = 0; v < mesh.vertices; ++v) {
+        const Vec3& p = mesh.nodes[v];
+        EXPECT_EQ(p, given.nodes[static_cast<std::size_t>(mesh.given_node[v])]);
+        places.insert({p.x(), p.y(), p.z()});
+    }
+    EXPECT_LT(places.size(), mesh.vertices);  // each body has nodes of its own
+    geometry::Engine engine(geometry::Engine::Mode::Direct);
+    std::vector<std::int32_t> corners;
+    for (const auto& t : given.triangles) {
+        corners.insert(corners.end(), t.begin(), t.end());
+    }
+    const GivenSurfaceMeasures found = measure_given_surface(engine, model, given.nodes, 1, corners);
+    EXPECT_EQ(std::set<std::int32_t>(found.face.begin(), found.face.end()).size(), 6u);
 }
 
 TEST(MeasureGiven, KnowsWhatTheMeshIsLike) {

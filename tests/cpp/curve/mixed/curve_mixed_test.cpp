@@ -6,6 +6,7 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -55,6 +56,29 @@ TEST(CurveMixed, ThinLayersFollowTheirWall) {
             EXPECT_EQ(mesh.nodes[v], given.nodes[static_cast<std::size_t>(mesh.given_node[v])]);
         }
     }
+}
+
+TEST(CurveMixed, StraighteningLeavesWhatItDoesNotHelp) {
+    // An inner corner beyond its neighbour: hexahedra that no curving and no straightening makes valid.
+    MixedMesh given = in_half_pipe(4, 3, 1.0);
+    const auto inner = std::find_if(given.nodes.begin(), given.nodes.end(), [](const Vec3& p) {
+        return std::abs(p.norm() - std::hypot(4.0 / 3.0, 0.5)) < 1e-6 && std::abs(p.x()) < 1e-6;
+    });
+    ASSERT_NE(inner, given.nodes.end());
+    inner->y() = 1.8;
+    const auto run = [&](bool straighten) {
+        geometry::Engine engine(geometry::Engine::Mode::Direct);
+        CurveOptions options;
+        options.order = 2;
+        options.straighten = straighten;
+        return curve_mixed(engine, geometry::make_shape_model(half_pipe()), given, options);
+    };
+    const CurvedMixedMesh left = run(false);
+    const CurvedMixedMesh tried = run(true);
+    EXPECT_GT(left.report.invalid, 0u);
+    EXPECT_EQ(tried.report.invalid, left.report.invalid);
+    EXPECT_TRUE(tried.report.straightened.empty());
+    EXPECT_EQ(tried.nodes, left.nodes);
 }
 
 TEST(CurveMixed, LayersArePiecesOfOneMacroElement) {

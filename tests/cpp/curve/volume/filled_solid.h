@@ -13,7 +13,7 @@
 #include "curve/surface/editor.h"
 #include "curve/volume/editor.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
-#include "curve/volume/volume_filling.h"
+#include "curve/volume/remeshing/volume_filling.h"
 #include "geometry/occt/shape_model.h"
 
 namespace mq::curve {
@@ -77,7 +77,7 @@ class Filled {
         std::vector<int> all(surface.triangles.size());
         std::iota(all.begin(), all.end(), 0);
         surface_editor.placement.place(all);
-        return fill_solids(surface, session.topology(), 1.0, progress);
+        return fill_solids(surface, session.topology(), progress);
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/given/local_remeshing.h"
+#include "curve/volume/remeshing/local_remeshing.h"
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,6 @@
 
 #include "base/disjoint_sets.h"
 #include "base/error.h"
-#include "curve/given/given_mesh.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
 
 namespace mq::curve {
@@ -399,6 +398,10 @@ TetrahedralMesh remesh_locally(CurvedSurface& surface, std::size_t triangles_bef
     return remesher.fill_cavities();
 }
 
+namespace {
+
+/// Removes the tetrahedra that are not valid, with `layers` of others around them, and fills their cavities anew.
+/// Shapes of mesh edges and faces in the cavities are forgotten.
 TetrahedralMesh remesh_invalid(const TetrahedralMesh& volume, CurvedSurface& surface, int layers, double grading_factor,
                                LocalRemeshing& done, const Progress& progress) {
     TetrahedraInside inside;
@@ -415,6 +418,48 @@ TetrahedralMesh remesh_invalid(const TetrahedralMesh& volume, CurvedSurface& sur
     Remesher remesher(surface, surface.triangles.size(), inside, grading_factor, done, progress);
     remesher.remove_around(invalid, layers);
     return remesher.fill_cavities();
+}
+
+/// Invalid tetrahedra that are not on folded triangles of the surface, which fold any tetrahedron on them.
+std::size_t repairable(const TetrahedralMesh& volume) {
+    const FoldedTriangles folded(volume.surface);
+    const auto& all = volume.tetrahedra;
+    return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const Tetrahedron& t) {
+        return t.alive && !(t.quality > 0.0) && !folded.has_face_of(t.corners);
+    }));
+}
+
+}  // namespace
+
+void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& surface, RepairScope scope,
+                       LocalRemeshing& done, const Progress& progress) {
+    constexpr std::array<double, 3> kGradingFactors{1.0, 0.5, 0.2};
+    for (std::size_t i = 0; i < kGradingFactors.size(); ++i) {
+        const std::size_t before = repairable(*volume);
+        if (before == 0) {
+            return;
+        }
+        CurvedSurface kept = surface;
+        const std::vector<Tetrahedron> tetrahedra = volume->tetrahedra;
+        LocalRemeshing tried;
+        try {
+            volume.emplace(
+                remesh_invalid(*volume, surface, static_cast<int>(i) + 1, kGradingFactors[i], tried, progress));
+            repair_volume(*volume, progress, scope);
+            if (repairable(*volume) < before) {
+                done.cavities += tried.cavities;
+                continue;
+            }
+        } catch (const MeshingFailed&) {  // what was there before is as good
+        }
+        surface = std::move(kept);
+        volume.emplace(surface);
+        for (const Tetrahedron& t : tetrahedra) {
+            if (t.alive) {
+                volume->tetrahedra[static_cast<std::size_t>(volume->add(t.corners, t.volume))].quality = t.quality;
+            }
+        }
+    }
 }
 
 }  // namespace mq::curve

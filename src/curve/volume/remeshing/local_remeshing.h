@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "base/progress.h"
+#include "curve/volume/repair.h"
 #include "curve/volume/tetrahedral_mesh.h"
 
 namespace mq::curve {
@@ -33,11 +35,10 @@ struct LocalRemeshing {
 TetrahedralMesh remesh_locally(CurvedSurface& surface, std::size_t triangles_before, const TetrahedraInside& inside,
                                LocalRemeshing& done, const Progress& progress);
 
-/// Removes the tetrahedra that are not valid, with `layers` of others around them, and fills their cavities anew.
-/// Shapes of mesh edges and faces in the cavities are forgotten.
-/// @param grading_factor  see fill()
-/// @throws MeshingFailed naming the solid that cannot be filled.
-TetrahedralMesh remesh_invalid(const TetrahedralMesh& volume, CurvedSurface& surface, int layers, double grading_factor,
-                               LocalRemeshing& done, const Progress& progress);
+/// Where tetrahedra stay invalid after repair, removes them with ever more layers of others around them, fills the
+/// cavities anew with ever more vertices inside, and repairs again. A result is kept if fewer of them stay invalid, not
+/// counting those on folded triangles of the surface, which nothing inside can help.
+void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& surface, RepairScope scope,
+                       LocalRemeshing& done, const Progress& progress);
 
 }  // namespace mq::curve

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "curve/elements/tensor_patch.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "curve/bezier/bernstein.h"
+#include "curve/elements/reference_nodes.h"
+
+namespace mq::curve {
+
+namespace {
+
+double binomial(int n, int k) {
+    double result = 1.0;
+    for (int i = 1; i <= k; ++i) {
+        result = result * (n - k + i) / i;
+    }
+    return result;
+}
+
+std::size_t at(int order, int i, int j) {
+    return static_cast<std::size_t>(i * (order + 1) + j);
+}
+
+/// The half between the corners (0, 0), (1, 0) and (1, 1): there u = b1 + b2, 1 - u = b0, v = b2 and 1 - v = b0 + b1.
+/// @param turned  whether it is the other half, with u and v exchanged and so corners 1 and 2
+std::vector<Vec3> half(int order, const std::vector<Vec3>& control, bool turned) {
+    const Lattice& lattice = Lattice::of(2, 2 * order);
+    std::vector<Vec3> found(static_cast<std::size_t>(lattice.size()), Vec3::Zero());
+    for (int i = 0; i <= order; ++i) {
+        for (int j = 0; j <= order; ++j) {
+            const Vec3& p = control[turned ? at(order, j, i) : at(order, i, j)];
+            const double of_point = binomial(order, i) * binomial(order, j);
+            for (int a = 0; a <= i; ++a) {  // the powers of b1 in (b1 + b2)^i and, b, in (b0 + b1)^(order - j)
+                for (int b = 0; b <= order - j; ++b) {
+                    Exponents e{2 * order - i - j - b, a + b, i - a + j, 0};
+                    if (turned) {
+                        std::swap(e[1], e[2]);
+                    }
+                    const int k = lattice.index(e);
+                    const double weight = of_point * binomial(i, a) * binomial(order - j, b) / lattice.multinomial(k);
+                    found[static_cast<std::size_t>(k)] += weight * p;
+                }
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<Vec3> tensor_control(int order, std::vector<Vec3> nodes) {
+    constexpr std::size_t kSerendipity = 8;
+    if (order == 2 && nodes.size() == kSerendipity) {
+        Vec3 middle = Vec3::Zero();
+        for (std::size_t i = 0; i < 4; ++i) {
+            middle += 0.5 * nodes[4 + i] - 0.25 * nodes[i];
+        }
+        nodes.push_back(middle);
+    }
+    const std::vector<GridPoint> places = gmsh_nodes(ElementKind::Quadrilateral, order);
+    const Eigen::MatrixXd& along = nodes_to_bezier_matrix(Lattice::of(1, order));
+    std::vector<Vec3> found(nodes.size(), Vec3::Zero());
+    for (int i = 0; i <= order; ++i) {
+        for (int j = 0; j <= order; ++j) {
+            for (std::size_t g = 0; g < places.size(); ++g) {
+                found[at(order, i, j)] += along(i, places[g][0]) * along(j, places[g][1]) * nodes[g];
+            }
+        }
+    }
+    return found;
+}
+
+std::array<std::vector<Vec3>, 2> halves_of_quadrilateral(int order, const std::vector<Vec3>& control) {
+    return {half(order, control, false), half(order, control, true)};
+}
+
+std::vector<Vec3> raised_to(int degree, const Lattice& lattice, const std::vector<Vec3>& control) {
+    if (degree == lattice.degree()) {
+        return control;
+    }
+    const Lattice& higher = Lattice::of(2, lattice.degree() + 1);
+    std::vector<Vec3> found(static_cast<std::size_t>(higher.size()), Vec3::Zero());
+    for (int i = 0; i < higher.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            Exponents e = higher.exponents(i);
+            const double share = static_cast<double>(e[k]) / higher.degree();
+            if (e[k]-- > 0) {
+                found[static_cast<std::size_t>(i)] += share * control[static_cast<std::size_t>(lattice.index(e))];
+            }
+        }
+    }
+    return raised_to(degree, higher, found);
+}
+
+}  // namespace mq::curve

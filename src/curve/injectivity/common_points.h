@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/vec.h"
+#include "curve/elements/element_kind.h"
+#include "curve/injectivity/surface_patches.h"
+
+namespace mq::curve {
+
+/// Solid elements of one kind and order, with their nodes in Gmsh's order, one element after the other.
+struct SolidBlock {
+    /// A face of an element: which of the element's nodes it has, in Gmsh's order.
+    struct Face {
+        ElementKind kind = ElementKind::Triangle;
+        int order = 1;
+        std::vector<std::int32_t> nodes;
+    };
+    ElementKind kind = ElementKind::Tetrahedron;
+    int order = 1;
+    int nodes_per_element = 4;
+    std::vector<std::int32_t> nodes;
+    std::vector<Face> faces;
+};
+
+/// A point that is inside of two elements.
+struct CommonPoint {
+    std::array<std::int32_t, 2> elements;  ///< numbered from block to block
+    Vec3 point;                            ///< mm
+};
+
+/// Bodies of a mesh that overlap: for two of them one point at most, which is proven to be inside of an element of
+/// each.
+///
+/// Elements whose boxes meet are divided into tetrahedra between their nodes; where two of these have more than a
+/// point, an edge or a face in common, the middle of what they have in common is tried. The proof is the winding number
+/// of the faces of each element. What is in one another by less than `kTouching` of the mesh's size does not count.
+/// @param body  by element, numbered from block to block
+/// @throws InvalidInput where the numbers do not fit together; Cancelled
+std::vector<CommonPoint> common_points(const std::vector<Vec3>& nodes, const std::vector<SolidBlock>& blocks,
+                                       const std::vector<std::int32_t>& body, Progress* progress = nullptr);
+
+}  // namespace mq::curve

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/stopwatch.h"
+#include "curve/volume/repair.h"
+#include "curve/volume/tetrahedral_mesh.h"
+
+namespace mq::curve {
+
+/// The inside of a model, curved and repaired.
+struct FilledTetrahedralMesh {
+    TetrahedralMesh volume;
+    VolumeRepairs repairs;
+    std::vector<std::string> notes;  ///< which solids were filled by our own mesher
+};
+
+/// Fills the solids and repairs their tetrahedra. Where some stay invalid, mostly since they reach from one side of the
+/// surface to the other, the cavities around them are filled again with more vertices inside (remesh_and_repair).
+/// @param surface gets the vertices and shapes inside.
+/// @throws MeshingFailed, GeometryError where the filling fails; Cancelled.
+FilledTetrahedralMesh fill_and_repair(CurvedSurface& surface, const geometry::Topology& topology, Progress& progress,
+                                      StageClock& clock);
+
+}  // namespace mq::curve
