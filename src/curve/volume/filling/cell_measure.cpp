@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "curve/volume/filling/flips.h"
 #include "curve/volume/filling/tuning.h"
@@ -54,21 +53,22 @@ double CellMeasure::at(const std::array<int, 3>& face, const Vec3& place) const 
 }
 
 double CellMeasure::value(const std::array<int, 4>& v, const Corners& p) const {
-    double sine = sine_quality(*p[0], *p[1], *p[2], *p[3]);
-    if (sine > 0.0 && std::getenv("MQ_SHAPE")) {
-        static const double kW = std::atof(std::getenv("MQ_SHAPE"));
-        const double q = volume_quality(*p[0], *p[1], *p[2], *p[3]);
-        sine = std::min(sine, kW * std::cbrt(q * q));
-    }
-    if (!(sine > 0.0) || std::count_if(v.begin(), v.end(), [&](int k) { return curved(k); }) < 2) {
+    const double sine = sine_quality(*p[0], *p[1], *p[2], *p[3]);
+    if (!(sine > 0.0)) {
         return sine;
+    }
+    const double volume = volume_quality(*p[0], *p[1], *p[2], *p[3]);
+    const double mean_ratio = std::cbrt(volume * volume);
+    double least = std::min(sine, FillingTuning::kMeanRatioPart * mean_ratio);
+    if (std::count_if(v.begin(), v.end(), [&](int k) { return curved(k); }) < 2) {
+        return least;
     }
     for (int k = 0; k < 4; ++k) {
         if (curved(v[k])) {
-            sine = std::min(sine, made_positive(corner_sine(v, p, k)));
+            least = std::min(least, made_positive(corner_sine(v, p, k)));
         }
     }
-    return sine;
+    return least;
 }
 
 double CellMeasure::corner_sine(const std::array<int, 4>& v, const Corners& p, int corner) const {

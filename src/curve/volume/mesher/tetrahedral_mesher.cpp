@@ -21,7 +21,7 @@ TetrahedralFilling fill(const std::vector<Vec3>& points, const std::vector<std::
     }
     try {
         TetrahedralFilling other = fill_by_netgen(points, triangles, grading_factor, progress);
-        other.netgen_fault = why;
+        other.own_fault = why;
         return other;
     } catch (const GeometryError& error) {
         throw MeshingFailed("our own mesher: " + why + "; Netgen: " + error.what());
