@@ -177,7 +177,23 @@ struct Shell {
     std::vector<int> vertices;  // vertices of the surface
     std::vector<Vec3> points;
     std::vector<std::array<int, 3>> triangles;
+    EndTangents tangents;
 };
+
+/// The tangents of the triangle's curved edges.
+void take_tangents(const CurvedShapes& shapes, const std::array<int, 3>& corners, Shell& shell) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int from = corners[k];
+        const int to = corners[(k + 1) % 3];
+        const int a = shell.vertices[static_cast<std::size_t>(from)];
+        const int b = shell.vertices[static_cast<std::size_t>(to)];
+        if (shapes.has_edge(a, b)) {
+            const std::vector<Vec3> inner = shapes.edge_inner(a, b);
+            shell.tangents[directed_edge(from, to)] = inner.front() - shell.points[static_cast<std::size_t>(from)];
+            shell.tangents[directed_edge(to, from)] = inner.back() - shell.points[static_cast<std::size_t>(to)];
+        }
+    }
+}
 
 Shell shell_of(const CurvedSurface& surface, std::size_t volume) {
     Shell shell;
@@ -203,6 +219,7 @@ Shell shell_of(const CurvedSurface& surface, std::size_t volume) {
             };
             sum += at(0).dot(at(1).cross(at(2)));
             shell.triangles.push_back(corners);
+            take_tangents(surface.shapes, corners, shell);
         }
     }
     if (sum < 0.0) {
@@ -234,14 +251,14 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& to
         const Shell shell = shell_of(surface, i);
         TetrahedralFilling filling;
         try {
-            filling = fill(shell.points, shell.triangles, kUsualGrading, progress);
+            filling = fill(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
         } catch (const MeshingFailed& error) {
             throw MeshingFailed(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         } catch (const GeometryError& error) {
             throw GeometryError(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         }
-        if (!filling.netgen_fault.empty()) {
-            volume.filled_by_own_mesher.push_back("Solid" + std::to_string(i + 1) + ": " + filling.netgen_fault);
+        if (!filling.own_fault.empty()) {
+            volume.filled_by_netgen.push_back("Solid" + std::to_string(i + 1) + ": " + filling.own_fault);
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {

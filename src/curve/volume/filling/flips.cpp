@@ -43,9 +43,10 @@ double sine_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
     return volume * std::sqrt(std::min(at_a, opposite));
 }
 
-double quality_of(const Tetrahedralisation& mesh, int cell, CellQuality quality) {
-    const std::array<int, 4>& v = mesh.cells[cell].v;
-    return quality(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
+double Flipper::quality(const std::array<int, 4>& v, const FlipRule& rule) const {
+    return rule.measure != nullptr
+               ? rule.measure->at(v)
+               : volume_quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]));
 }
 
 bool Flipper::flip_face(int cell, int face, const FlipRule& rule) {
@@ -60,8 +61,7 @@ bool Flipper::flip_face(int cell, int face, const FlipRule& rule) {
     for (int k = 0; k < 3; ++k) {
         const int x = c.v[kFaceOf[face][k]];
         const int y = c.v[kFaceOf[face][(k + 1) % 3]];
-        const double quality = rule.quality(mesh_.point(bottom), mesh_.point(top), mesh_.point(x), mesh_.point(y));
-        if (!(quality > rule.floor) || mesh_.orient(bottom, top, x, y) <= 0) {
+        if (!(quality({bottom, top, x, y}, rule) > rule.floor) || mesh_.orient(bottom, top, x, y) <= 0) {
             return false;
         }
         added_.push_back({bottom, top, x, y});
@@ -135,11 +135,11 @@ bool Flipper::crosses_chord(int i, int k) const {
 }
 
 double Flipper::triangle_quality(int a, int b, int i, int k, int j, const FlipRule& rule) const {
-    const Vec3& x = mesh_.point(ring_.x[i]);
-    const Vec3& y = mesh_.point(ring_.x[k]);
-    const Vec3& z = mesh_.point(ring_.x[j]);
-    const double above = rule.quality(x, y, z, mesh_.point(b));
-    return above > rule.floor ? std::min(above, rule.quality(x, z, y, mesh_.point(a))) : above;
+    const int x = ring_.x[i];
+    const int y = ring_.x[k];
+    const int z = ring_.x[j];
+    const double above = quality({x, y, z, b}, rule);
+    return above > rule.floor ? std::min(above, quality({x, z, y, a}, rule)) : above;
 }
 
 void Flipper::collect(int a, int b, int i, int j) {

@@ -4,12 +4,10 @@
 #include <array>
 #include <vector>
 
+#include "curve/volume/filling/cell_measure.h"
 #include "curve/volume/filling/tetrahedralisation.h"
 
 namespace mq::curve {
-
-/// How good a tetrahedron is: not positive where its volume is not.
-using CellQuality = double (*)(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// 1 for the regular tetrahedron, 0 for a flat one: its volume over the cube of its root mean square edge. The sign is
 /// exact.
@@ -18,14 +16,12 @@ double volume_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
 /// The least sine of the dihedral angles.
 double sine_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-double quality_of(const Tetrahedralisation& mesh, int cell, CellQuality quality);
-
 /// What a flip must reach.
 struct FlipRule {
-    CellQuality quality = volume_quality;
-    double floor = 0.0;            ///< every new cell must be better
-    std::size_t most_around = 12;  ///< cells around an edge that is removed
-    int chord_a = -1;              ///< vertices around the edge that must be connected afterwards, or -1
+    const CellMeasure* measure = nullptr;  ///< none: volume_quality
+    double floor = 0.0;                    ///< every new cell must be better
+    std::size_t most_around = 12;          ///< cells around an edge that is removed
+    int chord_a = -1;                      ///< vertices around the edge that must be connected afterwards, or -1
     int chord_b = -1;
 };
 
@@ -47,6 +43,7 @@ class Flipper {
 
   private:
     bool best_triangulation(int a, int b, const FlipRule& rule);
+    double quality(const std::array<int, 4>& v, const FlipRule& rule) const;
     double triangle_quality(int a, int b, int i, int k, int j, const FlipRule& rule) const;
     bool crosses_chord(int i, int k) const;
     void collect(int a, int b, int i, int j);

@@ -10,23 +10,17 @@
 
 namespace mq::curve {
 
-namespace {
-
-constexpr double kNever = std::numeric_limits<double>::max();
-
-}  // namespace
-
-Optimisation::Optimisation(Tetrahedralisation& mesh, const std::vector<std::array<int, 3>>& surface, int first_inner)
-    : mesh_(mesh), flipper_(mesh), placing_(mesh), insertion_(mesh), first_inner_(first_inner) {
+Optimisation::Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents, int first_inner)
+    : mesh_(mesh),
+      measure_(mesh, tangents),
+      flipper_(mesh),
+      placing_(mesh, measure_),
+      insertion_(mesh),
+      first_inner_(first_inner) {
     tried_.resize(mesh.cells.size(), 0);
     settled_.resize(mesh.points.size(), 0);
-    for (const auto& t : surface) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            surface_edges_.insert(pair_key(t[k], t[(k + 1) % 3]));
-        }
-    }
     for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-        quality_.push_back(mesh.alive(static_cast<int>(c)) ? quality_of(mesh, static_cast<int>(c), sine_quality) : 1.0);
+        quality_.push_back(mesh.alive(static_cast<int>(c)) ? measure_.at(mesh.cells[c].v) : 1.0);
     }
 }
 
@@ -34,10 +28,8 @@ void Optimisation::run(const Progress& progress) {
     for (int sweep = 0; sweep < FillingTuning::kSweeps; ++sweep) {
         const bool flipped = flip_cells(progress);
         const bool moved = move_vertices(progress);
-        // The last sweeps improve what is new.
-        const bool freed = sweep + 2 < FillingTuning::kSweeps && free_corners(progress);
         const bool inserted = sweep >= FillingTuning::kFirstInsertion && insert_vertices(progress);
-        if (sweep >= FillingTuning::kFirstInsertion && !flipped && !moved && !freed && !inserted) {
+        if (sweep >= FillingTuning::kFirstInsertion && !flipped && !moved && !inserted) {
             break;
         }
     }
@@ -49,7 +41,7 @@ void Optimisation::note(const std::vector<int>& changed) {
     tried_.resize(mesh_.cells.size(), 0);
     settled_.resize(mesh_.points.size(), 0);
     for (const int c : changed) {
-        quality_[c] = quality_of(mesh_, c, sine_quality);
+        quality_[c] = measure_.at(mesh_.cells[c].v);
         tried_[c] = 0;
         for (const int other : mesh_.cells[c].n) {
             if (other >= 0) {
@@ -85,7 +77,7 @@ bool Optimisation::improve_by_flip(int cell) {
 bool Optimisation::remove_one_edge(int cell) {
     const std::array<int, 4> v = mesh_.cells[cell].v;
     FlipRule rule;
-    rule.quality = sine_quality;
+    rule.measure = &measure_;
     rule.most_around = FillingTuning::kMostAround;
     for (int i = 0; i < 4; ++i) {
         for (int k = i + 1; k < 4; ++k) {
@@ -108,7 +100,7 @@ bool Optimisation::remove_one_edge(int cell) {
 
 bool Optimisation::flip_one_face(int cell) {
     FlipRule rule;
-    rule.quality = sine_quality;
+    rule.measure = &measure_;
     for (int face = 0; face < 4; ++face) {
         const int other = mesh_.cells[cell].n[face];
         if (other < 0) {
@@ -181,69 +173,18 @@ bool Optimisation::insert_vertices(const Progress& progress) {
     return any;
 }
 
-/// Frees corners that are flat and all of whose edges lie on the surface: once that is curved, no tetrahedron there is
-/// valid. An edge of the cell opposite the corner is divided inside.
-bool Optimisation::free_corners(const Progress& progress) {
-    bool any = false;
-    const std::size_t count = mesh_.cells.size();
-    for (std::size_t c = 0; c < count; ++c) {
-        progress.check();
-        const int cell = static_cast<int>(c);
-        const int corner = mesh_.alive(cell) ? flat_corner(cell) : -1;
-        if (corner < 0) {
-            continue;
-        }
-        const std::array<int, 4> v = mesh_.cells[cell].v;
-        const int(&f)[3] = kFaceOf[corner];
-        bool freed = false;
-        for (int k = 0; k < 3 && !freed; ++k) {
-            const int a = v[f[k]];
-            const int b = v[f[(k + 1) % 3]];
-            freed = mesh_.ring(cell, a, b, ring_) &&
-                    insert_into(ring_.cells, 0.5 * (mesh_.point(a) + mesh_.point(b)), FillingTuning::kFreedSine);
-        }
-        const Vec3 middle = 0.25 * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]) + mesh_.point(v[3]));
-        freed = freed ||
-                (insertion_.open(middle, cell) && insert_into(insertion_.cavity(), middle, FillingTuning::kFreedSine));
-        any = any || freed;
-    }
-    return any;
-}
-
-int Optimisation::flat_corner(int cell) const {
-    const std::array<int, 4>& v = mesh_.cells[cell].v;
-    if (std::any_of(v.begin(), v.end(), [&](int k) { return k >= first_inner_; })) {
-        return -1;
-    }
-    for (int k = 0; k < 4; ++k) {
-        const int(&f)[3] = kFaceOf[k];
-        if (surface_edges_.count(pair_key(v[k], v[f[0]])) + surface_edges_.count(pair_key(v[k], v[f[1]])) +
-                surface_edges_.count(pair_key(v[k], v[f[2]])) <
-            3) {
-            continue;
-        }
-        const Vec3 a = (mesh_.point(v[f[0]]) - mesh_.point(v[k])).normalized();
-        const Vec3 b = (mesh_.point(v[f[1]]) - mesh_.point(v[k])).normalized();
-        const Vec3 d = (mesh_.point(v[f[2]]) - mesh_.point(v[k])).normalized();
-        if (std::abs(a.cross(b).dot(d)) < FillingTuning::kFlatCorner) {
-            return k;
-        }
-    }
-    return -1;
-}
-
 /// Tries the cavity of the middle of a poor cell, then the cells around its edges and at its faces, until a new vertex
 /// in one of them makes the worst cell better.
 bool Optimisation::insert_near(int cell) {
     const std::array<int, 4> v = mesh_.cells[cell].v;
     const Vec3 middle = 0.25 * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]) + mesh_.point(v[3]));
-    if (insertion_.open(middle, cell) && insert_into(insertion_.cavity(), middle, kNever)) {
+    if (insertion_.open(middle, cell) && insert_into(insertion_.cavity(), middle)) {
         return true;
     }
     for (int i = 0; i < 4; ++i) {
         for (int k = i + 1; k < 4; ++k) {
             if (mesh_.ring(cell, v[i], v[k], ring_) &&
-                insert_into(ring_.cells, 0.5 * (mesh_.point(v[i]) + mesh_.point(v[k])), kNever)) {
+                insert_into(ring_.cells, 0.5 * (mesh_.point(v[i]) + mesh_.point(v[k])))) {
                 return true;
             }
         }
@@ -252,7 +193,7 @@ bool Optimisation::insert_near(int cell) {
         if (mesh_.cells[cell].n[face] >= 0) {
             const int(&f)[3] = kFaceOf[face];
             const Vec3 center = (mesh_.point(v[f[0]]) + mesh_.point(v[f[1]]) + mesh_.point(v[f[2]])) / 3.0;
-            if (insert_into({cell, mesh_.cells[cell].n[face]}, center, kNever)) {
+            if (insert_into({cell, mesh_.cells[cell].n[face]}, center)) {
                 return true;
             }
         }
@@ -260,8 +201,7 @@ bool Optimisation::insert_near(int cell) {
     return false;
 }
 
-/// @param enough quality that is enough even where the cells were better
-bool Optimisation::insert_into(const std::vector<int>& cavity, const Vec3& start, double enough) {
+bool Optimisation::insert_into(const std::vector<int>& cavity, const Vec3& start) {
     placing_.faces.clear();
     double before = std::numeric_limits<double>::max();
     for (const int c : cavity) {
@@ -277,7 +217,7 @@ bool Optimisation::insert_into(const std::vector<int>& cavity, const Vec3& start
     Vec3 place = start;
     double worst = placing_.worst_at(place, -std::numeric_limits<double>::max());
     placing_.improve(place, worst);
-    if (!(worst > std::min(enough, FillingTuning::kInsertionGain * before)) || !sees_all(place)) {
+    if (!(worst > FillingTuning::kInsertionGain * before) || !sees_all(place)) {
         return false;
     }
     const int vertex = mesh_.add_point(place);

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "base/key_set.h"
 #include "base/progress.h"
+#include "curve/volume/filling/cell_measure.h"
 #include "curve/volume/filling/delaunay.h"
 #include "curve/volume/filling/flips.h"
 #include "curve/volume/filling/tetrahedralisation.h"
@@ -19,7 +19,7 @@ namespace mq::curve {
 class Optimisation {
   public:
     /// @param first_inner the first vertex that may move
-    Optimisation(Tetrahedralisation& mesh, const std::vector<std::array<int, 3>>& surface, int first_inner);
+    Optimisation(Tetrahedralisation& mesh, const EndTangents& tangents, int first_inner);
 
     /// @throws Cancelled
     void run(const Progress& progress);
@@ -32,21 +32,19 @@ class Optimisation {
     bool move_vertices(const Progress& progress);
     bool move_vertex(int v);
     bool insert_vertices(const Progress& progress);
-    bool free_corners(const Progress& progress);
-    int flat_corner(int cell) const;
     bool insert_near(int cell);
-    bool insert_into(const std::vector<int>& cavity, const Vec3& start, double enough);
+    bool insert_into(const std::vector<int>& cavity, const Vec3& start);
     bool sees_all(const Vec3& place) const;
     void note(const std::vector<int>& changed);
     double quality(int cell) const { return quality_[cell]; }
 
     Tetrahedralisation& mesh_;
+    CellMeasure measure_;
     Flipper flipper_;
     VertexPlacing placing_;
     CavityInsertion insertion_;
     EdgeRing ring_;
     int first_inner_;
-    KeySet surface_edges_;
     std::vector<double> quality_;
     std::vector<char> tried_;    // cells that no flip has helped since something around them changed
     std::vector<char> settled_;  // vertices that no move has helped since then

@@ -39,7 +39,7 @@ TetrahedralFilling filling_of(const Tetrahedralisation& mesh, std::size_t surfac
 }  // namespace
 
 TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                                double grading_factor, const Progress& progress) {
+                                double grading_factor, const Progress& progress, const EndTangents& tangents) {
     const auto first_inner = static_cast<int>(points.size());
     Tetrahedralisation mesh = delaunay_tetrahedralisation(points, progress);
     SurfaceConstraints surface(triangles);
@@ -47,7 +47,7 @@ TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vect
     remove_outside(mesh, surface, first_inner);
     move_divisions_inwards(mesh, surface);
     InteriorPoints(mesh, triangles, FillingTuning::kGrowth * grading_factor).insert(progress);
-    Optimisation(mesh, triangles, first_inner).run(progress);
+    Optimisation(mesh, tangents, first_inner).run(progress);
     return filling_of(mesh, points.size());
 }
 

@@ -12,8 +12,9 @@ namespace mq::curve {
 /// Fills a closed, outward oriented surface, which may have several shells and voids: a Delaunay tetrahedralisation of
 /// its points, recovery of the surface, points inside, optimisation. Deterministic; what comes out is checked exactly.
 /// @param grading_factor see fill()
+/// @param tangents of the edges of the surface that will be curved: cells are made for those
 /// @throws MeshingFailed where the surface is not closed, intersects itself or cannot be recovered; Cancelled.
 TetrahedralFilling fill_surface(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles,
-                                double grading_factor, const Progress& progress);
+                                double grading_factor, const Progress& progress, const EndTangents& tangents = {});
 
 }  // namespace mq::curve

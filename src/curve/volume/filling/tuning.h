@@ -23,10 +23,11 @@ struct FillingTuning {
     MESHQUALITY_TUNED(double, kPoorSine, 0.6);
     /// Least factor of the worst quality that a new vertex must bring.
     MESHQUALITY_TUNED(double, kInsertionGain, 1.1);
-    /// Volume of a corner by its three edges, below which it is flat.
-    MESHQUALITY_TUNED(double, kFlatCorner, 0.5);
-    /// Least sine that frees a flat corner whose edges all lie on the surface, unless it was worse before.
-    MESHQUALITY_TUNED(double, kFreedSine, 0.25);
+    /// Part of the mean ratio (1: regular) that counts beside the least sine of the dihedral angles (0.94: regular).
+    MESHQUALITY_TUNED(double, kMeanRatioPart, 0.7);
+    /// Sine of a dihedral angle by the tangents of curved edges, from which on it counts as it is; smaller ones, and
+    /// folds, by an exponential function.
+    MESHQUALITY_TUNED(double, kFoldedSine, 0.1);
     /// Cells that may get a new vertex in one sweep, the worst ones, by the number of cells.
     MESHQUALITY_TUNED(double, kInsertedShare, 0.01);
     /// The same for the smallest meshes.

@@ -4,19 +4,14 @@
 #include <algorithm>
 #include <limits>
 
-#include "curve/volume/filling/flips.h"
 #include "curve/volume/filling/tuning.h"
 
 namespace mq::curve {
 
-double VertexPlacing::quality(const std::array<int, 3>& face, const Vec3& place) const {
-    return sine_quality(mesh_.point(face[0]), mesh_.point(face[1]), mesh_.point(face[2]), place);
-}
-
 double VertexPlacing::worst_at(const Vec3& place, double enough) const {
     double worst = std::numeric_limits<double>::max();
     for (const auto& face : faces) {
-        worst = std::min(worst, quality(face, place));
+        worst = std::min(worst, measure_.at(face, place));
         if (worst <= enough) {
             break;
         }
@@ -46,7 +41,7 @@ Vec3 VertexPlacing::uphill(const Vec3& place, double worst) const {
     constexpr double kActive = 0.1;
     Vec3 sum = Vec3::Zero();
     for (const auto& face : faces) {
-        const double here = quality(face, place);
+        const double here = measure_.at(face, place);
         if (here > worst + kActive * std::abs(worst)) {
             continue;
         }
@@ -55,7 +50,7 @@ Vec3 VertexPlacing::uphill(const Vec3& place, double worst) const {
         for (int i = 0; i < 3; ++i) {
             Vec3 moved = place;
             moved[i] += delta;
-            gradient[i] = quality(face, moved) - here;
+            gradient[i] = measure_.at(face, moved) - here;
         }
         if (gradient.squaredNorm() > 0.0) {
             sum += gradient.normalized();

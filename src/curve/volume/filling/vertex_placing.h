@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "curve/volume/filling/cell_measure.h"
 #include "curve/volume/filling/tetrahedralisation.h"
 
 namespace mq::curve {
@@ -12,7 +13,7 @@ namespace mq::curve {
 /// are given by their faces opposite the vertex, from which it is seen on the positive side.
 class VertexPlacing {
   public:
-    explicit VertexPlacing(const Tetrahedralisation& mesh) : mesh_(mesh) {}
+    VertexPlacing(const Tetrahedralisation& mesh, const CellMeasure& measure) : mesh_(mesh), measure_(measure) {}
 
     std::vector<std::array<int, 3>> faces;
 
@@ -24,12 +25,12 @@ class VertexPlacing {
     bool improve(Vec3& place, double& worst) const;
 
   private:
-    double quality(const std::array<int, 3>& face, const Vec3& place) const;
     bool try_place(Vec3& place, const Vec3& other, double& worst) const;
     bool step(Vec3& place, double length, double& worst) const;
     Vec3 uphill(const Vec3& place, double worst) const;
 
     const Tetrahedralisation& mesh_;
+    const CellMeasure& measure_;
 };
 
 }  // namespace mq::curve
