@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "curve/volume/filling/flips.h"
+#include "curve/volume/filling/cells/flips.h"
+#include "curve/volume/filling/cells/tetrahedralisation.h"
 #include "curve/volume/filling/surface_constraints.h"
-#include "curve/volume/filling/tetrahedralisation.h"
 
 namespace mq::curve {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "curve/volume/filling/cells/flips.h"
 #include "curve/volume/filling/filling.h"
-#include "curve/volume/filling/flips.h"
 #include "curve/volume/filling/star_cavity.h"
 
 namespace mq::curve {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "curve/volume/filling/cells/tetrahedralisation.h"
 #include "curve/volume/filling/surface_constraints.h"
-#include "curve/volume/filling/tetrahedralisation.h"
 
 namespace mq::curve {
 

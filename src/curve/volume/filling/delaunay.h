@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "curve/volume/filling/tetrahedralisation.h"
+#include "curve/volume/filling/cells/tetrahedralisation.h"
 
 namespace mq::curve {
 

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "base/error.h"
-#include "base/key_set.h"
 #include "base/vec.h"
+#include "curve/volume/filling/cells/end_tangents.h"
 
 namespace mq::curve {
 
@@ -17,13 +15,6 @@ namespace mq::curve {
 class MeshingFailed : public GeometryError {
     using GeometryError::GeometryError;
 };
-
-/// Tangents of the curved edges of a surface at their ends, by directed edge: at the first vertex, towards the second.
-using EndTangents = std::unordered_map<std::uint64_t, Vec3>;
-
-inline std::uint64_t directed_edge(int from, int to) {
-    return ordered_key(static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to));
-}
 
 /// Tetrahedra inside a closed surface.
 struct TetrahedralFilling {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "curve/volume/filling/cells/tetrahedralisation.h"
 #include "curve/volume/filling/delaunay.h"
-#include "curve/volume/filling/tetrahedralisation.h"
 
 namespace mq::curve {
 

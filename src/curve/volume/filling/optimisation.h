@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "curve/volume/filling/cell_measure.h"
+#include "curve/volume/filling/cells/cell_measure.h"
+#include "curve/volume/filling/cells/flips.h"
+#include "curve/volume/filling/cells/tetrahedralisation.h"
 #include "curve/volume/filling/delaunay.h"
-#include "curve/volume/filling/flips.h"
-#include "curve/volume/filling/tetrahedralisation.h"
 #include "curve/volume/filling/vertex_placing.h"
 
 namespace mq::curve {

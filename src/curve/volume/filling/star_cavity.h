@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "curve/volume/filling/cells/tetrahedralisation.h"
 #include "curve/volume/filling/surface_constraints.h"
-#include "curve/volume/filling/tetrahedralisation.h"
 
 namespace mq::curve {
 

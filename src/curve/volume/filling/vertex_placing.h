@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "curve/volume/filling/cell_measure.h"
-#include "curve/volume/filling/tetrahedralisation.h"
+#include "curve/volume/filling/cells/cell_measure.h"
+#include "curve/volume/filling/cells/tetrahedralisation.h"
 
 namespace mq::curve {
 

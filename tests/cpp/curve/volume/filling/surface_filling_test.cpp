@@ -10,7 +10,7 @@
 
 #include "base/predicates.h"
 #include "curve/volume/filling/closed_surfaces.h"
-#include "curve/volume/filling/flips.h"
+#include "curve/volume/filling/cells/flips.h"
 #include "curve/volume/mesher/filling_check.h"
 
 namespace mq::curve {

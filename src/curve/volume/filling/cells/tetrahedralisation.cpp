@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/tetrahedralisation.h"
+#include "curve/volume/filling/cells/tetrahedralisation.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/cell_measure.h"
+#include "curve/volume/filling/cells/cell_measure.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "curve/volume/filling/flips.h"
-#include "curve/volume/filling/tuning.h"
+#include "curve/volume/filling/cells/flips.h"
+#include "curve/volume/filling/cells/tuning.h"
 
 namespace mq::curve {
 
@@ -59,7 +59,7 @@ double CellMeasure::value(const std::array<int, 4>& v, const Corners& p) const {
     }
     const double volume = volume_quality(*p[0], *p[1], *p[2], *p[3]);
     const double mean_ratio = std::cbrt(volume * volume);
-    double least = std::min(sine, FillingTuning::kMeanRatioPart * mean_ratio);
+    double least = std::min(sine, FillingTuning::kMeanRatioFraction * mean_ratio);
     if (std::count_if(v.begin(), v.end(), [&](int k) { return curved(k); }) < 2) {
         return least;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "curve/volume/filling/flips.h"
+#include "curve/volume/filling/cells/flips.h"
 
 #include <algorithm>
 #include <cmath>

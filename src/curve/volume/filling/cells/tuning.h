@@ -23,8 +23,9 @@ struct FillingTuning {
     MESHQUALITY_TUNED(double, kPoorSine, 0.6);
     /// Least factor of the worst quality that a new vertex must bring.
     MESHQUALITY_TUNED(double, kInsertionGain, 1.1);
-    /// Part of the mean ratio (1: regular) that counts beside the least sine of the dihedral angles (0.94: regular).
-    MESHQUALITY_TUNED(double, kMeanRatioPart, 0.7);
+    /// Fraction of the mean ratio (1: regular) that counts beside the least sine of the dihedral angles (0.94:
+    /// regular).
+    MESHQUALITY_TUNED(double, kMeanRatioFraction, 0.7);
     /// Sine of a dihedral angle by the tangents of curved edges, from which on it counts as it is; smaller ones, and
     /// folds, by an exponential function.
     MESHQUALITY_TUNED(double, kFoldedSine, 0.1);

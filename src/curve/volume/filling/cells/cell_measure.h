@@ -4,13 +4,13 @@
 #include <array>
 #include <vector>
 
-#include "curve/volume/filling/filling.h"
-#include "curve/volume/filling/tetrahedralisation.h"
+#include "curve/volume/filling/cells/end_tangents.h"
+#include "curve/volume/filling/cells/tetrahedralisation.h"
 
 namespace mq::curve {
 
-/// How good a cell will be once the surface is curved: the least of a part of the mean ratio (Liu and Joe 1994), which
-/// sees short and long cells that have good angles, and of the sines of the dihedral angles, those at its corners
+/// How good a cell will be once the surface is curved: the least of a fraction of the mean ratio (Liu and Joe 1994),
+/// which sees short and long cells that have good angles, and of the sines of the dihedral angles, those at its corners
 /// also by the tangents of the curved edges of the surface. Two edges of a smooth face that meet in an obtuse angle
 /// become nearly collinear, and then no curving inside makes a tetrahedron between them valid.
 class CellMeasure {
