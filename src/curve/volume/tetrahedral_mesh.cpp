@@ -257,8 +257,8 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& to
         } catch (const GeometryError& error) {
             throw GeometryError(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         }
-        if (!filling.own_fault.empty()) {
-            volume.filled_by_netgen.push_back("Solid" + std::to_string(i + 1) + ": " + filling.own_fault);
+        if (!filling.netgen_fault.empty()) {
+            volume.filled_by_own_mesher.push_back("Solid" + std::to_string(i + 1) + ": " + filling.netgen_fault);
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {

@@ -25,8 +25,8 @@ class TetrahedralMesh {
 
     CurvedSurface& surface;
     std::vector<Tetrahedron> tetrahedra;
-    /// The solids that Netgen has filled, each with why our own mesher failed.
-    std::vector<std::string> filled_by_netgen;
+    /// The solids that our own mesher has filled, each with what Netgen said.
+    std::vector<std::string> filled_by_own_mesher;
 
     CurvedShapes& shapes() { return surface.shapes; }
     const CurvedShapes& shapes() const { return surface.shapes; }

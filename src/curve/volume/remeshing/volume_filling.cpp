@@ -14,8 +14,8 @@ FilledTetrahedralMesh fill_and_repair(CurvedSurface& surface, const geometry::To
     progress.stage("filling", 0.5, 0.6);
     std::optional<TetrahedralMesh> volume(fill_solids(surface, topology, progress));
     std::vector<std::string> notes;
-    for (const std::string& solid : volume->filled_by_netgen) {
-        notes.push_back("filled by Netgen, as our own mesher failed: " + solid);
+    for (const std::string& solid : volume->filled_by_own_mesher) {
+        notes.push_back("filled by our own mesher, as Netgen failed: " + solid);
     }
     clock.end("filling");
     progress.stage("repairing the volume", 0.6, 0.95);

@@ -15,7 +15,7 @@ namespace mq::curve {
 struct FilledTetrahedralMesh {
     TetrahedralMesh volume;
     VolumeRepairs repairs;
-    std::vector<std::string> notes;  ///< which solids were filled by Netgen
+    std::vector<std::string> notes;  ///< which solids were filled by our own mesher
 };
 
 /// Fills the solids and repairs their tetrahedra. Where some stay invalid, mostly since they reach from one side of the

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "base/predicates.h"
-#include "curve/volume/filling/closed_surfaces.h"
 #include "curve/volume/filling/cells/flips.h"
+#include "curve/volume/filling/closed_surfaces.h"
 #include "curve/volume/mesher/filling_check.h"
 
 namespace mq::curve {
@@ -32,7 +32,7 @@ TetrahedralFilling expect_filled(const ClosedSurface& surface, double grading = 
     }
     EXPECT_TRUE(ends_at(surface.triangles, filling.tetrahedra));
     EXPECT_NEAR(sum, surface.volume(), 1e-9 * surface.volume());
-    EXPECT_TRUE(filling.own_fault.empty());
+    EXPECT_TRUE(filling.netgen_fault.empty());
     return filling;
 }
 
