@@ -172,6 +172,28 @@ class VerifiedAgain(helpers.DocumentTest):
             json.dump(content, stream)
         return mq.verify(other).faults
 
+    def test_what_was_taken_out_is_missed(self):
+        path, _ = self.saved(volume=True)
+        with open(path, encoding="ascii") as stream:
+            content = json.load(stream)
+        parts = [("proven", name) for name in content["proven"] if name != "notes"]
+        parts += [("surface", name) for name in content["surface"]]
+        parts += [(name,) for name in content if name != "program"]
+        self.assertGreater(len(parts), 20)
+        for *outer, name in parts:
+            with self.subTest(name):
+                def change(made, outer=outer, name=name):
+                    for part in outer:
+                        made = made[part]
+                    del made[name]
+                try:
+                    faults = self.forged(path, change)
+                except mq.InvalidInput as error:
+                    faults = [str(error)]
+                self.assertTrue(faults)
+        faults = self.forged(path, lambda made: made.update(cad=None))
+        self.assertTrue(any("from which CAD file its distances are" in fault for fault in faults), faults)
+
     def test_distances(self):
         path, _ = self.saved(volume=True)
         found = mq.verify(path)

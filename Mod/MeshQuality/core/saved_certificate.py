@@ -121,7 +121,7 @@ def load(path):
 def _fault_of(content):
     """What of its parts is not there or of another type; None where all is well."""
     for part in ("mesh", "cad"):
-        said = content.get(part)
+        said = content.get(part, "")
         if not (part == "cad" and said is None) and not _is_file(said):
             return f"'{part}' does not name a file with its SHA-256"
     if not _is_scale(content.get("options", {"scale": 1.0})):
@@ -152,6 +152,8 @@ def missing(content):
     found += [f"surface.{name}" for name in (*PAIRS, "turning") if name not in surface]
     if content["cad"] is not None and all(proven.get(name) is None for name in OF_SHAPE):
         found.append("how far the mesh is from the CAD file that it names")
+    if content["cad"] is None and any(proven.get(name) is not None for name in OF_SHAPE):
+        found.append("from which CAD file its distances are")
     for name in _CLAIMS:
         proven.setdefault(name)
     return found
