@@ -155,9 +155,9 @@ class Waits(gui_helpers.PanelTest):
         job = jobs.queue().add(jobs.Job("Cycles", compute, lambda result: None))
         self.until(lambda: job.works)
         self.assertFalse(gc.isenabled())
-        for _ in range(100):
+        for _ in range(2000):  # more than the collector waits for
             Kept()
-        self.until(lambda: len(places) == 100)
+        self.until(lambda: len(places) == 2000)
         self.assertTrue(job.works)
         self.assertEqual(set(places), {threading.get_ident()})
         ended.set()
