@@ -221,4 +221,22 @@ std::pair<std::vector<Vec3>, std::vector<Vec3>> halve(const Lattice& lattice, co
     return halved(lattice, c, a, b);
 }
 
+std::vector<Vec3> raised_to(int degree, const Lattice& lattice, const std::vector<Vec3>& control) {
+    if (degree == lattice.degree()) {
+        return control;
+    }
+    const Lattice& higher = Lattice::of(2, lattice.degree() + 1);
+    std::vector<Vec3> found(static_cast<std::size_t>(higher.size()), Vec3::Zero());
+    for (int i = 0; i < higher.size(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            Exponents e = higher.exponents(i);
+            const double share = static_cast<double>(e[k]) / higher.degree();
+            if (e[k]-- > 0) {
+                found[static_cast<std::size_t>(i)] += share * control[static_cast<std::size_t>(lattice.index(e))];
+            }
+        }
+    }
+    return raised_to(degree, higher, found);
+}
+
 }  // namespace mq::curve

@@ -46,6 +46,10 @@ std::vector<Vec3> bezier_to_nodes(const Lattice& lattice, const std::vector<Vec3
 /// @param lattice of order 1 to kMaxOrder.
 const Eigen::MatrixXd& nodes_to_bezier_matrix(const Lattice& lattice);
 
+/// The triangle with these control points as one of a higher degree, exactly (Farin 1993): each control point is a mean
+/// of some before.
+std::vector<Vec3> raised_to(int degree, const Lattice& lattice, const std::vector<Vec3>& control);
+
 /// The polynomial on the two halves that the middle of edge (a, b) makes: first the one that keeps corner a.
 std::pair<std::vector<double>, std::vector<double>> halve(const Lattice& lattice, const std::vector<double>& c, int a,
                                                           int b);

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "curve/bezier/bernstein.h"
+#include "curve/elements/element_derivatives.h"
 #include "curve/elements/reference_nodes.h"
 
 namespace mq::curve {
@@ -50,15 +50,8 @@ std::vector<Vec3> half(int order, const std::vector<Vec3>& control, bool turned)
 
 }  // namespace
 
-std::vector<Vec3> tensor_control(int order, std::vector<Vec3> nodes) {
-    constexpr std::size_t kSerendipity = 8;
-    if (order == 2 && nodes.size() == kSerendipity) {
-        Vec3 middle = Vec3::Zero();
-        for (std::size_t i = 0; i < 4; ++i) {
-            middle += 0.5 * nodes[4 + i] - 0.25 * nodes[i];
-        }
-        nodes.push_back(middle);
-    }
+std::vector<Vec3> tensor_control(int order, const std::vector<Vec3>& given) {
+    const std::vector<Vec3> nodes = all_nodes(ElementKind::Quadrilateral, order, given);
     const std::vector<GridPoint> places = gmsh_nodes(ElementKind::Quadrilateral, order);
     const Eigen::MatrixXd& along = nodes_to_bezier_matrix(Lattice::of(1, order));
     std::vector<Vec3> found(nodes.size(), Vec3::Zero());
@@ -74,24 +67,6 @@ std::vector<Vec3> tensor_control(int order, std::vector<Vec3> nodes) {
 
 std::array<std::vector<Vec3>, 2> halves_of_quadrilateral(int order, const std::vector<Vec3>& control) {
     return {half(order, control, false), half(order, control, true)};
-}
-
-std::vector<Vec3> raised_to(int degree, const Lattice& lattice, const std::vector<Vec3>& control) {
-    if (degree == lattice.degree()) {
-        return control;
-    }
-    const Lattice& higher = Lattice::of(2, lattice.degree() + 1);
-    std::vector<Vec3> found(static_cast<std::size_t>(higher.size()), Vec3::Zero());
-    for (int i = 0; i < higher.size(); ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            Exponents e = higher.exponents(i);
-            const double share = static_cast<double>(e[k]) / higher.degree();
-            if (e[k]-- > 0) {
-                found[static_cast<std::size_t>(i)] += share * control[static_cast<std::size_t>(lattice.index(e))];
-            }
-        }
-    }
-    return raised_to(degree, higher, found);
 }
 
 }  // namespace mq::curve

@@ -168,17 +168,7 @@ struct Curving {
 
     TetrahedralMesh* tetrahedra() { return volume ? &*volume : nullptr; }
 
-    std::size_t invalid() const {
-        const auto& triangles = matched.surface.triangles;
-        auto count = std::count_if(triangles.begin(), triangles.end(),
-                                   [](const SurfaceTriangle& t) { return t.alive && !(t.quality > 0.0); });
-        if (volume) {
-            const auto& all = volume->tetrahedra;
-            count += std::count_if(all.begin(), all.end(),
-                                   [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); });
-        }
-        return static_cast<std::size_t>(count);
-    }
+    std::size_t invalid() const { return matched.surface.invalid() + (volume ? volume->invalid() : 0); }
 };
 
 std::unique_ptr<Curving> curved_at(geometry::Session& session, const GivenMesh& given, const CurveOptions& options,
@@ -239,13 +229,7 @@ void use_lower_degree_where_needed(std::unique_ptr<Curving>& curving, geometry::
     }
     lower->matched.surface = with_degree_raised(lower->matched.surface, tetrahedra);
     if (lower->volume) {
-        lower->volume.emplace(lower->matched.surface);
-        for (const Tetrahedron& t : tetrahedra) {
-            if (t.alive) {
-                lower->volume->tetrahedra[static_cast<std::size_t>(lower->volume->add(t.corners, t.volume))].quality =
-                    t.quality;
-            }
-        }
+        lower->volume.emplace(lower->matched.surface, tetrahedra);
     }
     const std::size_t kept = place_where_valid(*lower->editor, lower->tetrahedra(), progress);
     lower->report.repairs.emplace_back("triangles of lower degree", kept);

@@ -36,15 +36,7 @@ struct Raised {
 };
 
 Raised raised(const Lattice& low, const Lattice& high, const std::vector<Vec3>& control) {
-    std::vector<Vec3> all(static_cast<std::size_t>(high.size()), Vec3::Zero());
-    for (int i = 0; i < low.size(); ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            Exponents e = low.exponents(i);
-            ++e[k];
-            all[static_cast<std::size_t>(high.index(e))] +=
-                control[static_cast<std::size_t>(i)] * (static_cast<double>(e[k]) / high.degree());
-        }
-    }
+    const std::vector<Vec3> all = raised_to(high.degree(), low, control);
     Raised result;
     for (int m = 1; m < high.degree(); ++m) {
         result.edge.push_back(all[static_cast<std::size_t>(high.index({high.degree() - m, m, 0, 0}))]);

@@ -79,6 +79,11 @@ const Vec2* CurvedSurface::uv_of(int vertex, int face) const {
     return found == uv.end() ? nullptr : &found->second;
 }
 
+std::size_t CurvedSurface::invalid() const {
+    return static_cast<std::size_t>(std::count_if(
+        triangles.begin(), triangles.end(), [](const SurfaceTriangle& t) { return t.alive && !(t.quality > 0.0); }));
+}
+
 std::size_t CurvedSurface::alive() const {
     return static_cast<std::size_t>(
         std::count_if(triangles.begin(), triangles.end(), [](const SurfaceTriangle& t) { return t.alive; }));

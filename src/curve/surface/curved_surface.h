@@ -68,6 +68,8 @@ class CurvedSurface {
     double t_of(int vertex, int other) const;
     const Vec2* uv_of(int vertex, int face) const;
     std::size_t alive() const;
+    /// How many living triangles are not valid, by their qualities.
+    std::size_t invalid() const;
 
     static std::uint64_t key(int vertex, int face) {
         return ordered_key(static_cast<std::uint32_t>(vertex), static_cast<std::uint32_t>(face));

@@ -114,10 +114,7 @@ class Repair {
 
     double hardly_valid() const { return std::min(SurfaceTuning::kHardlyValid, good_); }
 
-    int invalid() const {
-        return static_cast<int>(std::count_if(editor_.surface.triangles.begin(), editor_.surface.triangles.end(),
-                                              [](const SurfaceTriangle& t) { return t.alive && !(t.quality > 0.0); }));
-    }
+    int invalid() const { return static_cast<int>(editor_.surface.invalid()); }
 
     /// Runs before edges are split that bend only because they lead to a vertex off the CAD.
     void reach_all() {

@@ -49,10 +49,7 @@ class Repair {
     /// before.
     int moving_round() const { return volume_.shapes().order() > 2 ? 2 : 1; }
 
-    int invalid() const {
-        return static_cast<int>(std::count_if(volume_.tetrahedra.begin(), volume_.tetrahedra.end(),
-                                              [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); }));
-    }
+    int invalid() const { return static_cast<int>(volume_.invalid()); }
 
     std::vector<int> bad_ones() const {
         std::vector<int> bad;

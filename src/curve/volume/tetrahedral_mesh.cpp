@@ -34,6 +34,14 @@ TetrahedralMesh::TetrahedralMesh(CurvedSurface& given) : surface(given) {
     of_vertex_.resize(surface.shapes.vertices.size());
 }
 
+TetrahedralMesh::TetrahedralMesh(CurvedSurface& given, const std::vector<Tetrahedron>& kept) : TetrahedralMesh(given) {
+    for (const Tetrahedron& t : kept) {
+        if (t.alive) {
+            tetrahedra[static_cast<std::size_t>(add(t.corners, t.volume))].quality = t.quality;
+        }
+    }
+}
+
 int TetrahedralMesh::add(const std::array<int, 4>& corners, int volume) {
     const int index = static_cast<int>(tetrahedra.size());
     Tetrahedron t;
@@ -158,6 +166,11 @@ bool FoldedTriangles::has_face_of(const std::array<int, 4>& v) const {
                                        folded_.count(face_key(v[0], v[2], v[3])) +
                                        folded_.count(face_key(v[1], v[2], v[3])) >
                                    0;
+}
+
+std::size_t TetrahedralMesh::invalid() const {
+    return static_cast<std::size_t>(std::count_if(tetrahedra.begin(), tetrahedra.end(),
+                                                  [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); }));
 }
 
 std::vector<int> TetrahedralMesh::living() const {

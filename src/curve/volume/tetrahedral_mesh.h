@@ -22,6 +22,8 @@ struct Tetrahedron {
 class TetrahedralMesh {
   public:
     explicit TetrahedralMesh(CurvedSurface& surface);
+    /// With the living of these tetrahedra, and their qualities.
+    TetrahedralMesh(CurvedSurface& surface, const std::vector<Tetrahedron>& kept);
 
     CurvedSurface& surface;
     std::vector<Tetrahedron> tetrahedra;
@@ -54,6 +56,8 @@ class TetrahedralMesh {
     /// @throws Cancelled
     void measure(const std::vector<int>& tetrahedra, const Progress* progress = nullptr);
     std::vector<int> living() const;
+    /// How many living ones are not valid, by their qualities.
+    std::size_t invalid() const;
 
   private:
     std::vector<std::vector<int>> of_vertex_;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "curve/volume/filling/cells/tuning.h"
+#include "curve/volume/filling/tuning.h"
 
 namespace mq::curve {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "curve/volume/filling/cells/tuning.h"
+#include "curve/volume/filling/tuning.h"
 
 namespace mq::curve {
 

@@ -3,10 +3,10 @@
 
 #include "curve/volume/filling/boundary_recovery.h"
 #include "curve/volume/filling/carving.h"
-#include "curve/volume/filling/cells/tuning.h"
 #include "curve/volume/filling/delaunay.h"
 #include "curve/volume/filling/interior_points.h"
 #include "curve/volume/filling/optimisation.h"
+#include "curve/volume/filling/tuning.h"
 
 namespace mq::curve {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "curve/volume/filling/cells/tuning.h"
+#include "curve/volume/filling/tuning.h"
 
 namespace mq::curve {
 

@@ -453,12 +453,7 @@ void remesh_and_repair(std::optional<TetrahedralMesh>& volume, CurvedSurface& su
         } catch (const MeshingFailed&) {  // what was there before is as good
         }
         surface = std::move(kept);
-        volume.emplace(surface);
-        for (const Tetrahedron& t : tetrahedra) {
-            if (t.alive) {
-                volume->tetrahedra[static_cast<std::size_t>(volume->add(t.corners, t.volume))].quality = t.quality;
-            }
-        }
+        volume.emplace(surface, tetrahedra);
     }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "curve/volume/remeshing/volume_filling.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -24,9 +23,7 @@ FilledTetrahedralMesh fill_and_repair(CurvedSurface& surface, const geometry::To
     LocalRemeshing remeshing;
     remesh_and_repair(volume, surface, RepairScope::Poor, remeshing, progress);
     repairs.cavities = static_cast<int>(remeshing.cavities);
-    const auto& all = volume->tetrahedra;
-    repairs.invalid_after = static_cast<int>(
-        std::count_if(all.begin(), all.end(), [](const Tetrahedron& t) { return t.alive && !(t.quality > 0.0); }));
+    repairs.invalid_after = static_cast<int>(volume->invalid());
     clock.end("remeshing around invalid elements");
     return {*std::move(volume), repairs, std::move(notes)};
 }

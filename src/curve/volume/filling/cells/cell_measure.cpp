@@ -28,7 +28,7 @@ double sine_of_corner(const std::array<Vec3, 3>& edges) {
 
 /// Keeps the order, and is positive: a corner that curving folds must not look like a cell without volume.
 double made_positive(double sine) {
-    const double kFrom = FillingTuning::kFoldedSine;
+    const double kFrom = CellTuning::kFoldedSine;
     return sine > kFrom ? sine : kFrom * std::exp(sine / kFrom - 1.0);
 }
 
@@ -59,7 +59,7 @@ double CellMeasure::value(const std::array<int, 4>& v, const Corners& p) const {
     }
     const double volume = volume_quality(*p[0], *p[1], *p[2], *p[3]);
     const double mean_ratio = std::cbrt(volume * volume);
-    double least = std::min(sine, FillingTuning::kMeanRatioFraction * mean_ratio);
+    double least = std::min(sine, CellTuning::kMeanRatioFraction * mean_ratio);
     if (std::count_if(v.begin(), v.end(), [&](int k) { return curved(k); }) < 2) {
         return least;
     }

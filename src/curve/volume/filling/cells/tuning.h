@@ -1,52 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cstddef>
-
 #include "base/tuning.h"
 
 namespace mq::curve {
 
-/// The constants that tune the filling of surfaces.
-struct FillingTuning {
-    /// Growth of the wanted length by the distance from the surface, for the usual grading.
-    MESHQUALITY_TUNED(double, kGrowth, 0.8);
-    /// Circumradius of a cell, by the wanted length, from which it gets a point; 0.61 of a regular tetrahedron.
-    MESHQUALITY_TUNED(double, kLargestRadius, 0.75);
-    /// Distance of a new point from the vertices around, by the wanted length.
-    MESHQUALITY_TUNED(double, kLeastDistance, 0.6);
-    /// Distance of a new point from the surface around, by the wanted length.
-    MESHQUALITY_TUNED(double, kLeastHeight, 0.3);
-    /// Sine of the dihedral angle below which cells are improved.
-    MESHQUALITY_TUNED(double, kGoodSine, 0.5);
-    /// Sine of the dihedral angle below which cells get a new vertex, where that helps.
-    MESHQUALITY_TUNED(double, kPoorSine, 0.6);
-    /// Least factor of the worst quality that a new vertex must bring.
-    MESHQUALITY_TUNED(double, kInsertionGain, 1.1);
+/// The constants that tune how cells are measured.
+struct CellTuning {
     /// Fraction of the mean ratio (1: regular) that counts beside the least sine of the dihedral angles (0.94:
     /// regular).
     MESHQUALITY_TUNED(double, kMeanRatioFraction, 0.7);
     /// Sine of a dihedral angle by the tangents of curved edges, from which on it counts as it is; smaller ones, and
     /// folds, by an exponential function.
     MESHQUALITY_TUNED(double, kFoldedSine, 0.1);
-    /// Cells that may get a new vertex in one sweep, the worst ones, by the number of cells.
-    MESHQUALITY_TUNED(double, kInsertedShare, 0.01);
-    /// The same for the smallest meshes.
-    MESHQUALITY_TUNED(double, kInsertedAlways, 30.0);
-    /// The sweep from which on cells get new vertices.
-    MESHQUALITY_TUNED(int, kFirstInsertion, 2);
-    /// Sweeps of flips and smoothing at most.
-    MESHQUALITY_TUNED(int, kSweeps, 6);
-    /// Cells around an edge that is removed.
-    MESHQUALITY_TUNED(std::size_t, kMostAround, 8);
-    /// Steps of one vertex in one sweep at most.
-    MESHQUALITY_TUNED(int, kVertexSteps, 6);
-    /// Halvings of such a step at most.
-    MESHQUALITY_TUNED(int, kStepHalvings, 5);
-    /// First step of a vertex, by the mean length of its edges.
-    MESHQUALITY_TUNED(double, kFirstStep, 0.15);
-    /// Least relative gain, so that changes do not cycle by rounding.
-    MESHQUALITY_TUNED(double, kLeastGain, 1e-3);
 };
 
 }  // namespace mq::curve
