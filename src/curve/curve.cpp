@@ -91,7 +91,7 @@ CurvedMesh curve(geometry::Engine& engine, const std::shared_ptr<geometry::Model
     clock.end("repairing the surface");
     std::optional<FilledTetrahedralMesh> filled;
     if (options.volume) {
-        filled.emplace(fill_and_repair(surface, session.topology(), watched, clock));
+        filled.emplace(fill_and_repair(session, surface, watched, clock));
         note(filled->repairs, report);
         report.notes.insert(report.notes.end(), filled->notes.begin(), filled->notes.end());
     }

@@ -268,7 +268,7 @@ class Perturbed(GivenTest):
         random = np.random.default_rng(SEED)
         starts = []
         for shape in (Part.makeSphere(5), Part.makeBox(4, 4, 4), Part.makeCylinder(4, 6)):
-            mesh = mq.curve(shape, order=1, volume=True, chord_height_relative=0.08)
+            mesh = mq.curve(shape, order=1, volume=True, max_edge=1.5)
             starts.append((shape, mesh, np.flatnonzero(mesh.node_entity[:, 0] == 3)))
         inverted, cured, said = 0, 0, []
         for case in range(CASES):

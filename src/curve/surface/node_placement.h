@@ -119,4 +119,7 @@ class Placement {
     std::vector<Vec3> plane_normals_;  // by face; zero: not queried yet
 };
 
+/// The edges of a surface as they are at order 2, whatever the order of its shapes.
+CurvedShapes edges_of_second_order(geometry::Session& session, const CurvedSurface& surface);
+
 }  // namespace mq::curve

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/error.h"
 #include "curve/surface/node_placement.h"
@@ -404,6 +405,20 @@ bool Placement::bulge_on_face(int a, int b, int face, const Vec3& by) {
     }
     set_edge_nodes(a, b, nodes);
     return true;
+}
+
+CurvedShapes edges_of_second_order(geometry::Session& session, const CurvedSurface& surface) {
+    CurvedSurface quadratic = surface;
+    quadratic.shapes = CurvedShapes(2);
+    quadratic.shapes.vertices = surface.shapes.vertices;
+    std::vector<int> living;
+    for (std::size_t t = 0; t < quadratic.triangles.size(); ++t) {
+        if (quadratic.triangles[t].alive) {
+            living.push_back(static_cast<int>(t));
+        }
+    }
+    Placement(session, quadratic).place(living);
+    return std::move(quadratic.shapes);
 }
 
 }  // namespace mq::curve

@@ -10,6 +10,7 @@
 #include "curve/bezier/validity.h"
 #include "curve/surface/self_intersections.h"
 #include "curve/volume/mesher/tetrahedral_mesher.h"
+#include "curve/volume/tuning.h"
 
 namespace mq::curve {
 
@@ -103,16 +104,25 @@ double TetrahedralMesh::straight_jacobian(const std::array<int, 4>& c) const {
     return (point(c[1]) - point(c[0])).cross(point(c[2]) - point(c[0])).dot(point(c[3]) - point(c[0]));
 }
 
-double TetrahedralMesh::straight_shape(const std::array<int, 4>& c) const {
+double TetrahedralMesh::squared_edges(const std::array<int, 4>& c) const {
     double squares = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
         for (std::size_t k = i + 1; k < 4; ++k) {
             squares += (point(c[i]) - point(c[k])).squaredNorm();
         }
     }
+    return squares;
+}
+
+double TetrahedralMesh::straight_shape(const std::array<int, 4>& c) const {
     // The mean ratio: 12 (3 V)^(2/3) / sum of the squared edges, with 3 V = J / 2.
     const double half = 0.5 * straight_jacobian(c);
-    return std::copysign(12.0 * std::cbrt(half * half), half) / squares;
+    return std::copysign(12.0 * std::cbrt(half * half), half) / squared_edges(c);
+}
+
+double TetrahedralMesh::reference_jacobian(const std::array<int, 4>& c) const {
+    const double least = 2.0 * std::pow(VolumeTuning::kSliverShape / 12.0 * squared_edges(c), 1.5);
+    return std::max(straight_jacobian(c), least);
 }
 
 bool TetrahedralMesh::curved(const std::array<int, 4>& c) const {
@@ -194,21 +204,21 @@ struct Shell {
 };
 
 /// The tangents of the triangle's curved edges.
-void take_tangents(const CurvedShapes& shapes, const std::array<int, 3>& corners, Shell& shell) {
+void take_tangents(const CurvedShapes& edges, const std::array<int, 3>& corners, Shell& shell) {
     for (std::size_t k = 0; k < 3; ++k) {
         const int from = corners[k];
         const int to = corners[(k + 1) % 3];
         const int a = shell.vertices[static_cast<std::size_t>(from)];
         const int b = shell.vertices[static_cast<std::size_t>(to)];
-        if (shapes.has_edge(a, b)) {
-            const std::vector<Vec3> inner = shapes.edge_inner(a, b);
+        if (edges.has_edge(a, b)) {
+            const std::vector<Vec3> inner = edges.edge_inner(a, b);
             shell.tangents[directed_edge(from, to)] = inner.front() - shell.points[static_cast<std::size_t>(from)];
             shell.tangents[directed_edge(to, from)] = inner.back() - shell.points[static_cast<std::size_t>(to)];
         }
     }
 }
 
-Shell shell_of(const CurvedSurface& surface, std::size_t volume) {
+Shell shell_of(const CurvedSurface& surface, const CurvedShapes& edges, std::size_t volume) {
     Shell shell;
     std::unordered_map<int, int> number;
     double sum = 0.0;
@@ -232,7 +242,7 @@ Shell shell_of(const CurvedSurface& surface, std::size_t volume) {
             };
             sum += at(0).dot(at(1).cross(at(2)));
             shell.triangles.push_back(corners);
-            take_tangents(surface.shapes, corners, shell);
+            take_tangents(edges, corners, shell);
         }
     }
     if (sum < 0.0) {
@@ -253,7 +263,8 @@ Message in_solid(std::size_t solid, const Error& error, const std::string& place
 
 }  // namespace
 
-TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, const Progress& progress) {
+TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, const geometry::Topology& topology,
+                            const Progress& progress) {
     constexpr double kUsualGrading = 1.0;
     TetrahedralMesh volume(surface);
     for (std::size_t i = 0; i < topology.volumes.size(); ++i) {
@@ -261,7 +272,7 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& to
         if (topology.volumes[i].kind != geometry::Volume::Kind::Solid) {
             continue;
         }
-        const Shell shell = shell_of(surface, i);
+        const Shell shell = shell_of(surface, edges, i);
         TetrahedralFilling filling;
         try {
             filling = fill(shell.points, shell.triangles, kUsualGrading, progress, shell.tangents);
@@ -270,8 +281,8 @@ TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& to
         } catch (const GeometryError& error) {
             throw GeometryError(in_solid(i, error, trouble_spot(surface, topology, i, progress)));
         }
-        if (!filling.netgen_fault.empty()) {
-            volume.filled_by_own_mesher.push_back("Solid" + std::to_string(i + 1) + ": " + filling.netgen_fault);
+        if (!filling.own_fault.empty()) {
+            volume.filled_by_netgen.push_back("Solid" + std::to_string(i + 1) + ": " + filling.own_fault);
         }
         std::vector<int> number = shell.vertices;
         for (const Vec3& p : filling.inner_points) {

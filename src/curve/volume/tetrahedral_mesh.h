@@ -27,8 +27,8 @@ class TetrahedralMesh {
 
     CurvedSurface& surface;
     std::vector<Tetrahedron> tetrahedra;
-    /// The solids that our own mesher has filled, each with what Netgen said.
-    std::vector<std::string> filled_by_own_mesher;
+    /// The solids that Netgen has filled, each with why our own mesher failed.
+    std::vector<std::string> filled_by_netgen;
 
     CurvedShapes& shapes() { return surface.shapes; }
     const CurvedShapes& shapes() const { return surface.shapes; }
@@ -48,6 +48,10 @@ class TetrahedralMesh {
     double straight_jacobian(const std::array<int, 4>& corners) const;
     /// 1 for the regular tetrahedron, 0 for a flat one, negative for an inverted one.
     double straight_shape(const std::array<int, 4>& corners) const;
+    /// J that an element is to have: that of the straight tetrahedron, or if this is flat, that of one with the same
+    /// sum of squared edges and the mean ratio from which elements are not flat. Relative to its own J a flat element
+    /// would outweigh all others.
+    double reference_jacobian(const std::array<int, 4>& corners) const;
     bool curved(const std::array<int, 4>& corners) const;
 
     /// Certified quality of an element.
@@ -60,6 +64,8 @@ class TetrahedralMesh {
     std::size_t invalid() const;
 
   private:
+    double squared_edges(const std::array<int, 4>& corners) const;
+
     std::vector<std::vector<int>> of_vertex_;
     std::unordered_set<EdgeKey> fixed_edges_;
     std::unordered_set<FaceKey, KeyHash> fixed_faces_;
@@ -81,7 +87,10 @@ class FoldedTriangles {
 };
 
 /// Fills every closed solid of the model. Volumes that are not solids have no inside and are left out.
+/// @param edges  curved edges of the surface, whose tangents the tetrahedra respect: those of `surface.shapes`, or of
+/// another order
 /// @throws MeshingFailed naming the solid.
-TetrahedralMesh fill_solids(CurvedSurface& surface, const geometry::Topology& topology, const Progress& progress);
+TetrahedralMesh fill_solids(CurvedSurface& surface, const CurvedShapes& edges, const geometry::Topology& topology,
+                            const Progress& progress);
 
 }  // namespace mq::curve

@@ -91,7 +91,7 @@ class Objective {
         return std::min<std::size_t>(kLanes, elements_.size() - batch * kLanes);
     }
 
-    /// Coefficient k relative to the straight element; 1 where nothing can change it.
+    /// Coefficient k relative to the J that the element is to have; 1 where nothing can change it.
     Lanes relative(std::size_t batch, std::size_t k) const {
         const unsigned char movable = movable_[batch][k];
         Lanes b = jacobian_.coefficients[k] * inverse_[batch];
@@ -184,7 +184,7 @@ class Objective {
             movable_.emplace_back(weights_.size(), static_cast<unsigned char>(0));
         }
         elements_.push_back(element);
-        inverse_.back()[static_cast<Eigen::Index>(lane)] = 1.0 / patch_.straight(element);
+        inverse_.back()[static_cast<Eigen::Index>(lane)] = 1.0 / patch_.reference(element);
         for (std::size_t k = 0; k < movable.size(); ++k) {
             movable_.back()[k] = static_cast<unsigned char>(movable_.back()[k] | (movable[k] != 0 ? 1U << lane : 0U));
         }
@@ -223,7 +223,7 @@ class Objective {
     JacobianBatch jacobian_;
     std::size_t evaluations_ = 0;
     std::vector<std::size_t> elements_;                // those of the patch that can change, four to a batch
-    std::vector<Lanes> inverse_;                       // 1 / J of the straight element
+    std::vector<Lanes> inverse_;                       // 1 / J that the element is to have
     std::vector<std::vector<unsigned char>> movable_;  // by batch and coefficient: a bit for each lane
     std::vector<Lanes> barrier_;
     std::vector<Lanes> least_;
@@ -351,7 +351,7 @@ std::size_t untangle(UntanglingPatch& patch, double target, const Progress& prog
     Eigen::VectorXd x = patch.state();
     double size = 0.0;
     for (std::size_t i = 0; i < patch.elements(); ++i) {
-        size += std::cbrt(std::abs(patch.straight(i)));
+        size += std::cbrt(patch.reference(i));
     }
     size /= static_cast<double>(patch.elements());
     objective.find_least(x);

@@ -9,10 +9,11 @@
 namespace mq::curve {
 
 /// Moves the free control points of a patch until every Bernstein coefficient of every Jacobian that they can change is
-/// at least `target` times J of the straight element, or the elements no longer come nearer to it. Ends sooner
-/// where few elements miss the target: smaller patches are made for what is still bad.
+/// at least `target` times the J that its element is to have (TetrahedralMesh::reference_jacobian), or the elements no
+/// longer come nearer to it. Ends sooner where few elements miss the target: smaller patches are made for what is still
+/// bad.
 ///
-/// The objective is the sum over the coefficients B (relative to the straight element) of log^2((B - b) / (1 - b)) + (B
+/// The objective is the sum over the coefficients B (relative to that J) of log^2((B - b) / (1 - b)) + (B
 /// - 1)^2, whose barrier b lies below the least coefficient and moves up with it (Toulorge, Geuzaine, Remacle,
 /// Lambrechts 2013); minimised by the limited-memory BFGS method. Unlike there each element has a barrier of its own:
 /// one that cannot become valid keeps no others back, and no valid one becomes invalid. As the coefficients bound the

@@ -120,7 +120,7 @@ void UntanglingPatch::take_element(int t) {
         take_face(v, kFaces[f], index);
     }
     points_of_.push_back(std::move(index));
-    straight_.push_back(volume_.straight_jacobian(v));
+    reference_.push_back(volume_.reference_jacobian(v));
 }
 
 void UntanglingPatch::take_face(const std::array<int, 4>& v, const std::array<std::size_t, 3>& face,

@@ -32,8 +32,8 @@ class UntanglingPatch {
     void scatter(std::size_t i, const std::vector<Vec3>& by_control, Eigen::VectorXd& gradient) const;
     /// Whether control point `p` of element i can move, by itself or because it is blended from the others.
     bool is_free(std::size_t i, int p) const;
-    /// J of the straight element i.
-    double straight(std::size_t i) const { return straight_[i]; }
+    /// J that element i is to have.
+    double reference(std::size_t i) const { return reference_[i]; }
 
     /// Gives the free edges the average quadratic bulge of the edges around them, in several sweeps: the bulges of the
     /// fixed edges spread inwards.
@@ -69,7 +69,7 @@ class UntanglingPatch {
     std::unordered_set<int> loose_;
     std::unordered_set<int> is_member_;
     std::vector<std::vector<int>> points_of_;  // by element and lattice point; -1: blended, inside the region
-    std::vector<double> straight_;
+    std::vector<double> reference_;
     std::vector<Vec3> points_;
     std::vector<int> slot_;  // by point: the index among the free ones, or -1
     std::vector<int> free_;

@@ -20,7 +20,7 @@ class MeshingFailed : public GeometryError {
 struct TetrahedralFilling {
     std::vector<Vec3> inner_points;              ///< numbered after the points of the surface
     std::vector<std::array<int, 4>> tetrahedra;  ///< positive volume
-    std::string netgen_fault;                    ///< why Netgen has not made it, see fill(); empty for Netgen's
+    std::string own_fault;                       ///< why Netgen has made it, see fill(); empty for ours
 };
 
 }  // namespace mq::curve

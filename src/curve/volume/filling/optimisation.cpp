@@ -217,7 +217,7 @@ bool Optimisation::insert_into(const std::vector<int>& cavity, const Vec3& start
     Vec3 place = start;
     double worst = placing_.worst_at(place, -std::numeric_limits<double>::max());
     placing_.improve(place, worst);
-    if (!(worst > FillingTuning::kInsertionGain * before) || !sees_all(place)) {
+    if (!(worst > std::max(CellMeasure::folded(), FillingTuning::kInsertionGain * before)) || !sees_all(place)) {
         return false;
     }
     const int vertex = mesh_.add_point(place);

@@ -11,21 +11,21 @@ TetrahedralFilling fill(const std::vector<Vec3>& points, const std::vector<std::
                         double grading_factor, const Progress& progress, const EndTangents& tangents) {
     std::string why;
     try {
-        return fill_by_netgen(points, triangles, grading_factor, progress);
-    } catch (const GeometryError& error) {
+        TetrahedralFilling own = fill_surface(points, triangles, grading_factor, progress, tangents);
+        if (ends_at(triangles, own.tetrahedra)) {
+            return own;
+        }
+        why = "the filling does not end at the surface";
+    } catch (const MeshingFailed& error) {
         why = error.what();
     }
     try {
-        TetrahedralFilling own = fill_surface(points, triangles, grading_factor, progress, tangents);
-        if (ends_at(triangles, own.tetrahedra)) {
-            own.netgen_fault = why;
-            return own;
-        }
-    } catch (const MeshingFailed& error) {
-        why += "; our own mesher: ";
-        why += error.what();
+        TetrahedralFilling other = fill_by_netgen(points, triangles, grading_factor, progress);
+        other.own_fault = why;
+        return other;
+    } catch (const GeometryError& error) {
+        throw MeshingFailed("our own mesher: " + why + "; Netgen: " + error.what());
     }
-    throw MeshingFailed(why);
 }
 
 }  // namespace mq::curve

@@ -6,8 +6,8 @@
 
 namespace mq::curve {
 
-/// Fills a closed, outward oriented surface by Netgen's mesher, and where that fails or does not end by our own
-/// (filling/surface_filling.h). All points and triangles of the surface are kept as they are.
+/// Fills a closed, outward oriented surface by our own mesher (filling/surface_filling.h), and where that fails by
+/// Netgen's, in a process of its own. All points and triangles of the surface are kept as they are.
 /// @param grading_factor above 0: factor of the usual growth of tetrahedra away from the surface. 1 is the usual
 /// growth; the smaller the factor, the more vertices lie inside.
 /// @throws MeshingFailed when both fail, IoError when Netgen cannot be started; Cancelled.

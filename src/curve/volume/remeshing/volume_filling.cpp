@@ -4,17 +4,23 @@
 #include <optional>
 #include <utility>
 
+#include "curve/surface/node_placement.h"
 #include "curve/volume/remeshing/local_remeshing.h"
 
 namespace mq::curve {
 
-FilledTetrahedralMesh fill_and_repair(CurvedSurface& surface, const geometry::Topology& topology, Progress& progress,
+FilledTetrahedralMesh fill_and_repair(geometry::Session& session, CurvedSurface& surface, Progress& progress,
                                       StageClock& clock) {
     progress.stage("filling", 0.5, 0.6);
-    std::optional<TetrahedralMesh> volume(fill_solids(surface, topology, progress));
+    std::optional<CurvedShapes> quadratic;
+    if (surface.shapes.order() != 2) {
+        quadratic = edges_of_second_order(session, surface);
+    }
+    std::optional<TetrahedralMesh> volume(
+        fill_solids(surface, quadratic ? *quadratic : surface.shapes, session.topology(), progress));
     std::vector<std::string> notes;
-    for (const std::string& solid : volume->filled_by_own_mesher) {
-        notes.push_back("filled by our own mesher, as Netgen failed: " + solid);
+    for (const std::string& solid : volume->filled_by_netgen) {
+        notes.push_back("filled by Netgen, as our own mesher failed: " + solid);
     }
     clock.end("filling");
     progress.stage("repairing the volume", 0.6, 0.95);

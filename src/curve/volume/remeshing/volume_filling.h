@@ -15,14 +15,15 @@ namespace mq::curve {
 struct FilledTetrahedralMesh {
     TetrahedralMesh volume;
     VolumeRepairs repairs;
-    std::vector<std::string> notes;  ///< which solids were filled by our own mesher
+    std::vector<std::string> notes;  ///< which solids were filled by Netgen
 };
 
 /// Fills the solids and repairs their tetrahedra. Where some stay invalid, mostly since they reach from one side of the
 /// surface to the other, the cavities around them are filled again with more vertices inside (remesh_and_repair).
+/// Every order is filled as for order 2: straight tetrahedra can be curved later, and orders compared on one mesh.
 /// @param surface gets the vertices and shapes inside.
 /// @throws MeshingFailed, GeometryError where the filling fails; Cancelled.
-FilledTetrahedralMesh fill_and_repair(CurvedSurface& surface, const geometry::Topology& topology, Progress& progress,
+FilledTetrahedralMesh fill_and_repair(geometry::Session& session, CurvedSurface& surface, Progress& progress,
                                       StageClock& clock);
 
 }  // namespace mq::curve

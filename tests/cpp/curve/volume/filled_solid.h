@@ -77,7 +77,7 @@ class Filled {
         std::vector<int> all(surface.triangles.size());
         std::iota(all.begin(), all.end(), 0);
         surface_editor.placement.place(all);
-        return fill_solids(surface, session.topology(), progress);
+        return fill_solids(surface, surface.shapes, session.topology(), progress);
     }
 };
 

@@ -29,7 +29,7 @@ TEST(RepairTetrahedralMesh, ThinWallsBecomeValid) {
 }
 
 TEST(RepairTetrahedralMesh, ThereIsSomethingToRepair) {
-    EXPECT_GT(curved(thin_wall(0.04, 0.5 * M_PI), of_order(2, true)).report.invalid_before, 0u);
+    EXPECT_GT(curved(thin_wall(0.02, 0.5 * M_PI), of_order(2, true)).report.invalid_before, 0u);
 }
 
 /// Hollow balls beside each other.

@@ -43,6 +43,10 @@ CellMeasure::CellMeasure(const Tetrahedralisation& mesh, const EndTangents& tang
     }
 }
 
+double CellMeasure::folded() {
+    return made_positive(0.0);
+}
+
 double CellMeasure::at(const std::array<int, 4>& v) const {
     return value(v, {&mesh_.point(v[0]), &mesh_.point(v[1]), &mesh_.point(v[2]), &mesh_.point(v[3])});
 }

@@ -17,6 +17,9 @@ class CellMeasure {
   public:
     CellMeasure(const Tetrahedralisation& mesh, const EndTangents& tangents);
 
+    /// The measure of cells at a corner that curving makes flat: those of less are folded.
+    static double folded();
+
     /// Positive exactly where the volume is.
     double at(const std::array<int, 4>& v) const;
     /// The same of a face and an inner point, which has no vertex yet.

@@ -32,7 +32,7 @@ TetrahedralFilling expect_filled(const ClosedSurface& surface, double grading = 
     }
     EXPECT_TRUE(ends_at(surface.triangles, filling.tetrahedra));
     EXPECT_NEAR(sum, surface.volume(), 1e-9 * surface.volume());
-    EXPECT_TRUE(filling.netgen_fault.empty());
+    EXPECT_TRUE(filling.own_fault.empty());
     return filling;
 }
 

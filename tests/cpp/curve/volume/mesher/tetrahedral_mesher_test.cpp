@@ -36,7 +36,7 @@ TEST(Fill, ACubeIsFilled) {
         sum += six / 6.0;
     }
     EXPECT_NEAR(sum, 1.0, 1e-12);
-    EXPECT_TRUE(filling.netgen_fault.empty());
+    EXPECT_TRUE(filling.own_fault.empty());
 }
 
 TEST(Fill, NetgenFillsACubeInAProcessOfItsOwn) {

@@ -34,7 +34,7 @@ std::vector<std::array<int, 4>> corners_of(const TetrahedralMesh& volume) {
 }
 
 TEST(RemeshAndRepair, CavitiesAroundInvalidElementsBecomeValid) {
-    Filled filled(thin_wall(0.04, 0.5 * M_PI), 2);
+    Filled filled(thin_wall(0.02, 0.5 * M_PI), 2);
     filled.volume.measure(filled.volume.living());
     ASSERT_GT(filled.volume.invalid(), 0u);
     const double before = filled.volume_sum();
@@ -68,7 +68,7 @@ TEST(FillAndRepair, WhatStaysInvalidLeavesAMesh) {
     Progress progress;
     CurveReport report;
     StageClock clock(report.seconds);
-    const FilledTetrahedralMesh filled = fill_and_repair(placed.surface, placed.session.topology(), progress, clock);
+    const FilledTetrahedralMesh filled = fill_and_repair(placed.session, placed.surface, progress, clock);
     EXPECT_GT(filled.repairs.invalid_after, 0);
     EXPECT_EQ(static_cast<std::size_t>(filled.repairs.invalid_after), filled.volume.invalid());
     EXPECT_NEAR(straight_volume(filled.volume), 1.0, 1e-9);
