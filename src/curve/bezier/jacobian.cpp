@@ -2,6 +2,7 @@
 #include "curve/bezier/jacobian.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace mq::curve {
@@ -56,6 +57,24 @@ JacobianForm jacobian_of(const Lattice& lattice, const std::vector<Vec3>& contro
     form.lattice = &Lattice::of(3, 3 * m);
     form.coefficients = dot(3, r, m, cross(3, s, m, t, m), 2 * m);
     form.rounding = kRounding * longest(r) * longest(s) * longest(t);
+    return form;
+}
+
+JacobianForm jacobian_by_nodes(const Lattice& lattice, const std::vector<Vec3>& control) {
+    JacobianForm form = jacobian_of(lattice, control);
+    double far = 0.0;
+    for (const Vec3& p : control) {
+        far = std::max(far, p.cwiseAbs().maxCoeff());
+    }
+    double side = 0.0;
+    for (int k = 1; k <= 3; ++k) {
+        side = std::max(side, longest(derivative(lattice, control, k)));
+    }
+    // Nodes are off by less than four units in the last place, and control points by at most 3^q times as much: the
+    // norm of interpolation at even nodes is less than that at orders 2 to 5. A derivative has q times two of them.
+    const int q = lattice.degree();
+    const double point = std::pow(3.0, q) * 4.0 * std::numeric_limits<double>::epsilon() * far;
+    form.rounding += 3.0 * (2.0 * q * point) * side * side;
     return form;
 }
 

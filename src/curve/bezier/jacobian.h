@@ -19,6 +19,10 @@ struct JacobianForm {
 /// box product of the three derivatives (equation (6)). Six times the volume where the element is straight.
 JacobianForm jacobian_of(const Lattice& lattice, const std::vector<Vec3>& control);
 
+/// The same for an element that is kept by its nodes: `rounding` bounds what rounding them to double precision can
+/// change, too, so that what is positive stays so for whoever reads the nodes.
+JacobianForm jacobian_by_nodes(const Lattice& lattice, const std::vector<Vec3>& control);
+
 /// The Jacobian at one point.
 double jacobian_at(const Lattice& lattice, const std::vector<Vec3>& control, const Barycentric& at);
 

@@ -43,7 +43,7 @@ VolumeEditor::Score VolumeEditor::score(const std::array<int, 4>& c) const {
     score.fixed = fixed_score(c);
     std::vector<Vec3> control;
     shapes.tetrahedron(c, control);
-    const JacobianForm form = jacobian_of(Lattice::of(3, shapes.order()), control);
+    const JacobianForm form = jacobian_by_nodes(Lattice::of(3, shapes.order()), control);
     const auto [low, high] = std::minmax_element(form.coefficients.begin(), form.coefficients.end());
     score.quality = *high > 0.0 ? *low / *high : -1.0;
     if (score.quality > 0.0) {

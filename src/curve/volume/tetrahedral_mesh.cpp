@@ -147,7 +147,7 @@ double TetrahedralMesh::measure(const std::array<int, 4>& corners) const {
     }
     std::vector<Vec3> control;
     shapes().tetrahedron(corners, control);
-    return certified_ratio(jacobian_of(Lattice::of(3, shapes().order()), control));
+    return certified_ratio(jacobian_by_nodes(Lattice::of(3, shapes().order()), control));
 }
 
 void TetrahedralMesh::measure(const std::vector<int>& list, const Progress* progress) {
