@@ -49,7 +49,7 @@ class Pictures(gui_helpers.GuiTest):
         source = self.document.addObject("Part::Feature", "Shaft")
         source.Shape = cantilever.bracket()
         given = self.document.addObject("Fem::FemMeshObject", "Given")
-        given.FemMesh = given_meshes.straight_mesh(source.Shape, 8.0, (3, 40))
+        given.FemMesh = given_meshes.straight_mesh(source.Shape, 8.0, (5, 40))
         self.document.recompute()
         source.ViewObject.Visibility = False
         panel = quality_panel.open_panel(given)

@@ -27,7 +27,7 @@ import cantilever  # noqa: E402
 HAS_FEM = importlib.util.find_spec("Fem") is not None
 if HAS_FEM:
     import FemGui
-FOLDED = (3, 40)
+FOLDED = (5, 40)  # both without a face on the surface
 MAGENTA = (255, 32, 255)  # of what lights up
 
 
