@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <limits>
+#include <random>
 
 #include "curve/bezier/jacobian_of_nodes.h"
 #include "curve/bezier/validity.h"
@@ -24,6 +26,32 @@ TEST(Jacobian, OfAnAffineMapIsItsDeterminant) {
         const Quality quality = quality_of(form, matrix.determinant());
         EXPECT_NEAR(quality.distortion, 1.0, kQualityAccuracy);
         EXPECT_NEAR(quality.scaled_jacobian, 1.0, kQualityAccuracy);
+    }
+}
+
+TEST(Jacobian, ByNodesStaysPositiveHoweverTheNodesAreRounded) {
+    constexpr double kUnits = 4.0;
+    constexpr double kFar = 1000.0;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-kUnits, kUnits);
+    for (int order = 2; order <= 4; ++order) {
+        const Lattice& lattice = Lattice::of(3, order);
+        const auto flat = [&](double height) {
+            return nodes_of(lattice, [&](const Vec3& x) { return Vec3(kFar + x.x(), kFar + x.y(), height * x.z()); });
+        };
+        // The Jacobian is the height; the bound hardly depends on it.
+        const double bound = jacobian_by_nodes(lattice, nodes_to_bezier(lattice, flat(0.0))).rounding;
+        EXPECT_GT(bound, jacobian_of(lattice, nodes_to_bezier(lattice, flat(0.0))).rounding);
+        const std::vector<Vec3> nodes = flat(1.01 * bound);
+        for (int i = 0; i < 200; ++i) {
+            std::vector<Vec3> rounded = nodes;
+            for (Vec3& node : rounded) {
+                node += kFar * std::numeric_limits<double>::epsilon() * Vec3(unit(random), unit(random), unit(random));
+            }
+            for (const double c : jacobian_of(lattice, nodes_to_bezier(lattice, rounded)).coefficients) {
+                EXPECT_GT(c, 0.0) << order;
+            }
+        }
     }
 }
 

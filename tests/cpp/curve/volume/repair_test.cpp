@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
+#include <cmath>
 #include <gp_Trsf.hxx>
 
 #include "curve/volume/filled_solid.h"
@@ -64,6 +66,21 @@ TEST(RepairTetrahedralMesh, WorkGrowsWithWhatIsInvalid) {
         EXPECT_LT(static_cast<double>(four.evaluations), kEach * four.invalid_before)
             << order << " " << one.evaluations << " " << one.invalid_before;
     }
+}
+
+TEST(TetrahedralMesh, AFlatElementIsToHaveTheJacobianOfOneThatIsNot) {
+    Filled filled(geometry::make_shape_model(BRepPrimAPI_MakeBox(1.0, 1.0, 1.0).Shape()), 2);
+    std::vector<Vertex>& vertices = filled.volume.shapes().vertices;
+    const std::array<int, 4> corners = filled.volume.tetrahedra.front().corners;
+    const auto place = [&](std::size_t k) -> Vec3& { return vertices[static_cast<std::size_t>(corners[k])].point; };
+    place(0) = Vec3::Zero();
+    place(1) = Vec3::UnitX();
+    place(2) = Vec3::UnitY();
+    place(3) = Vec3::UnitZ();
+    EXPECT_DOUBLE_EQ(filled.volume.reference_jacobian(corners), 1.0);
+    // Squared edges of 1, 1, 2, 0.5, 0.5, 0.5 and a mean ratio of 0.05.
+    place(3) = Vec3(0.5, 0.5, 1e-9);
+    EXPECT_NEAR(filled.volume.reference_jacobian(corners), 2.0 * std::pow(0.05 / 12.0 * 5.5, 1.5), 1e-9);
 }
 
 TEST(RepairTetrahedralMesh, CancelledAtOnce) {
