@@ -12,6 +12,8 @@ Meshes for scripts
     curve         curved triangles or tetrahedra on a shape, each proven valid           -> CurvedMesh
     boolean       joins, intersects or subtracts closed meshes and shapes                -> BooleanMesh
     Solid         the same by operators, in sequences that are rounded once: (a - b) | c
+    offset        a solid grown or shrunk by a distance                                  -> OffsetMesh
+    hollow        a solid of which a wall is left, with openings                         -> OffsetMesh
     improve       the same surface with better triangles                                 -> SurfaceMesh
     quality       measures any mesh                                                      -> MeshReport
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
@@ -76,6 +78,9 @@ _LAZY = {
     "boolean": "MeshQuality.core.booleans",
     "BooleanMesh": "MeshQuality.core.booleans",
     "Solid": "MeshQuality.core.solid",
+    "offset": "MeshQuality.core.offsets",
+    "hollow": "MeshQuality.core.offsets",
+    "OffsetMesh": "MeshQuality.core.offsets",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
     "add_fem_mesh": "MeshQuality.features.fem_mesh",

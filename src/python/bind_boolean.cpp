@@ -151,7 +151,9 @@ void bind_boolean(py::module_& m) {
         .def(py::init<>())
         .def_readwrite("seconds", &WorkBefore::seconds)
         .def_readwrite("notes", &WorkBefore::notes)
-        .def_readwrite("cpu_seconds", &WorkBefore::cpu_seconds);
+        .def_readwrite("cpu_seconds", &WorkBefore::cpu_seconds)
+        .def_readwrite("error_bound", &WorkBefore::error_bound)
+        .def_readwrite("tolerance", &WorkBefore::tolerance);
     m.def("boolean", &run_boolean, py::arg("operands"), py::arg("operation"), py::arg("options"), py::arg("method"),
           py::arg("before"), py::arg("progress") = py::none(),
           "A Boolean of [(Surface, whether it may be rounded to single precision, the Part.Shape it was made of or "

@@ -50,6 +50,7 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_elements(m);
     mq::python::bind_given(m);
     mq::python::bind_boolean(m);
+    mq::python::bind_offset(m);
     mq::python::bind_improve(m);
     m.def(
         "waits",

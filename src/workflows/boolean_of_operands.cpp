@@ -110,35 +110,6 @@ std::string empty_difference(double tolerance) {
     return text.data();
 }
 
-/// Fills the fields of every report, and adds the notes and times of the work before.
-void measure(BooleanSurface& surface, const OperandFrame& frame, const Expression& expression, const WorkBefore& before,
-             Progress& progress) {
-    BooleanReport& figures = surface.figures;
-    const Stopwatch measuring;
-    auto notes = std::move(figures.notes);
-    auto seconds = std::move(figures.seconds);
-    const std::int64_t crossings = figures.self_intersections;
-    static_cast<mesh::MeshReport&>(figures) = mesh::measure(surface.mesh, &progress);
-    figures.self_intersections = crossings;
-    if (surface.mesh.triangles.empty() && expression.chained() == Operation::SymmetricDifference) {
-        notes.push_back(empty_difference(figures.tolerance_asked));
-    } else if (surface.mesh.triangles.empty()) {
-        notes.emplace_back("the result is empty: no volume is left");
-    } else if (!figures.closed || !figures.oriented || !figures.manifold) {
-        notes.emplace_back("the result is not a closed manifold surface: see its faults");
-        figures.faults_left = std::max(figures.faults_left, surface_faults(figures));
-    }
-    if (!frame.single()) {
-        notes.emplace_back(
-            "an operand has more digits than single precision holds: to_mesh and most files round the result");
-    }
-    notes.insert(notes.begin(), before.notes.begin(), before.notes.end());
-    seconds.insert(seconds.begin(), before.seconds.begin(), before.seconds.end());
-    seconds.emplace_back("measuring", measuring.wall());
-    figures.notes = std::move(notes);
-    figures.seconds = std::move(seconds);
-}
-
 /// Projects vertices made on faces of shapes onto their surfaces. No vertex moves farther than `limit`, mm.
 void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
                    geometry::Engine& engine, double limit, Progress& progress) {
@@ -168,6 +139,31 @@ void fit_to_shapes(BooleanSurface& surface, const OperandFrame& frame, const std
 
 }  // namespace
 
+void complete_report(BooleanSurface& surface, const WorkBefore& before, const std::string& empty, Progress& progress) {
+    BooleanReport& figures = surface.figures;
+    const Stopwatch measuring;
+    auto notes = std::move(figures.notes);
+    auto seconds = std::move(figures.seconds);
+    const std::int64_t crossings = figures.self_intersections;
+    static_cast<mesh::MeshReport&>(figures) = mesh::measure(surface.mesh, &progress);
+    figures.self_intersections = crossings;
+    figures.error_bound += before.error_bound;
+    if (before.tolerance > 0.0) {
+        figures.tolerance_asked = before.tolerance;
+    }
+    if (surface.mesh.triangles.empty()) {
+        notes.insert(notes.begin(), empty);
+    } else if (!figures.closed || !figures.oriented || !figures.manifold) {
+        notes.insert(notes.begin(), "the result is not a closed manifold surface: see its faults");
+        figures.faults_left = std::max(figures.faults_left, surface_faults(figures));
+    }
+    notes.insert(notes.begin(), before.notes.begin(), before.notes.end());
+    seconds.insert(seconds.begin(), before.seconds.begin(), before.seconds.end());
+    seconds.emplace_back("measuring", measuring.wall());
+    figures.notes = std::move(notes);
+    figures.seconds = std::move(seconds);
+}
+
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
                                    const Expression& expression, const BooleanOptions& options, BooleanMethod method,
                                    const WorkBefore& before, Progress& progress) {
@@ -188,7 +184,15 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
         result.figures.tolerance_asked = limit;
         fit_to_shapes(result, frame, operands, engine, limit, progress);
     }
-    measure(result, frame, expression, before, progress);
+    if (!frame.single()) {
+        result.figures.notes.emplace_back(
+            "an operand has more digits than single precision holds: to_mesh and most files round the result");
+    }
+    complete_report(result, before,
+                    expression.chained() == Operation::SymmetricDifference
+                        ? empty_difference(result.figures.tolerance_asked)
+                        : "the result is empty: no volume is left",
+                    progress);
     result.figures.cpu_seconds = before.cpu_seconds + watch_all.cpu();
     result.report = result.figures;
     return result;

@@ -35,6 +35,9 @@ struct WorkBefore {
     StageTimes seconds;
     std::vector<std::string> notes;
     double cpu_seconds = 0.0;
+    /// mm: how far what was done before may have moved surfaces; the bound that is reported includes it.
+    double error_bound = 0.0;
+    double tolerance = 0.0;  ///< mm: the tolerance for all of the work, where it is not that of the last step
 };
 
 /// `report` of the base class holds the measured fields of `figures`.
@@ -43,6 +46,10 @@ struct BooleanSurface : triangulate::Result {
     /// See boolean::BooleanResult::triangle_source.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
 };
+
+/// Fills what every report of a closed result has: measured fields, notes, times and what the work before adds.
+/// @param empty  the sentence for a result without triangles
+void complete_report(BooleanSurface& surface, const WorkBefore& before, const std::string& empty, Progress& progress);
 
 /// A Boolean of operands in any frames: they are brought into one, the result is put onto the surfaces of the shapes,
 /// as far as the tolerance allows, and measured.

@@ -62,6 +62,10 @@ class Operands:
     def surfaces(self):
         return [found for found in self._found if isinstance(found, tuple)]
 
+    def is_shape(self, i):
+        """Whether an operand is a shape, with no meshes in it."""
+        return not isinstance(self._taken[i], (SurfaceMesh, convert.MeshCopy, _Mixed)) and not is_arrays(self._taken[i])
+
     @cached_property
     def _found(self):
         """What _read gives for each."""
@@ -78,7 +82,7 @@ class Operands:
         if not shapes:
             return False
         with self._stage("meshing shapes"):
-            wanted = self._possible(core_options.tolerance_for(self._size()))
+            wanted = self._possible(core_options.tolerance_for(self.size()))
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
                 self._found[i] = self._mesh_shape(i, 0.5 * wanted, part)
@@ -88,7 +92,7 @@ class Operands:
         """The tolerance; raises InvalidInput where it is finer than the core can keep, before shapes are
         meshed as finely.
         """
-        least = _FINEST_TOLERANCE * self._size()
+        least = _FINEST_TOLERANCE * self.size()
         if tolerance < least:
             raise InvalidInput(phrases.Text(phrases.CORE_ERRORS["fine_tolerance"], length=f"{tolerance:.4g} mm",
                                             length2=f"{least:.4g} mm"))
@@ -153,7 +157,7 @@ class Operands:
                                "SurfaceMesh, arrays (V, F)), shapes, and document objects with a "
                                "mesh or a shape") from error
 
-    def _size(self):
+    def size(self):
         """Longest side of the box of all operands, mm."""
         boxes = []
         for found in self._found:

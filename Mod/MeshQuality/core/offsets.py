@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""offset and hollow: solids grown, shrunk, and made walls of."""
+
+import numpy as np
+
+from .. import offset_options, options
+from ..compat import extension
+from ..errors import Error, InvalidInput
+from ..listing import Public
+from .booleans import BooleanMesh
+from .operands import Operands, part_of
+from .patches import division_for
+
+# Shares of the tolerance: of the mesh of a shape, of the union of what is given, of cutting the hollow out; what is left is
+# for the offset.
+_CHORD, _UNION, _CUTTING = 0.3, 0.05, 0.05
+# Fractions of the progress at which the steps end: meshing, union, offset.
+_MESHED, _UNITED, _OFFSET = 0.3, 0.4, 0.9
+_FINEST = 4.0 * 2.0**-23  # tolerance of a Boolean, as a fraction of the size, at least
+
+
+class OffsetMesh(BooleanMesh, metaclass=Public):
+    """A BooleanMesh that offset or hollow made: closed, manifold, without self-intersections.
+
+    triangle_face    int32 (T,), of an offset: the face of the shape from which each triangle is offset; else empty
+    triangle_source  of a hollowed solid: (0, triangle of its united mesh) of those on its outside that are whole, (1, ...) of
+                     those of the hollow, (-1, -1) of those cut at openings; of an offset (-1, -1)
+    report           BooleanReport. error_bound, mm, is proven: no point of the result is farther than this from the exact
+                     one, and none of the exact one farther from the result, the distance of the mesh from the shape included
+    """
+
+    __slots__ = ()
+
+
+def offset(source, distance, tolerance=None, progress=None, threads=0):
+    """All points within a distance of a solid; of a negative distance, those deeper in it than that.
+
+    source     what boolean takes as an operand: a mesh, arrays (V, F), a shape, or a document object
+    distance   mm; outward, or inward where it is below 0
+    tolerance  mm, the largest distance between the result and the exact offset, in both directions; None: a thousandth of
+               the size, at most a tenth of the distance
+    progress   callable(fraction 0..1, stage); returning False cancels
+    threads    that work at a time; 0: one for each core. The result is the same for any number
+
+    Edges are rounded outward where they are convex and stay sharp where they are concave, as in the exact offset; gaps
+    narrower than twice the distance close. Several bodies are united first, small faults of meshes repaired.
+
+    Returns an OffsetMesh, an empty one where nothing is as deep. report says whether the tolerance is met.
+    Raises InvalidInput, TopologyError, Cancelled.
+    """
+    values = options.check(offset_options.OFFSET, {"distance": distance, "tolerance": tolerance, "threads": threads})
+    if not values["distance"]:
+        raise InvalidInput(f"distance = {distance!r}: give a length in mm other than 0")
+    options.require_callable(progress)
+    work = _Work(source, values["distance"], values["tolerance"], values["threads"], progress)
+    return work.run(lambda: OffsetMesh(extension().offset_surface(
+        work.solid, work.operand, work.distance, work.share_of_offset(), work.threads, work.before(last=True),
+        work.progress(_UNITED, 1.0))))
+
+
+def hollow(source, thickness, openings=None, tolerance=None, progress=None, threads=0):
+    """A solid of which only a wall is left: all of its points that are at most a thickness away from its surface.
+
+    source     what boolean takes as an operand; with openings a shape, or a document object with one
+    thickness  mm; the wall grows inward, the outside stays
+    openings   names of faces of the shape that get no wall, as in ["Face3", "Face7"]: the hollow reaches them; None: the
+               hollow is closed
+    tolerance, progress, threads   as offset has them; the tolerance is that of the hollow's surface
+
+    The hollow keeps sharp edges where the outside has convex ones, and is rounded at concave ones. Without openings
+    powder or resin stays in the hollow: boolean cuts holes.
+
+    Returns an OffsetMesh: the whole solid where it is nowhere thicker than twice the thickness.
+    Raises InvalidInput naming the face and the remedy, TopologyError, Cancelled.
+    """
+    values = options.check(offset_options.HOLLOW, {"thickness": thickness, "tolerance": tolerance, "threads": threads})
+    if not values["thickness"]:
+        raise InvalidInput(f"thickness = {thickness!r}: give a length in mm")
+    options.require_callable(progress)
+    work = _Work(source, values["thickness"], values["tolerance"], values["threads"], progress)
+    faces = None if openings is None else work.faces(openings)
+    return work.run(lambda: _hollowed(work, faces))
+
+
+def _hollowed(work, faces):
+    module = extension()
+    watched = work.progress(_UNITED, _OFFSET)
+    if faces is None:
+        operation = "difference"
+        inside = module.offset_surface(work.solid, work.operand, -work.distance, work.share_of_offset(), work.threads,
+                                       work.before(), watched)
+    else:
+        operation = "intersection"
+        inside = module.thicken_walls(work.solid, work.triangles_of(faces), work.distance, work.share_of_offset(),
+                                      work.threads, work.before(), watched)
+    work.add(inside.report)
+    return OffsetMesh(module.boolean([(work.solid, False, None), (inside, False, None)], operation,
+                                     work.boolean_options(_CUTTING), "default", work.before(last=True),
+                                     work.progress(_OFFSET, 1.0)))
+
+
+class _Work:
+    """What the steps of an offset share.
+
+    solid     core.BooleanSurface: the union of the operand's bodies
+    operand   core.Surface of the operand
+    """
+
+    def __init__(self, source, distance, tolerance, threads, progress):
+        self._progress, self._source = progress, source
+        self.threads, self.distance = threads, distance
+        self._operands = Operands([source])
+        size = self._operands.size()
+        self.tolerance = tolerance or min(1e-3 * size, 0.1 * abs(distance))
+        self._finest = _FINEST * size
+        if self.tolerance > abs(distance):
+            raise InvalidInput(f"tolerance = {self.tolerance:g} mm is larger than the distance of {abs(distance):g} mm: give "
+                               "a smaller one")
+        self._error_bound, self._seconds, self._notes, self._cpu_seconds = 0.0, [], [], 0.0
+
+    def run(self, last_steps):
+        try:
+            self._unite()
+            return last_steps()
+        except Error as error:
+            raise self._operands.explain(error) from error
+
+    def progress(self, low, high):
+        return part_of(self._progress, low, high)
+
+    def boolean_options(self, share):
+        chosen = extension().BooleanOptions()
+        chosen.tolerance = max(share * self.tolerance, self._finest)
+        chosen.threads = self.threads
+        return chosen
+
+    def _unite(self):
+        meshing = extension().BooleanOptions()
+        meshing.tolerance = 2.0 * _CHORD * self.tolerance  # shapes are meshed within half of it
+        meshed = self._operands.mesh_shapes(meshing, self.progress(0.0, _MESHED))
+        self.operand, rounded, shape = self._operands.surfaces[0]
+        if shape is not None:
+            self._error_bound = self.operand.report.max_chord_height
+        self._seconds, self._notes = list(self._operands.seconds), []
+        self._cpu_seconds = self._operands.cpu_seconds
+        self.solid = extension().boolean([(self.operand, rounded, None)], "union", self.boolean_options(_UNION), "default",
+                                         self.before(), self.progress(_MESHED if meshed else 0.0, _UNITED))
+        self._seconds, self._notes = [], []
+        self.add(self.solid.report)
+
+    def add(self, report):
+        """Takes over what the report of a step says."""
+        self._error_bound = report.error_bound
+        self._seconds, self._notes = list(report.seconds.items()), [
+            note for note in report.notes if not note.startswith("the result is empty")]
+        self._cpu_seconds = report.cpu_seconds
+
+    def before(self, last=False):
+        """core.WorkBefore for the next step."""
+        before = extension().WorkBefore()
+        before.seconds, before.notes, before.cpu_seconds = self._seconds, self._notes, self._cpu_seconds
+        before.error_bound = self._error_bound
+        before.tolerance = self.tolerance if last else 0.0
+        return before
+
+    def share_of_offset(self):
+        """mm, the tolerance that meshing, union and cutting have left."""
+        return (1.0 - _UNION - _CUTTING) * self.tolerance - self._error_bound
+
+    def faces(self, names):
+        """Indices of the faces of the shape that are named."""
+        if not self._operands.is_shape(0):
+            raise InvalidInput("openings are faces of a shape, and a mesh is given: hollow it without openings, and cut "
+                               "them by boolean")
+        if isinstance(names, str) or not hasattr(names, "__iter__"):
+            raise InvalidInput(f"openings = {names!r}: give a list of faces such as ['Face1', 'Face4']")
+        found = sorted(division_for(self._source, {"openings": list(names)}).patch_of)
+        if not found:
+            raise InvalidInput("openings is an empty list: name the faces, or leave it out for a closed hollow")
+        return found
+
+    def triangles_of(self, faces):
+        """bool (T,): the triangles of the solid that lie on some faces."""
+        own = np.asarray(self.solid.triangle_source)[:, 1]
+        if (own < 0).any():
+            raise InvalidInput("openings need a shape whose bodies do not cross: unite them first")
+        return np.isin(np.asarray(self.operand.triangle_face)[own], faces)

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/offset/offset_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "base/parallel.h"
+#include "base/segment_distance.h"
+
+namespace mq::boolean {
+
+namespace {
+
+/// How often a triangle is divided in four at most.
+constexpr int kMostDivisions = 10;
+/// Triangles in one parallel task.
+constexpr std::size_t kBlock = 64;
+
+Vec3 centre(const Corners& t) {
+    return (t[0] + t[1] + t[2]) / 3.0;
+}
+
+double radius(const Corners& t, const Vec3& middle) {
+    return std::sqrt(std::max({(t[0] - middle).squaredNorm(), (t[1] - middle).squaredNorm(),
+                               (t[2] - middle).squaredNorm()}));
+}
+
+std::array<Corners, 4> divided(const Corners& t) {
+    const Vec3 a = 0.5 * (t[1] + t[2]);
+    const Vec3 b = 0.5 * (t[2] + t[0]);
+    const Vec3 c = 0.5 * (t[0] + t[1]);
+    return {Corners{t[0], c, b}, Corners{c, t[1], a}, Corners{b, a, t[2]}, Corners{a, b, c}};
+}
+
+Corners corners(const SearchedSurface& surface, std::int32_t t) {
+    const mesh::Triangle& c = surface.triangles[static_cast<std::size_t>(t)];
+    return {surface.points[static_cast<std::size_t>(c[0])], surface.points[static_cast<std::size_t>(c[1])],
+            surface.points[static_cast<std::size_t>(c[2])]};
+}
+
+double distance(const Vec3& p, const Corners& t) {
+    return (mesh::nearest_on_triangle(p, t[0], t[1], t[2]) - p).norm();
+}
+
+/// The distance of two triangles that do not meet.
+double distance(const Corners& one, const Corners& two) {
+    double result = std::min({distance(one[0], two), distance(one[1], two), distance(one[2], two)});
+    result = std::min({result, distance(two[0], one), distance(two[1], one), distance(two[2], one)});
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            result = std::min(result, distance_of_segments(one[i], one[(i + 1) % 3], two[j], two[(j + 1) % 3]));
+        }
+    }
+    return result;
+}
+
+/// The least upper bound for the distances of a triangle's points from a surface that one of its triangles gives.
+double farthest(const Corners& t, const Vec3& middle, const SearchedSurface& surface) {
+    const Corners nearest = corners(surface, surface.tree.nearest(middle).triangle);
+    return std::max({distance(t[0], nearest), distance(t[1], nearest), distance(t[2], nearest)});
+}
+
+/// Whether a point lies on the inner side of a surface: of the triangles nearest to it the one decides that it is most
+/// nearly opposite to, as at the edges of a closed surface. No point is behind a sheet of which both sides are there.
+bool is_behind(const Vec3& p, const SearchedSurface& surface) {
+    constexpr double kSame = 1e-9;  // relative difference of distances that count as equal
+    const double reach = surface.tree.nearest(p).distance * (1.0 + kSame);
+    Box box;
+    box.add(p + Vec3::Constant(reach));
+    box.add(p - Vec3::Constant(reach));
+    double front = 0.0;
+    double back = 0.0;
+    surface.tree.for_each_in_box(box, [&](std::int32_t other) {
+        const Corners t = corners(surface, other);
+        const Vec3 away = p - mesh::nearest_on_triangle(p, t[0], t[1], t[2]);
+        if (away.norm() <= reach) {
+            const double height = (t[1] - t[0]).cross(t[2] - t[0]).normalized().dot(away);
+            front = std::max(front, height);
+            back = std::max(back, -height);
+        }
+    });
+    return back > front;
+}
+
+/// The distance of a triangle from a surface, where it is less than `bound`; else `bound`.
+double nearest_within(const Corners& t, const Vec3& middle, const SearchedSurface& surface, double bound) {
+    const double reach = radius(t, middle);
+    Box box;
+    for (const Vec3& p : t) {
+        box.add(p);
+    }
+    box.low.array() -= bound;
+    box.high.array() += bound;
+    double result = bound;
+    surface.tree.for_each_in_box(box, [&](std::int32_t other) {
+        const Corners o = corners(surface, other);
+        if (distance(middle, o) - reach < result) {
+            result = std::min(result, distance(t, o));
+        }
+    });
+    return result;
+}
+
+/// Runs task(triangle, bound) over all triangles in parallel; each raises the bound of its block.
+template <typename Task>
+ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& progress, const Task& task) {
+    std::vector<ProvenBound> blocks((triangles.size() + kBlock - 1) / kBlock);
+    parallel_for(static_cast<int>(blocks.size()), [&](int k) {
+        progress.check();
+        const std::size_t first = static_cast<std::size_t>(k) * kBlock;
+        for (std::size_t t = first; t < std::min(first + kBlock, triangles.size()); ++t) {
+            task(triangles[t], blocks[static_cast<std::size_t>(k)]);
+        }
+    });
+    ProvenBound result;
+    for (const ProvenBound& block : blocks) {
+        result = block.bound > result.bound ? block : result;
+    }
+    return result;
+}
+
+struct Part {
+    Corners corners;
+    int divisions;
+};
+
+}  // namespace
+
+bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double distance) {
+    constexpr int kDivisions = 4;
+    std::vector<Part> stack{{triangle, 0}};
+    while (!stack.empty()) {
+        const Part part = stack.back();
+        stack.pop_back();
+        if (farthest(part.corners, centre(part.corners), surface) < distance) {
+            continue;
+        }
+        if (part.divisions == kDivisions || surface.tree.any_within(centre(part.corners), distance, 0) < 0) {
+            return false;
+        }
+        for (const Corners& quarter : divided(part.corners)) {
+            stack.push_back({quarter, part.divisions + 1});
+        }
+    }
+    return true;
+}
+
+ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                    double wanted, double fineness, const Progress& progress) {
+    return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
+        const Vec3 middle = centre(whole);
+        // No part of it is nearer than the whole triangle is.
+        const double near = nearest_within(whole, middle, surface, wanted);
+        if (wanted - near > found.bound) {
+            found = {wanted - near, middle};
+        }
+        std::vector<Part> stack{{whole, 0}};
+        while (!stack.empty()) {
+            const Part part = stack.back();
+            stack.pop_back();
+            const Vec3 here = centre(part.corners);
+            const double far = farthest(part.corners, here, surface);
+            if (far - wanted <= std::max(found.bound, fineness)) {
+                continue;
+            }
+            double attained = 0.0;
+            for (const Vec3& p : part.corners) {
+                attained = std::max(attained, surface.tree.nearest(p).distance);
+            }
+            if (far - attained <= fineness || part.divisions == kMostDivisions) {
+                found = {far - wanted, here};
+                continue;
+            }
+            for (const Corners& quarter : divided(part.corners)) {
+                stack.push_back({quarter, part.divisions + 1});
+            }
+        }
+    });
+}
+
+ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                     double least, const SearchedSurface& result, double enough,
+                                     const Progress& progress) {
+    return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
+        std::vector<Part> stack{{whole, 0}};
+        while (!stack.empty()) {
+            const Part part = stack.back();
+            stack.pop_back();
+            const Vec3 here = centre(part.corners);
+            if (farthest(part.corners, here, surface) < least) {
+                continue;
+            }
+            const double far = result.tree.size() == 0 ? 2.0 * radius(part.corners, here)
+                                                       : farthest(part.corners, here, result);
+            if (far <= found.bound) {
+                continue;
+            }
+            // A part smaller than its distance from the surface lies on one side of it.
+            const double size = radius(part.corners, here);
+            if (size < surface.tree.nearest(here).distance && is_behind(here, surface)) {
+                continue;
+            }
+            if (far <= enough || part.divisions == kMostDivisions || size < 0.25 * enough) {
+                found = {far, here};
+            } else {
+                for (const Corners& quarter : divided(part.corners)) {
+                    stack.push_back({quarter, part.divisions + 1});
+                }
+            }
+        }
+    });
+}
+
+}  // namespace mq::boolean

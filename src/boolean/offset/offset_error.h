@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/vec.h"
+#include "mesh/intersection/aabb_tree.h"
+#include "mesh/triangle_mesh.h"
+
+namespace mq::boolean {
+
+/// A surface with the tree of its triangles, for questions of distance.
+struct SearchedSurface {
+    SearchedSurface(const std::vector<Vec3>& vertices, const std::vector<mesh::Triangle>& triangles)
+        : points(vertices), triangles(triangles), tree(vertices, triangles) {}
+
+    const std::vector<Vec3>& points;
+    const std::vector<mesh::Triangle>& triangles;
+    const mesh::AabbTree tree;
+};
+
+/// A triangle by its corners.
+using Corners = std::array<Vec3, 3>;
+
+/// A bound, mm, and where it was found.
+struct ProvenBound {
+    double bound = 0.0;
+    Vec3 where = Vec3::Zero();
+};
+
+/// Whether all points of a triangle are nearer to a surface than a distance, as far as a proof of a few divisions shows.
+bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double distance);
+
+/// A bound for |d - distance| over all points of some triangles, where d is a point's distance from a surface.
+///
+/// Over a triangle the distance from one triangle of the surface is convex, so that its corners bound it from above;
+/// from below it is bounded by the exact distances of edges and corners. Triangles are divided until both are within
+/// `fineness` (mm) of what is attained.
+ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                    double distance, double fineness, const Progress& progress);
+
+/// A bound for the distances from `result` of all those points of some triangles that are at least `least` (mm) in front
+/// of a surface. Distances up to `enough` are taken as that.
+ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, const SearchedSurface& surface,
+                                     double least, const SearchedSurface& result, double enough,
+                                     const Progress& progress);
+
+}  // namespace mq::boolean

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "workflows/offset_of_solid.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "base/stopwatch.h"
+
+namespace mq::workflows {
+
+namespace {
+
+std::string empty_offset(double distance) {
+    std::array<char, 120> text;
+    std::snprintf(text.data(), text.size(), "the result is empty: no point of the solid is %.4g mm away from its surface",
+                  std::abs(distance));
+    return text.data();
+}
+
+BooleanSurface reported(boolean::OffsetResult&& offset, const boolean::OffsetOptions& options, const WorkBefore& before,
+                        const Stopwatch& watch, Progress& progress) {
+    BooleanSurface result;
+    result.mesh = std::move(offset.mesh);
+    result.triangle_source.assign(result.mesh.triangles.size(), {-1, -1});
+    BooleanReport& figures = result.figures;
+    figures.error_bound = offset.error_bound;
+    figures.tolerance_asked = options.tolerance;
+    figures.reconstructed = result.mesh.triangles.size();
+    figures.crossing_pairs = offset.crossing_pairs;
+    figures.self_intersections = 0;
+    figures.seconds = std::move(offset.seconds);
+    complete_report(result, before, empty_offset(options.distance), progress);
+    figures.cpu_seconds = before.cpu_seconds + watch.cpu();
+    result.report = figures;
+    return result;
+}
+
+}  // namespace
+
+BooleanSurface offset_of_solid(const BooleanSurface& solid, const triangulate::Result& operand,
+                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
+    const Stopwatch watch;
+    boolean::OffsetResult offset = boolean::offset(solid.mesh, options, progress);
+    const std::vector<std::int32_t> source = std::move(offset.triangle_source);
+    BooleanSurface result = reported(std::move(offset), options, before, watch, progress);
+    const std::vector<std::int32_t>& faces = operand.mesh.triangle_face;
+    if (!faces.empty()) {
+        for (const std::int32_t t : source) {
+            const std::int32_t own = solid.triangle_source[static_cast<std::size_t>(t)][1];
+            result.mesh.triangle_face.push_back(own < 0 ? -1 : faces[static_cast<std::size_t>(own)]);
+        }
+    }
+    return result;
+}
+
+BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
+                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
+    const Stopwatch watch;
+    return reported(boolean::thicken(solid.mesh, left_out, options, progress), options, before, watch, progress);
+}
+
+}  // namespace mq::workflows
