@@ -50,14 +50,16 @@ std::shared_ptr<BooleanSurface> thicken_walls(const BooleanSurface& solid,
 }  // namespace
 
 void bind_offset(py::module_& m) {
-    m.def("offset_surface", &offset_surface, py::arg("solid"), py::arg("operand"), py::arg("distance"),
-          py::arg("tolerance"), py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
-          "The offset of a BooleanSurface that is the union of one operand, a Surface; distances in mm, inward below 0. "
-          "Returns a BooleanSurface.");
-    m.def("thicken_walls", &thicken_walls, py::arg("solid"), py::arg("open"), py::arg("distance"), py::arg("tolerance"),
-          py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
-          "All that is within a distance (mm) of the triangles of a BooleanSurface that are not marked as open. Returns "
-          "a BooleanSurface.");
+    m.def(
+        "offset_surface", &offset_surface, py::arg("solid"), py::arg("operand"), py::arg("distance"),
+        py::arg("tolerance"), py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
+        "The offset of a BooleanSurface that is the union of one operand, a Surface; distances in mm, inward below 0. "
+        "Returns a BooleanSurface.");
+    m.def(
+        "thicken_walls", &thicken_walls, py::arg("solid"), py::arg("open"), py::arg("distance"), py::arg("tolerance"),
+        py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
+        "All that is within a distance (mm) of the triangles of a BooleanSurface that are not marked as open. Returns "
+        "a BooleanSurface.");
 }
 
 }  // namespace mq::python

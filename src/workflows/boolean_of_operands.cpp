@@ -31,6 +31,7 @@ void take(BooleanSurface& surface, BooleanResult&& result) {
     figures.retained = result.retained;
     figures.reconstructed = result.reconstructed;
     figures.faults_left = result.faults_left;
+    figures.self_intersections = 0;  // or an error was raised
     figures.crossing_pairs = result.crossing_pairs;
     figures.curve_edges = result.curve_edges;
     figures.separated_contacts = result.separated_contacts;

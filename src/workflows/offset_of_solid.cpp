@@ -16,8 +16,8 @@ namespace {
 
 std::string empty_offset(double distance) {
     std::array<char, 120> text;
-    std::snprintf(text.data(), text.size(), "the result is empty: no point of the solid is %.4g mm away from its surface",
-                  std::abs(distance));
+    std::snprintf(text.data(), text.size(),
+                  "the result is empty: no point of the solid is %.4g mm away from its surface", std::abs(distance));
     return text.data();
 }
 

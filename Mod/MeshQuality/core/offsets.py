@@ -94,8 +94,10 @@ def _hollowed(work, faces):
         inside = module.thicken_walls(work.solid, work.triangles_of(faces), work.distance, work.share_of_offset(),
                                       work.threads, work.before(), watched)
     work.add(inside.report)
-    return OffsetMesh(module.boolean([(work.solid, False, None), (inside, False, None)], operation,
-                                     work.boolean_options(_CUTTING), "default", work.before(last=True),
+    operands = [(work.solid, False, None)]
+    if len(inside.triangles):
+        operands.append((inside, False, None))
+    return OffsetMesh(module.boolean(operands, operation, work.boolean_options(_CUTTING), "default", work.before(last=True),
                                      work.progress(_OFFSET, 1.0)))
 
 

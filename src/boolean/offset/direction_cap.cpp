@@ -38,7 +38,10 @@ class CapRefinement {
         : cap_(cap), border_(static_cast<std::int32_t>(border)), least_cosine_(step < M_PI ? std::cos(step) : -2.0) {}
 
     void run() {
-        for (bool again = true; again;) {
+        // Half a circle is divided as often to the smallest angle that a tolerance leads to.
+        constexpr int kRounds = 16;
+        bool again = true;
+        for (int round = 0; again && round < kRounds; ++round) {
             again = false;
             middle_.clear();
             std::vector<mesh::Triangle> done;
@@ -81,7 +84,8 @@ class CapRefinement {
     }
 
     void middle(std::int32_t a, std::int32_t b) {
-        const auto [found, fresh] = middle_.emplace(std::minmax(a, b), static_cast<std::int32_t>(cap_.directions.size()));
+        const auto [found, fresh] =
+            middle_.emplace(std::minmax(a, b), static_cast<std::int32_t>(cap_.directions.size()));
         if (fresh) {
             cap_.directions.push_back(on_arc(at(a), at(b), 0.5));
         }
@@ -106,13 +110,12 @@ class CapRefinement {
 
     /// Whether all triangles show the same side outward, as those of a convex vertex do.
     bool unfolded() const {
-        return std::all_of(cap_.triangles.begin(), cap_.triangles.end(), [&](const mesh::Triangle& t) {
-            return at(t[0]).dot(at(t[1]).cross(at(t[2]))) > kFlat;
-        });
+        return std::all_of(cap_.triangles.begin(), cap_.triangles.end(),
+                           [&](const mesh::Triangle& t) { return at(t[0]).dot(at(t[1]).cross(at(t[2]))) > kFlat; });
     }
 
-    /// Exchanges sides for the other diagonals while that leaves emptier circles: the Delaunay triangulation of
-    /// directions on a sphere, where no cap is folded (Lawson 1977; a point in a circle lies above its plane).
+    /// Exchanges sides for shorter ones while that leaves emptier circles, as Lawson (1977) does in a plane: a
+    /// direction in a circle lies above its plane.
     void flip() {
         for (bool again = true; again;) {
             again = false;
@@ -129,8 +132,10 @@ class CapRefinement {
                 const std::int32_t b = one[(c + 1) % 3];
                 const std::int32_t left = one[(c + 2) % 3];
                 const std::int32_t right = two[(d + 2) % 3];
+                // A longer side would be divided, and exchanged again.
+                const bool shorter = at(left).dot(at(right)) > at(a).dot(at(b));
                 const bool whole = changed[c / 3] == 0 && changed[d / 3] == 0;
-                if (whole && height(a, b, left, right) > kFlat && height(left, right, b, a) < -kFlat &&
+                if (shorter && whole && height(a, b, left, right) > kFlat && height(left, right, b, a) < -kFlat &&
                     height(right, left, a, b) < -kFlat) {
                     one = {left, right, b};
                     two = {right, left, a};
@@ -171,10 +176,15 @@ Vec3 on_arc(const Vec3& from, const Vec3& to, double fraction) {
 }
 
 DirectionCap cap_over(const std::vector<Vec3>& loop, const Vec3& mean, double curvature, double step) {
+    Vec3 area = Vec3::Zero();  // the vector area of the loop, which points amid it
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        area += loop[i].cross(loop[(i + 1) % loop.size()]);
+    }
     std::vector<Vec3> candidates;
-    for (const double sign : {1.0, -1.0}) {
-        if (mean.norm() > 1e-9) {
-            candidates.emplace_back(sign * mean.normalized());
+    for (const Vec3& amid : {area, mean}) {
+        if (amid.norm() > kNoAngle) {
+            candidates.emplace_back(amid.normalized());
+            candidates.emplace_back(-amid.normalized());
         }
     }
     candidates.insert(candidates.end(), loop.begin(), loop.end());

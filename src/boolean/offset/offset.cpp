@@ -114,8 +114,7 @@ class OffsetPipeline {
         settle_dilation(arrangement, searched_.tree, {distance_, OffsetTuning::kDeepShare * tolerance_, inward}, cells,
                         progress_);
         stage("extracting", 0.75, 0.8);
-        Extraction extraction =
-            extract(soup_, arrangement, cells, Expression::chain(Operation::Union, 1), progress_);
+        Extraction extraction = extract(soup_, arrangement, cells, Expression::chain(Operation::Union, 1), progress_);
         stage("rounding", 0.8, 0.9);
         finish(extraction);
         stage("measuring distances", 0.9, 1.0);
@@ -241,9 +240,10 @@ class OffsetPipeline {
         const RoundingCount rounded = snap_round(
             extraction, {box.largest_side(), 2.0 * OffsetTuning::kRoundingShare * tolerance_, true}, progress_);
         if (!rounded.faulty.empty()) {
-            throw TopologyError("the offset cannot be held in single precision without triangles that touch or cross: " +
-                                std::to_string(rounded.faulty.size()) +
-                                " triangles meet there; choose a larger tolerance, or another distance");
+            throw TopologyError(
+                "the offset cannot be held in single precision without triangles that touch or cross: " +
+                std::to_string(rounded.faulty.size()) +
+                " triangles meet there; choose a larger tolerance, or another distance");
         }
         for (const std::int32_t from : draft.from) {
             result_.triangle_source.push_back(soup_.source[static_cast<std::size_t>(from)].triangle);
@@ -270,12 +270,12 @@ class OffsetPipeline {
             const auto back = static_cast<std::size_t>(cells.back[f]);
             if (cells.windings[front].empty() == cells.windings[back].empty()) {
                 const auto& p = arrangement.faces[f].points;
-                triangles.push_back(
-                    {arrangement.points.approx(p[0]), arrangement.points.approx(p[1]), arrangement.points.approx(p[2])});
+                triangles.push_back({arrangement.points.approx(p[0]), arrangement.points.approx(p[1]),
+                                     arrangement.points.approx(p[2])});
             }
         }
-        const ProvenBound back =
-            distance_of_outer_points(triangles, searched_, distance_ - raw_error, result, raw_error, progress_);
+        const ProvenBound back = distance_of_outer_points(triangles, searched_, distance_ - raw_error, tolerance_,
+                                                          result, raw_error, progress_);
         result_.error_bound = std::max(there.bound, back.bound);
     }
 
@@ -311,8 +311,8 @@ OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& option
     return OffsetPipeline(one_side(solid, inward), solid.origin, options, progress).run(0.0, inward);
 }
 
-OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>& left_out,
-                     const OffsetOptions& options, Progress& progress) {
+OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>& left_out, const OffsetOptions& options,
+                     Progress& progress) {
     options.validate();
     if (options.distance < 0.0) {
         throw InvalidInput("the distance is " + std::to_string(options.distance) + " mm: it must be above 0");

@@ -25,8 +25,8 @@ struct OffsetResult {
     mesh::TriangleMesh mesh;
     /// The input's triangle from which each triangle, or the strip along its edge, is offset.
     std::vector<std::int32_t> triangle_source;
-    /// mm, proven: no point of the result is farther than this from the exact offset, and none of the exact offset
-    /// farther from the result.
+    /// mm, proven: no point of the result is farther than this from the exact distance, and none of the exact offset
+    /// farther from the result, but for gaps between offsets thinner than twice the tolerance, which may close.
     double error_bound = 0.0;
     std::size_t raw_triangles = 0;  ///< of the raw offset, before it was trimmed
     std::size_t crossing_pairs = 0;
@@ -47,7 +47,7 @@ OffsetResult offset(const mesh::TriangleMesh& solid, const OffsetOptions& option
 /// The boundary of all points within a distance of some triangles of a surface, on both of their sides.
 /// @param left_out  for each triangle of the surface, which may be open where they are left out
 /// @throws as offset; InvalidInput where all triangles are left out, and for a distance below 0
-OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>& left_out,
-                     const OffsetOptions& options, Progress& progress);
+OffsetResult thicken(const mesh::TriangleMesh& surface, const std::vector<char>& left_out, const OffsetOptions& options,
+                     Progress& progress);
 
 }  // namespace mq::boolean

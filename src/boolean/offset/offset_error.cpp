@@ -23,8 +23,8 @@ Vec3 centre(const Corners& t) {
 }
 
 double radius(const Corners& t, const Vec3& middle) {
-    return std::sqrt(std::max({(t[0] - middle).squaredNorm(), (t[1] - middle).squaredNorm(),
-                               (t[2] - middle).squaredNorm()}));
+    return std::sqrt(
+        std::max({(t[0] - middle).squaredNorm(), (t[1] - middle).squaredNorm(), (t[2] - middle).squaredNorm()}));
 }
 
 std::array<Corners, 4> divided(const Corners& t) {
@@ -181,19 +181,23 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
 }
 
 ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, const SearchedSurface& surface,
-                                     double least, const SearchedSurface& result, double enough,
+                                     double least, double gap, const SearchedSurface& result, double enough,
                                      const Progress& progress) {
     return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
+        const Vec3 cross = (whole[1] - whole[0]).cross(whole[2] - whole[0]);
+        const Vec3 ahead = cross.squaredNorm() > 0.0 ? Vec3(gap * cross.normalized()) : Vec3(Vec3::Zero());
         std::vector<Part> stack{{whole, 0}};
         while (!stack.empty()) {
             const Part part = stack.back();
             stack.pop_back();
             const Vec3 here = centre(part.corners);
-            if (farthest(part.corners, here, surface) < least) {
+            const Corners beyond{part.corners[0] + ahead, part.corners[1] + ahead, part.corners[2] + ahead};
+            if (farthest(part.corners, here, surface) < least ||
+                farthest(beyond, here + ahead, surface) < least + ahead.norm()) {
                 continue;
             }
-            const double far = result.tree.size() == 0 ? 2.0 * radius(part.corners, here)
-                                                       : farthest(part.corners, here, result);
+            const double far =
+                result.tree.size() == 0 ? 2.0 * radius(part.corners, here) : farthest(part.corners, here, result);
             if (far <= found.bound) {
                 continue;
             }

@@ -30,7 +30,8 @@ struct ProvenBound {
     Vec3 where = Vec3::Zero();
 };
 
-/// Whether all points of a triangle are nearer to a surface than a distance, as far as a proof of a few divisions shows.
+/// Whether all points of a triangle are nearer to a surface than a distance, as far as a proof of a few divisions
+/// shows.
 bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double distance);
 
 /// A bound for |d - distance| over all points of some triangles, where d is a point's distance from a surface.
@@ -41,10 +42,11 @@ bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double 
 ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                     double distance, double fineness, const Progress& progress);
 
-/// A bound for the distances from `result` of all those points of some triangles that are at least `least` (mm) in front
-/// of a surface. Distances up to `enough` are taken as that.
+/// A bound for the distances from `result` of those points of some triangles that may lie on the exact offset: which
+/// are at least `least` (mm) in front of a surface, and do not come nearer to another side of it before they are moved
+/// on by `gap` (mm) along the triangle's normal. Distances up to `enough` are taken as that.
 ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, const SearchedSurface& surface,
-                                     double least, const SearchedSurface& result, double enough,
+                                     double least, double gap, const SearchedSurface& result, double enough,
                                      const Progress& progress);
 
 }  // namespace mq::boolean

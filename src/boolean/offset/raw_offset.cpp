@@ -383,10 +383,10 @@ class RawOffsetBuilder {
     }
 
     bool is_deep(const mesh::Triangle& t, double deep) const {
-        return all_nearer({result_.vertices[static_cast<std::size_t>(t[0])],
-                           result_.vertices[static_cast<std::size_t>(t[1])],
-                           result_.vertices[static_cast<std::size_t>(t[2])]},
-                          *options_.searched, deep);
+        return all_nearer(
+            {result_.vertices[static_cast<std::size_t>(t[0])], result_.vertices[static_cast<std::size_t>(t[1])],
+             result_.vertices[static_cast<std::size_t>(t[2])]},
+            *options_.searched, deep);
     }
 
     const ClosedSurface& surface_;

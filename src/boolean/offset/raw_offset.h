@@ -23,7 +23,8 @@ struct RawOffsetOptions {
     double distance = 0.0;   ///< mm, above 0: to the side to which the triangles' normals point
     double tolerance = 0.0;  ///< mm: the raw offset is no farther than this from points at the distance
     const SearchedSurface* searched = nullptr;  ///< the surface
-    /// mm: how far the offset of a sheet goes on beyond its border, so that what cuts the sheet there meets no vertices.
+    /// mm: how far the offset of a sheet goes on beyond its border, so that what cuts the sheet there meets no
+    /// vertices.
     double extension = 0.0;
 };
 

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""offset and hollow: known volumes, soundness, distances by other means, openings, refusals."""
+
+import math
+import unittest
+
+import Mesh
+import numpy as np
+import Part
+from FreeCAD import Vector
+
+import MeshQuality as mq
+from MeshQuality.compat import extension
+
+
+def distances_from(shape, mesh):
+    """Distances of the vertices and centres of a mesh from the surface of a shape, by OpenCASCADE."""
+    points = np.asarray(mesh.vertices) + mesh.origin
+    points = np.concatenate((points, points[mesh.triangles].mean(axis=1)))
+    surface = Part.Compound(shape.Faces)
+    return np.array([surface.distToShape(Part.Vertex(*p))[0] for p in points[:: max(1, len(points) // 300)].tolist()])
+
+
+class Offsets(unittest.TestCase):
+    def assert_sound(self, result, tolerance):
+        report = result.report
+        self.assertTrue(report.closed and report.oriented and report.manifold)
+        self.assertEqual(report.self_intersections, 0)
+        self.assertEqual(report.faults_left, 0)
+        self.assertLessEqual(report.error_bound, tolerance)
+        self.assertGreater(report.error_bound, 0.0)
+        self.assertTrue(result.to_mesh().isSolid())
+        self.assertFalse(any(extension().verify(result._surface).values()))  # exact
+
+    def test_a_box_outward_has_rounded_edges(self):
+        result = mq.offset(Part.makeBox(10, 10, 10), 2.0, tolerance=0.02)
+        self.assert_sound(result, 0.02)
+        exact = 1000 + 6 * 100 * 2 + 3 * 10 * math.pi * 4 + 4 / 3 * math.pi * 8
+        self.assertAlmostEqual(result.report.volume / exact, 1.0, delta=1.5e-3)
+        self.assertLess(len(result.triangles), 5000)
+
+    def test_a_box_inward_is_a_box(self):
+        result = mq.offset(Part.makeBox(10, 10, 10), -2.0, tolerance=0.01)
+        self.assert_sound(result, 0.01)
+        self.assertAlmostEqual(result.report.volume, 216.0, delta=0.05)
+        sides = np.ptp(np.asarray(result.vertices), axis=0)
+        np.testing.assert_allclose(sides, 6.0, atol=1e-3)
+
+    def test_known_volumes(self):
+        ball, cylinder, torus = Part.makeSphere(5), Part.makeCylinder(5, 20), Part.makeTorus(10, 3)
+        cases = [
+            (ball, 1.0, 4 / 3 * math.pi * 216), (ball, -2.0, 4 / 3 * math.pi * 27),
+            (cylinder, -1.0, math.pi * 16 * 18),
+            # Its rim is rounded off by a quarter of a torus' tube.
+            (cylinder, 1.0, math.pi * 36 * 20 + 2 * (math.pi * 25 + math.pi**2 * 5 / 2 + 2 / 3 * math.pi)),
+            (torus, 1.0, 2 * math.pi**2 * 10 * 16), (torus, -1.0, 2 * math.pi**2 * 10 * 4),
+        ]
+        for shape, distance, exact in cases:
+            with self.subTest(shape=shape.Faces[0].Surface, distance=distance):
+                result = mq.offset(shape, distance, tolerance=0.01)
+                self.assert_sound(result, 0.01)
+                self.assertAlmostEqual(result.report.volume / exact, 1.0, delta=4e-3)
+                far = distances_from(shape, result)
+                self.assertLessEqual(abs(far - abs(distance)).max(), 0.01)
+
+    def test_a_finer_tolerance_is_nearer_to_the_known_volume(self):
+        exact = 2 * math.pi**2 * 10 * 16
+        errors = [abs(mq.offset(Part.makeTorus(10, 3), 1.0, tolerance=t).report.volume - exact) for t in (0.04, 0.01)]
+        self.assertLess(errors[1], 0.4 * errors[0])
+
+    def test_gaps_close_and_walls_vanish(self):
+        plate = Part.makeBox(20, 20, 4).cut(Part.makeCylinder(1, 4, Vector(10, 10, 0)))
+        closed = mq.offset(plate, 1.2, tolerance=0.02)
+        self.assert_sound(closed, 0.02)
+        open_hole = mq.offset(plate, 0.8, tolerance=0.02)
+        self.assert_sound(open_hole, 0.02)
+        # A through hole makes a ring of it: Euler's characteristic is 0 as long as it is open.
+        self.assertEqual(euler_characteristic(open_hole), 0)
+        self.assertEqual(euler_characteristic(closed), 2)
+        empty = mq.offset(plate, -2.1, tolerance=0.02)
+        self.assertEqual(len(empty.triangles), 0)
+        self.assertIn("empty", " ".join(empty.report.notes))
+
+    def test_a_gap_of_twice_the_distance_closes(self):
+        slot = Part.makeBox(20, 10, 10).cut(Part.makeBox(2, 10, 8, Vector(9, 0, 2)))
+        self.assert_sound(mq.offset(slot, 1.0, tolerance=0.02), 0.02)
+
+    def test_a_rod_shrunk_by_more_than_its_radius_is_gone(self):
+        # A ball about a point of the rod's axis leaves a ring of the outside: winding numbers alone would keep it.
+        rod = Part.makeCylinder(1, 30).fuse(Part.makeBox(10, 10, 10, Vector(-5, -5, 30)))
+        result = mq.offset(rod, -1.5, tolerance=0.02)
+        self.assert_sound(result, 0.02)
+        self.assertAlmostEqual(result.report.volume, 7.0**3, delta=2.0)
+
+    def test_faces_are_those_of_the_shape(self):
+        result = mq.offset(Part.makeBox(10, 10, 10), 1.0, tolerance=0.05)
+        self.assertEqual(set(result.triangle_face), set(range(6)))
+        top = [i for i, face in enumerate(Part.makeBox(10, 10, 10).Faces) if face.CenterOfMass.z > 9][0]
+        middle = (np.asarray(result.vertices)[result.triangles[result.triangle_face == top]]).mean(axis=(0, 1))
+        self.assertGreater(middle[2], 9.0)
+
+    def test_meshes_and_bodies_that_overlap(self):
+        ball = Mesh.createSphere(5.0, 40)
+        result = mq.offset(ball, 1.0, tolerance=0.05)
+        self.assert_sound(result, 0.05)
+        self.assertAlmostEqual(result.report.volume / (4 / 3 * math.pi * 216), 1.0, delta=1.5e-2)
+        two = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, Vector(5, 5, 5))])
+        self.assert_sound(mq.offset(two, 0.5, tolerance=0.02), 0.02)
+
+    def test_the_same_for_any_number_of_threads(self):
+        part = Part.makeBox(10, 10, 10).cut(Part.makeCylinder(3, 10, Vector(5, 5, 0)))
+        one, three = (mq.offset(part, -1.0, tolerance=0.02, threads=n) for n in (1, 3))
+        np.testing.assert_array_equal(one.vertices, three.vertices)
+        np.testing.assert_array_equal(one.triangles, three.triangles)
+
+    def test_progress_and_cancelling(self):
+        fractions = []
+        mq.offset(Part.makeSphere(5), 1.0, tolerance=0.01, progress=lambda f, s: fractions.append(f))
+        self.assertEqual(fractions, sorted(fractions))
+        with self.assertRaises(mq.Cancelled):
+            mq.offset(Part.makeTorus(10, 3), 1.0, tolerance=5e-4, progress=lambda f, s: False)
+
+
+class Hollows(unittest.TestCase):
+    assert_sound = Offsets.assert_sound
+
+    def test_a_closed_box(self):
+        result = mq.hollow(Part.makeBox(10, 10, 10), 1.0, tolerance=0.01)
+        self.assert_sound(result, 0.01)
+        self.assertAlmostEqual(result.report.volume, 1000 - 512, delta=0.1)
+        self.assertEqual(euler_characteristic(result), 4)  # two shells
+
+    def test_a_box_open_at_the_top(self):
+        box = Part.makeBox(10, 10, 10)
+        top = next(f"Face{i + 1}" for i, face in enumerate(box.Faces) if face.CenterOfMass.z > 9)
+        result = mq.hollow(box, 1.0, openings=[top], tolerance=0.01)
+        self.assert_sound(result, 0.01)
+        self.assertAlmostEqual(result.report.volume, 1000 - 8 * 8 * 9, delta=0.2)
+        self.assertEqual(euler_characteristic(result), 2)
+
+    def test_a_pipe_that_is_open_at_both_ends(self):
+        rod = Part.makeCylinder(5, 20)
+        ends = [f"Face{i + 1}" for i, face in enumerate(rod.Faces) if face.Surface.TypeId == "Part::GeomPlane"]
+        result = mq.hollow(rod, 0.8, openings=ends, tolerance=0.01)
+        self.assert_sound(result, 0.01)
+        self.assertAlmostEqual(result.report.volume / (math.pi * (25 - 4.2**2) * 20), 1.0, delta=4e-3)
+        self.assertEqual(euler_characteristic(result), 0)
+
+    def test_a_hollow_is_rounded_where_the_outside_is_concave(self):
+        step = Part.makeBox(20, 10, 20).cut(Part.makeBox(10, 10, 10, Vector(10, 0, 10)))
+        result = mq.hollow(step, 2.0, tolerance=0.02)
+        self.assert_sound(result, 0.02)
+        inside = 6 * (16 * 6 + 6 * 10 + 2 * 2 - math.pi * 2**2 / 4)
+        self.assertAlmostEqual(step.Volume - result.report.volume, inside, delta=0.01 * inside)
+
+    def test_a_thin_plate_stays_whole(self):
+        result = mq.hollow(Part.makeBox(20, 20, 1), 0.8, tolerance=0.01)
+        self.assertAlmostEqual(result.report.volume, 400.0, delta=0.1)
+
+
+class Refusals(unittest.TestCase):
+    def test_values(self):
+        box = Part.makeBox(10, 10, 10)
+        for call, words in [
+            (lambda: mq.offset(box, 0.0), "distance"), (lambda: mq.offset(box, None), "distance"),
+            (lambda: mq.offset(box, float("nan")), "distance"), (lambda: mq.offset(box, 1.0, tolerance=2.0), "tolerance"),
+            (lambda: mq.offset(box, 1.0, tolerance=1e-9), "tolerance"), (lambda: mq.hollow(box, -1.0), "thickness"),
+            (lambda: mq.hollow(box, 1.0, openings=["Face9"]), "Face9"),
+            (lambda: mq.hollow(box, 1.0, openings="Face1"), "openings"),
+            (lambda: mq.hollow(box, 1.0, openings=[]), "openings"),
+            (lambda: mq.hollow(box, 1.0, openings=[f"Face{i}" for i in range(1, 7)]), "all faces"),
+            (lambda: mq.hollow(Mesh.createSphere(5.0, 20), 1.0, openings=["Face1"]), "mesh"),
+            (lambda: mq.offset(Part.makePlane(10, 10), 1.0), "open"),
+        ]:
+            with self.subTest(words=words), self.assertRaises(mq.InvalidInput) as raised:
+                call()
+            self.assertIn(words, str(raised.exception))
+
+
+def euler_characteristic(mesh):
+    edges = np.sort(np.asarray(mesh.triangles)[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    return len(np.unique(mesh.triangles)) - len(np.unique(edges, axis=0)) + len(mesh.triangles)
