@@ -292,16 +292,19 @@ FaceProjection FaceProjector::apply(const std::vector<mesh::Triangle>& reconstru
             surface_.points[moved.vertex] = to_single(moved.now);
         }
     }
+    // Takes back the longest move around a triangle that turns over.
     const auto take_back = [&](const mesh::Triangle& t) {
         if (!turns_over(t)) {
             return false;
         }
-        for (const std::int32_t p : t) {
-            if (moved_of_[p] >= 0) {
-                surface_.points[p] = moved_[moved_of_[p]].before;
-                moved_[moved_of_[p]].lost = true;
-            }
-        }
+        const auto move = [&](std::int32_t p) {
+            return moved_of_[p] < 0 ? 0.0 : (surface_.points[p] - moved_[moved_of_[p]].before).norm();
+        };
+        const std::int32_t farthest =
+            *std::max_element(t.begin(), t.end(), [&](std::int32_t p, std::int32_t q) { return move(p) < move(q); });
+        MovedVertex& moved = moved_[moved_of_[farthest]];
+        surface_.points[farthest] = moved.before;
+        moved.lost = true;
         return true;
     };
     for (bool again = true; again;) {

@@ -58,6 +58,7 @@ class FaceSampler {
   private:
     void read_surfaces();
     void start_normals();
+    std::size_t sample_count() const;
     std::size_t solve_all();
     std::size_t solve_inserted(const std::vector<SampleRef>& refs);
     std::size_t solve_on_engine(std::vector<SampleRef>& refs, bool inserted);
@@ -308,20 +309,24 @@ std::size_t FaceSampler::solve_inserted(const std::vector<SampleRef>& refs) {
     return solved + solve_on_engine(others, true);
 }
 
+std::size_t FaceSampler::sample_count() const {
+    std::size_t count = 0;
+    for (const LayeredDepthImage& image : set_) {
+        count += image.depth.size();
+    }
+    return count;
+}
+
 void FaceSampler::run(FaceSampleCounts& counts) {
     read_surfaces();
     start_normals();
-    std::size_t all = 0;
-    for (const LayeredDepthImage& image : set_) {
-        all += image.depth.size();
-    }
-    std::size_t solved = solve_all();
+    std::size_t on_mesh = sample_count() - solve_all();
     std::array<std::size_t, 3> passed{};
     parallel_for(3, [&](int axis) { passed[axis] = restore_order(set_[axis]); });
     const std::vector<SampleRef> inserted = make_consistent(set_, grid_, counts.nodes, progress_);
-    solved += solve_inserted(inserted);
-    counts.on_faces += solved;
-    counts.on_mesh += all + inserted.size() - solved;
+    on_mesh += inserted.size() - solve_inserted(inserted);
+    counts.on_mesh += on_mesh;
+    counts.on_faces += sample_count() - std::min(on_mesh, sample_count());
     counts.passed += passed[0] + passed[1] + passed[2];
 }
 

@@ -19,9 +19,10 @@ struct CadShape {
 
 /// The counts of sampling the faces of shapes.
 struct FaceSampleCounts {
-    std::size_t on_faces = 0;  ///< samples with depth and normal of a CAD face
-    std::size_t on_mesh = 0;   ///< samples of shapes with those of a triangle: no point of its face was found near it
-    std::size_t passed = 0;    ///< samples that vanished, as faces lie the other way round there than their triangles
+    std::size_t on_faces = 0;  ///< samples with depth and normal of a CAD face, at least
+    /// Samples of shapes with those of a triangle, as no point of its face was found near it; also such as vanished.
+    std::size_t on_mesh = 0;
+    std::size_t passed = 0;  ///< samples that vanished, as faces lie the other way round there than their triangles
     ConsistencyCounts nodes;
 };
 
