@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
-#include <tuple>
 #include <unordered_map>
 
 #include "base/parallel.h"
@@ -61,7 +61,9 @@ class FaceSampler {
     std::size_t sample_count() const;
     std::size_t solve_all();
     std::size_t solve_inserted(const std::vector<SampleRef>& refs);
-    std::size_t solve_on_engine(std::vector<SampleRef>& refs, bool inserted);
+    bool solve_or_leave(const SampleRef& ref, bool inserted, std::vector<SampleRef>& others);
+    std::vector<SampleRef> by_triangle(const std::vector<std::vector<SampleRef>>& rows) const;
+    std::size_t solve_on_engine(const std::vector<std::vector<SampleRef>>& rows, bool inserted);
     LineAtTriangle line_at(const SampleRef& ref) const;
     bool solve_by_formula(const SampleRef& ref, bool inserted);
     bool solve_by_newton(geometry::Model& model, const SampleRef& ref, bool inserted);
@@ -168,6 +170,18 @@ bool FaceSampler::solve_by_formula(const SampleRef& ref, bool inserted) {
     return false;
 }
 
+/// Solves a sample whose face has a closed form; those of other faces are added to `others`.
+bool FaceSampler::solve_or_leave(const SampleRef& ref, bool inserted, std::vector<SampleRef>& others) {
+    const std::int32_t face = face_of(ref);
+    if (face >= 0 && surfaces_[static_cast<std::size_t>(face)]) {
+        return solve_by_formula(ref, inserted);
+    }
+    if (face >= 0) {
+        others.push_back(ref);
+    }
+    return false;
+}
+
 /// The parameters of a vertex of the mesh on the face: by Newton's method from those of a vertex beside it, else by a
 /// search.
 std::optional<Vec2> FaceSampler::parameters_of(geometry::Model& model, const Vec3& vertex) const {
@@ -237,14 +251,29 @@ bool FaceSampler::solve_by_newton(geometry::Model& model, const SampleRef& ref, 
     return nearest.found() && solved(Vec2(nearest.u, nearest.v));
 }
 
-/// Answers by triangle, so that parameters of corners are found once. @return the samples that are on their faces
-std::size_t FaceSampler::solve_on_engine(std::vector<SampleRef>& refs, bool inserted) {
-    std::sort(refs.begin(), refs.end(), [&](const SampleRef& a, const SampleRef& b) {
-        const auto key = [&](const SampleRef& r) {
-            return std::make_tuple(face_of(r), set_[r.axis].triangle(r.index), r.axis, r.index);
-        };
-        return key(a) < key(b);
-    });
+/// Puts the samples of a triangle beside each other, so that the parameters of its corners are found once.
+std::vector<SampleRef> FaceSampler::by_triangle(const std::vector<std::vector<SampleRef>>& rows) const {
+    std::vector<std::uint32_t> place(pair_.triangles.size() + 1, 0);
+    for (const std::vector<SampleRef>& row : rows) {
+        check_cancelled(progress_);
+        for (const SampleRef& ref : row) {
+            ++place[set_[ref.axis].triangle(ref.index) + 1];
+        }
+    }
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    std::vector<SampleRef> sorted(place.back());
+    for (const std::vector<SampleRef>& row : rows) {
+        check_cancelled(progress_);
+        for (const SampleRef& ref : row) {
+            sorted[place[set_[ref.axis].triangle(ref.index)]++] = ref;
+        }
+    }
+    return sorted;
+}
+
+/// @return the samples that are on their faces
+std::size_t FaceSampler::solve_on_engine(const std::vector<std::vector<SampleRef>>& rows, bool inserted) {
+    const std::vector<SampleRef> refs = by_triangle(rows);
     std::size_t solved = 0;
     for (std::size_t from = 0; from < refs.size(); from += kSamplesPerWork) {
         session_.run([&](geometry::Model& model) {
@@ -262,49 +291,28 @@ std::size_t FaceSampler::solve_on_engine(std::vector<SampleRef>& refs, bool inse
 
 std::size_t FaceSampler::solve_all() {
     const int rays = grid_.rays();
-    struct Row {
-        std::size_t solved = 0;
-        std::vector<SampleRef> others;
-    };
-    std::vector<Row> rows(3 * static_cast<std::size_t>(rays));
-    parallel_for(static_cast<int>(rows.size()), [&](int k) {
+    std::vector<std::size_t> solved(3 * static_cast<std::size_t>(rays), 0);
+    std::vector<std::vector<SampleRef>> others(solved.size());
+    parallel_for(static_cast<int>(solved.size()), [&](int k) {
         check_cancelled(progress_);
-        Row& row = rows[static_cast<std::size_t>(k)];
+        const auto row = static_cast<std::size_t>(k);
         const int axis = k / rays;
         const LayeredDepthImage& image = set_[axis];
         for (int u = 0; u < rays; ++u) {
             const auto ray = static_cast<std::uint32_t>(k % rays * rays + u);
             for (std::uint32_t i = image.begin[ray]; i < image.begin[ray + 1]; ++i) {
-                const SampleRef ref{axis, ray, i};
-                if (face_of(ref) < 0) {
-                    continue;
-                }
-                if (surfaces_[static_cast<std::size_t>(face_of(ref))]) {
-                    row.solved += solve_by_formula(ref, false) ? 1 : 0;
-                } else {
-                    row.others.push_back(ref);
-                }
+                solved[row] += solve_or_leave({axis, ray, i}, false, others[row]) ? 1 : 0;
             }
         }
     });
-    std::size_t solved = 0;
-    std::vector<SampleRef> others;
-    for (const Row& row : rows) {
-        solved += row.solved;
-        others.insert(others.end(), row.others.begin(), row.others.end());
-    }
-    return solved + solve_on_engine(others, false);
+    return std::accumulate(solved.begin(), solved.end(), solve_on_engine(others, false));
 }
 
 std::size_t FaceSampler::solve_inserted(const std::vector<SampleRef>& refs) {
     std::size_t solved = 0;
-    std::vector<SampleRef> others;
+    std::vector<std::vector<SampleRef>> others(1);
     for (const SampleRef& ref : refs) {
-        if (face_of(ref) >= 0 && surfaces_[static_cast<std::size_t>(face_of(ref))]) {
-            solved += solve_by_formula(ref, true) ? 1 : 0;
-        } else if (face_of(ref) >= 0) {
-            others.push_back(ref);
-        }
+        solved += solve_or_leave(ref, true, others[0]) ? 1 : 0;
     }
     return solved + solve_on_engine(others, true);
 }
