@@ -75,14 +75,22 @@ struct DepressedQuartic {
     double root_between(double low, double high) const {
         // Enough for bisections alone to reach the rounding of doubles.
         constexpr int kSteps = 60;
+        // A step this short, as a fraction of the major radius, is rounding.
+        constexpr double kLastStep = 2e-15;
         const bool rises = at(high) > 0.0;
+        // The rounding of values between the brackets.
+        const double far = std::max(std::abs(low), std::abs(high));
+        const double zero = 2e-16 * (((far * far + std::abs(c2)) * far + std::abs(c1)) * far + std::abs(c0));
         double s = 0.5 * (low + high);
         for (int step = 0; step < kSteps; ++step) {
             const double value = at(s);
+            if (std::abs(value) <= zero) {
+                return s;
+            }
             ((value > 0.0) == rises ? high : low) = s;
             const double next = s - value / slope(s);
             const double taken = next > low && next < high ? next : 0.5 * (low + high);
-            if (std::abs(taken - s) <= 1e-16 * (1.0 + std::abs(s))) {
+            if (std::abs(taken - s) <= kLastStep * (1.0 + std::abs(s))) {
                 return taken;
             }
             s = taken;
