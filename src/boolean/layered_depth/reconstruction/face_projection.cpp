@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/session.h"
+#include "mesh/quality/surface_verification.h"
 
 namespace mq::boolean {
 
@@ -22,6 +23,10 @@ constexpr double kOnFaces = 2e-7;
 constexpr double kFarthest = 0.5;
 /// A border vertex moves by this many times the deviation of the meshes at most, which was measured at samples.
 constexpr double kDeviations = 2.0;
+/// Rounds in which moves that lead to contacts are taken back.
+constexpr int kUndoRounds = 3;
+/// Contacts that are looked at in a round.
+constexpr std::size_t kListed = 100'000;
 /// More faces have no point in common.
 constexpr std::size_t kMostFaces = 3;
 /// Sides this far apart, in units of the distance between rays, are two: surfaces in contact are nearer.
@@ -74,7 +79,8 @@ class FaceProjector {
   public:
     FaceProjector(RetainedSurface& surface, const OperandPair& pair, const SampleGrid& grid, const Vec3& origin,
                   const std::array<CadShape, 2>& shapes, geometry::Engine& engine, const Progress* progress)
-        : surface_(surface),
+        : progress_(progress),
+          surface_(surface),
           pair_(pair),
           origin_(origin),
           spacing_(grid.spacing()),
@@ -101,7 +107,9 @@ class FaceProjector {
         return !moved.lost && moved.distance() <= on_faces_ && (moved.now - moved.before).norm() <= moved.farthest;
     }
     bool turns_over(const mesh::Triangle& t) const;
+    void undo_contacts(const std::vector<mesh::Triangle>& reconstructed);
 
+    const Progress* progress_;
     RetainedSurface& surface_;
     const OperandPair& pair_;
     Vec3 origin_;
@@ -285,6 +293,39 @@ bool FaceProjector::turns_over(const mesh::Triangle& t) const {
            (before[1] - before[0]).cross(before[2] - before[0]).dot((now[1] - now[0]).cross(now[2] - now[0])) <= 0.0;
 }
 
+/// Takes back the moves of vertices whose triangles touch or cross others since.
+void FaceProjector::undo_contacts(const std::vector<mesh::Triangle>& reconstructed) {
+    std::vector<mesh::Triangle> all = surface_.triangles;
+    all.insert(all.end(), reconstructed.begin(), reconstructed.end());
+    std::vector<std::int32_t> changed;
+    for (std::size_t t = 0; t < all.size(); ++t) {
+        if (std::any_of(all[t].begin(), all[t].end(), [&](std::int32_t p) { return moved_of_[p] >= 0; })) {
+            changed.push_back(static_cast<std::int32_t>(t));
+        }
+    }
+    for (int round = 0; round < kUndoRounds; ++round) {
+        const mesh::Verification check = mesh::verify(surface_.points, all, &changed, kListed, progress_);
+        std::size_t undone = 0;
+        for (const mesh::Fault& fault : check.faults) {
+            if (fault.kind != mesh::FaultKind::Crossing && fault.kind != mesh::FaultKind::Touching) {
+                continue;
+            }
+            for (const std::int32_t t : fault.triangles) {
+                for (const std::int32_t p : all[static_cast<std::size_t>(t)]) {
+                    if (moved_of_[p] >= 0 && surface_.points[p] != moved_[moved_of_[p]].before) {
+                        surface_.points[p] = moved_[moved_of_[p]].before;
+                        moved_[moved_of_[p]].lost = true;
+                        ++undone;
+                    }
+                }
+            }
+        }
+        if (undone == 0) {
+            break;
+        }
+    }
+}
+
 FaceProjection FaceProjector::apply(const std::vector<mesh::Triangle>& reconstructed) {
     FaceProjection result;
     for (MovedVertex& moved : moved_) {
@@ -316,6 +357,7 @@ FaceProjection FaceProjector::apply(const std::vector<mesh::Triangle>& reconstru
             again = take_back(t) || again;
         }
     }
+    undo_contacts(reconstructed);
     for (const MovedVertex& moved : moved_) {
         ++(arrived(moved) ? result.moved : result.left);
         result.largest_move = std::max(result.largest_move, (surface_.points[moved.vertex] - moved.before).norm());

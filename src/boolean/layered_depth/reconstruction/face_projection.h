@@ -11,7 +11,7 @@ namespace mq::boolean {
 /// The counts of projecting reconstructed vertices onto the faces of shapes.
 struct FaceProjection {
     std::size_t moved = 0;  ///< vertices that were put onto all faces with samples in their cell, or onto the nearest
-    std::size_t left = 0;   ///< vertices without such a point near enough, or that would turn a triangle over
+    std::size_t left = 0;   ///< vertices without such a point near enough, or that would make a fault there
     double largest_move = 0.0;  ///< mm
 };
 
