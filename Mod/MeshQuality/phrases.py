@@ -255,6 +255,7 @@ STAGES = {
     "meshing shapes": "meshing the shapes",
     "initial triangulation": "initial triangulation",
     "sampling": "sampling the surface",
+    "sampling CAD faces": "sampling the faces of the shapes",
     "refining angles": "refining angles",
     "refining to the chord height": "refining to the max. deviation",
     "separating crossings": "separating faces that cross",

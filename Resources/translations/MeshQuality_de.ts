@@ -1639,6 +1639,10 @@
         <translation>Eckpunkte werden entfernt</translation>
     </message>
     <message>
+        <source>sampling the faces of the shapes</source>
+        <translation>Flächen der Formen werden abgetastet</translation>
+    </message>
+    <message>
         <source>sampling the surface</source>
         <translation>Oberfläche wird abgetastet</translation>
     </message>

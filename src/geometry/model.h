@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <optional>
+
 #include "geometry/fingerprint.h"
 #include "geometry/query.h"
 #include "geometry/rigid_motion.h"
 #include "geometry/topology.h"
 
 namespace mq::geometry {
+
+struct ElementarySurface;
 
 /// A CAD model behind a modeler-neutral interface: the role that CAPRI has in Aftosmis 1999, section 2.
 ///
@@ -20,6 +24,10 @@ class Model {
     const Topology& topology() const { return topology_; }
     /// Never throws: failures are in the answer's status.
     virtual Answer answer(const Query& query) noexcept = 0;
+
+    /// The surface of a face by formula, in the frame of the answers; empty where it has none. Plain data, which any
+    /// thread may evaluate.
+    virtual std::optional<ElementarySurface> elementary_surface(int face) = 0;
 
     /// The placement of the whole model: the motion from its own frame to that of the topology and the answers.
     const RigidMotion& place() const { return place_; }

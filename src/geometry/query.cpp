@@ -88,6 +88,13 @@ Query Query::face_nearest_global(int face, const Vec3& point) {
     return query;
 }
 
+Query Query::face_on_line(int face, const Vec3& point, const Vec3& along, double u, double v) {
+    Query query = on_face(Kind::FaceOnLine, face, u, v);
+    query.point = point;
+    query.along = along;
+    return query;
+}
+
 Query Query::face_contains(int face, double u, double v) {
     return on_face(Kind::FaceContains, face, u, v);
 }

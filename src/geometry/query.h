@@ -21,8 +21,11 @@ struct Query {
         FaceCurvatures,   ///< index = face, u, v: as FacePoint, principal curvatures in u, v (1/mm, |u| >= |v|)
         FaceNearest,      ///< index = face, point, u, v = a guess: local Newton, global search when it fails
         FaceNearestGlobal,  ///< index = face, point: nearest point of the (untrimmed) surface within the face's bounds
-        FaceContains,       ///< index = face, u, v: `side` 1 inside the trimmed face, 0 on its border, -1 outside
-        VolumeContains,     ///< index = volume, point: `side` likewise
+        FaceOnLine,         ///< index = face, point, along = unit direction of a line, u, v = a guess: point of the
+                     ///< (untrimmed) surface on the line by Newton's method, outward unit normal; t = its place along
+                     ///< the line
+        FaceContains,    ///< index = face, u, v: `side` 1 inside the trimmed face, 0 on its border, -1 outside
+        VolumeContains,  ///< index = volume, point: `side` likewise
     };
     Kind kind = Kind::FacePoint;
     int index = -1;
@@ -32,6 +35,7 @@ struct Query {
     double t2 = 0.0;
     double distance = 0.0;
     Vec3 point = Vec3::Zero();
+    Vec3 along = Vec3::Zero();
 
     static Query edge_point(int edge, double t);
     static Query edge_middle(int edge, double t, double t2);
@@ -44,6 +48,7 @@ struct Query {
     static Query face_curvatures(int face, double u, double v);
     static Query face_nearest(int face, const Vec3& point, double u, double v);
     static Query face_nearest_global(int face, const Vec3& point);
+    static Query face_on_line(int face, const Vec3& point, const Vec3& along, double u, double v);
     static Query face_contains(int face, double u, double v);
     static Query volume_contains(int volume, const Vec3& point);
 };

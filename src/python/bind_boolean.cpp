@@ -120,6 +120,8 @@ void bind_boolean_report(py::module_& m) {
                       "made on the faces of shapes and put onto their surfaces")
         .def_readonly("unfitted_vertices", &BooleanReport::unfitted_vertices,
                       "left on the meshes of the shapes: the surfaces are too far, or a fault would result")
+        .def_readonly("samples", &BooleanReport::samples, "of the operands along rays (method 'uniform')")
+        .def_readonly("face_samples", &BooleanReport::face_samples, "those with depth and normal of a CAD face")
         .def("__repr__",
              [](const BooleanReport& report) {
                  return "<BooleanReport: " + workflows::in_short(report) +

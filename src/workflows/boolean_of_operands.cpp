@@ -44,6 +44,19 @@ void take(BooleanSurface& surface, BooleanResult&& result) {
     surface.triangle_source = std::move(result.triangle_source);
 }
 
+/// What the rays found on the faces of shapes.
+std::string samples_of_faces(const UniformResult& result) {
+    const boolean::FaceSampleCounts& cad = result.cad;
+    std::string text = "sampled on CAD faces: " + mesh::counted(cad.on_faces, "sample");
+    if (cad.on_mesh > 0) {
+        text += ", " + mesh::counted(cad.on_mesh, "other") + " on the meshes of the shapes";
+    }
+    if (cad.nodes.left > 0) {
+        text += "; the rays of three directions disagree at " + mesh::counted(cad.nodes.left, "node") + " of the grid";
+    }
+    return text;
+}
+
 void take(BooleanSurface& surface, UniformResult&& result) {
     BooleanReport& figures = surface.figures;
     figures.error_bound = result.error_bound;
@@ -56,9 +69,33 @@ void take(BooleanSurface& surface, UniformResult&& result) {
     if (result.holes_filled > 0) {
         figures.notes.push_back("filled in the reconstruction: " + mesh::counted(result.holes_filled, "hole"));
     }
+    if (result.cad.on_faces + result.cad.on_mesh > 0) {
+        figures.notes.push_back(samples_of_faces(result));
+    }
+    figures.samples = result.samples;
+    figures.face_samples = result.cad.on_faces;
+    figures.fitted_vertices = result.fitted;
+    figures.unfitted_vertices = result.unfitted;
     figures.seconds = std::move(result.seconds);
     surface.mesh = std::move(result.mesh);
     surface.triangle_source = std::move(result.triangle_source);
+}
+
+/// The shapes of the operands that have one, for rays that meet their faces.
+boolean::CadOperands cad_of(const std::vector<BooleanOperand>& operands, geometry::Engine& engine,
+                            const Progress& progress) {
+    boolean::CadOperands cad;
+    cad.engine = &engine;
+    for (std::size_t i = 0; i < cad.shapes.size(); ++i) {
+        const BooleanOperand& operand = operands[i];
+        if (operand.shape != nullptr &&
+            operand.surface->mesh.triangle_face.size() == operand.surface->mesh.triangles.size()) {
+            engine.run([&] { cad.shapes[i].model = geometry::make_shape_model(*operand.shape, &progress); }, &progress);
+            cad.shapes[i].faces = &operand.surface->mesh.triangle_face;
+            cad.shapes[i].chord_height = operand.surface->report.max_chord_height;
+        }
+    }
+    return cad;
 }
 
 /// The paper's scheme promises no freedom from self-intersection, so its result is checked here.
@@ -76,8 +113,9 @@ void check_uniform(BooleanSurface& surface, Progress& progress) {
     }
 }
 
-void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const Expression& expression,
-                 const BooleanOptions& options, Progress& progress) {
+void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const std::vector<BooleanOperand>& operands,
+                 geometry::Engine& engine, const Expression& expression, const BooleanOptions& options,
+                 Progress& progress) {
     if (frame.meshes().size() != 2 || !expression.chained().has_value()) {
         throw InvalidInput("method 'uniform' takes two operands, not " + std::to_string(frame.meshes().size()) +
                            ": use method 'default', or apply it to two at a time");
@@ -90,8 +128,9 @@ void run_uniform(BooleanSurface& surface, const OperandFrame& frame, const Expre
     } else {
         tolerance = boolean::uniform_bound(frame.size(), uniform.resolution);
     }
+    const boolean::CadOperands cad = cad_of(operands, engine, progress);
     take(surface, boolean::layered_depth_boolean(*frame.meshes()[0], *frame.meshes()[1], *expression.chained(), uniform,
-                                                 &progress));
+                                                 &progress, cad));
     surface.figures.tolerance_asked = tolerance;
     check_uniform(surface, progress);
 }
@@ -178,7 +217,7 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
     const OperandFrame frame(framed);
     BooleanSurface result;
     if (method == BooleanMethod::Uniform) {
-        run_uniform(result, frame, expression, options, progress);
+        run_uniform(result, frame, operands, engine, expression, options, progress);
     } else {
         const double limit = options.tolerance_for(frame.size());
         take(result, boolean::boolean(frame.meshes(), expression, options, &progress));

@@ -53,7 +53,8 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
 
 /// A Boolean of operands in any frames: they are brought into one, the result is put onto the surfaces of the shapes,
 /// as far as the tolerance allows, and measured.
-/// @param engine  answers for the shapes; not used by the method Uniform, whose results stay on the meshes
+/// @param engine  answers for the shapes; the method Uniform samples their faces, and takes only which of them a ray
+///     meets from their meshes
 /// @throws as boolean::boolean and boolean::layered_depth_boolean; InvalidInput for an option out of range, and for
 ///     other than two operands of the method Uniform.
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,

@@ -22,6 +22,8 @@ struct BooleanReport : mesh::MeshReport {
     std::size_t separated_vertices = 0;  ///< vertices of surfaces that nearly coincided
     std::size_t fitted_vertices = 0;     ///< vertices put onto the surfaces of the shapes that were operands
     std::size_t unfitted_vertices = 0;   ///< vertices left on the meshes of these shapes
+    std::size_t samples = 0;             ///< samples of the operands along rays (method Uniform)
+    std::size_t face_samples = 0;        ///< those with depth and normal of a CAD face
     std::vector<std::string> repaired;   ///< a sentence for each operand that was repaired
 };
 

@@ -42,6 +42,7 @@ REPORT_FIELDS = (
 BOOLEAN_REPORT_FIELDS = (
     "error_bound", "tolerance_asked", "retained", "reconstructed", "repaired", "faults_left", "crossing_pairs",
     "curve_edges", "parted_contacts", "separated_vertices", "fitted_vertices", "unfitted_vertices",
+    "samples", "face_samples",
 )
 CURVE_REPORT_FIELDS = (
     "elements", "vertices", "invalid_before", "invalid", "invalid_elements", "min_scaled_jacobian",

@@ -9,6 +9,9 @@ from .surface_mesh import SurfaceMesh
 
 # Share of the progress that meshing shapes has, where there are any.
 _MESHING = 0.4
+# Largest deviation of the meshes of shapes by method, as a fraction of the tolerance. Rays take from the meshes which
+# CAD faces they meet: the finer these are, the fewer rays pass between mesh and face.
+_DEVIATION = {"default": 0.5, "uniform": 1.0 / 16.0}
 
 
 class BooleanMesh(SurfaceMesh):
@@ -43,7 +46,8 @@ def boolean(a, b=None, operation=None, resolution=512, tolerance=None, progress=
     method      "default", or "uniform": the scheme of Wang 2010, for two operands
     threads     that work at a time; 0: one for each core. The result is the same for any number
 
-    Shapes are meshed within half the tolerance first. Operands with small faults (holes,
+    Shapes are meshed first, within half the tolerance; a sixteenth for method "uniform", whose rays
+    meet the CAD faces themselves. Operands with small faults (holes,
     duplicate, flipped or degenerate triangles, self-intersections) are repaired, which the report
     tells. Returns a BooleanMesh; an empty one where nothing is left.
     Raises InvalidInput naming the operand, the defect and the remedy; TopologyError; Cancelled.
@@ -71,7 +75,7 @@ def run(operands, values, progress=None):
     core_options.resolution = values["resolution"]
     core_options.tolerance = values["tolerance"] or 0.0
     core_options.threads = values.get("threads", 0)
-    meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING))
+    meshing = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHING), _DEVIATION[values["method"]])
     before.seconds, before.notes = operands.seconds, operands.notes
     before.cpu_seconds = operands.cpu_seconds
     try:

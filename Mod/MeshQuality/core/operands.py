@@ -72,9 +72,9 @@ class Operands:
         with self._stage("reading the operands"):
             return [self._read(i) for i in range(len(self._taken))]
 
-    def mesh_shapes(self, core_options, progress):
-        """Meshes the operands that are shapes, half as far from them as the tolerance of these
-        core.BooleanOptions allows.
+    def mesh_shapes(self, core_options, progress, fraction=0.5):
+        """Meshes the operands that are shapes, as far from them as this fraction of the tolerance of these
+        core.BooleanOptions.
 
         Returns whether there were any.
         """
@@ -85,7 +85,7 @@ class Operands:
             wanted = self._possible(core_options.tolerance_for(self.size()))
             for done, i in enumerate(shapes):
                 part = part_of(progress, done / len(shapes), (done + 1) / len(shapes))
-                self._found[i] = self._mesh_shape(i, 0.5 * wanted, part)
+                self._found[i] = self._mesh_shape(i, fraction * wanted, part)
         return True
 
     def _possible(self, tolerance):

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "boolean/layered_depth/reconstruction/border_stitching.h"
 #include "boolean/layered_depth/reconstruction/contour.h"
+#include "boolean/layered_depth/reconstruction/face_projection.h"
 #include "boolean/layered_depth/reconstruction/node_open.h"
 #include "boolean/layered_depth/reconstruction/tuning.h"
 #include "boolean/layered_depth/samples/rasterise.h"
@@ -139,6 +140,8 @@ Box working_box(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operat
 
 /// The largest memory of a sample, in bytes: sampling one operand, sorted samples of both, and those of the result.
 constexpr double kBytesPerSample = 40.0;
+/// The same with a normal for each: 24 bytes of an operand, 24 while rays are merged and 24 of the result.
+constexpr double kBytesPerFaceSample = 72.0;
 /// The memory of a ray, in bytes: offsets into the samples of three directions and three sets.
 constexpr double kBytesPerRay = 9.0 * sizeof(std::uint32_t);
 /// The most memory for samples, in bytes: 2 GB.
@@ -164,7 +167,8 @@ double count_samples_about(const OperandPair& pair, const SampleGrid& grid) {
 
 double bytes_about(const OperandPair& pair, const SampleGrid& grid) {
     const double rays = grid.rays();
-    return kBytesPerSample * count_samples_about(pair, grid) + kBytesPerRay * rays * rays;
+    return (pair.face.empty() ? kBytesPerSample : kBytesPerFaceSample) * count_samples_about(pair, grid) +
+           kBytesPerRay * rays * rays;
 }
 
 /// @throws InvalidInput naming the largest resolution within the memory
@@ -194,12 +198,14 @@ void require_memory(const OperandPair& pair, const Box& box, int resolution) {
 class LayeredDepthBoolean {
   public:
     LayeredDepthBoolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
-                        const UniformOptions& options, Progress* progress)
+                        const UniformOptions& options, const CadOperands& cad, Progress* progress)
         : operation_(operation),
           options_(options),
+          cad_(cad),
           progress_(progress),
           pair_(a, b),
           grid_(working_box(a, b, operation), options.resolution) {
+        name_faces();
         require_memory(pair_, working_box(a, b, operation), options.resolution);
         result_.mesh.origin = a.origin;
         result_.spacing = grid_.spacing();
@@ -209,15 +215,20 @@ class LayeredDepthBoolean {
 
   private:
     void stage(const char* name, double from, double to, const std::function<void()>& work);
+    void name_faces();
     void sample();
+    void count();
+    void sample_cad();
     void combine_samples();
     void contour_cells();
+    void project();
     void make_manifold();
     void fill(const std::vector<std::int32_t>& hole, EdgeSet& edges);
     void assemble();
 
     Operation operation_;
     UniformOptions options_;
+    const CadOperands& cad_;
     Progress* progress_;
     OperandPair pair_;
     SampleGrid grid_;
@@ -243,9 +254,40 @@ void LayeredDepthBoolean::stage(const char* name, double from, double to, const 
     clock_.end(name);
 }
 
+void LayeredDepthBoolean::name_faces() {
+    for (int k = 0; k < 2 && cad_.any(); ++k) {
+        pair_.face.resize(pair_.first_triangle[k + 1], -1);
+        if (cad_.shapes[k].model) {
+            std::copy(cad_.shapes[k].faces->begin(), cad_.shapes[k].faces->end(),
+                      pair_.face.begin() + pair_.first_triangle[k]);
+        }
+    }
+}
+
+void LayeredDepthBoolean::sample_cad() {
+    for (int k = 0; k < 2; ++k) {
+        if (cad_.shapes[k].model) {
+            sample_faces(operands_[k], pair_, grid_, result_.mesh.origin, cad_.shapes[k], *cad_.engine, result_.cad,
+                         progress_);
+        }
+    }
+}
+
+void LayeredDepthBoolean::project() {
+    const FaceProjection projection = project_onto_faces(surface_, reconstructed_, octree_, sheet_vertex_, pair_, grid_,
+                                                         result_.mesh.origin, cad_.shapes, *cad_.engine, progress_);
+    result_.fitted = projection.moved;
+    result_.unfitted = projection.left;
+}
+
 void LayeredDepthBoolean::sample() {
     for (int k = 0; k < 2; ++k) {
         operands_[k] = rasterise(pair_, k, grid_, progress_);
+    }
+}
+
+void LayeredDepthBoolean::count() {
+    for (int k = 0; k < 2; ++k) {
         for (const LayeredDepthImage& direction : operands_[k]) {
             result_.samples += direction.depth.size();
         }
@@ -257,7 +299,7 @@ void LayeredDepthBoolean::combine_samples() {
     options.operation = operation_;
     options.thinnest = options_.thinnest * grid_.cells();
     options.normal_index = options_.normal_index;
-    combined_ = combine(operands_, grid_, options, progress_);
+    combined_ = combine(pair_, operands_, grid_, options, progress_);
     operands_ = {};
     for (const CombinedDepth& direction : combined_) {
         result_.result_samples += direction.depth.size();
@@ -267,6 +309,7 @@ void LayeredDepthBoolean::combine_samples() {
 void LayeredDepthBoolean::contour_cells() {
     ContouredSurface contoured = contour(pair_, octree_, grid_, combined_, fate_, sheet_vertex_, surface_, progress_);
     reconstructed_ = std::move(contoured.triangles);
+    sheet_vertex_ = std::move(contoured.vertices);
     result_.refused_triangles = contoured.refused;
     result_.reconstructed = reconstructed_.size();
 }
@@ -390,7 +433,12 @@ void LayeredDepthBoolean::assemble() {
 }
 
 UniformResult LayeredDepthBoolean::run() {
-    stage("sampling", 0.0, 0.3, [&] { sample(); });
+    const bool cad = cad_.any();
+    stage("sampling", 0.0, cad ? 0.1 : 0.3, [&] { sample(); });
+    if (cad) {
+        stage("sampling CAD faces", 0.1, 0.3, [&] { sample_cad(); });
+    }
+    count();
     stage("clustering", 0.3, 0.35, [&] {
         sample_count_ = count_samples(pair_, operands_);
         const std::vector<std::uint8_t> beyond = triangles_beyond(pair_, grid_);
@@ -417,6 +465,9 @@ UniformResult LayeredDepthBoolean::run() {
         result_.left_nodes = counts.left_nodes;
     });
     stage("contouring", 0.8, 0.9, [&] { contour_cells(); });
+    if (cad) {
+        stage("fitting to the shapes", 0.9, 0.9, [&] { project(); });
+    }
     stage("two-manifold", 0.9, 0.98, [&] { make_manifold(); });
     stage("assembly", 0.98, 1.0, [&] { assemble(); });
     return std::move(result_);
@@ -425,10 +476,10 @@ UniformResult LayeredDepthBoolean::run() {
 }  // namespace
 
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
-                                    const UniformOptions& options, Progress* progress) {
+                                    const UniformOptions& options, Progress* progress, const CadOperands& cad) {
     require_options(options);
     require_operands(a, b);
-    return LayeredDepthBoolean(a, b, operation, options, progress).run();
+    return LayeredDepthBoolean(a, b, operation, options, cad, progress).run();
 }
 
 double uniform_bound(double size, int resolution) {

@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "base/stopwatch.h"
 #include "boolean/input/operation.h"
+#include "boolean/layered_depth/samples/face_samples.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
@@ -40,6 +41,9 @@ struct UniformResult {
     double spacing = 0.0;  ///< the distance r between rays, mm
 
     std::size_t samples = 0;              ///< samples of both operands
+    FaceSampleCounts cad;                 ///< samples of operands that are shapes
+    std::size_t fitted = 0;               ///< vertices put onto the faces of shapes
+    std::size_t unfitted = 0;             ///< vertices that have no place on these faces near enough
     std::size_t result_samples = 0;       ///< samples of the result
     std::size_t retained = 0;             ///< triangles that are an operand's own
     std::size_t changed = 0;              ///< triangles of operands that stitching split or moved
@@ -56,6 +60,14 @@ struct UniformResult {
     StageTimes seconds;
 };
 
+/// The shapes from which the operands were meshed. Their CAD faces are sampled, and reconstructed vertices lie on them.
+struct CadOperands {
+    std::array<CadShape, 2> shapes;  ///< without a model where an operand is nothing but a mesh
+    geometry::Engine* engine = nullptr;
+
+    bool any() const { return shapes[0].model != nullptr || shapes[1].model != nullptr; }
+};
+
 /// The approximate Boolean of Wang 2010 on a uniform grid of rays (method "uniform").
 ///
 /// The result is closed, oriented and 2-manifold in its connections. As in the paper it is not guaranteed to be free of
@@ -65,7 +77,7 @@ struct UniformResult {
 ///     is not closed, not oriented or inside out, or operands with different origins
 /// @throws Cancelled
 UniformResult layered_depth_boolean(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b, Operation operation,
-                                    const UniformOptions& options, Progress* progress);
+                                    const UniformOptions& options, Progress* progress, const CadOperands& cad = {});
 
 /// The largest error bound of a result whose operands have a common box with this longest side, mm.
 double uniform_bound(double size, int resolution);

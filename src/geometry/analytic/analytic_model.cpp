@@ -45,6 +45,7 @@ class AnalyticModel final : public Model {
     void finish(const Vec3& low, const Vec3& high);
 
     Answer answer(const Query& query) noexcept override;
+    std::optional<Surface> elementary_surface(int i) override { return surfaces_[static_cast<std::size_t>(i)]; }
     void add_definition(Entity entity, Fingerprint& key) override;
     void add_definition_of_use(int use, Fingerprint& key) override;
 
@@ -293,8 +294,8 @@ Answer AnalyticModel::use_on_face(const Query& query) const {
 }
 
 Answer AnalyticModel::on_face(const Query& query) const {
-    if (query.index >= static_cast<int>(surfaces_.size())) {
-        return with_status(Status::BadQuery);
+    if (query.index >= static_cast<int>(surfaces_.size()) || query.kind == Query::Kind::FaceOnLine) {
+        return with_status(Status::BadQuery);  // all surfaces here have closed forms
     }
     const bool projects = query.kind == Query::Kind::FaceNearest || query.kind == Query::Kind::FaceNearestGlobal;
     if (!projects && surfaces_[static_cast<std::size_t>(query.index)].kind == Surface::Kind::Sphere &&
@@ -578,13 +579,12 @@ std::shared_ptr<Model> make_box(double a, double b, double c) {
     const Vec3 x_directions[3] = {Vec3::UnitZ(), Vec3::UnitZ(), Vec3::UnitX()};
     const Vec3 y_directions[3] = {-Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitY()};
     const ParameterBox bounds[3] = {{{0.0, -b}, {c, 0.0}}, {{0.0, 0.0}, {c, a}}, {{0.0, 0.0}, {a, b}}};
-    const double sizes[3] = {a, b, c};
     for (int i = 0; i < 6; ++i) {
         Surface plane;
         plane.x = x_directions[i / 2];
         plane.y = y_directions[i / 2];
         plane.z = plane.x.cross(plane.y);
-        plane.origin = i % 2 == 1 ? Vec3(sizes[i / 2] * plane.z) : Vec3(Vec3::Zero());
+        plane.origin = i % 2 == 1 ? Vec3(Vec3(a, b, c)[i / 2] * plane.z) : Vec3(Vec3::Zero());
         const int face = model->add_face(plane, i % 2 == 0, bounds[i / 2]);
         for (int k = 0; k < 4; ++k) {
             model->add_straight_use(face, kFaces[i][k], k == 1 || k == 2);

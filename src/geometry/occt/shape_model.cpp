@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <vector>
 
 #include "base/error.h"
@@ -39,7 +40,7 @@ Answer refused(Status status) {
 
 bool finite(const Query& query) {
     return std::isfinite(query.u) && std::isfinite(query.v) && std::isfinite(query.t) && std::isfinite(query.t2) &&
-           std::isfinite(query.distance) && query.point.allFinite();
+           std::isfinite(query.distance) && query.point.allFinite() && query.along.allFinite();
 }
 
 /// The box of a shape before its entities are known.
@@ -58,6 +59,7 @@ class ShapeModel final : public Model {
   public:
     ShapeModel(const TopoDS_Shape& shape, Creases creases, const VirtualTopology& join, const Progress* progress);
     Answer answer(const Query& query) noexcept override;
+    std::optional<ElementarySurface> elementary_surface(int index) override { return face(index).elementary(); }
     void add_definition(Entity entity, Fingerprint& key) override;
     void add_definition_of_use(int use, Fingerprint& key) override;
 
@@ -227,6 +229,8 @@ Answer ShapeModel::on_face(const Query& query) {
             return surface.nearest(query.point, query.u, query.v);
         case Query::Kind::FaceNearestGlobal:
             return surface.nearest_global(query.point);
+        case Query::Kind::FaceOnLine:
+            return surface.on_line(query.point, query.along, query.u, query.v);
         default:
             return surface.contains(query.u, query.v);
     }

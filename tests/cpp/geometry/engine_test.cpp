@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/waits.h"
 #include "geometry/analytic/analytic_model.h"
+#include "geometry/elementary/surface.h"
 
 namespace mq::geometry {
 namespace {
@@ -32,6 +33,7 @@ class EchoModel final : public Model {
         answer.t = query.t;
         return answer;
     }
+    std::optional<ElementarySurface> elementary_surface(int /*face*/) override { return std::nullopt; }
     void add_definition(Entity /*entity*/, Fingerprint& /*key*/) override {}
     void add_definition_of_use(int /*use*/, Fingerprint& /*key*/) override {}
 

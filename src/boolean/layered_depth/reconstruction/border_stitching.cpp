@@ -157,6 +157,7 @@ void Stitcher::split_triangle(std::int32_t triangle, const std::vector<std::int3
                     pieces.push_back(static_cast<std::int32_t>(surface_.triangles.size()));
                     surface_.triangles.push_back({from, to, apex});
                     surface_.source.push_back(-1);
+                    surface_.lies_on.push_back(surface_.lies_on[triangle]);
                 }
                 from = to;
             }
@@ -305,11 +306,13 @@ void Stitcher::drop_gone() {
     for (std::size_t k = 0; k < surface_.triangles.size(); ++k) {
         if (surface_.triangles[k] != kGone) {
             surface_.triangles[kept] = surface_.triangles[k];
+            surface_.lies_on[kept] = surface_.lies_on[k];
             surface_.source[kept++] = surface_.source[k];
         }
     }
     surface_.triangles.resize(kept);
     surface_.source.resize(kept);
+    surface_.lies_on.resize(kept);
 }
 
 std::vector<std::int32_t> Stitcher::run() {

@@ -191,6 +191,7 @@ ContouredSurface Contourer::run(const Progress* progress) {
         contour_axis(axis, progress);
     }
     surface_.on_border.resize(surface_.points.size(), 0);
+    result_.vertices = std::move(vertices_);
     return std::move(result_);
 }
 

@@ -9,6 +9,7 @@ namespace mq::boolean {
 /// The surface under construction: points, and triangles with their source (-1: reconstructed).
 struct ContouredSurface {
     std::vector<mesh::Triangle> triangles;
+    std::vector<std::int32_t> vertices;  ///< those of the octree's sheets; -1 where no face needs one
     EdgeSet edges;            ///< edges of `triangles`, and those between border vertices of the retained surface
     std::size_t refused = 0;  ///< triangles not made because an edge would have had a third
 };

@@ -39,6 +39,37 @@ bool clip(const Vec3& a, const Vec3& b, const CellBox& box, double& from, double
     return from <= to;
 }
 
+/// The CAD faces of the samples of a sheet, each by a triangle.
+class SheetFaces {
+  public:
+    explicit SheetFaces(const OperandPair& pair) : pair_(pair) {}
+
+    void add(std::int32_t triangle) {
+        if (pair_.face.empty() || pair_.face[triangle] < 0) {
+            many_ = true;
+            return;
+        }
+        for (std::size_t k = 0; k < count_; ++k) {
+            if (pair_.face[found_[k]] == pair_.face[triangle] &&
+                pair_.operand_of(found_[k]) == pair_.operand_of(triangle)) {
+                return;
+            }
+        }
+        if (count_ == found_.size()) {
+            many_ = true;
+            return;
+        }
+        found_[count_++] = triangle;
+    }
+    std::array<std::int32_t, 3> triangles() const { return many_ ? std::array<std::int32_t, 3>{-1, -1, -1} : found_; }
+
+  private:
+    const OperandPair& pair_;
+    std::array<std::int32_t, 3> found_{-1, -1, -1};
+    std::size_t count_ = 0;
+    bool many_ = false;
+};
+
 Leaf leaf_of(const CellBox& box) {
     Leaf leaf;
     for (int k = 0; k < 3; ++k) {
@@ -83,8 +114,14 @@ class OctreeBuilder {
         p[s.axis] = combined_[s.axis].depth[s.index];
         return p;
     }
+    std::int32_t triangle(const CellSample& s) const {
+        return CombinedDepth::triangle(combined_[s.axis].source[s.index]);
+    }
     Vec3 normal(const CellSample& s) const {
-        return normals_[CombinedDepth::triangle(combined_[s.axis].source[s.index])].cast<double>();
+        if (!combined_[s.axis].normal.empty()) {
+            return combined_[s.axis].normal[s.index].cast<double>();
+        }
+        return normals_[triangle(s)].cast<double>();
     }
 
     const OperandPair& pair_;
@@ -92,7 +129,7 @@ class OctreeBuilder {
     const CombinedSet& combined_;
     const std::vector<Retention>& fate_;
     const RetainedSurface& retained_;
-    std::vector<Eigen::Matrix<float, 3, 1, Eigen::DontAlign>> normals_;
+    std::vector<SampleNormal> normals_;        // those of triangles; empty where samples have their own
     std::vector<std::array<Vec3, 2>> border_;  // ends of each border edge in grid coordinates
 };
 
@@ -168,9 +205,11 @@ void OctreeBuilder::Subtree::add_sheets(Leaf& leaf, const CellBox& box, const Ce
     const CellSheets sheets = find_sheets(nodes, shared_.flipped_faces(box, nodes));
     struct Content {
         Quadric quadric;
+        SheetFaces faces;
         bool reconstructed = false, retained = false;
     };
-    std::array<Content, 4> contents;
+    const Content none{{}, SheetFaces(shared_.pair_)};
+    std::array<Content, 4> contents{none, none, none, none};
     Quadric all;
     for (const CellSample* s = first; s != last; ++s) {
         const std::uint8_t sheet = sheets.of_edge[edge_of(box, *s)];
@@ -178,13 +217,15 @@ void OctreeBuilder::Subtree::add_sheets(Leaf& leaf, const CellBox& box, const Ce
         all.add(position, normal);
         if (sheet != CellSheets::kNone) {
             contents[sheet].quadric.add(position, normal);
+            contents[sheet].faces.add(shared_.triangle(*s));
             (s->reconstructed != 0 ? contents[sheet].reconstructed : contents[sheet].retained) = true;
         }
     }
     leaf.sheet_of_edge = sheets.of_edge;
     for (int k = 0; k < sheets.count; ++k) {
         const Content& content = contents[k];
-        tree_.sheets.push_back({minimiser(box, content.quadric.count() > 0 ? content.quadric : all)});
+        tree_.sheets.push_back(
+            {minimiser(box, content.quadric.count() > 0 ? content.quadric : all), content.faces.triangles()});
         if (leaf.border_sheet < 0 && content.reconstructed && content.retained) {
             leaf.border_sheet = k;
         }
@@ -248,7 +289,9 @@ void OctreeBuilder::Subtree::refine(std::size_t node, const CellBox& box, const 
     if (unit) {
         add_sheets(leaf, box, first, last);
     } else {
-        tree_.sheets.push_back({minimiser(box, quadric)});
+        SheetFaces faces(shared_.pair_);
+        std::for_each(first, last, [&](const CellSample& s) { faces.add(shared_.triangle(s)); });
+        tree_.sheets.push_back({minimiser(box, quadric), faces.triangles()});
         leaf.border_sheet = kind == CellKind::Interior ? -1 : 0;
     }
     leaf.first_edge = static_cast<std::uint32_t>(tree_.edges.size());
@@ -313,12 +356,11 @@ void OctreeBuilder::Subtree::split(std::size_t node, const CellBox& box, const C
 
 OctreeBuilder::OctreeBuilder(const OperandPair& pair, const SampleGrid& grid, const CombinedSet& combined,
                              const std::vector<Retention>& fate, const RetainedSurface& retained)
-    : pair_(pair), grid_(grid), combined_(combined), fate_(fate), retained_(retained), normals_(pair.triangles.size()) {
-    for (std::size_t t = 0; t < normals_.size(); ++t) {
-        const auto& [a, b, c] = pair.triangles[t];
-        const Vec3 n = (pair.points[b] - pair.points[a]).cross(pair.points[c] - pair.points[a]);
-        const double length = n.norm();
-        normals_[t] = (length > 0.0 ? Vec3(n / length) : n).cast<float>();
+    : pair_(pair), grid_(grid), combined_(combined), fate_(fate), retained_(retained) {
+    const bool own = std::all_of(combined.begin(), combined.end(),
+                                 [](const CombinedDepth& d) { return d.normal.size() == d.depth.size(); });
+    for (std::size_t t = 0; t < (own ? 0 : pair.triangles.size()); ++t) {
+        normals_.push_back(pair.unit_normal(static_cast<std::int32_t>(t)).cast<float>());
     }
     border_.reserve(retained.border.size());
     for (const RetainedSurface::BorderEdge& edge : retained.border) {

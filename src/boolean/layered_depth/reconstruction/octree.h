@@ -24,6 +24,9 @@ struct CellEdge {
 /// One sheet of the surface in a leaf, which becomes a vertex. A leaf wider than r has one.
 struct Sheet {
     Vec3 minimiser = Vec3::Zero();  ///< minimiser of the quadratic error function, within the cell; grid coordinates
+    /// A triangle of each CAD face that has samples on the sheet, as many as there are first; -1 from then on. All are
+    /// -1 where one has a sample without a CAD face, or where more faces have samples.
+    std::array<std::int32_t, 3> face_triangles{-1, -1, -1};
 };
 
 struct Leaf {

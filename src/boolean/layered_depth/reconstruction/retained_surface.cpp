@@ -72,6 +72,7 @@ RetainedSurface retained_surface(const OperandPair& pair, const std::vector<Rete
         surface.triangles.push_back(triangle);
         surface.source.push_back(static_cast<std::int32_t>(t));
     }
+    surface.lies_on = surface.source;
     surface.on_border = mixed_points(pair, fate);
     find_border(surface);
     std::fill(surface.on_border.begin(), surface.on_border.end(), std::uint8_t{0});

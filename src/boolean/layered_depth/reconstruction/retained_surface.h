@@ -16,6 +16,7 @@ struct RetainedSurface {
     std::vector<Vec3> points;               ///< points of both operands, mm; new ones are appended
     std::vector<mesh::Triangle> triangles;  ///< reversed where the result's surface is
     std::vector<std::int32_t> source;       ///< triangle of the pair, or -1 once it was changed
+    std::vector<std::int32_t> lies_on;      ///< triangle of the pair that each was or was cut from
     std::vector<BorderEdge> border;         ///< sorted by its ends
     std::vector<std::uint8_t> on_border;    ///< for each point whether it is on the border
 };

@@ -13,6 +13,10 @@ struct CombinedDepth {
     std::vector<double> depth;         ///< grid coordinate along the ray
     std::vector<std::int32_t> source;  ///< 2 * triangle + 1 where the result's surface is the triangle reversed
 
+    /// Unit normal of the surface, of either sign, where an operand has samples on CAD faces; empty: that of the
+    /// triangle.
+    std::vector<SampleNormal> normal;
+
     static std::int32_t triangle(std::int32_t source) { return source >> 1; }
     static bool reversed(std::int32_t source) { return (source & 1) != 0; }
     /// Whether the grid node at `k` on the ray lies inside; a sample exactly at a node lies before it.
@@ -42,7 +46,7 @@ struct CombineOptions {
 /// Samples of one operand alone are left as they are, however near to each other.
 /// @throws InvalidInput where a ray does not leave an operand as often as it enters: the operand is not closed, or not
 /// oriented
-CombinedSet combine(const std::array<LayeredDepthSet, 2>& operands, const SampleGrid& grid,
+CombinedSet combine(const OperandPair& pair, const std::array<LayeredDepthSet, 2>& operands, const SampleGrid& grid,
                     const CombineOptions& options, const Progress* progress);
 
 }  // namespace mq::boolean

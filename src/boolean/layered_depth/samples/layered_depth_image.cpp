@@ -54,4 +54,11 @@ OperandPair::OperandPair(const mesh::TriangleMesh& a, const mesh::TriangleMesh& 
     first_point = {0, shift, static_cast<std::int32_t>(points.size())};
 }
 
+Vec3 OperandPair::unit_normal(std::int32_t triangle) const {
+    const auto& [a, b, c] = triangles[static_cast<std::size_t>(triangle)];
+    const Vec3 n = (points[b] - points[a]).cross(points[c] - points[a]);
+    const double length = n.norm();
+    return length > 0.0 ? Vec3(n / length) : n;
+}
+
 }  // namespace mq::boolean

@@ -49,9 +49,17 @@ struct OperandPair {
     std::vector<mesh::Triangle> triangles;
     std::array<std::int32_t, 3> first_triangle{};  ///< first triangle of A and of B, and the end
     std::array<std::int32_t, 3> first_point{};
+    /// The CAD face of each triangle, an index into the faces of its operand; -1 where the operand is a mesh. Empty
+    /// where both are.
+    std::vector<std::int32_t> face;
 
     int operand_of(std::int32_t triangle) const { return triangle < first_triangle[1] ? 0 : 1; }
+    /// Along the outward normal of a triangle; zero where it has no area.
+    Vec3 unit_normal(std::int32_t triangle) const;
 };
+
+/// A unit normal as samples carry it.
+using SampleNormal = Eigen::Matrix<float, 3, 1, Eigen::DontAlign>;
 
 /// Depths of a solid's surface along the rays of one direction, the samples of a ray in ascending order.
 ///
@@ -61,6 +69,10 @@ struct LayeredDepthImage {
     std::vector<std::uint32_t> begin;  ///< first sample of each ray in the arrays below, and the end
     std::vector<double> depth;         ///< grid coordinate along the ray
     std::vector<std::int32_t> code;    ///< triangle where the ray enters the solid, ~triangle where it leaves
+    /// Outward unit normal of the CAD surface at each sample (see sample_faces); empty: those of the triangles.
+    std::vector<SampleNormal> normal;
+
+    std::int32_t triangle(std::uint32_t i) const { return code[i] < 0 ? ~code[i] : code[i]; }
 };
 
 /// The x-, y- and z-LDI of one solid.

@@ -114,6 +114,23 @@ void FaceEvaluator::set_elementary() {
     }
 }
 
+std::optional<ElementarySurface> FaceEvaluator::elementary() const {
+    if (!elementary_ || !located_) {
+        return elementary_;
+    }
+    ElementarySurface s = *elementary_;
+    s.origin = to_vec(to_pnt(s.origin).Transformed(location_));
+    double scale = 1.0;
+    for (Vec3* axis : {&s.x, &s.y, &s.z}) {
+        *axis = to_vec(gp_Vec(axis->x(), axis->y(), axis->z()).Transformed(location_));
+        scale = axis->norm();
+        *axis /= scale;
+    }
+    s.radius *= scale;
+    s.minor *= scale;
+    return s;
+}
+
 bool FaceEvaluator::legal(double u, double v) const {
     const double uv[2] = {u, v};
     for (std::size_t i = 0; i < 2; ++i) {

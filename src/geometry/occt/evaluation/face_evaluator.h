@@ -30,7 +30,11 @@ class FaceEvaluator {
     Answer curvatures(double u, double v) const;
     Answer nearest(const Vec3& point, double u, double v);
     Answer nearest_global(const Vec3& point);
+    /// The point of the surface on the line through `point`, by Newton's method from a guess; `along` is a unit vector.
+    Answer on_line(const Vec3& point, const Vec3& along, double u, double v) const;
     Answer contains(double u, double v);
+    /// The surface by formula, with the face's location; empty where there is none.
+    std::optional<ElementarySurface> elementary() const;
     /// Extends the box so that it holds the face, given that it holds its edges.
     void add_to(Box& box);
     /// The same as `point`, for a (u, v) on a curve of the shape: one out of the surface's bounds is moved into them.

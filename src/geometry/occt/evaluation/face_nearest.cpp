@@ -363,6 +363,52 @@ Answer FaceEvaluator::nearest(const Vec3& point, double u, double v) {
     return projection.found ? answer_at(point, projection, guess) : answer;
 }
 
+Answer FaceEvaluator::on_line(const Vec3& point, const Vec3& along, double u, double v) const {
+    // Newton steps at most; from a guess as good as a triangle's parameters few are needed.
+    constexpr int kSteps = 16;
+    // Distance from the line that is zero, as a fraction of the face's size.
+    constexpr double kOnLine = 1e-13;
+    // The least sine of the angle between line and surface, below which the step has no length.
+    constexpr double kAlong = 1e-9;
+    Answer answer;
+    answer.status = Status::NotFound;
+    if (!(std::abs(u) < 1e50) || !(std::abs(v) < 1e50)) {
+        answer.status = Status::BadQuery;
+        return answer;
+    }
+    const Vec3 p = local(point);
+    Vec3 direction = along;
+    if (located_) {
+        direction = to_vec(gp_Vec(along.x(), along.y(), along.z()).Transformed(inverse_)).normalized();
+    }
+    const Vec3 across = direction.unitOrthogonal(), other = direction.cross(across);
+    const Vec2 longest(0.25 * (trimmed_.high[0] - trimmed_.low[0]), 0.25 * (trimmed_.high[1] - trimmed_.low[1]));
+    Vec2 uv = clamped(Vec2(u, v), search_);
+    double before = kInfinity;
+    for (int i = 0; i < kSteps; ++i) {
+        const SurfacePoint s = first(uv.x(), uv.y());
+        const Vec3 r = s.point - p;
+        const Vec2 off(r.dot(across), r.dot(other));
+        const double size = off.norm();
+        // Steps of rounding alone do not come nearer any more.
+        if (size <= kOnLine * size_ || (size <= 1e3 * kOnLine * size_ && size >= before)) {
+            answer = at(uv.x(), uv.y(), s);
+            answer.t = (answer.point - point).dot(along);
+            answer.distance = std::abs(answer.t);
+            return answer;
+        }
+        before = size;
+        const double a = s.su.dot(across), b = s.sv.dot(across), c = s.su.dot(other), d = s.sv.dot(other);
+        const double det = a * d - b * c;
+        if (!(std::abs(det) > kAlong * s.su.norm() * s.sv.norm())) {
+            return answer;
+        }
+        const Vec2 move = Vec2(b * off.y() - d * off.x(), c * off.x() - a * off.y()) / det;
+        uv = clamped(uv + move.cwiseMin(longest).cwiseMax(-longest), search_);
+    }
+    return answer;
+}
+
 Answer FaceEvaluator::nearest_global(const Vec3& point) {
     Answer answer;
     answer.status = Status::NotFound;

@@ -36,7 +36,7 @@ std::string combined(Operation operation, const Ray& a, const Ray& b, bool norma
     options.operation = operation;
     options.thinnest = 0.01;
     options.normal_index = normal_index;
-    const CombinedDepth result = combine(on_one_ray(a, b, grid), grid, options, nullptr)[0];
+    const CombinedDepth result = combine(OperandPair({}, {}), on_one_ray(a, b, grid), grid, options, nullptr)[0];
     std::string text;
     for (std::size_t i = 0; i < result.depth.size(); ++i) {
         text += (i == 0 ? "" : " ") + std::to_string(static_cast<int>(result.depth[i])) + ":" +

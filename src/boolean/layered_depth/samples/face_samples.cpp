@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "boolean/layered_depth/samples/face_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <unordered_map>
+
+#include "base/parallel.h"
+#include "geometry/elementary/surface_line.h"
+#include "geometry/session.h"
+
+namespace mq::boolean {
+
+namespace {
+
+using geometry::ElementarySurface;
+using geometry::Query;
+
+/// A point may be this many times as far from the triangle's plane as the mesh from the faces: the deviation was
+/// measured at samples.
+constexpr double kDeviations = 4.0;
+/// The rounding of vertices to single precision, as a fraction of the grid's side.
+constexpr double kRounding = 1e-6;
+/// A depth this near to a node (grid units) is at the node: planes of boxes in planes of the grid stay there.
+constexpr double kAtNode = 1e-9;
+/// Samples between two checks for cancellation on the engine's thread: some milliseconds of Newton's method.
+constexpr std::size_t kBetweenChecks = 256;
+/// Samples in one work of the engine's thread, so that others come to their turn.
+constexpr std::size_t kSamplesPerWork = 8192;
+
+/// A sample's triangle and line, mm in the frame of the model.
+struct LineAtTriangle {
+    std::int32_t triangle;
+    Vec3 point;   // the sample as it is, on the line
+    Vec3 normal;  // that of the triangle
+    Vec3 along;
+    bool enters;
+    double longest;  // edge of the triangle
+};
+
+class FaceSampler {
+  public:
+    FaceSampler(LayeredDepthSet& set, const OperandPair& pair, const SampleGrid& grid, const Vec3& origin,
+                const CadShape& shape, geometry::Engine& engine, const Progress* progress)
+        : set_(set),
+          pair_(pair),
+          grid_(grid),
+          origin_(origin),
+          shape_(shape),
+          session_(engine, shape.model, progress),
+          progress_(progress),
+          deviation_(kDeviations * std::max(shape.chord_height, 0.0) + kRounding * grid.spacing() * grid.cells()) {}
+
+    void run(FaceSampleCounts& counts);
+
+  private:
+    void read_surfaces();
+    void start_normals();
+    std::size_t sample_count() const;
+    std::size_t solve_all();
+    std::size_t solve_inserted(const std::vector<SampleRef>& refs);
+    bool solve_or_leave(const SampleRef& ref, bool inserted, std::vector<SampleRef>& others);
+    std::vector<SampleRef> by_triangle(const std::vector<std::vector<SampleRef>>& rows) const;
+    std::size_t solve_on_engine(const std::vector<std::vector<SampleRef>>& rows, bool inserted);
+    LineAtTriangle line_at(const SampleRef& ref) const;
+    bool solve_by_formula(const SampleRef& ref, bool inserted);
+    bool solve_by_newton(geometry::Model& model, const SampleRef& ref, bool inserted);
+    bool take(const SampleRef& ref, const LineAtTriangle& line, double t, const Vec3& normal, bool inserted);
+    std::optional<Vec2> parameters_of(geometry::Model& model, const Vec3& vertex) const;
+    std::optional<std::array<Vec2, 3>> corners_of(geometry::Model& model);
+    std::int32_t face_of(const SampleRef& ref) const { return pair_.face[set_[ref.axis].triangle(ref.index)]; }
+    Vec3 corner(std::int32_t triangle, int i) const { return origin_ + pair_.points[pair_.triangles[triangle][i]]; }
+
+    LayeredDepthSet& set_;
+    const OperandPair& pair_;
+    const SampleGrid& grid_;
+    Vec3 origin_;
+    const CadShape& shape_;
+    geometry::Session session_;
+    const Progress* progress_;
+    double deviation_;
+    std::vector<std::optional<ElementarySurface>> surfaces_;  // by face
+    // The face and the triangle that the engine's thread is at, and what is known about them.
+    std::int32_t face_ = -1, triangle_ = -1;
+    std::unordered_map<std::int32_t, Vec2> parameters_;  // those of the face's vertices
+    std::optional<std::array<Vec2, 3>> corners_;
+};
+
+void FaceSampler::read_surfaces() {
+    surfaces_.resize(session_.topology().faces.size());
+    session_.run([&](geometry::Model& model) {
+        for (const std::int32_t face : *shape_.faces) {
+            if (face < 0) {
+                continue;
+            }
+            auto& surface = surfaces_[static_cast<std::size_t>(face)];
+            if (!surface) {
+                surface = model.elementary_surface(face);
+            }
+        }
+    });
+}
+
+void FaceSampler::start_normals() {
+    for (LayeredDepthImage& image : set_) {
+        image.normal.resize(image.depth.size());
+        parallel_for(grid_.rays(), [&](int row) {
+            const auto first = static_cast<std::size_t>(row) * grid_.rays();
+            for (std::uint32_t i = image.begin[first]; i < image.begin[first + grid_.rays()]; ++i) {
+                image.normal[i] = pair_.unit_normal(image.triangle(i)).cast<float>();
+            }
+        });
+    }
+}
+
+LineAtTriangle FaceSampler::line_at(const SampleRef& ref) const {
+    const LayeredDepthImage& image = set_[ref.axis];
+    LineAtTriangle line;
+    line.triangle = image.triangle(ref.index);
+    line.enters = image.code[ref.index] >= 0;
+    Vec3 g;
+    g[ref.axis] = image.depth[ref.index];
+    g[(ref.axis + 1) % 3] = static_cast<double>(ref.ray % grid_.rays());
+    g[(ref.axis + 2) % 3] = static_cast<double>(ref.ray / grid_.rays());
+    line.point = grid_.to_space(g) + origin_;
+    line.along = Vec3::Unit(ref.axis);
+    line.normal = pair_.unit_normal(line.triangle);
+    const Vec3 a = corner(line.triangle, 0), b = corner(line.triangle, 1), c = corner(line.triangle, 2);
+    line.longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+    return line;
+}
+
+/// Moves a sample along its ray; refused where the surface lies the other way round there than the triangle, or where
+/// the point is too far to be that of the triangle (of the interval, for an inserted sample).
+bool FaceSampler::take(const SampleRef& ref, const LineAtTriangle& line, double t, const Vec3& normal, bool inserted) {
+    LayeredDepthImage& image = set_[ref.axis];
+    const Vec3 outward = normal.dot(line.normal) < 0.0 ? Vec3(-normal) : normal;
+    const double turn = outward.dot(line.along);
+    if (line.enters ? turn > 0.0 : turn < 0.0) {
+        return false;
+    }
+    double depth = image.depth[ref.index] + t / grid_.spacing();
+    if (std::abs(depth - std::round(depth)) < kAtNode) {
+        depth = std::round(depth);
+    }
+    if (inserted ? std::ceil(depth) != std::ceil(image.depth[ref.index])
+                 : std::abs(t) > line.longest + deviation_ || std::abs(t * line.normal.dot(line.along)) > deviation_) {
+        return false;
+    }
+    image.depth[ref.index] = depth;
+    image.normal[ref.index] = outward.cast<float>();
+    return true;
+}
+
+bool FaceSampler::solve_by_formula(const SampleRef& ref, bool inserted) {
+    const ElementarySurface& surface = *surfaces_[static_cast<std::size_t>(face_of(ref))];
+    const LineAtTriangle line = line_at(ref);
+    const geometry::LineRoots roots = geometry::line_roots(surface, line.point, line.along);
+    std::array<double, 4> t = roots.t;
+    std::sort(t.begin(), t.begin() + roots.count, [](double a, double b) { return std::abs(a) < std::abs(b); });
+    for (int i = 0; i < roots.count; ++i) {
+        const double root = t[static_cast<std::size_t>(i)];
+        const Vec3 normal = geometry::normal_near(surface, line.point + root * line.along);
+        if (normal != Vec3::Zero() && take(ref, line, root, normal, inserted)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Solves a sample whose face has a closed form; those of other faces are added to `others`.
+bool FaceSampler::solve_or_leave(const SampleRef& ref, bool inserted, std::vector<SampleRef>& others) {
+    const std::int32_t face = face_of(ref);
+    if (face >= 0 && surfaces_[static_cast<std::size_t>(face)]) {
+        return solve_by_formula(ref, inserted);
+    }
+    if (face >= 0) {
+        others.push_back(ref);
+    }
+    return false;
+}
+
+/// The parameters of a vertex of the mesh on the face: by Newton's method from those of a vertex beside it, else by a
+/// search.
+std::optional<Vec2> FaceSampler::parameters_of(geometry::Model& model, const Vec3& vertex) const {
+    const auto known = std::find_if(pair_.triangles[triangle_].begin(), pair_.triangles[triangle_].end(),
+                                    [&](std::int32_t other) { return parameters_.count(other) != 0; });
+    if (known != pair_.triangles[triangle_].end()) {
+        const Vec2& guess = parameters_.at(*known);
+        const geometry::Answer answer = model.answer(Query::face_nearest(face_, vertex, guess.x(), guess.y()));
+        if (answer.found() && answer.distance <= deviation_) {
+            return Vec2(answer.u, answer.v);
+        }
+    }
+    const geometry::Answer answer = model.answer(Query::face_nearest_global(face_, vertex));
+    return answer.found() ? std::optional(Vec2(answer.u, answer.v)) : std::nullopt;
+}
+
+/// The parameters of the triangle's corners on its face, on one turn of a closed surface.
+std::optional<std::array<Vec2, 3>> FaceSampler::corners_of(geometry::Model& model) {
+    std::array<Vec2, 3> result;
+    const std::array<double, 2>& period = model.topology().faces[static_cast<std::size_t>(face_)].period;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::int32_t vertex = pair_.triangles[triangle_][i];
+        if (parameters_.count(vertex) == 0) {
+            const std::optional<Vec2> found = parameters_of(model, origin_ + pair_.points[vertex]);
+            if (!found) {
+                return std::nullopt;
+            }
+            parameters_.emplace(vertex, *found);
+        }
+        result[i] = parameters_.at(vertex);
+        for (Eigen::Index k = 0; k < 2; ++k) {
+            result[i][k] = geometry::branch_nearest(result[i][k], result[0][k], period[static_cast<std::size_t>(k)]);
+        }
+    }
+    return result;
+}
+
+bool FaceSampler::solve_by_newton(geometry::Model& model, const SampleRef& ref, bool inserted) {
+    const LineAtTriangle line = line_at(ref);
+    if (face_of(ref) != face_) {
+        face_ = face_of(ref);
+        parameters_.clear();
+        triangle_ = -1;
+    }
+    if (line.triangle != triangle_) {
+        triangle_ = line.triangle;
+        corners_ = corners_of(model);
+    }
+    const auto solved = [&](const Vec2& guess) {
+        const geometry::Answer answer =
+            model.answer(Query::face_on_line(face_, line.point, line.along, guess.x(), guess.y()));
+        return answer.status == geometry::Status::Ok && take(ref, line, answer.t, answer.normal, inserted);
+    };
+    if (corners_) {
+        const Vec3 a = corner(triangle_, 0), b = corner(triangle_, 1) - a, c = corner(triangle_, 2) - a;
+        const Vec3 n = b.cross(c), p = line.point - a;
+        const double square = n.squaredNorm();
+        if (square > 0.0) {
+            const double at_b = p.cross(c).dot(n) / square, at_c = b.cross(p).dot(n) / square;
+            const auto& uv = *corners_;
+            if (solved(uv[0] + at_b * (uv[1] - uv[0]) + at_c * (uv[2] - uv[0]))) {
+                return true;
+            }
+        }
+    }
+    const geometry::Answer nearest = model.answer(Query::face_nearest_global(face_, line.point));
+    return nearest.found() && solved(Vec2(nearest.u, nearest.v));
+}
+
+/// Puts the samples of a triangle beside each other, so that the parameters of its corners are found once.
+std::vector<SampleRef> FaceSampler::by_triangle(const std::vector<std::vector<SampleRef>>& rows) const {
+    std::vector<std::uint32_t> place(pair_.triangles.size() + 1, 0);
+    for (const std::vector<SampleRef>& row : rows) {
+        check_cancelled(progress_);
+        for (const SampleRef& ref : row) {
+            ++place[set_[ref.axis].triangle(ref.index) + 1];
+        }
+    }
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    std::vector<SampleRef> sorted(place.back());
+    for (const std::vector<SampleRef>& row : rows) {
+        check_cancelled(progress_);
+        for (const SampleRef& ref : row) {
+            sorted[place[set_[ref.axis].triangle(ref.index)]++] = ref;
+        }
+    }
+    return sorted;
+}
+
+/// @return the samples that are on their faces
+std::size_t FaceSampler::solve_on_engine(const std::vector<std::vector<SampleRef>>& rows, bool inserted) {
+    const std::vector<SampleRef> refs = by_triangle(rows);
+    std::size_t solved = 0;
+    for (std::size_t from = 0; from < refs.size(); from += kSamplesPerWork) {
+        session_.run([&](geometry::Model& model) {
+            const std::size_t end = std::min(from + kSamplesPerWork, refs.size());
+            for (std::size_t i = from; i < end; ++i) {
+                if (i % kBetweenChecks == 0) {
+                    check_cancelled(progress_);
+                }
+                solved += solve_by_newton(model, refs[i], inserted) ? 1 : 0;
+            }
+        });
+    }
+    return solved;
+}
+
+std::size_t FaceSampler::solve_all() {
+    const int rays = grid_.rays();
+    std::vector<std::size_t> solved(3 * static_cast<std::size_t>(rays), 0);
+    std::vector<std::vector<SampleRef>> others(solved.size());
+    parallel_for(static_cast<int>(solved.size()), [&](int k) {
+        check_cancelled(progress_);
+        const auto row = static_cast<std::size_t>(k);
+        const int axis = k / rays;
+        const LayeredDepthImage& image = set_[axis];
+        for (int u = 0; u < rays; ++u) {
+            const auto ray = static_cast<std::uint32_t>(k % rays * rays + u);
+            for (std::uint32_t i = image.begin[ray]; i < image.begin[ray + 1]; ++i) {
+                solved[row] += solve_or_leave({axis, ray, i}, false, others[row]) ? 1 : 0;
+            }
+        }
+    });
+    return std::accumulate(solved.begin(), solved.end(), solve_on_engine(others, false));
+}
+
+std::size_t FaceSampler::solve_inserted(const std::vector<SampleRef>& refs) {
+    std::size_t solved = 0;
+    std::vector<std::vector<SampleRef>> others(1);
+    for (const SampleRef& ref : refs) {
+        solved += solve_or_leave(ref, true, others[0]) ? 1 : 0;
+    }
+    return solved + solve_on_engine(others, true);
+}
+
+std::size_t FaceSampler::sample_count() const {
+    std::size_t count = 0;
+    for (const LayeredDepthImage& image : set_) {
+        count += image.depth.size();
+    }
+    return count;
+}
+
+void FaceSampler::run(FaceSampleCounts& counts) {
+    read_surfaces();
+    start_normals();
+    std::size_t on_mesh = sample_count() - solve_all();
+    std::array<std::size_t, 3> passed{};
+    parallel_for(3, [&](int axis) { passed[axis] = restore_order(set_[axis]); });
+    const std::vector<SampleRef> inserted = make_consistent(set_, grid_, counts.nodes, progress_);
+    on_mesh += inserted.size() - solve_inserted(inserted);
+    counts.on_mesh += on_mesh;
+    counts.on_faces += sample_count() - std::min(on_mesh, sample_count());
+    counts.passed += passed[0] + passed[1] + passed[2];
+}
+
+}  // namespace
+
+void sample_faces(LayeredDepthSet& set, const OperandPair& pair, const SampleGrid& grid, const Vec3& origin,
+                  const CadShape& shape, geometry::Engine& engine, FaceSampleCounts& counts, const Progress* progress) {
+    FaceSampler(set, pair, grid, origin, shape, engine, progress).run(counts);
+}
+
+}  // namespace mq::boolean
