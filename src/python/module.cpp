@@ -51,6 +51,7 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_given(m);
     mq::python::bind_boolean(m);
     mq::python::bind_improve(m);
+    mq::python::bind_inspection(m);
     m.def(
         "waits",
         [] {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <memory>
+
+#include "python/array_view.h"
+#include "python/bindings.h"
+#include "python/dict_of.h"
+#include "python/progress_watch.h"
+#include "workflows/inspect_solids.h"
+
+namespace py = pybind11;
+
+namespace mq::python {
+
+namespace {
+
+using inspection::ThicknessOptions;
+using inspection::ThicknessValues;
+using workflows::ThicknessSurface;
+using Surface = triangulate::Result;
+
+static_assert(sizeof(Vec3) == 3 * sizeof(double), "points are handed to NumPy as they lie in memory");
+
+std::shared_ptr<ThicknessSurface> measure_thickness(const Surface& given, const ThicknessOptions& options,
+                                                    const py::object& progress) {
+    return watch(progress, [&](Progress& handle) {
+        return std::make_shared<ThicknessSurface>(workflows::measure_thickness(given, options, handle));
+    });
+}
+
+/// (value, point, opposite, is_wall), views that keep `owner` alive.
+py::tuple arrays_of(const ThicknessValues& values, const py::object& owner) {
+    const std::size_t count = values.value.size();
+    return py::make_tuple(view<double>(values.value.data(), count, 1, owner),
+                          view<double>(values.point.data(), count, 3, owner),
+                          view<std::int32_t>(values.opposite.data(), count, 1, owner),
+                          view<bool>(values.is_wall.data(), count, 1, owner));
+}
+
+}  // namespace
+
+void bind_inspection(py::module_& m) {
+    py::class_<ThicknessOptions>(m, "ThicknessOptions", "Options of measure_thickness; spacing 0: size / 50.")
+        .def(py::init<>())
+        .def_readwrite("spacing", &ThicknessOptions::spacing)
+        .def_readwrite("corner_angle", &ThicknessOptions::corner_angle)
+        .def_readwrite("outside", &ThicknessOptions::outside);
+    py::class_<ThicknessSurface, std::shared_ptr<ThicknessSurface>>(
+        m, "ThicknessSurface", "A closed surface, and the thickness of what it bounds.")
+        .def_property_readonly(
+            "surface", [](const ThicknessSurface& self) { return std::make_shared<Surface>(self.solids.surface); },
+            "a copy of the Surface that was measured")
+        .def_property_readonly(
+            "by_rays",
+            [](const py::object& self) { return arrays_of(self.cast<const ThicknessSurface&>().thickness.rays, self); },
+            "float64 (T,), float64 (T, 3), int32 (T,), bool (T,): value in mm, its point in the frame of the surface, "
+            "the "
+            "triangle opposite, whether that is a wall")
+        .def_property_readonly(
+            "by_spheres",
+            [](const py::object& self) {
+                return arrays_of(self.cast<const ThicknessSurface&>().thickness.balls, self);
+            },
+            "the same by inscribed spheres")
+        .def_property_readonly(
+            "seconds", [](const ThicknessSurface& self) { return dict_of(self.seconds); },
+            "{stage: wall-clock seconds}")
+        .def_readonly("cpu_seconds", &ThicknessSurface::cpu_seconds, "of the operation, all threads");
+    m.def("measure_thickness", &measure_thickness, py::arg("surface"), py::arg("options"),
+          py::arg("progress") = py::none(),
+          "The ThicknessSurface of a Surface, which is repaired where it is not closed.");
+}
+
+}  // namespace mq::python
