@@ -18,6 +18,7 @@ Meshes for scripts
                   curve takes such meshes, too: of prisms and hexahedra -> CurvedElementMesh
     certify       proves which elements of any mesh are valid                            -> MeshCertificate
     verify        checks a saved certificate again, by other means                       -> CertificateVerification
+    thickness     the thickness of walls, or the width of gaps, by rays and spheres      -> ThicknessMap
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -70,6 +71,8 @@ _LAZY = {
     "MeshCertificate": "MeshQuality.core.certification",
     "verify": "MeshQuality.core.verification",
     "CertificateVerification": "MeshQuality.core.verification",
+    "thickness": "MeshQuality.core.thickness",
+    "ThicknessMap": "MeshQuality.core.thickness",
     "curve": "MeshQuality.core.curving",
     "CurvedMesh": "MeshQuality.core.curving",
     "CurvedElementMesh": "MeshQuality.core.curved_elements",

@@ -24,8 +24,6 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kPointsAcross = 50.0;
 /// Rows of sample points in one triangle at most.
 constexpr int kMostRows = 32;
-/// Largest share of a wall that the allowance for facets may be. On a solid bar of 12 facets it is 0.07.
-constexpr double kLargestAllowance = 0.1;
 /// Triangles that a thread works on at a time.
 constexpr std::size_t kChunk = 256;
 
@@ -123,7 +121,7 @@ class Gauge {
                 break;
             }
         }
-        const double allowance = std::min(normals_.allowance(triangle), kLargestAllowance * by_ray.value);
+        const double allowance = normals_.allowance(triangle);
         const LargestBall ball = largest_ball(tree, point, direction, allowance, by_ray.value, by_ray.opposite, known);
         if (ball.triangle >= 0) {
             by_ball.value = 2.0 * ball.radius;

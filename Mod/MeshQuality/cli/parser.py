@@ -16,14 +16,15 @@ MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
 ELEMENT_SUFFIXES = tuple(READABLE)  # of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
-          "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
+          "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
+          "thickness": MESH_SUFFIXES + CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": ()}
+           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": ()}
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
-          "verify": ()}
+          "verify": (), "thickness": options.THICKNESS}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
@@ -80,6 +81,12 @@ examples:
   meshquality verify mesh.cert.json
   meshquality verify mesh.cert.json --mesh copies/mesh.msh
 """,
+    "thickness": """
+examples:
+  meshquality thickness part.step
+  meshquality thickness part.step --min-thickness 1.2 --strict --csv walls.csv
+  meshquality thickness scan.stl --measure rays --gap --json
+""",
     "batch": """
 examples:
   meshquality batch parts/ -o out/ --chord-height-relative 0.002
@@ -135,6 +142,10 @@ def parser(batched="triangulate"):
                       "it does not hold.")
     one.add_argument("--mesh", metavar="FILE", help="the mesh, where it is not where the certificate says: "
                      f"{' '.join(ELEMENT_SUFFIXES)}")
+    one = _add_single(commands, "thickness", "measure the thickness of walls, or the width of gaps",
+                      "Measures how thick the walls of a CAD shape or a mesh are, by rays and by inscribed spheres, and where\n"
+                      "they are thinnest. Exit status 3 with --strict where a wall is thinner than --min-thickness.")
+    one.add_argument("--csv", metavar="FILE.csv", help="file for the values of each triangle")
     _add_batch(commands, batched)
     return top
 

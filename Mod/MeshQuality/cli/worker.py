@@ -53,7 +53,7 @@ CURVE_REPORT_FIELDS = (
 
 def report_fields(report):
     """A report as plain values for JSON; numbers that JSON has no word for become null."""
-    if isinstance(report, (mq.MeshCertificate, mq.CertificateVerification)):
+    if isinstance(report, (mq.MeshCertificate, mq.CertificateVerification, mq.ThicknessMap)):
         return _plain(report.to_dict())
     if isinstance(report, mq.CurveReport):
         return {**_plain({name: getattr(report, name) for name in CURVE_REPORT_FIELDS}),
@@ -379,6 +379,16 @@ def certify(job):
         verdict.of_certificate(certificate)
 
 
+def thickness(job):
+    """Likewise."""
+    found = mq.thickness(read_operand(job["input"], job.get("object")), **job["options"], progress=progress_line())
+    where = ""
+    if job.get("csv"):
+        found.write_csv(job["csv"])
+        where = f", written to {job['csv']}"
+    return found, f"measured {_count(len(found.values), 'triangle')}{where}", verdict.of_thickness(found)
+
+
 def verify(job):
     """Likewise; each fault is a finding."""
     found = mq.verify(job["input"], job.get("mesh"), progress_line())
@@ -398,7 +408,7 @@ def run(job):
     _left_out.clear()
     try:
         report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
-                                  "quality": quality, "certify": certify, "verify": verify}[job["command"]](job)
+                                  "quality": quality, "certify": certify, "verify": verify, "thickness": thickness}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:

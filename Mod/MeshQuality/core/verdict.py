@@ -369,6 +369,18 @@ def of_curved_elements(mesh):
     return found
 
 
+def of_thickness(found):
+    """Findings of a ThicknessMap: its thinnest wall, where that is below its limit."""
+    if found.min_thickness is None or found.minimum >= found.min_thickness:
+        return []
+    length, limit = map(_length, _told_apart(found.minimum, found.min_thickness))
+    phrase = phrases.NARROW_GAP if found.gap else phrases.THIN_WALL
+    mesh = found.mesh
+    corners = (mesh.vertices + mesh.origin)[mesh.triangles[found.minimum_triangle]]
+    return [Finding(_sentence(phrase, length=length, length2=limit), found.minimum_faces,
+                    tuple(tuple(corner) for corner in corners.tolist()))]
+
+
 def of_certificate(certificate):
     """Findings of a MeshCertificate."""
     found = []
