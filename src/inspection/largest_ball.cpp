@@ -22,8 +22,10 @@ constexpr double kLargestCutNearby = 0.2;
 constexpr double kLargestCut = 0.02;
 
 /// Largest distance from a ball, as a share of its radius, of what it touches. Next to a touching plane such points lie
-/// up to 18 degrees off the contact, seen from the centre.
-constexpr double kLargestGap = 0.05;
+/// up to 11 degrees off the contact, seen from the centre.
+constexpr double kLargestGap = 0.02;
+/// The same of a contact that makes the search for nearer ones needless.
+constexpr double kSmallGap = 0.002;
 
 /// The greatest value along an axis of the unit vectors within `angle` of a direction that has the value `cosine`.
 double most_along(double cosine, double angle) {
@@ -83,10 +85,10 @@ LargestBall largest_ball(const mesh::AabbTree& tree, const Vec3& point, const Ve
     return ball;
 }
 
-std::int32_t opposite_contact(const mesh::AabbTree& tree, const std::vector<Vec3>& vertices,
-                              const std::vector<mesh::Triangle>& triangles, const LargestBall& ball,
-                              const Vec3& direction, double allowance, double angle) {
-    const double reach = (1.0 + 1e-9) * ball.radius + std::min(allowance, kLargestGap * ball.radius);
+OppositeContact opposite_contact(const mesh::AabbTree& tree, const std::vector<Vec3>& vertices,
+                                 const std::vector<mesh::Triangle>& triangles, const LargestBall& ball,
+                                 const Vec3& direction, double angle) {
+    const double reach = (1.0 + kLargestGap) * ball.radius;
     const double least = std::cos(angle);
     const auto touches = [&](const Vec3& q) {
         const Vec3 to = q - ball.center;
@@ -94,20 +96,23 @@ std::int32_t opposite_contact(const mesh::AabbTree& tree, const std::vector<Vec3
         return distance <= reach && to.dot(direction) >= least * distance;
     };
     if (ball.triangle < 0 || touches(ball.contact)) {
-        return ball.triangle;
+        return {ball.triangle, ball.triangle >= 0 ? (ball.contact - ball.center).norm() : 0.0};
     }
     Box cap;
     for (int i = 0; i < 3; ++i) {
         cap.low[i] = ball.center[i] - reach * std::max(most_along(-direction[i], angle), 0.0);
         cap.high[i] = ball.center[i] + reach * std::max(most_along(direction[i], angle), 0.0);
     }
-    std::int32_t found = -1;
+    OppositeContact found;
     tree.for_each_in_box(cap, [&](std::int32_t triangle) {
         const mesh::Triangle& t = triangles[triangle];
-        if (touches(mesh::nearest_on_triangle(ball.center, vertices[t[0]], vertices[t[1]], vertices[t[2]]))) {
-            found = triangle;
+        const Vec3 q = mesh::nearest_on_triangle(ball.center, vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+        const double distance = (q - ball.center).norm();
+        const bool is_nearer = found.triangle < 0 || distance < found.distance;
+        if (is_nearer && touches(q)) {
+            found = {triangle, distance};
         }
-        return found < 0;
+        return found.triangle < 0 || found.distance > (1.0 + kSmallGap) * ball.radius;
     });
     return found;
 }

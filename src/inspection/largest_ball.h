@@ -41,9 +41,8 @@ class FreeBalls {
 /// The largest ball with its centre on the ray from `point` along `direction` that touches the surface in that point
 /// and has none of it inside (the shrinking ball of Ma, Bae and Choi 2012; the nearest point is searched on the
 /// triangles themselves, not among samples). It shrinks from a ball that is too large until it fits: each point found
-/// inside gives the radius of the ball that touches there. What lies inside
-/// by less than `allowance` is let be, so that the facets around the point do not count; at most a fifth of the radius
-/// there, and a fiftieth elsewhere.
+/// inside gives the radius of the ball that touches there. What lies inside by less than `allowance` is let be, so that
+/// the facets around the point do not count; at most a fifth of the radius there, and a fiftieth elsewhere.
 /// @param direction  of length 1
 /// @param ahead  the distance along the ray to the surface, and the triangle there; infinite and -1 where it meets
 ///     nothing. Twice the size of the surface then bounds the search: larger balls are infinite.
@@ -51,11 +50,16 @@ class FreeBalls {
 LargestBall largest_ball(const mesh::AabbTree& tree, const Vec3& point, const Vec3& direction, double allowance,
                          double ahead, std::int32_t triangle_ahead, FreeBalls& known);
 
-/// Among the triangles that the ball touches, within `allowance` and a twentieth of its radius, one opposite to the
-/// point where it starts: seen from the centre within `angle` (radians) of `direction`. The one that limits the ball if
-/// that is one; -1: none.
-std::int32_t opposite_contact(const mesh::AabbTree& tree, const std::vector<Vec3>& vertices,
-                              const std::vector<mesh::Triangle>& triangles, const LargestBall& ball,
-                              const Vec3& direction, double allowance, double angle);
+/// Where a ball touches the other side of a wall.
+struct OppositeContact {
+    std::int32_t triangle = -1;  ///< -1: nowhere
+    double distance = 0.0;       ///< from the centre, mm
+};
+
+/// The nearest of the triangles that the ball touches, within a fiftieth of its radius, opposite to the point where it
+/// starts: seen from the centre within `angle` (radians) of `direction`. The one that limits the ball if that is one.
+OppositeContact opposite_contact(const mesh::AabbTree& tree, const std::vector<Vec3>& vertices,
+                                 const std::vector<mesh::Triangle>& triangles, const LargestBall& ball,
+                                 const Vec3& direction, double angle);
 
 }  // namespace mq::inspection

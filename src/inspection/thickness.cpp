@@ -124,11 +124,11 @@ class Gauge {
         const double allowance = normals_.allowance(triangle);
         const LargestBall ball = largest_ball(tree, point, direction, allowance, by_ray.value, by_ray.opposite, known);
         if (ball.triangle >= 0) {
-            by_ball.value = 2.0 * ball.radius;
-            const std::int32_t opposite =
-                opposite_contact(tree, mesh_.vertices, mesh_.triangles, ball, direction, allowance, corner_angle_);
-            by_ball.is_wall = opposite >= 0;
-            by_ball.opposite = by_ball.is_wall ? opposite : ball.triangle;
+            const OppositeContact contact =
+                opposite_contact(tree, mesh_.vertices, mesh_.triangles, ball, direction, corner_angle_);
+            by_ball.is_wall = contact.triangle >= 0;
+            by_ball.opposite = by_ball.is_wall ? contact.triangle : ball.triangle;
+            by_ball.value = ball.radius + (by_ball.is_wall ? contact.distance : ball.radius);
         }
     }
 

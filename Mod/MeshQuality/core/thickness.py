@@ -288,6 +288,8 @@ def thickness(source, measure="spheres", gap=False, min_thickness=None, toleranc
         more, cpu_more = _times(core)
         seconds = {stage: seconds.get(stage, 0.0) + more.get(stage, 0.0) for stage in {**seconds, **more}}
         cpu_seconds += cpu_more
+    elif progress is not None:
+        progress(1.0, "done")
     found = ThicknessMap(core, values, core.surface.report.max_chord_height, seconds, cpu_seconds)
     if not values["tolerance"] and found.chord_height > 2.0 * _SHARE * found.minimum:
         found.notes.append(f"the mesh deviates by more than {2.0 * _SHARE:g} of the thinnest wall, as it would have more than "

@@ -20,7 +20,7 @@ TEST(LargestBall, TouchesTheOtherSideOfAPlate) {
     FreeBalls known;
     const LargestBall ball = largest_ball(tree, Vec3(9, 10, 0), Vec3(0, 0, 1), 0.0, 3.0, 2, known);
     EXPECT_DOUBLE_EQ(ball.radius, 1.5);
-    EXPECT_EQ(opposite_contact(tree, mesh.vertices, mesh.triangles, ball, Vec3(0, 0, 1), 0.0, M_PI / 4.0), 2);
+    EXPECT_EQ(opposite_contact(tree, mesh.vertices, mesh.triangles, ball, Vec3(0, 0, 1), M_PI / 4.0).triangle, 2);
 }
 
 TEST(LargestBall, ShrinksToTheNearerSideAtACorner) {
@@ -30,7 +30,7 @@ TEST(LargestBall, ShrinksToTheNearerSideAtACorner) {
     const LargestBall ball = largest_ball(tree, Vec3(0.4, 10, 0), Vec3(0, 0, 1), 0.0, 3.0, 2, known);
     EXPECT_NEAR(ball.radius, 0.4, 1e-9);
     EXPECT_NEAR(ball.contact.x(), 0.0, 1e-9);
-    EXPECT_EQ(opposite_contact(tree, mesh.vertices, mesh.triangles, ball, Vec3(0, 0, 1), 0.0, M_PI / 4.0), -1);
+    EXPECT_EQ(opposite_contact(tree, mesh.vertices, mesh.triangles, ball, Vec3(0, 0, 1), M_PI / 4.0).triangle, -1);
 }
 
 TEST(LargestBall, IsInfiniteOutsideOfAConvexSolid) {

@@ -133,6 +133,7 @@ TEST(Thickness, OfATaperedWall) {
 
 TEST(Thickness, CornersAreNoWallsAndKnifeEdgesAre) {
     const Thickness cube = measured(solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10)));
+    // Balls are limited by the nearest edge, but for one in the middle of each side.
     EXPECT_EQ(least(cube.balls), std::numeric_limits<double>::infinity());
     EXPECT_NEAR(least(cube.rays), 10.0, 1e-12);
     // A wedge of 30 degrees gets thinner than any bound.
