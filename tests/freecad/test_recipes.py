@@ -81,6 +81,11 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/print.md")
         self.assertEqual(os.listdir("."), ["print.stl"])
 
+    def test_thickness(self):
+        self.follow("docs/use/thickness.md")
+        self.assertEqual(os.listdir("."), ["walls.csv"])
+        self.assertLess(self.names["found"].minimum, 10.0)
+
     def test_for_fem(self):
         self.follow("docs/use/fem.md")
         self.assertGreater(self.names["fem"].VolumeCount, 0)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .. import options
+from .. import inspection_options, options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
@@ -73,8 +73,12 @@ class ThicknessMap(metaclass=Public):
     print(result) writes a report.
     """
 
-    __slots__ = ("_core", "_measure", "_surface", "areas", "chord_height", "corner_angle", "cpu_seconds", "gap", "mesh", "min_thickness",
-                 "notes", "seconds")
+    __slots__ = {
+        "_core": None, "_measure": None, "_surface": None, "areas": "float64 (T,), mm^2, of the triangles",
+        "chord_height": "mm, largest distance of the mesh from the shape, or None", "corner_angle": "degrees",
+        "cpu_seconds": "of all threads", "gap": "whether gaps were measured", "mesh": "SurfaceMesh",
+        "min_thickness": "mm, or None", "notes": "sentences", "seconds": "{stage: wall-clock seconds}",
+    }
 
     def __init__(self, core, values, chord_height, seconds, cpu_seconds):
         self._core, self._surface = core, core.surface
@@ -104,7 +108,7 @@ class ThicknessMap(metaclass=Public):
 
     def by(self, measure):
         """The same of the other measure, "spheres" or "rays"; nothing is computed again."""
-        measure = options.THICKNESS[0].checked(measure)
+        measure = inspection_options.THICKNESS[0].checked(measure)
         other = object.__new__(type(self))
         for name in self.__slots__:
             setattr(other, name, getattr(self, name))
@@ -172,7 +176,7 @@ class ThicknessMap(metaclass=Public):
 
         Raises InvalidInput where there is no limit.
         """
-        limit = self.min_thickness if limit is None else options.THICKNESS[2].checked(limit)
+        limit = self.min_thickness if limit is None else inspection_options.THICKNESS[2].checked(limit)
         if limit is None:
             raise InvalidInput("limit = None is not allowed: give a length in mm, or min_thickness to thickness")
         thin = np.flatnonzero(self.is_wall & (self.values < limit))
@@ -271,7 +275,7 @@ def thickness(source, measure="spheres", gap=False, min_thickness=None, toleranc
     surface. Returns the same for any number of threads.
     Raises InvalidInput naming the shape or mesh, the defect and the remedy; TopologyError, GeometryError; Cancelled.
     """
-    values = options.check(options.THICKNESS, {
+    values = options.check(inspection_options.THICKNESS, {
         "measure": measure, "gap": gap, "min_thickness": min_thickness, "tolerance": tolerance, "spacing": spacing,
         "corner_angle": corner_angle})
     options.require_callable(progress)
@@ -320,7 +324,7 @@ def _times(core):
 def _finer(core, values):
     """The distance of a finer mesh from the shape, mm, where the thinnest wall needs one; else None."""
     first = ThicknessMap(core, values, None, {}, 0.0)
-    thinnest = min(first.by(measure).minimum for measure in options.THICKNESS_MEASURES)
+    thinnest = min(first.by(measure).minimum for measure in inspection_options.THICKNESS_MEASURES)
     deviation = core.surface.report.max_chord_height
     if not np.isfinite(thinnest) or deviation <= _SHARE * thinnest:
         return None
