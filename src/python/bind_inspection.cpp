@@ -2,13 +2,18 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <vector>
 
+#include "base/error.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"
 #include "python/progress_watch.h"
 #include "workflows/inspect_solids.h"
+#include "workflows/measure_clearances.h"
 
 namespace py = pybind11;
 
@@ -39,9 +44,64 @@ py::tuple arrays_of(const ThicknessValues& values, const py::object& owner) {
                           view<bool>(values.is_wall.data(), count, 1, owner));
 }
 
+using inspection::Clearance;
+using inspection::NearestPlaces;
+
+py::array point_of(const Vec3& p) {
+    py::array_t<double> array(3);
+    std::copy(p.data(), p.data() + 3, array.mutable_data());
+    return std::move(array);
+}
+
+/// (distance, (triangle, triangle), (point, point))
+py::tuple tuple_of(const NearestPlaces& places) {
+    return py::make_tuple(places.distance, py::make_tuple(places.triangles[0], places.triangles[1]),
+                          py::make_tuple(point_of(places.points[0]), point_of(places.points[1])));
+}
+
+std::vector<Clearance> measure_clearances(const std::vector<std::shared_ptr<Surface>>& bodies,
+                                          const std::vector<double>& slack, double within, const py::object& progress) {
+    if (slack.size() != bodies.size()) {
+        throw InvalidInput("slack must have a length for each body");
+    }
+    std::vector<const Surface*> given;
+    for (const std::shared_ptr<Surface>& body : bodies) {
+        given.push_back(body.get());
+    }
+    inspection::ClearanceOptions options;
+    options.within = within;
+    return watch(progress,
+                 [&](Progress& handle) { return workflows::measure_clearances(given, slack, options, handle); });
+}
+
+void bind_clearance(py::module_& m) {
+    py::class_<Clearance>(m, "Clearance", "How near two bodies are to each other.")
+        .def_property_readonly("bodies",
+                               [](const Clearance& self) { return py::make_tuple(self.bodies[0], self.bodies[1]); })
+        .def_property_readonly(
+            "nearest", [](const Clearance& self) { return tuple_of(self.nearest); },
+            "(distance in mm, (triangle, triangle), (point, point))")
+        .def_readonly("depth", &Clearance::depth, "mm, how deep their surfaces go through each other")
+        .def_readonly("inside", &Clearance::inside, "0 | 1: which lies in the other one; -1: none")
+        .def_property_readonly(
+            "faces",
+            [](const Clearance& self) {
+                py::list faces;
+                for (const NearestPlaces& places : self.faces) {
+                    faces.append(tuple_of(places));
+                }
+                return faces;
+            },
+            "the same as nearest, of each pair of CAD faces that is nearly as near");
+    m.def("measure_clearances", &measure_clearances, py::arg("bodies"), py::arg("slack"),
+          py::arg("within") = std::numeric_limits<double>::infinity(), py::arg("progress") = py::none(),
+          "[Clearance, ...] of all pairs of Surfaces that are at most `within` mm apart.");
+}
+
 }  // namespace
 
 void bind_inspection(py::module_& m) {
+    bind_clearance(m);
     py::class_<ThicknessOptions>(m, "ThicknessOptions", "Options of measure_thickness; spacing 0: size / 50.")
         .def(py::init<>())
         .def_readwrite("spacing", &ThicknessOptions::spacing)
