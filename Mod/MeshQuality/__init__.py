@@ -19,6 +19,7 @@ Meshes for scripts
     certify       proves which elements of any mesh are valid                            -> MeshCertificate
     verify        checks a saved certificate again, by other means                       -> CertificateVerification
     thickness     the thickness of walls, or the width of gaps, by rays and spheres      -> ThicknessMap
+    clearance     the distances between the bodies of an assembly                        -> ClearanceReport
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -73,6 +74,8 @@ _LAZY = {
     "CertificateVerification": "MeshQuality.core.verification",
     "thickness": "MeshQuality.core.thickness",
     "ThicknessMap": "MeshQuality.core.thickness",
+    "clearance": "MeshQuality.core.clearance",
+    "ClearanceReport": "MeshQuality.core.clearance",
     "curve": "MeshQuality.core.curving",
     "CurvedMesh": "MeshQuality.core.curving",
     "CurvedElementMesh": "MeshQuality.core.curved_elements",

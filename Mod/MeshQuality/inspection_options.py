@@ -21,3 +21,12 @@ THICKNESS = (
     Option("corner_angle", float, 45.0, unit="degrees", low=0.0, high=89.0, group="Accuracy", title="Corner angle",
            help="Surfaces inclined to each other by more than this are a corner, not the sides of a wall"),
 )
+
+CLEARANCE = (
+    Option("min_clearance", float, None, unit="mm", low=0.0, group="Clearance", title="Smallest clearance",
+           unset="no limit", help="Pairs of bodies nearer to each other than this are reported"),
+    Option("within", float, None, unit="mm", low=0.0, group="Clearance", title="Largest distance",
+           unset="no limit", help="Pairs of bodies farther from each other than this are left out"),
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Max. deviation",
+           unset="size / 1000", help="Largest distance of the mesh that is measured from a shape"),
+)

@@ -483,6 +483,18 @@
         <source>spheres: diameter of the largest ball in the solid that touches the surface there; rays: along the inward normal to the other side</source>
         <translation>Kugeln: Durchmesser der größten Kugel im Körper, die die Oberfläche dort berührt; Strahlen: entlang der Normalen nach innen bis zur anderen Seite</translation>
     </message>
+    <message>
+        <source>Largest distance of the mesh that is measured from a shape; 0: size / 1000</source>
+        <translation>Größter Abstand des gemessenen Netzes von einer Form; 0: Größe / 1000</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies farther from each other than this are left out; 0: no limit</source>
+        <translation>Paare von Körpern, die weiter auseinander liegen, werden ausgelassen; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies nearer to each other than this are reported; 0: no limit</source>
+        <translation>Paare von Körpern, die näher beieinander liegen, werden gemeldet; 0: keine Grenze</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2385,6 +2397,38 @@
     <message>
         <source>spheres: diameter of the largest ball in the solid that touches the surface there; rays: along the inward normal to the other side</source>
         <translation>Kugeln: Durchmesser der größten Kugel im Körper, die die Oberfläche dort berührt; Strahlen: entlang der Normalen nach innen bis zur anderen Seite</translation>
+    </message>
+    <message>
+        <source>1 pair of bodies overlaps.</source>
+        <translation>1 Paar von Körpern überlappt sich.</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies farther from each other than this are left out</source>
+        <translation>Paare von Körpern, die weiter auseinander liegen, werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies nearer to each other than this are reported</source>
+        <translation>Paare von Körpern, die näher beieinander liegen, werden gemeldet</translation>
+    </message>
+    <message>
+        <source>Smallest clearance</source>
+        <translation>Kleinster Abstand</translation>
+    </message>
+    <message>
+        <source>measuring the clearance</source>
+        <translation>Abstand wird gemessen</translation>
+    </message>
+    <message>
+        <source>{count} pairs of bodies overlap.</source>
+        <translation>{count} Paare von Körpern überlappen sich.</translation>
     </message>
 </context>
 <context>

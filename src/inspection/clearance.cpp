@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "base/parallel.h"
@@ -82,7 +83,7 @@ double distance_of_vertices(const Body& a, const Body& b, double bound, const Pr
 
 struct Found {
     NearestByFaces faces;
-    double depth = 0.0;
+    std::array<std::set<std::int32_t>, 2> crossing;  ///< triangles with an edge through one of the other, and those
 };
 
 /// The nearest places, by pairs of faces, of the triangles of a chunk of one body that are within `reach` of another.
@@ -104,7 +105,10 @@ Found nearest_in_chunk(const Body& a, const Body& b, double reach, int chunk, co
         }
         b.tree->for_each_in_box(box, [&](std::int32_t j) {
             const TriangleDistance distance = triangle_distance(corners, b.corners(j));
-            found.depth = std::max(found.depth, distance.depth);
+            if (distance.depth > 0.0) {
+                found.crossing[0].insert(i);
+                found.crossing[1].insert(j);
+            }
             if (distance.distance <= reach) {
                 const NearestPlaces places{distance.distance, {i, j}, {distance.on_first, distance.on_second}};
                 const auto [at, is_new] = found.faces.try_emplace({a.face(i), b.face(j)}, places);
@@ -117,13 +121,62 @@ Found nearest_in_chunk(const Body& a, const Body& b, double reach, int chunk, co
     return found;
 }
 
+bool contains(const Body& body, const Vec3& p) {
+    // Any direction does.
+    const Vec3 direction(0.36, 0.48, 0.8);
+    return body.tree->box().contains(p) &&
+           winding_at_start(crossings_of(*body.tree, body.mesh->vertices, body.mesh->triangles, p, direction, -1)) > 0;
+}
+
 bool lies_in(const Body& a, const Body& b) {
-    return std::any_of(a.starts.begin(), a.starts.end(), [&](const Vec3& start) {
-        // Any direction does.
-        const Vec3 direction = Vec3(0.36, 0.48, 0.8);
-        return b.tree->box().contains(start) &&
-               winding_at_start(crossings_of(*b.tree, b.mesh->vertices, b.mesh->triangles, start, direction, -1)) > 0;
+    return std::any_of(a.starts.begin(), a.starts.end(), [&](const Vec3& start) { return contains(b, start); });
+}
+
+/// The largest distance from the surface of the second body of vertices of the first that lie in it.
+double depth_of_vertices(const Body& a, const Body& b, const Progress* progress) {
+    const auto count = static_cast<int>(a.mesh->vertices.size());
+    const int chunks = (count + kChunk - 1) / kChunk;
+    std::vector<double> most(static_cast<std::size_t>(chunks), 0.0);
+    parallel_for(chunks, [&](int chunk) {
+        double& depth = most[static_cast<std::size_t>(chunk)];
+        for (int v = chunk * kChunk; v < std::min((chunk + 1) * kChunk, count); ++v) {
+            check_cancelled(progress);
+            const Vec3& p = a.mesh->vertices[static_cast<std::size_t>(v)];
+            if (b.tree->box().contains(p) && b.tree->any_within(p, depth, 0) < 0 && contains(b, p)) {
+                depth = std::max(depth, b.tree->nearest(p).distance);
+            }
+        }
     });
+    return chunks > 0 ? *std::max_element(most.begin(), most.end()) : 0.0;
+}
+
+/// The same of the middles of the pieces that lie in the second body of edges of these triangles of the first.
+double depth_of_edges(const Body& a, const std::set<std::int32_t>& triangles, const Body& b, const Progress* progress) {
+    const std::vector<std::int32_t> list(triangles.begin(), triangles.end());
+    std::vector<double> most(list.size(), 0.0);
+    for_chunks(static_cast<int>(list.size()), [&](int k) {
+        check_cancelled(progress);
+        const Corners corners = a.corners(list[static_cast<std::size_t>(k)]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3& p = corners[i];
+            const Vec3 along = corners[(i + 1) % 3] - p;
+            const double length = along.norm();
+            const Vec3 direction = along / length;
+            double before = 0.0;
+            std::vector<Crossing> ends = crossings_of(*b.tree, b.mesh->vertices, b.mesh->triangles, p, direction, -1);
+            ends.push_back({length, -1, false});
+            for (const Crossing& end : ends) {
+                const double here = std::min(end.distance, length);
+                const Vec3 middle = p + 0.5 * (before + here) * direction;
+                if (here > before && contains(b, middle)) {
+                    double& depth = most[static_cast<std::size_t>(k)];
+                    depth = std::max(depth, b.tree->nearest(middle).distance);
+                }
+                before = here;
+            }
+        }
+    });
+    return list.empty() ? 0.0 : *std::max_element(most.begin(), most.end());
 }
 
 /// All of it but the numbers of the bodies.
@@ -139,8 +192,11 @@ Clearance clearance_of(const Body& a, const Body& b, double slack, double within
     });
     Clearance clearance;
     NearestByFaces all;
+    std::array<std::set<std::int32_t>, 2> crossing;
     for (const Found& one : found) {
-        clearance.depth = std::max(clearance.depth, one.depth);
+        for (std::size_t k = 0; k < 2; ++k) {
+            crossing[k].insert(one.crossing[k].begin(), one.crossing[k].end());
+        }
         for (const auto& [faces, places] : one.faces) {
             const auto [at, is_new] = all.try_emplace(faces, places);
             if (!is_new && is_nearer(places, at->second)) {
@@ -158,6 +214,10 @@ Clearance clearance_of(const Body& a, const Body& b, double slack, double within
     }
     if (clearance.nearest.distance > 0.0) {
         clearance.inside = lies_in(a, b) ? 0 : lies_in(b, a) ? 1 : -1;
+    } else {
+        clearance.depth =
+            std::max({depth_of_vertices(a, b, progress), depth_of_vertices(b, a, progress),
+                      depth_of_edges(a, crossing[0], b, progress), depth_of_edges(b, crossing[1], a, progress)});
     }
     return clearance;
 }

@@ -23,7 +23,8 @@ struct NearestPlaces {
 struct Clearance {
     std::array<std::int32_t, 2> bodies{};
     NearestPlaces nearest;  ///< at distance 0 where their surfaces meet
-    /// How deep their surfaces go through each other, mm: see TriangleDistance::depth. 0: they touch at most.
+    /// Where their surfaces meet, the largest distance from the surface of the other body of vertices that lie in it,
+    /// and of the middles of what lies in it of edges that go through it, mm.
     double depth = 0.0;
     /// The body that lies in the other one without meeting its surface: 0 the first, 1 the second, -1: none does.
     int inside = -1;

@@ -81,7 +81,7 @@ void bind_clearance(py::module_& m) {
         .def_property_readonly(
             "nearest", [](const Clearance& self) { return tuple_of(self.nearest); },
             "(distance in mm, (triangle, triangle), (point, point))")
-        .def_readonly("depth", &Clearance::depth, "mm, how deep their surfaces go through each other")
+        .def_readonly("depth", &Clearance::depth, "mm, of points of one in the other")
         .def_readonly("inside", &Clearance::inside, "0 | 1: which lies in the other one; -1: none")
         .def_property_readonly(
             "faces",

@@ -187,6 +187,7 @@ class Api(unittest.TestCase):
         "certify": {"mesh", "progress"},
         "verify": {"certificate", "progress"},
         "thickness": {"source", "progress"},
+        "clearance": {"bodies", "progress"},
     }
 
     def test_every_option_of_the_api_is_there_under_its_name(self):

@@ -86,6 +86,11 @@ class Recipes(helpers.DocumentTest):
         self.assertEqual(os.listdir("."), ["walls.csv"])
         self.assertLess(self.names["found"].minimum, 10.0)
 
+    def test_clearance(self):
+        self.names["assembly"] = Part.makeCompound([Part.makeBox(4, 4, 4, FreeCAD.Vector(4.1 * i, 0, 0)) for i in range(2)])
+        self.follow("docs/use/clearance.md")
+        self.assertEqual(len(self.names["found"].too_near), 1)
+
     def test_for_fem(self):
         self.follow("docs/use/fem.md")
         self.assertGreater(self.names["fem"].VolumeCount, 0)

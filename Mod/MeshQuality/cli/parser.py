@@ -17,14 +17,15 @@ ELEMENT_SUFFIXES = tuple(READABLE)  # of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
           "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
-          "thickness": MESH_SUFFIXES + CAD_SUFFIXES}
+          "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": ()}
+           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": ()}
+WITH_INPUTS = ("boolean", "clearance")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
-          "verify": (), "thickness": inspection_options.THICKNESS}
+          "verify": (), "thickness": inspection_options.THICKNESS, "clearance": inspection_options.CLEARANCE}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
@@ -87,6 +88,11 @@ examples:
   meshquality thickness part.step --min-thickness 1.2 --strict --csv walls.csv
   meshquality thickness scan.stl --measure rays --gap --json
 """,
+    "clearance": """
+examples:
+  meshquality clearance assembly.step --min-clearance 0.2 --strict
+  meshquality clearance case.step board.step fan.stl --within 5 --json
+""",
     "batch": """
 examples:
   meshquality batch parts/ -o out/ --chord-height-relative 0.002
@@ -146,6 +152,9 @@ def parser(batched="triangulate"):
                       "Measures how thick the walls of a CAD shape or a mesh are, by rays and by inscribed spheres, and where\n"
                       "they are thinnest. Exit status 3 with --strict where a wall is thinner than --min-thickness.")
     one.add_argument("--csv", metavar="FILE.csv", help="file for the values of each triangle")
+    _add_single(commands, "clearance", "measure the distances between bodies",
+                "Measures how near the bodies of an assembly are to each other: the solids of one CAD file, or several files,\n"
+                "each of them a body. Exit status 3 with --strict where bodies overlap or are nearer than --min-clearance.")
     _add_batch(commands, batched)
     return top
 
@@ -159,14 +168,14 @@ def _new(commands, name, title, description, arguments):
 
 
 def _add_single(commands, name, title, description):
-    inputs = "INPUT INPUT ..." if name == "boolean" else "INPUT"
+    inputs = {"boolean": "INPUT INPUT ...", "clearance": "INPUT ..."}.get(name, "INPUT")
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
     kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file",
             (".json",): "certificate"}.get(INPUTS[name],
                                                                       "mesh or CAD file")
     text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
-    if name == "boolean":
+    if name in WITH_INPUTS:
         one.add_argument("inputs", nargs="+", metavar="INPUT", help=text)
     else:
         one.add_argument("input", metavar="INPUT", help=text)

@@ -53,7 +53,7 @@ CURVE_REPORT_FIELDS = (
 
 def report_fields(report):
     """A report as plain values for JSON; numbers that JSON has no word for become null."""
-    if isinstance(report, (mq.MeshCertificate, mq.CertificateVerification, mq.ThicknessMap)):
+    if isinstance(report, (mq.MeshCertificate, mq.CertificateVerification, mq.ThicknessMap, mq.ClearanceReport)):
         return _plain(report.to_dict())
     if isinstance(report, mq.CurveReport):
         return {**_plain({name: getattr(report, name) for name in CURVE_REPORT_FIELDS}),
@@ -389,6 +389,19 @@ def thickness(job):
     return found, f"measured {_count(len(found.values), 'triangle')}{where}", verdict.of_thickness(found)
 
 
+def clearance(job):
+    """Likewise."""
+    bodies = [read_operand(path, job.get("object")) for path in job["inputs"]]
+    if len(bodies) > 1:
+        names = [os.path.basename(path) for path in job["inputs"]]
+        bodies = {name if names.count(name) == 1 else f"{name} ({i + 1})": body
+                  for i, (name, body) in enumerate(zip(names, bodies))}
+    else:
+        bodies = bodies[0]
+    found = mq.clearance(bodies, **job["options"], progress=progress_line())
+    return found, f"measured {_count(len(found.pairs), 'pair')} of bodies", verdict.of_clearance(found)
+
+
 def verify(job):
     """Likewise; each fault is a finding."""
     found = mq.verify(job["input"], job.get("mesh"), progress_line())
@@ -408,7 +421,7 @@ def run(job):
     _left_out.clear()
     try:
         report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
-                                  "quality": quality, "certify": certify, "verify": verify, "thickness": thickness}[job["command"]](job)
+                                  "quality": quality, "certify": certify, "verify": verify, "thickness": thickness, "clearance": clearance}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:

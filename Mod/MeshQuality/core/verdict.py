@@ -381,6 +381,16 @@ def of_thickness(found):
                     tuple(tuple(corner) for corner in corners.tolist()))]
 
 
+def of_clearance(found):
+    """Findings of a ClearanceReport: bodies that overlap, and the smallest distance where that is below its limit."""
+    overlapping = sum(pair.relation == "overlapping" for pair in found.pairs)
+    findings = [Finding(_counted(phrases.BODIES_OVERLAP, overlapping))] if overlapping else []
+    if found.min_clearance is not None and found.minimum < found.min_clearance:
+        length, limit = map(_length, _told_apart(found.minimum, found.min_clearance))
+        findings.append(Finding(_sentence(phrases.NARROW_GAP, length=length, length2=limit)))
+    return findings
+
+
 def of_certificate(certificate):
     """Findings of a MeshCertificate."""
     found = []

@@ -64,7 +64,9 @@ TEST(Clearance, TellsTouchingCrossingAndInside) {
     const Clearance crossing = found_of(
         {solids::box(Vec3(-9, -1, -1), Vec3(9, 1, 1)), solids::box(Vec3(-0.5, -9, -0.5), Vec3(0.5, 9, 0.5))})[0];
     EXPECT_EQ(crossing.nearest.distance, 0.0);
-    EXPECT_GT(crossing.depth, 0.4);
+    EXPECT_NEAR(crossing.depth, 1.0, 1e-12);  // of a diagonal, amid the first
+    const Clearance corner = found_of({full, solids::box(Vec3(9, 8, 9.5), Vec3(15, 15, 15))})[0];
+    EXPECT_NEAR(corner.depth, 0.5, 1e-12);
 }
 
 TEST(Clearance, NamesAllPairsOfFacesThatAreAsNear) {
