@@ -3,17 +3,22 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "python/array_view.h"
 #include "python/bindings.h"
 #include "python/dict_of.h"
+#include "python/freecad/freecad_shape.h"
 #include "python/progress_watch.h"
+#include "python/shared_engine.h"
 #include "workflows/inspect_solids.h"
 #include "workflows/measure_clearances.h"
+#include "workflows/measure_draft.h"
 
 namespace py = pybind11;
 
@@ -98,10 +103,61 @@ void bind_clearance(py::module_& m) {
           "[Clearance, ...] of all pairs of Surfaces that are at most `within` mm apart.");
 }
 
+using workflows::DraftSurface;
+
+std::shared_ptr<DraftSurface> measure_draft(const Surface& given, const py::object& shape,
+                                            const std::array<double, 3>& pull, double offset,
+                                            const py::object& progress) {
+    const PartShape part = shape.is_none() ? PartShape() : part_shape(shape);
+    inspection::DraftOptions options;
+    options.pull = Vec3(pull[0], pull[1], pull[2]);
+    options.offset = offset;
+    geometry::Engine& engine = shared_engine();
+    return watch(progress, [&](Progress& handle) {
+        return std::make_shared<DraftSurface>(
+            workflows::measure_draft(engine, given, shape.is_none() ? nullptr : part.shape, options, handle));
+    });
+}
+
+/// (Surface, int32 (T,): the body of each triangle, empty where all are one)
+py::tuple solid_surface(const Surface& given, const py::object& progress) {
+    workflows::SolidSurface found =
+        watch(progress, [&](Progress& handle) { return workflows::solid_surface(given, handle); });
+    return py::make_tuple(std::make_shared<Surface>(std::move(found.surface)), array_of(found.body));
+}
+
+void bind_draft(py::module_& m) {
+    py::class_<DraftSurface, std::shared_ptr<DraftSurface>>(m, "DraftSurface", "A closed surface and its draft.")
+        .def_property_readonly(
+            "surface", [](const DraftSurface& self) { return std::make_shared<Surface>(self.solids.surface); },
+            "a copy of the Surface that was measured")
+        .def_property_readonly(
+            "angles",
+            [](const py::object& self) {
+                const auto& angle = self.cast<const DraftSurface&>().draft.angle;
+                return view<double>(angle.data(), angle.size(), 1, self);
+            },
+            "float64 (T,), degrees")
+        .def_property_readonly(
+            "release",
+            [](const py::object& self) {
+                const auto& release = self.cast<const DraftSurface&>().draft.release;
+                return view<std::int8_t>(release.data(), release.size(), 1, self);
+            },
+            "int8 (T,): 0 undercut, 1 along the pull, 2 against it, 3 either")
+        .def_readonly("exact_normals", &DraftSurface::exact_normals, "triangles with the normal of their CAD face");
+    m.def("measure_draft", &measure_draft, py::arg("surface"), py::arg("shape"), py::arg("pull"),
+          py::arg("offset") = 0.0, py::arg("progress") = py::none(),
+          "The DraftSurface of a Surface, with the normals of the Part.Shape unless that is None.");
+    m.def("solid_surface", &solid_surface, py::arg("surface"), py::arg("progress") = py::none(),
+          "(Surface, int32 (T,)): a closed surface, repaired where needed, and the body of each triangle; empty: one.");
+}
+
 }  // namespace
 
 void bind_inspection(py::module_& m) {
     bind_clearance(m);
+    bind_draft(m);
     py::class_<ThicknessOptions>(m, "ThicknessOptions", "Options of measure_thickness; spacing 0: size / 50.")
         .def(py::init<>())
         .def_readwrite("spacing", &ThicknessOptions::spacing)
