@@ -30,3 +30,11 @@ CLEARANCE = (
     Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Max. deviation",
            unset="size / 1000", help="Largest distance of the mesh that is measured from a shape"),
 )
+
+_TOLERANCE = CLEARANCE[-1]
+DRAFT = (
+    Option("min_draft", float, 1.0, unit="degrees", low=0.0, high=89.0, group="Draft", title="Smallest draft",
+           help="Draft that walls should have"),
+    _TOLERANCE,
+)
+VOIDS = (_TOLERANCE,)

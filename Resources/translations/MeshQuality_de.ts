@@ -495,6 +495,10 @@
         <source>Pairs of bodies nearer to each other than this are reported; 0: no limit</source>
         <translation>Paare von Körpern, die näher beieinander liegen, werden gemeldet; 0: keine Grenze</translation>
     </message>
+    <message>
+        <source>Draft that walls should have</source>
+        <translation>Schräge, die Wände haben sollen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2429,6 +2433,46 @@
     <message>
         <source>{count} pairs of bodies overlap.</source>
         <translation>{count} Paare von Körpern überlappen sich.</translation>
+    </message>
+    <message>
+        <source>1 closed void.</source>
+        <translation>1 geschlossener Hohlraum.</translation>
+    </message>
+    <message>
+        <source>1 face has undercuts.</source>
+        <translation>1 Fläche hat Hinterschneidungen.</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entformungsschräge</translation>
+    </message>
+    <message>
+        <source>Draft that walls should have</source>
+        <translation>Schräge, die Wände haben sollen</translation>
+    </message>
+    <message>
+        <source>Smallest draft</source>
+        <translation>Kleinste Schräge</translation>
+    </message>
+    <message>
+        <source>less draft than {number}° on 1 face.</source>
+        <translation>weniger Schräge als {number}° an 1 Fläche.</translation>
+    </message>
+    <message>
+        <source>less draft than {number}° on {count} faces.</source>
+        <translation>weniger Schräge als {number}° an {count} Flächen.</translation>
+    </message>
+    <message>
+        <source>measuring the draft</source>
+        <translation>Entformungsschräge wird gemessen</translation>
+    </message>
+    <message>
+        <source>{count} closed voids.</source>
+        <translation>{count} geschlossene Hohlräume.</translation>
+    </message>
+    <message>
+        <source>{count} faces have undercuts.</source>
+        <translation>{count} Flächen haben Hinterschneidungen.</translation>
     </message>
 </context>
 <context>

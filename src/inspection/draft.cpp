@@ -32,14 +32,14 @@ void DraftOptions::validate() const {
     }
 }
 
-Draft draft(const mesh::TriangleMesh& mesh, const std::vector<Vec3>& normals, const DraftOptions& options,
-            Progress* progress) {
+MouldDraft draft(const mesh::TriangleMesh& mesh, const std::vector<Vec3>& normals, const DraftOptions& options,
+                 Progress* progress) {
     options.validate();
     const std::size_t count = mesh.triangles.size();
     const mesh::AabbTree tree(mesh.vertices, mesh.triangles);
     const Vec3 pull = options.pull.normalized();
     const double offset = options.offset > 0.0 ? options.offset : kOffset * tree.box().largest_side();
-    Draft found;
+    MouldDraft found;
     found.angle.resize(count);
     found.release.resize(count);
     const auto is_free = [&](const Vec3& from, const Vec3& direction, std::size_t own) {

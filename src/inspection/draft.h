@@ -29,7 +29,7 @@ enum class Release : std::int8_t {
 };
 
 /// The draft of each triangle.
-struct Draft {
+struct MouldDraft {
     /// Degrees between the surface and the pull: 90 where it faces along it, 0 on walls along it, -90 where it faces
     /// against it.
     std::vector<double> angle;
@@ -40,7 +40,7 @@ struct Draft {
 /// are in the way of the half of the mould that forms them.
 /// @param normals  of each triangle, of length 1; empty: those of the triangles themselves
 /// @throws InvalidInput for an option out of range; Cancelled
-Draft draft(const mesh::TriangleMesh& mesh, const std::vector<Vec3>& normals, const DraftOptions& options,
-            Progress* progress = nullptr);
+MouldDraft draft(const mesh::TriangleMesh& mesh, const std::vector<Vec3>& normals, const DraftOptions& options,
+                 Progress* progress = nullptr);
 
 }  // namespace mq::inspection

@@ -16,7 +16,7 @@ namespace mq::workflows {
 /// A surface, and its draft.
 struct DraftSurface {
     SolidSurface solids;
-    inspection::Draft draft;
+    inspection::MouldDraft draft;
     std::size_t exact_normals = 0;  ///< triangles whose normal is that of their CAD face
 };
 

@@ -91,6 +91,12 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/clearance.md")
         self.assertEqual(len(self.names["found"].too_near), 1)
 
+    def test_draft(self):
+        self.names["shape"] = Part.makeBox(9, 9, 9).cut(Part.makeCylinder(2, 20, FreeCAD.Vector(4, 0, 4), FreeCAD.Vector(0, 1, 0)))
+        self.follow("docs/use/draft.md")
+        self.assertGreater(len(self.names["stuck"]), 0)
+        self.assertGreater(len(self.names["steep"]), 0)
+
     def test_for_fem(self):
         self.follow("docs/use/fem.md")
         self.assertGreater(self.names["fem"].VolumeCount, 0)

@@ -17,15 +17,17 @@ ELEMENT_SUFFIXES = tuple(READABLE)  # of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
           "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
-          "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES}
+          "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
+          "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": ()}
+           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": ()}
 WITH_INPUTS = ("boolean", "clearance")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
-          "verify": (), "thickness": inspection_options.THICKNESS, "clearance": inspection_options.CLEARANCE}
+          "verify": (), "thickness": inspection_options.THICKNESS, "clearance": inspection_options.CLEARANCE,
+          "draft": inspection_options.DRAFT, "voids": inspection_options.VOIDS}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
@@ -93,6 +95,15 @@ examples:
   meshquality clearance assembly.step --min-clearance 0.2 --strict
   meshquality clearance case.step board.step fan.stl --within 5 --json
 """,
+    "draft": """
+examples:
+  meshquality draft part.step --pull-direction z --min-draft 1.5
+  meshquality draft part.step --pull-direction 0,1,0.2 --csv draft.csv --json
+""",
+    "voids": """
+examples:
+  meshquality voids print.stl --strict
+""",
     "batch": """
 examples:
   meshquality batch parts/ -o out/ --chord-height-relative 0.002
@@ -155,6 +166,15 @@ def parser(batched="triangulate"):
     _add_single(commands, "clearance", "measure the distances between bodies",
                 "Measures how near the bodies of an assembly are to each other: the solids of one CAD file, or several files,\n"
                 "each of them a body. Exit status 3 with --strict where bodies overlap or are nearer than --min-clearance.")
+    one = _add_single(commands, "draft", "measure the draft and the undercuts of a moulded shape",
+                      "Measures the draft of a CAD shape or a mesh against the direction in which a mould opens, and its undercuts.\n"
+                      "Exit status 3 with --strict where there are undercuts, or faces with less draft than --min-draft.")
+    one.add_argument("--pull-direction", default="z", metavar="X,Y,Z",
+                     help="direction in which one half of the mould opens, or one of x, y, z, -x, -y, -z (default: z)")
+    one.add_argument("--csv", metavar="FILE.csv", help="file for the values of each triangle")
+    _add_single(commands, "voids", "find closed cavities",
+                "Finds the closed cavities of a CAD shape or a mesh, from which nothing comes out, and their volumes.\n"
+                "Exit status 3 with --strict where there are some.")
     _add_batch(commands, batched)
     return top
 

@@ -1,9 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """thickness: how thick the walls of a solid are, and how wide its gaps."""
 
-import csv
-import io
-import os
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,11 +9,10 @@ from .. import inspection_options, options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
-from . import convert
+from . import tables
 from .operands import part_of
 from .solids import SolidSource, face_name
 from .surface_mesh import SurfaceMesh
-from .writing import atomically
 
 # The mesh of a shape is to deviate by at most this share of the thinnest wall: two sides, one percent of it together.
 _SHARE = 0.005
@@ -86,8 +82,7 @@ class ThicknessMap(metaclass=Public):
         self._measure, self.gap = values["measure"], values["gap"]
         self.min_thickness, self.corner_angle = values["min_thickness"], values["corner_angle"]
         self.chord_height, self.seconds, self.cpu_seconds = chord_height, seconds, cpu_seconds
-        corners = self.mesh.vertices[self.mesh.triangles]
-        self.areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+        self.areas = tables.areas_of(self.mesh)
         self.notes = [*self.mesh.report.notes]
         hidden = int(np.isnan(self.by_rays).sum())
         if hidden:
@@ -181,7 +176,7 @@ class ThicknessMap(metaclass=Public):
             raise InvalidInput("limit = None is not allowed: give a length in mm, or min_thickness to thickness")
         thin = np.flatnonzero(self.is_wall & (self.values < limit))
         found = []
-        for triangles in _connected(self.mesh.triangles, thin):
+        for triangles in tables.connected(self.mesh.triangles, thin):
             least = triangles[np.argmin(self.values[triangles])]
             names = dict.fromkeys(face_name(self._surface, int(triangle)) for triangle in triangles)
             found.append(ThinPlace(float(self.values[least]), self.points[least], float(self.areas[triangles].sum()),
@@ -192,19 +187,12 @@ class ThicknessMap(metaclass=Public):
         """Writes a line a triangle: its number, its CAD face, both measures in mm, x, y and z of the place in mm, the face
         on the other side, whether it is a wall, and its area in mm^2. Raises IoError naming the path.
         """
-        text = io.StringIO()
-        table = csv.writer(text, lineterminator="\n")
-        table.writerow(("triangle", "face", "by_spheres", "by_rays", "x", "y", "z", "opposite_face", "is_wall", "area"))
-        for i, (point, across, wall) in enumerate(zip(self.points.tolist(), self.opposite.tolist(), self.is_wall.tolist())):
-            table.writerow((i, face_name(self._surface, i) or "", f"{self.by_spheres[i]:.9g}", f"{self.by_rays[i]:.9g}",
-                            *(f"{x:.9g}" for x in point), face_name(self._surface, across) or "", int(wall),
-                            f"{self.areas[i]:.9g}"))
-
-        def write(ready):
-            with open(ready, "w", encoding="ascii") as stream:
-                stream.write(text.getvalue())
-
-        atomically(os.fsdecode(convert.file_name(path)), ".csv", write)
+        surface = self._surface
+        tables.write(path, ("triangle", "face", "by_spheres", "by_rays", "x", "y", "z", "opposite_face", "is_wall", "area"),
+                     ((i, face_name(surface, i) or "", f"{self.by_spheres[i]:.9g}", f"{self.by_rays[i]:.9g}",
+                       *(f"{x:.9g}" for x in point), face_name(surface, across) or "", int(wall), f"{area:.9g}")
+                      for i, (point, across, wall, area) in enumerate(zip(self.points.tolist(), self.opposite.tolist(),
+                                                                          self.is_wall.tolist(), self.areas.tolist()))))
 
     def to_dict(self):
         """All but the arrays, for JSON; what is infinite is None."""
@@ -337,22 +325,3 @@ def _finer(core, values):
 def _at(point, faces):
     where = f"at ({', '.join(f'{x:.4g}' for x in point)})"
     return f"{where} of {' and '.join(faces[:3])}{' and more' if len(faces) > 3 else ''}" if faces else where
-
-
-def _connected(triangles, chosen):
-    """The chosen triangles by regions that hang together by vertices: index arrays."""
-    if not len(chosen):
-        return []
-    _, corners = np.unique(triangles[chosen], return_inverse=True)
-    corners = corners.reshape(-1, 3)
-    label = np.arange(len(chosen))
-    at_vertex = np.full(corners.max() + 1, len(chosen))
-    while True:
-        np.minimum.at(at_vertex, corners, label[:, None])
-        lower = at_vertex[corners].min(axis=1)
-        lower = lower[lower]
-        if np.array_equal(lower, label):
-            break
-        label = lower
-    order = np.argsort(label, kind="stable")
-    return np.split(chosen[order], np.flatnonzero(np.diff(label[order])) + 1)

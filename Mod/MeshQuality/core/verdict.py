@@ -391,6 +391,24 @@ def of_clearance(found):
     return findings
 
 
+def of_draft(found):
+    """Findings of a DraftMap: faces with undercuts, and those with less draft than its bound; a mesh is one face."""
+    undercut = [face.face for face in found.faces if face.undercut_area > 0.0]
+    low = [face.face for face in found.faces if face.low_area > 0.0]
+    findings = []
+    if found.undercut_area > 0.0:
+        findings.append(Finding(_counted(phrases.UNDERCUTS, len(undercut) or 1), tuple(undercut)))
+    if found.low_area > 0.0:
+        findings.append(Finding(_counted(phrases.LOW_DRAFT, len(low) or 1, number=f"{found.min_draft:g}"), tuple(low)))
+    return findings
+
+
+def of_voids(found):
+    """Findings of a VoidReport: that there are some."""
+    faces = tuple(face for void in found.voids for face in void.faces)
+    return [Finding(_counted(phrases.HAS_VOIDS, len(found.voids)), faces)] if found.voids else []
+
+
 def of_certificate(certificate):
     """Findings of a MeshCertificate."""
     found = []
