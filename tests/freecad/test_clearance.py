@@ -62,6 +62,8 @@ class KnownDistances(unittest.TestCase):
         pair = pair_of(first, (second.vertices, second.triangles))
         self.assertEqual(pair.method, "mesh")
         self.assertAlmostEqual(pair.distance, 5**0.5, delta=1e-6)
+        arrays = [(mesh.vertices, mesh.triangles) for mesh in (first, second)]
+        self.assertEqual(pair_of(*arrays).distance, pair.distance)
 
 
 class Relations(unittest.TestCase):

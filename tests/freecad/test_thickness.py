@@ -158,6 +158,15 @@ class Sources(unittest.TestCase):
                 mq.thickness(Part.makeBox(1, 1, 1), **values)
         with self.assertRaises(mq.InvalidInput):
             mq.thickness("Box")
+        far = np.array([[0, 0, 0], [1, 0, 0], [0, 1, np.nan]]), np.array([[0, 1, 2]])
+        with self.assertRaisesRegex(mq.InvalidInput, "not a finite number"):
+            mq.thickness(far)
+
+    def test_it_is_the_same_at_every_size_and_place(self):
+        for factor, offset in ((1e-3, 0), (1e3, 0), (1, 1e6)):
+            shape = pipe(10 * factor, factor, 40 * factor)
+            shape.translate(V(offset, 0, 0))
+            self.assertAlmostEqual(mq.thickness(shape).minimum / factor, 1.0, delta=0.01)
 
     def test_cancelling_takes_less_than_a_fifth_of_a_second(self):
         mesh = mq.triangulate(Part.makeSphere(20), chord_height=0.002)

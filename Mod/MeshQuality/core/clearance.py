@@ -182,7 +182,7 @@ def _bodies_of(bodies):
     """[_Given, ...]"""
     if isinstance(bodies, dict):
         return [_Given(body, str(name), False) for name, body in bodies.items()]
-    if isinstance(bodies, (list, tuple)) and not is_arrays(bodies) and not frames.is_object(bodies):
+    if isinstance(bodies, list) or isinstance(bodies, tuple) and not is_arrays(bodies) and not frames.is_object(bodies):
         names = [getattr(frames.object_of(body), "Label", None) or f"Body{i + 1}" for i, body in enumerate(bodies)]
         return [_Given(body, name if names.count(name) == 1 else f"{name} ({i + 1})", False)
                 for i, (body, name) in enumerate(zip(bodies, names))]

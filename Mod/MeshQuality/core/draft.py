@@ -145,7 +145,7 @@ def draft(source, pull_direction="z", min_draft=1.0, tolerance=None, progress=No
     try:
         core = extension().measure_draft(surface, taken.shape, pull.tolist(), offset, part_of(progress, _MESHING, 1.0))
     except InvalidInput as error:
-        raise InvalidInput(f"{taken.label}: {error}") from error
+        raise taken.named(error) from error
     return DraftMap(core, pull, values["min_draft"])
 
 

@@ -46,11 +46,15 @@ class SolidSource:
         try:
             mesh = triangulate(self.shape, chord_height=chord_height, max_edge=max_edge, progress=progress)
         except (InvalidInput, TopologyError) as error:
-            raise type(error)(f"{self.label}: {error}") from error
+            raise self.named(error) from error
         if not mesh.report.complete:
             raise InvalidInput(f"{self.label} has more than {mesh.report.triangles} triangles at a max. deviation of "
                                f"{chord_height:g} mm: give a larger tolerance or spacing")
         return mesh._surface
+
+    def named(self, error):
+        """An error of the core with the name of what was given."""
+        return error if str(error).startswith(self.label) else type(error)(f"{self.label}: {error}")
 
 
 def face_name(surface, triangle):

@@ -300,7 +300,7 @@ def _measured(taken, chord_height, values, progress):
     try:
         return module.measure_thickness(surface, core_options, part_of(progress, 0.6, 1.0))
     except InvalidInput as error:
-        raise InvalidInput(f"{taken.label}: {error}") from error
+        raise taken.named(error) from error
 
 
 def _times(core):

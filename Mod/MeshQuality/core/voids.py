@@ -101,7 +101,7 @@ def voids(source, tolerance=None, progress=None):
     try:
         surface, _ = extension().solid_surface(surface, part_of(progress, _MESHING, 1.0))
     except InvalidInput as error:
-        raise InvalidInput(f"{taken.label}: {error}") from error
+        raise taken.named(error) from error
     mesh = SurfaceMesh(surface)
     found, volume = [], 0.0
     for triangles in tables.connected(mesh.triangles, np.arange(len(mesh.triangles))):
