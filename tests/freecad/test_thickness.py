@@ -113,6 +113,44 @@ class KnownAnswers(unittest.TestCase):
         self.assertIn("gap", str(found))
 
 
+class AgainstOpenCascade(unittest.TestCase):
+    """The same by OpenCASCADE, on the surfaces themselves."""
+
+    @classmethod
+    def setUpClass(cls):
+        case = Part.makeBox(60, 40, 25).cut(Part.makeBox(55, 36, 22, V(2.5, 2, 3)))
+        case = case.fuse(Part.makeCylinder(5, 22, V(20, 20, 3))).cut(Part.makeCylinder(3.4, 30, V(20, 20, 0)))
+        cls.shape = case.fuse(Part.makeCone(7, 4, 18, V(42, 18, 3))).removeSplitter()
+        cls.found = mq.thickness(cls.shape)
+        cls.chosen = np.random.default_rng(5).choice(np.flatnonzero(cls.found.is_wall), 60, replace=False)
+
+    def foot_and_normal(self, triangle):
+        """The point of the CAD face at the middle of the measure, and the outward normal there."""
+        face = self.shape.Faces[self.found.mesh.triangle_face[triangle]]
+        u, v = face.Surface.parameter(V(*self.found.points[triangle]))
+        return face.valueAt(u, v), face.normalAt(u, v)
+
+    def test_rays_are_as_long_as_lines_in_the_solid(self):
+        compared = 0
+        for triangle in self.chosen:
+            foot, normal = self.foot_and_normal(triangle)
+            line = Part.makeLine(foot - normal * 1e-3, foot - normal * 200)
+            inside = [edge for edge in self.shape.common(line).Edges if edge.distToShape(Part.Vertex(foot))[0] < 0.01]
+            if inside and np.isclose(self.found.by_rays[triangle], inside[0].Length, rtol=0.02):
+                compared += 1
+        self.assertGreaterEqual(compared, 58)
+
+    def test_balls_lie_in_the_solid_and_touch_two_sides(self):
+        for triangle in self.chosen:
+            foot, normal = self.foot_and_normal(triangle)
+            radius = 0.5 * self.found.by_spheres[triangle]
+            center = Part.Vertex(foot - normal * radius)
+            nearest = min(face.distToShape(center)[0] for face in self.shape.Faces)
+            self.assertGreater(nearest, 0.97 * radius)
+            across = self.shape.getElement(self.found.faces_at(int(triangle))[-1])
+            self.assertLess(across.distToShape(center)[0], 1.03 * radius)
+
+
 class Sources(unittest.TestCase):
     def test_solids_of_an_assembly_each_by_itself(self):
         lower, upper = Part.makeBox(40, 40, 2), Part.makeBox(40, 40, 5, V(0, 0, 2))
