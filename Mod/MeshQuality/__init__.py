@@ -20,6 +20,10 @@ Meshes for scripts
                   curve takes such meshes, too: of prisms and hexahedra -> CurvedElementMesh
     certify       proves which elements of any mesh are valid                            -> MeshCertificate
     verify        checks a saved certificate again, by other means                       -> CertificateVerification
+    thickness     the thickness of walls, or the width of gaps, by rays and spheres      -> ThicknessMap
+    clearance     the distances between the bodies of an assembly                        -> ClearanceReport
+    draft         draft and undercuts against the direction in which a mould opens       -> DraftMap
+    voids         closed cavities, from which nothing comes out                          -> VoidReport
     MeshCache     by which faces that an edit left alone keep their triangles
 
 Objects of the document, which follow what they are made of
@@ -72,6 +76,14 @@ _LAZY = {
     "MeshCertificate": "MeshQuality.core.certification",
     "verify": "MeshQuality.core.verification",
     "CertificateVerification": "MeshQuality.core.verification",
+    "thickness": "MeshQuality.core.thickness",
+    "ThicknessMap": "MeshQuality.core.thickness",
+    "clearance": "MeshQuality.core.clearance",
+    "ClearanceReport": "MeshQuality.core.clearance",
+    "draft": "MeshQuality.core.draft",
+    "DraftMap": "MeshQuality.core.draft",
+    "voids": "MeshQuality.core.voids",
+    "VoidReport": "MeshQuality.core.voids",
     "curve": "MeshQuality.core.curving",
     "CurvedMesh": "MeshQuality.core.curving",
     "CurvedElementMesh": "MeshQuality.core.curved_elements",

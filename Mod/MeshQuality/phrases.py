@@ -47,6 +47,12 @@ SHAPE_DISTANCE = "max. deviation {length} (requested {length2})."
 SHAPE_DISTANCE_AT = "max. deviation {length} (requested {length2}), {phrase}."
 LONGEST_EDGE = "longest edge {length} (requested {length2}), {phrase}."
 RESULT_DISTANCE = "error bound {length} (requested {length2})."
+THIN_WALL = "smallest thickness {length} (requested {length2})."
+NARROW_GAP = "smallest gap {length} (requested {length2})."
+LOW_DRAFT = ("less draft than {number}° on 1 face.", "less draft than {number}° on {count} faces.")
+UNDERCUTS = ("1 face has undercuts.", "{count} faces have undercuts.")
+HAS_VOIDS = ("1 closed void.", "{count} closed voids.")
+BODIES_OVERLAP = ("1 pair of bodies overlaps.", "{count} pairs of bodies overlap.")
 LIMIT = "the mesh is incomplete: a limit ended the work early"
 FAULTS_LEFT = ("1 fault remains that no repair removed.",
                "{count} faults remain that no repair removed.")
@@ -68,7 +74,7 @@ ON_FACE, ON_EDGE = "{phrase} on {face}", "{phrase} at {edge}"
 CERTIFICATE = (
     *NOT_CLOSED, *NONMANIFOLD, *PINCHED, *DEGENERATE, *NOT_ORIENTED, INSIDE_OUT, *CROSSING, CROSSING_MANY,
     FACES_CROSS, CROSSES_ITSELF, *MISSING, ANGLE, *MORE_BELOW, *MORE_FORCED, SHAPE_DISTANCE, SHAPE_DISTANCE_AT,
-    LONGEST_EDGE, RESULT_DISTANCE, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
+    LONGEST_EDGE, RESULT_DISTANCE, THIN_WALL, NARROW_GAP, *BODIES_OVERLAP, *LOW_DRAFT, *UNDERCUTS, *HAS_VOIDS, LIMIT, *FAULTS_LEFT, UNIFORM_CROSSES, *FOLDED, NOT_CONFORMING, *OVERLAPPING_BODIES, NOT_ON_SHAPE, ELEMENTS_TURNED, DISTORTED, *MORE_DISTORTED,
     BEFORE_CURVING, AND_MORE, TRIANGLE, TETRAHEDRON,
 )
 
@@ -252,6 +258,10 @@ STAGES = {
     "start": "starting",
     "reading the shape": "reading the shape",
     "reading the operands": "reading the operands",
+    "preparing the solids": "preparing the solids",
+    "measuring the thickness": "measuring the thickness",
+    "measuring the clearance": "measuring the clearance",
+    "measuring the draft": "measuring the draft",
     "meshing shapes": "meshing the shapes",
     "initial triangulation": "initial triangulation",
     "sampling": "sampling the surface",

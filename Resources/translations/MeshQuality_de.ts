@@ -459,6 +459,46 @@
         <source>Number of pairs of curved triangles that cross</source>
         <translation>Anzahl der Paare gekrümmter Dreiecke, die sich kreuzen</translation>
     </message>
+    <message>
+        <source>Largest distance between neighbouring points that are measured; 0: size / 50</source>
+        <translation>Größter Abstand benachbarter Punkte, an denen gemessen wird; 0: Größe / 50</translation>
+    </message>
+    <message>
+        <source>Largest distance of the mesh that is measured from a shape; 0: by the thinnest wall</source>
+        <translation>Größter Abstand des gemessenen Netzes von einer Form; 0: nach der dünnsten Wand</translation>
+    </message>
+    <message>
+        <source>Measure the gaps and slots outside of each solid, in place of its walls</source>
+        <translation>Statt der Wände die Spalte und Schlitze außerhalb jedes Körpers messen</translation>
+    </message>
+    <message>
+        <source>Surfaces inclined to each other by more than this are a corner, not the sides of a wall</source>
+        <translation>Flächen, die stärker gegeneinander geneigt sind, bilden eine Ecke und sind nicht die Seiten einer Wand</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this are reported; 0: no limit</source>
+        <translation>Dünnere Wände werden gemeldet; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>spheres: diameter of the largest ball in the solid that touches the surface there; rays: along the inward normal to the other side</source>
+        <translation>Kugeln: Durchmesser der größten Kugel im Körper, die die Oberfläche dort berührt; Strahlen: entlang der Normalen nach innen bis zur anderen Seite</translation>
+    </message>
+    <message>
+        <source>Largest distance of the mesh that is measured from a shape; 0: size / 1000</source>
+        <translation>Größter Abstand des gemessenen Netzes von einer Form; 0: Größe / 1000</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies farther from each other than this are left out; 0: no limit</source>
+        <translation>Paare von Körpern, die weiter auseinander liegen, werden ausgelassen; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies nearer to each other than this are reported; 0: no limit</source>
+        <translation>Paare von Körpern, die näher beieinander liegen, werden gemeldet; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>Draft that walls should have</source>
+        <translation>Schräge, die Wände haben sollen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2281,6 +2321,162 @@
     <message>
         <source>{count} pairs of bodies lie in one another.</source>
         <translation>{count} Paare von Körpern liegen ineinander.</translation>
+    </message>
+    <message>
+        <source>Corner angle</source>
+        <translation>Eckenwinkel</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Inscribed spheres</source>
+        <translation>Einbeschriebene Kugeln</translation>
+    </message>
+    <message>
+        <source>Largest distance between neighbouring points that are measured</source>
+        <translation>Größter Abstand benachbarter Punkte, an denen gemessen wird</translation>
+    </message>
+    <message>
+        <source>Largest distance of the mesh that is measured from a shape</source>
+        <translation>Größter Abstand des gemessenen Netzes von einer Form</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Measure the gaps and slots outside of each solid, in place of its walls</source>
+        <translation>Statt der Wände die Spalte und Schlitze außerhalb jedes Körpers messen</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Strahlen</translation>
+    </message>
+    <message>
+        <source>Smallest thickness</source>
+        <translation>Kleinste Dicke</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Punktabstand</translation>
+    </message>
+    <message>
+        <source>Surfaces inclined to each other by more than this are a corner, not the sides of a wall</source>
+        <translation>Flächen, die stärker gegeneinander geneigt sind, bilden eine Ecke und sind nicht die Seiten einer Wand</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Walls thinner than this are reported</source>
+        <translation>Dünnere Wände werden gemeldet</translation>
+    </message>
+    <message>
+        <source>by the thinnest wall</source>
+        <translation>nach der dünnsten Wand</translation>
+    </message>
+    <message>
+        <source>measuring the thickness</source>
+        <translation>Dicke wird gemessen</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>preparing the solids</source>
+        <translation>Körper werden vorbereitet</translation>
+    </message>
+    <message>
+        <source>size / 50</source>
+        <translation>Größe / 50</translation>
+    </message>
+    <message>
+        <source>smallest gap {length} (requested {length2}).</source>
+        <translation>kleinster Spalt {length} (verlangt {length2}).</translation>
+    </message>
+    <message>
+        <source>smallest thickness {length} (requested {length2}).</source>
+        <translation>kleinste Dicke {length} (verlangt {length2}).</translation>
+    </message>
+    <message>
+        <source>spheres: diameter of the largest ball in the solid that touches the surface there; rays: along the inward normal to the other side</source>
+        <translation>Kugeln: Durchmesser der größten Kugel im Körper, die die Oberfläche dort berührt; Strahlen: entlang der Normalen nach innen bis zur anderen Seite</translation>
+    </message>
+    <message>
+        <source>1 pair of bodies overlaps.</source>
+        <translation>1 Paar von Körpern überlappt sich.</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies farther from each other than this are left out</source>
+        <translation>Paare von Körpern, die weiter auseinander liegen, werden ausgelassen</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies nearer to each other than this are reported</source>
+        <translation>Paare von Körpern, die näher beieinander liegen, werden gemeldet</translation>
+    </message>
+    <message>
+        <source>Smallest clearance</source>
+        <translation>Kleinster Abstand</translation>
+    </message>
+    <message>
+        <source>measuring the clearance</source>
+        <translation>Abstand wird gemessen</translation>
+    </message>
+    <message>
+        <source>{count} pairs of bodies overlap.</source>
+        <translation>{count} Paare von Körpern überlappen sich.</translation>
+    </message>
+    <message>
+        <source>1 closed void.</source>
+        <translation>1 geschlossener Hohlraum.</translation>
+    </message>
+    <message>
+        <source>1 face has undercuts.</source>
+        <translation>1 Fläche hat Hinterschneidungen.</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entformungsschräge</translation>
+    </message>
+    <message>
+        <source>Draft that walls should have</source>
+        <translation>Schräge, die Wände haben sollen</translation>
+    </message>
+    <message>
+        <source>Smallest draft</source>
+        <translation>Kleinste Schräge</translation>
+    </message>
+    <message>
+        <source>less draft than {number}° on 1 face.</source>
+        <translation>weniger Schräge als {number}° an 1 Fläche.</translation>
+    </message>
+    <message>
+        <source>less draft than {number}° on {count} faces.</source>
+        <translation>weniger Schräge als {number}° an {count} Flächen.</translation>
+    </message>
+    <message>
+        <source>measuring the draft</source>
+        <translation>Entformungsschräge wird gemessen</translation>
+    </message>
+    <message>
+        <source>{count} closed voids.</source>
+        <translation>{count} geschlossene Hohlräume.</translation>
+    </message>
+    <message>
+        <source>{count} faces have undercuts.</source>
+        <translation>{count} Flächen haben Hinterschneidungen.</translation>
     </message>
 </context>
 <context>

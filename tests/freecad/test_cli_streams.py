@@ -186,6 +186,10 @@ class Api(unittest.TestCase):
         "quality": {"mesh", "progress"},
         "certify": {"mesh", "progress"},
         "verify": {"certificate", "progress"},
+        "thickness": {"source", "progress"},
+        "clearance": {"bodies", "progress"},
+        "draft": {"source", "progress"},
+        "voids": {"source", "progress"},
     }
 
     def test_every_option_of_the_api_is_there_under_its_name(self):

@@ -81,6 +81,22 @@ class Recipes(helpers.DocumentTest):
         self.follow("docs/use/print.md")
         self.assertEqual(os.listdir("."), ["print.stl"])
 
+    def test_thickness(self):
+        self.follow("docs/use/thickness.md")
+        self.assertEqual(os.listdir("."), ["walls.csv"])
+        self.assertLess(self.names["found"].minimum, 10.0)
+
+    def test_clearance(self):
+        self.names["assembly"] = Part.makeCompound([Part.makeBox(4, 4, 4, FreeCAD.Vector(4.1 * i, 0, 0)) for i in range(2)])
+        self.follow("docs/use/clearance.md")
+        self.assertEqual(len(self.names["found"].too_near), 1)
+
+    def test_draft(self):
+        self.names["shape"] = Part.makeBox(9, 9, 9).cut(Part.makeCylinder(2, 20, FreeCAD.Vector(4, 0, 4), FreeCAD.Vector(0, 1, 0)))
+        self.follow("docs/use/draft.md")
+        self.assertGreater(len(self.names["stuck"]), 0)
+        self.assertGreater(len(self.names["steep"]), 0)
+
     def test_for_fem(self):
         self.follow("docs/use/fem.md")
         self.assertGreater(self.names["fem"].VolumeCount, 0)

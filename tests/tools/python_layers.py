@@ -19,7 +19,7 @@ MAY_IMPORT = {
 }
 # By module, or package with all below it, its layer. `scripts` is the package itself, as `import MeshQuality` has it.
 LAYER = {
-    **dict.fromkeys(["errors", "version", "listing", "compat", "files", "formats", "limits", "scratch", "options", "phrases"],
+    **dict.fromkeys(["errors", "version", "listing", "compat", "files", "formats", "limits", "scratch", "options", "inspection_options", "phrases"],
                     "foundation"),
     "core": "core",
     "features": "features",

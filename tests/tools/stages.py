@@ -44,6 +44,7 @@ STAGES = {
     "curve": [["curve/bezier"], ["curve/elements", "curve/surface"], ["curve/volume/filling/cells"], ["curve/volume/filling"], ["curve/volume/netgen", "curve/volume/mesher"], ["curve/volume"], ["curve/volume/remeshing"], ["curve/output"],
               ["curve/injectivity"], ["curve"], ["curve/given"], ["curve/mixed"]],
     "improve": [["improve"]],
+    "inspection": [["inspection"]],
     "workflows": [["workflows"]],
     "view": [["view"]],
     "python": [["python/freecad"], ["python"]],

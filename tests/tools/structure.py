@@ -13,7 +13,7 @@ ROWS = [
     ["base"],
     ["geometry"],
     ["mesh"],
-    ["triangulate", "curve", "boolean", "improve"],
+    ["triangulate", "curve", "boolean", "improve", "inspection"],
     ["workflows", "view"],
     ["python"],
 ]

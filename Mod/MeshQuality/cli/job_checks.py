@@ -19,7 +19,7 @@ def job_of(arguments):
     """
     job = vars(arguments).copy()
     command = job["command"]
-    for name in ("input", "shape", "mesh", "save", "output"):
+    for name in ("input", "shape", "mesh", "save", "csv", "output"):
         if job.get(name):
             job[name] = _absolute(job[name])
     job["inputs"] = [_absolute(path) for path in job.get("inputs") or [job["input"]]]
@@ -35,6 +35,8 @@ def job_of(arguments):
         _check_mesh_scale(job)
     if job.get("save"):
         _require_savable(job)
+    if job.get("csv"):
+        _require_folder(job["csv"])
     if command == "verify" and job["input"] == STANDARD and not job["mesh"]:
         raise Error("a certificate from standard input is in no folder: name the mesh with --mesh")
     job["options"] = take_options(job, TABLES[command])
@@ -65,6 +67,12 @@ def _require_savable(job):
         raise Error(f"'{path}' has no known extension: a certificate is .json")
     if os.path.isdir(path) or not os.path.isdir(os.path.dirname(path)):
         raise Error(f"'{path}' cannot be written: give the name of a file in a folder that is there")
+
+
+def _require_folder(path):
+    """Raises Error where a table cannot be written there."""
+    if path == STANDARD or os.path.isdir(path) or not os.path.isdir(os.path.dirname(path)):
+        raise Error(f"--csv {path} cannot be written: give the name of a file in a folder that is there")
 
 
 def _absolute(path):

@@ -7,7 +7,7 @@ Imports nothing of FreeCAD.
 import argparse
 import sys
 
-from .. import options
+from .. import inspection_options, options
 from ..formats import CURVED_SUFFIXES, FLAT_ONLY_SUFFIXES, READABLE, SUFFIXES
 from ..version import __version__
 
@@ -16,14 +16,18 @@ MESH_SUFFIXES = (".stl", ".ply", ".obj", ".off", ".bms", ".ast")
 ELEMENT_SUFFIXES = tuple(READABLE)  # of meshes that other programs made
 
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
-          "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES}
+          "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
+          "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
+          "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": ()}
+           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": ()}
+WITH_INPUTS = ("boolean", "clearance")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
-          "verify": ()}
+          "verify": (), "thickness": inspection_options.THICKNESS, "clearance": inspection_options.CLEARANCE,
+          "draft": inspection_options.DRAFT, "voids": inspection_options.VOIDS}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
@@ -80,6 +84,26 @@ examples:
   meshquality verify mesh.cert.json
   meshquality verify mesh.cert.json --mesh copies/mesh.msh
 """,
+    "thickness": """
+examples:
+  meshquality thickness part.step
+  meshquality thickness part.step --min-thickness 1.2 --strict --csv walls.csv
+  meshquality thickness scan.stl --measure rays --gap --json
+""",
+    "clearance": """
+examples:
+  meshquality clearance assembly.step --min-clearance 0.2 --strict
+  meshquality clearance case.step board.step fan.stl --within 5 --json
+""",
+    "draft": """
+examples:
+  meshquality draft part.step --pull-direction z --min-draft 1.5
+  meshquality draft part.step --pull-direction 0,1,0.2 --csv draft.csv --json
+""",
+    "voids": """
+examples:
+  meshquality voids print.stl --strict
+""",
     "batch": """
 examples:
   meshquality batch parts/ -o out/ --chord-height-relative 0.002
@@ -135,6 +159,22 @@ def parser(batched="triangulate"):
                       "it does not hold.")
     one.add_argument("--mesh", metavar="FILE", help="the mesh, where it is not where the certificate says: "
                      f"{' '.join(ELEMENT_SUFFIXES)}")
+    one = _add_single(commands, "thickness", "measure the thickness of walls, or the width of gaps",
+                      "Measures how thick the walls of a CAD shape or a mesh are, by rays and by inscribed spheres, and where\n"
+                      "they are thinnest. Exit status 3 with --strict where a wall is thinner than --min-thickness.")
+    one.add_argument("--csv", metavar="FILE.csv", help="file for the values of each triangle")
+    _add_single(commands, "clearance", "measure the distances between bodies",
+                "Measures how near the bodies of an assembly are to each other: the solids of one CAD file, or several files,\n"
+                "each of them a body. Exit status 3 with --strict where bodies overlap or are nearer than --min-clearance.")
+    one = _add_single(commands, "draft", "measure the draft and the undercuts of a moulded shape",
+                      "Measures the draft of a CAD shape or a mesh against the direction in which a mould opens, and its undercuts.\n"
+                      "Exit status 3 with --strict where there are undercuts, or faces with less draft than --min-draft.")
+    one.add_argument("--pull-direction", default="z", metavar="X,Y,Z",
+                     help="direction in which one half of the mould opens, or one of x, y, z, -x, -y, -z (default: z)")
+    one.add_argument("--csv", metavar="FILE.csv", help="file for the values of each triangle")
+    _add_single(commands, "voids", "find closed cavities",
+                "Finds the closed cavities of a CAD shape or a mesh, from which nothing comes out, and their volumes.\n"
+                "Exit status 3 with --strict where there are some.")
     _add_batch(commands, batched)
     return top
 
@@ -148,14 +188,14 @@ def _new(commands, name, title, description, arguments):
 
 
 def _add_single(commands, name, title, description):
-    inputs = "INPUT INPUT ..." if name == "boolean" else "INPUT"
+    inputs = {"boolean": "INPUT INPUT ...", "clearance": "INPUT ..."}.get(name, "INPUT")
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
     kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file",
             (".json",): "certificate"}.get(INPUTS[name],
                                                                       "mesh or CAD file")
     text = f"{kind}: {' '.join(INPUTS[name])}; -: standard input"
-    if name == "boolean":
+    if name in WITH_INPUTS:
         one.add_argument("inputs", nargs="+", metavar="INPUT", help=text)
     else:
         one.add_argument("input", metavar="INPUT", help=text)

@@ -26,6 +26,7 @@ _GRACE = 30  # seconds beyond the limit, after which it ends without its owner
 _left_out = []  # sentences about what is hidden in the containers that the present job has read
 _ALL_MET = "all requested limits are met"
 _NO_FINDING = {**dict.fromkeys(("quality", "certify"), "no limits were requested, and no faults were found"),
+               "voids": "there are none",
                "verify": "all of it holds"}
 
 REPORT_FIELDS = (
@@ -54,7 +55,8 @@ CURVE_REPORT_FIELDS = (
 
 def report_fields(report):
     """A report as plain values for JSON; numbers that JSON has no word for become null."""
-    if isinstance(report, (mq.MeshCertificate, mq.CertificateVerification)):
+    if isinstance(report, (mq.MeshCertificate, mq.CertificateVerification, mq.ThicknessMap, mq.ClearanceReport, mq.DraftMap,
+                           mq.VoidReport)):
         return _plain(report.to_dict())
     if isinstance(report, mq.CurveReport):
         return {**_plain({name: getattr(report, name) for name in CURVE_REPORT_FIELDS}),
@@ -380,6 +382,46 @@ def certify(job):
         verdict.of_certificate(certificate)
 
 
+def thickness(job):
+    """Likewise."""
+    found = mq.thickness(read_operand(job["input"], job.get("object")), **job["options"], progress=progress_line())
+    where = ""
+    if job.get("csv"):
+        found.write_csv(job["csv"])
+        where = f", written to {job['csv']}"
+    return found, f"measured {_count(len(found.values), 'triangle')}{where}", verdict.of_thickness(found)
+
+
+def clearance(job):
+    """Likewise."""
+    bodies = [read_operand(path, job.get("object")) for path in job["inputs"]]
+    if len(bodies) > 1:
+        names = [os.path.basename(path) for path in job["inputs"]]
+        bodies = {name if names.count(name) == 1 else f"{name} ({i + 1})": body
+                  for i, (name, body) in enumerate(zip(names, bodies))}
+    else:
+        bodies = bodies[0]
+    found = mq.clearance(bodies, **job["options"], progress=progress_line())
+    return found, f"measured {_count(len(found.pairs), 'pair')} of bodies", verdict.of_clearance(found)
+
+
+def draft(job):
+    """Likewise."""
+    found = mq.draft(read_operand(job["input"], job.get("object")), job["pull_direction"], **job["options"],
+                     progress=progress_line())
+    where = ""
+    if job.get("csv"):
+        found.write_csv(job["csv"])
+        where = f", written to {job['csv']}"
+    return found, f"measured {_count(len(found.areas), 'triangle')}{where}", verdict.of_draft(found)
+
+
+def voids(job):
+    """Likewise."""
+    found = mq.voids(read_operand(job["input"], job.get("object")), **job["options"], progress=progress_line())
+    return found, f"searched {_count(len(found.mesh.triangles), 'triangle')}", verdict.of_voids(found)
+
+
 def verify(job):
     """Likewise; each fault is a finding."""
     found = mq.verify(job["input"], job.get("mesh"), progress_line())
@@ -399,7 +441,8 @@ def run(job):
     _left_out.clear()
     try:
         report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
-                                  "quality": quality, "certify": certify, "verify": verify}[job["command"]](job)
+                                  "quality": quality, "certify": certify, "verify": verify, "thickness": thickness, "clearance": clearance, "draft": draft,
+                                  "voids": voids}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:

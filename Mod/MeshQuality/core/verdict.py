@@ -369,6 +369,46 @@ def of_curved_elements(mesh):
     return found
 
 
+def of_thickness(found):
+    """Findings of a ThicknessMap: its thinnest wall, where that is below its limit."""
+    if found.min_thickness is None or found.minimum >= found.min_thickness:
+        return []
+    length, limit = map(_length, _told_apart(found.minimum, found.min_thickness))
+    phrase = phrases.NARROW_GAP if found.gap else phrases.THIN_WALL
+    mesh = found.mesh
+    corners = (mesh.vertices + mesh.origin)[mesh.triangles[found.minimum_triangle]]
+    return [Finding(_sentence(phrase, length=length, length2=limit), found.minimum_faces,
+                    tuple(tuple(corner) for corner in corners.tolist()))]
+
+
+def of_clearance(found):
+    """Findings of a ClearanceReport: bodies that overlap, and the smallest distance where that is below its limit."""
+    overlapping = sum(pair.relation == "overlapping" for pair in found.pairs)
+    findings = [Finding(_counted(phrases.BODIES_OVERLAP, overlapping))] if overlapping else []
+    if found.min_clearance is not None and found.minimum < found.min_clearance:
+        length, limit = map(_length, _told_apart(found.minimum, found.min_clearance))
+        findings.append(Finding(_sentence(phrases.NARROW_GAP, length=length, length2=limit)))
+    return findings
+
+
+def of_draft(found):
+    """Findings of a DraftMap: faces with undercuts, and those with less draft than its bound; a mesh is one face."""
+    undercut = [face.face for face in found.faces if face.undercut_area > 0.0]
+    low = [face.face for face in found.faces if face.low_area > 0.0]
+    findings = []
+    if found.undercut_area > 0.0:
+        findings.append(Finding(_counted(phrases.UNDERCUTS, len(undercut) or 1), tuple(undercut)))
+    if found.low_area > 0.0:
+        findings.append(Finding(_counted(phrases.LOW_DRAFT, len(low) or 1, number=f"{found.min_draft:g}"), tuple(low)))
+    return findings
+
+
+def of_voids(found):
+    """Findings of a VoidReport: that there are some."""
+    faces = tuple(face for void in found.voids for face in void.faces)
+    return [Finding(_counted(phrases.HAS_VOIDS, len(found.voids)), faces)] if found.voids else []
+
+
 def of_certificate(certificate):
     """Findings of a MeshCertificate."""
     found = []

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The options of the inspection of solids, a table as those of options.py. Imports nothing of FreeCAD."""
+
+from .options import Option
+
+THICKNESS_MEASURES = ("spheres", "rays")
+
+THICKNESS = (
+    Option("measure", str, "spheres", choices=THICKNESS_MEASURES, group="Thickness", title="Measure",
+           choice_titles=("Inscribed spheres", "Rays"),
+           help="spheres: diameter of the largest ball in the solid that touches the surface there; rays: along the "
+                "inward normal to the other side"),
+    Option("gap", bool, False, group="Thickness", title="Gaps",
+           help="Measure the gaps and slots outside of each solid, in place of its walls"),
+    Option("min_thickness", float, None, unit="mm", low=0.0, group="Thickness", title="Smallest thickness",
+           unset="no limit", help="Walls thinner than this are reported"),
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Max. deviation",
+           unset="by the thinnest wall", help="Largest distance of the mesh that is measured from a shape"),
+    Option("spacing", float, None, unit="mm", low=0.0, group="Accuracy", title="Spacing", unset="size / 50",
+           help="Largest distance between neighbouring points that are measured"),
+    Option("corner_angle", float, 45.0, unit="degrees", low=0.0, high=89.0, group="Accuracy", title="Corner angle",
+           help="Surfaces inclined to each other by more than this are a corner, not the sides of a wall"),
+)
+
+CLEARANCE = (
+    Option("min_clearance", float, None, unit="mm", low=0.0, group="Clearance", title="Smallest clearance",
+           unset="no limit", help="Pairs of bodies nearer to each other than this are reported"),
+    Option("within", float, None, unit="mm", low=0.0, group="Clearance", title="Largest distance",
+           unset="no limit", help="Pairs of bodies farther from each other than this are left out"),
+    Option("tolerance", float, None, unit="mm", low=0.0, group="Accuracy", title="Max. deviation",
+           unset="size / 1000", help="Largest distance of the mesh that is measured from a shape"),
+)
+
+_TOLERANCE = CLEARANCE[-1]
+DRAFT = (
+    Option("min_draft", float, 1.0, unit="degrees", low=0.0, high=89.0, group="Draft", title="Smallest draft",
+           help="Draft that walls should have"),
+    _TOLERANCE,
+)
+VOIDS = (_TOLERANCE,)

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+
+#include "base/vec.h"
+
+namespace mq::inspection {
+
+/// The nearest points of two triangles.
+struct TriangleDistance {
+    double distance = 0.0;  ///< mm; 0 where they meet
+    Vec3 on_first = Vec3::Zero();
+    Vec3 on_second = Vec3::Zero();
+    /// Where an edge of one goes through the other: the smaller of the distances of its ends from that plane, mm. It
+    /// tells crossing triangles from those that meet by rounding or by their facets.
+    double depth = 0.0;
+};
+
+using Corners = std::array<Vec3, 3>;
+
+/// Nearest points of the segments from p to q and from r to s (Ericson, Real-Time Collision Detection, section 5.1.9).
+std::array<Vec3, 2> nearest_of_segments(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);
+
+/// Distance of two triangles, neither of them without area. Whether they meet is decided exactly.
+TriangleDistance triangle_distance(const Corners& first, const Corners& second);
+
+}  // namespace mq::inspection
