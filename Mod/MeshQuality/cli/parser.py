@@ -7,7 +7,7 @@ Imports nothing of FreeCAD.
 import argparse
 import sys
 
-from .. import inspection_options, options
+from .. import inspection_options, offset_options, options
 from ..formats import CURVED_SUFFIXES, FLAT_ONLY_SUFFIXES, READABLE, SUFFIXES
 from ..version import __version__
 
@@ -18,16 +18,18 @@ ELEMENT_SUFFIXES = tuple(READABLE)  # of meshes that other programs made
 INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SUFFIXES,
           "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
-          "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES}
+          "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
+          "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": ()}
+           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": ()}
 WITH_INPUTS = ("boolean", "clearance")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
           "verify": (), "thickness": inspection_options.THICKNESS, "clearance": inspection_options.CLEARANCE,
-          "draft": inspection_options.DRAFT, "voids": inspection_options.VOIDS}
+          "draft": inspection_options.DRAFT, "voids": inspection_options.VOIDS,
+          "offset": offset_options.OFFSET, "hollow": offset_options.HOLLOW}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
@@ -62,6 +64,16 @@ examples:
 examples:
   meshquality boolean block.step scan.stl --operation difference -o left.ply --tolerance 0.01
   meshquality boolean a.stl b.stl c.stl -o all.stl
+""",
+    "offset": """
+examples:
+  meshquality offset part.step --distance 0.5 -o larger.stl
+  meshquality offset scan.stl --distance -1 --tolerance 0.02 -o core.ply
+""",
+    "hollow": """
+examples:
+  meshquality hollow part.step --thickness 2 -o shell.stl
+  meshquality hollow cup.step --thickness 1.2 --openings Face3,Face5 -o cup.stl --strict
 """,
     "improve": """
 examples:
@@ -142,6 +154,14 @@ def parser(batched="triangulate"):
     _add_single(commands, "boolean", "unite, intersect or subtract closed meshes and shapes",
                 "Boolean of two or more meshes or CAD shapes, applied in their order. The result\n"
                 "is closed and free of self-intersections.")
+    _add_single(commands, "offset", "grow or shrink a solid by a distance",
+                "All points within a distance of a CAD shape or a mesh, or those deeper in it. The result is closed and free\n"
+                "of self-intersections, and its distance is proven.")
+    one = _add_single(commands, "hollow", "leave a wall of a solid",
+                      "Leaves a wall of a CAD shape or a mesh, which grows inward. The result is closed and free of\n"
+                      "self-intersections, and its distance is proven.")
+    one.add_argument("--openings", metavar="FACES", type=lambda text: [face.strip() for face in text.split(",")],
+                     help="faces of the shape that the hollow reaches, such as Face3,Face5 (default: it is closed)")
     _add_single(commands, "improve", "improve the triangles of a mesh",
                 "Improves the triangles of a mesh on its own surface; sharp edges stay.")
     one = _add_single(commands, "quality", "measure the quality of a mesh",

@@ -347,6 +347,23 @@ def boolean(job):
                    "operands", verdict.of_boolean(mesh)
 
 
+def offset(job):
+    """Likewise."""
+    return _offset_written(job, mq.offset(read_operand(job["input"], job.get("object")), **job["options"],
+                                          progress=progress_line()))
+
+
+def hollow(job):
+    """Likewise."""
+    return _offset_written(job, mq.hollow(read_operand(job["input"], job.get("object")), **job["options"],
+                                          openings=job.get("openings"), progress=progress_line()))
+
+
+def _offset_written(job, mesh):
+    report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
+    return report, f"{_count(report.triangles, 'triangle')}{where}", verdict.of_boolean(mesh)
+
+
 def improve(job):
     """Likewise; the mesh is to be as closed as that before it."""
     given = mesh_of(read_mesh(job["input"]))
@@ -442,7 +459,7 @@ def run(job):
     try:
         report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
                                   "quality": quality, "certify": certify, "verify": verify, "thickness": thickness, "clearance": clearance, "draft": draft,
-                                  "voids": voids}[job["command"]](job)
+                                  "voids": voids, "offset": offset, "hollow": hollow}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:

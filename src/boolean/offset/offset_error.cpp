@@ -162,14 +162,14 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
             stack.pop_back();
             const Vec3 here = centre(part.corners);
             const double far = farthest(part.corners, here, surface);
-            if (far - wanted <= std::max(found.bound, fineness)) {
+            if (far - wanted <= found.bound) {
                 continue;
             }
             double attained = 0.0;
             for (const Vec3& p : part.corners) {
                 attained = std::max(attained, surface.tree.nearest(p).distance);
             }
-            if (far - attained <= fineness || part.divisions == kMostDivisions) {
+            if (far - std::max(attained, wanted) <= fineness || part.divisions == kMostDivisions) {
                 found = {far - wanted, here};
                 continue;
             }
