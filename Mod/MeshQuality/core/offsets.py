@@ -13,7 +13,7 @@ from .patches import division_for
 
 # Shares of the tolerance: of the mesh of a shape, of the union of what is given, of cutting the hollow out; what is left is
 # for the offset.
-_CHORD, _UNION, _CUTTING = 0.3, 0.05, 0.05
+_CHORD, _UNION, _CUTTING = 0.2, 0.05, 0.05
 # Fractions of the progress at which the steps end: meshing, union, offset.
 _MESHED, _UNITED, _OFFSET = 0.3, 0.4, 0.9
 _FINEST = 4.0 * 2.0**-23  # tolerance of a Boolean, as a fraction of the size, at least

@@ -89,7 +89,16 @@ class OffsetPipeline {
         best.error_bound = std::numeric_limits<double>::infinity();
         double share = OffsetTuning::kRawShare;
         for (int round = 0; round < OffsetTuning::kRounds && best.error_bound > tolerance_; ++round) {
-            attempt(share, extension, inward);
+            try {
+                attempt(share, extension, inward);
+            } catch (const TopologyError&) {
+                // A finer raw offset has fewer sheets that nearly coincide.
+                if (round + 1 == OffsetTuning::kRounds && !std::isfinite(best.error_bound)) {
+                    throw;
+                }
+                share *= OffsetTuning::kRefinement;
+                continue;
+            }
             if (result_.error_bound < best.error_bound) {
                 best = result_;
             }

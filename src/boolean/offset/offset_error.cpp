@@ -2,9 +2,11 @@
 #include "boolean/offset/offset_error.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "base/parallel.h"
 #include "base/segment_distance.h"
@@ -180,9 +182,38 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
     });
 }
 
+namespace {
+
+/// A bound without divisions where the result clearly lacks something: the centre of a triangle may lie on the exact
+/// offset, and is farther than `gap` from the result; else 0. See distance_of_outer_points.
+ProvenBound coarse_bound_of_missing(const std::vector<Corners>& triangles, const SearchedSurface& surface, double least,
+                                    double gap, const SearchedSurface& result, const Progress& progress) {
+    std::atomic<bool> missing{false};
+    const ProvenBound coarse = over_all(triangles, progress, [&](const Corners& t, ProvenBound& found) {
+        const Vec3 middle = centre(t);
+        if (result.tree.size() == 0 || farthest(t, middle, surface) < least) {
+            return;
+        }
+        const double far = farthest(t, middle, result);
+        found = far > found.bound ? ProvenBound{far, middle} : found;
+        const Vec3 ahead = gap * (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+        if (!missing && surface.tree.nearest(middle).distance >= least && result.tree.nearest(middle).distance > gap &&
+            surface.tree.nearest(middle + ahead).distance >= least + gap && !is_behind(middle, surface)) {
+            missing = true;
+        }
+    });
+    return missing ? coarse : ProvenBound{};
+}
+
+}  // namespace
+
 ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, const SearchedSurface& surface,
                                      double least, double gap, const SearchedSurface& result, double enough,
                                      const Progress& progress) {
+    if (const ProvenBound coarse = coarse_bound_of_missing(triangles, surface, least, gap, result, progress);
+        coarse.bound > 0.0) {
+        return coarse;
+    }
     return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
         const Vec3 cross = (whole[1] - whole[0]).cross(whole[2] - whole[0]);
         const Vec3 ahead = cross.squaredNorm() > 0.0 ? Vec3(gap * cross.normalized()) : Vec3(Vec3::Zero());
