@@ -2642,6 +2642,22 @@
         <source>rounding to single precision</source>
         <translation>Runden auf einfache Genauigkeit</translation>
     </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wanddicke</translation>
+    </message>
+    <message>
+        <source>Diameter of the largest ball in the solid that touches the surface there; ∞ = no wall.</source>
+        <translation>Durchmesser der größten Kugel im Körper, die dort die Oberfläche berührt; ∞ = keine Wand.</translation>
+    </message>
+    <message>
+        <source>the mesh has faults: repair it by a Boolean first</source>
+        <translation>das Netz hat Fehler: erst durch eine boolesche Operation reparieren</translation>
+    </message>
+    <message>
+        <source>the mesh has {count} open edges: only solids have walls; close it first</source>
+        <translation>das Netz hat {count} offene Kanten: nur Körper haben Wände; erst schließen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -2846,6 +2862,17 @@
     <message>
         <source>Quick mesh</source>
         <translation>Schnelles Netz</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Thickness</name>
+    <message>
+        <source>Colour the selected closed mesh by the thickness of its walls and find the thinnest</source>
+        <translation>Das gewählte geschlossene Netz nach der Dicke seiner Wände färben und die dünnsten finden</translation>
+    </message>
+    <message>
+        <source>Wall thickness...</source>
+        <translation>Wanddicke...</translation>
     </message>
 </context>
 <context>

@@ -9,9 +9,11 @@ import Part
 
 from ..compat import why_no_extension
 from ..core import convert, frames
+from ..core.curving import holds_elements
 from ..errors import Error
 from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, mesh_object, offset,
                         quality_mesh)
+from . import quality_data
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
@@ -196,6 +198,19 @@ class Analyse(_OfOneMesh):
         quality_panel.open_panel(self.selected()[0])
 
 
+class Thickness(_OfOneMesh):
+    NAME = "MeshQuality_Thickness"
+    TEXT = "Wall thickness"
+    TIP = "Colour the selected closed mesh by the thickness of its walls and find the thinnest"
+    KEYS = "Q, T"
+
+    def selected(self):
+        return _if_one(lambda source: convert.is_mesh(source) and not holds_elements(source))
+
+    def Activated(self):
+        quality_panel.open_panel(self.selected()[0], quality_data.THICKNESS)
+
+
 class Improve(_Command):
     KIND = improved_mesh.ImprovedMesh
     NAME = KIND.COMMAND
@@ -305,7 +320,7 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Improve, Analyse, Update, Patches, Export,
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Improve, Analyse, Thickness, Update, Patches, Export,
              FlowCase, CfdSurface)
 
 
