@@ -177,6 +177,26 @@ class Hollow(SolidTest):
         mq.update(obj, openings=[self.top(body)])
         self.assertNotIn("another face", " ".join(obj.Notes))
 
+    def test_properties_that_were_edited_by_hand(self):
+        top = self.top(self.cube)
+        obj = mq.add_hollow(self.cube, 1.0, [top], tolerance=TOLERANCE)
+        facets = obj.Mesh.CountFacets
+        for text in ("no JSON", "[]", "{}", f'{{"names": ["{top}"]}}', f'{{"names": ["{top}"], "faces": [1]}}'):
+            obj.OpeningFaces = text
+            self.cube.Height = self.cube.Height.Value + 1
+            self.document.recompute()
+            self.assertTrue(obj.isValid(), text)
+            self.assertEqual((obj.Openings, obj.Status), ([top], "up to date"))
+        for names, words in ((["Edge1"], "names of faces"), (["Face99"], "has faces Face1 to Face6")):
+            obj.Openings = names
+            self.document.recompute()
+            self.assertFalse(obj.isValid())
+            self.assertRegex(obj.getStatusString(), words)
+            self.assertEqual(obj.Mesh.CountFacets, facets)
+        obj.Openings = [top, top]
+        self.document.recompute()
+        self.assertTrue(obj.isValid())
+
     def test_a_plate_that_stays_whole_is_said(self):
         plate = self.box("Plate", Length=20, Width=20, Height=1)
         obj = mq.add_hollow(plate, 0.8, tolerance=TOLERANCE)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Offset and Hollow: from the selection, with faces as openings, over the panel to the mesh."""
 
+from unittest import mock
+
 import FreeCAD
 import FreeCADGui
 import gui_helpers
@@ -10,7 +12,8 @@ import Part
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
-from MeshQuality.gui import commands
+from MeshQuality.features import mesh_object
+from MeshQuality.gui import background_recompute, commands, jobs
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
 
 MM, INCHES = 0, 3
@@ -231,6 +234,21 @@ class Hollow(SolidCommands):
         self.assertEqual(panel.said, "Dicke: eine Länge angeben, die nicht 0 ist")
         self.narrow(panel, "panel_hollow_german")
         panel.reject()
+
+    def test_it_follows_its_source_in_the_background(self):
+        obj = mq.add_hollow(self.cube, 1.0, [self.top], tolerance=TOLERANCE)
+        refresh = next(action for action in FreeCADGui.getMainWindow().findChildren(QtGui.QAction)
+                       if action.objectName() == "Std_Refresh")
+        refresh.setEnabled(True)  # FreeCAD 1.1 does so only a moment after a change
+        with mock.patch.object(background_recompute, "_python_waits", lambda: False):
+            self.cube.Height = 20
+            QtCore.QTimer.singleShot(0, refresh.trigger)
+            self.until(lambda: "Touched" not in self.cube.State)
+            self.assertEqual(obj.Status, mesh_object.COMPUTING)
+            gui_helpers.wait(0.1)
+            self.until(lambda: len(jobs.queue()) == 0)
+        self.assertEqual(obj.Status, mesh_object.UP_TO_DATE)
+        self.assertAlmostEqual(obj.Volume.Value, 2000 - 8 * 8 * 19, delta=2.0)
 
     def test_several_solids_at_once(self):
         other = self.document.addObject("Part::Feature", "Other")

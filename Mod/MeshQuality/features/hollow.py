@@ -91,10 +91,15 @@ def _followed(names, before, now):
     before  the described text of the last result; openings that are others than there were chosen since
     now     what the faces are like
     """
-    held = json.loads(before) if before else {"names": [], "faces": []}
-    if held["names"] != names or [face[0] for face in held["faces"]] == [face[0] for face in now]:
+    try:
+        held = json.loads(before or "{}")
+        same = held.get("names") != names or [face[0] for face in held["faces"]] == [face[0] for face in now]
+        places = {} if same else face_matching.same_faces(held["faces"], now)
+    except (ValueError, KeyError, TypeError, IndexError, AttributeError):  # edited by hand
+        same = True
+    if same:
         return names, []
-    places, found, lost = face_matching.same_faces(held["faces"], now), [], []
+    found, lost = [], []
     for name in names:
         index = places.get(int(name[4:]) - 1) if "." not in name else None
         if index is None and "." not in name:
