@@ -133,5 +133,5 @@ def add_hollow(source, thickness, openings=None, tolerance=None):
     property Notes and a warning name them.
     Returns the object. Raises what hollow raises, and then adds nothing.
     """
-    return transactions.add_of_source(HollowObject, source,
-                                      {"thickness": thickness, "openings": openings, "tolerance": tolerance}, "Hollow", "Hollow")
+    values = {"thickness": thickness, "openings": openings, "tolerance": tolerance}
+    return transactions.add_of_source(HollowObject, source, values, "Hollow", "Hollow")

@@ -120,7 +120,8 @@ DISTANCE = Measure(
 # Ends at twice the median, as what is thick depends on the part: see QualityData.scale.
 THICKNESS = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Wall thickness"),
-    QT_TRANSLATE_NOOP("MeshQuality", "Diameter of the largest ball in the solid that touches the surface there; ∞ = no wall."),
+    QT_TRANSLATE_NOOP("MeshQuality", "Diameter of the largest ball in the solid that touches the surface there; "
+                                     "∞ = no wall."),
     None, 0.0, 1.0, lambda data, progress: data.thicknesses(progress))
 # The inverse is what is called a quality: a fifth is what a corner of 7 degrees has.
 DISTORTION = Measure(
