@@ -28,6 +28,7 @@ Meshes for scripts
 
 Objects of the document, which follow what they are made of
     add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_improved_mesh
+    add_offset, add_hollow   solids grown, shrunk, and made walls of
     add_cured_mesh      valid elements of a FEM mesh that another program made
     update              gives such an object other options, and computes it
     set_patches         names groups of faces, for files
@@ -98,6 +99,8 @@ _LAZY = {
     "add_fem_mesh": "MeshQuality.features.fem_mesh",
     "add_cured_mesh": "MeshQuality.features.cured_mesh",
     "add_boolean": "MeshQuality.features.boolean",
+    "add_offset": "MeshQuality.features.offset",
+    "add_hollow": "MeshQuality.features.hollow",
     "export_curved_mesh": "MeshQuality.features.export",
     "export_mesh": "MeshQuality.features.export",
     "write_openfoam_case": "MeshQuality.features.cfd",

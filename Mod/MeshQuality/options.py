@@ -7,10 +7,9 @@ import functools
 import json
 import math
 import numbers
-import re
 from dataclasses import dataclass, field, replace
 
-from . import phrases
+from . import element_names, phrases
 from .errors import InvalidInput
 from .phrases import Text
 
@@ -23,6 +22,7 @@ BOOLEAN_METHODS = ("default", "uniform")
 
 # The bound on the distance is one choice with one value: DISTANCE are the two options that give it.
 DISTANCE = ("chord_height", "chord_height_relative")
+MUST_BE_GIVEN = "must be given"  # what an option is unset without which there is no operation
 NO_BOUND = "none"  # chord_height that says there is none
 RELATIVE, ABSOLUTE, UNBOUNDED = "Relative", "Absolute", "None"
 BOUNDS = (RELATIVE, ABSOLUTE, UNBOUNDED)  # of the property DistanceBound
@@ -62,6 +62,16 @@ class Option:
         return self.kind is dict
 
     @property
+    def is_faces(self):
+        """Whether it is a list of names of faces, such as ["Face3", "Face7"]."""
+        return self.kind is list
+
+    @property
+    def is_required(self):
+        """Whether there is no operation without it."""
+        return self.unset == MUST_BE_GIVEN
+
+    @property
     def is_distance(self):
         """Whether it is one of the two that give the bound on the distance."""
         return self.name in DISTANCE
@@ -76,7 +86,7 @@ class Option:
         """Whether its value makes sense for the part that it was given for only: a length, or names of
         sub-elements.
         """
-        return self.unit == "mm" or self.is_sizes
+        return self.unit == "mm" or self.is_sizes or self.is_faces
 
     @property
     def property_name(self):
@@ -99,16 +109,17 @@ class Option:
         if self.choices:
             return "App::PropertyEnumeration"
         if self.unit:
-            return {"degrees": "App::PropertyAngle", "mm": "App::PropertyLength"}[self.unit]
+            length = "App::PropertyDistance" if self.low is None else "App::PropertyLength"  # which is never below 0
+            return {"degrees": "App::PropertyAngle", "mm": length}[self.unit]
         return {
             bool: "App::PropertyBool", int: "App::PropertyInteger", float: "App::PropertyFloat",
-            dict: "App::PropertyString",
+            dict: "App::PropertyString", list: "App::PropertyStringList",
         }[self.kind]
 
     @property
     def property_help(self):
         """What the property says of itself."""
-        told = self.default is not None or self.is_distance or self.is_sizes
+        told = self.default is not None or self.is_distance or self.is_sizes or self.is_faces or self.is_required
         return self.help if told else f"{self.help}; 0: {self.unset}"
 
     @property
@@ -130,11 +141,15 @@ class Option:
             return "True or False"
         if self.is_sizes:
             return Text(phrases.LOCAL_SIZES)
+        if self.is_faces:
+            return Text(phrases.FACE_NAMES)
         is_length = self.unit == "mm"
         unit = "" if is_length or not self.unit else f" {self.unit}"
         end = f", or {NO_BOUND!r}" if self.can_be_unbounded else ""
         bounds = [(words, bound) for words, bound in (("greater than" if self.above else "at least", self.low),
                                                       ("at most", self.high)) if bound is not None]
+        if not bounds:
+            return Text(phrases.ANY_LENGTH)
         names = [f"{'length' if is_length else 'number'}{'' if i == 0 else i + 1}" for i in range(len(bounds))]
         phrase = " and ".join(f"{words} {{{name}}}" for (words, _), name in zip(bounds, names)) + unit + end
         return Text(phrase, **{name: f"{bound:.10g}{' mm' if is_length else ''}"
@@ -151,6 +166,8 @@ class Option:
             return NO_BOUND
         if self.is_sizes:
             return _checked_sizes(value, self)
+        if self.is_faces:
+            return _checked_faces(value, self)
         if self.choices:
             good = isinstance(value, str) and value in self.property_choices
             value = self.choice_aliases.get(value, value) if good else value
@@ -213,45 +230,23 @@ def _plain_number(value, option):
 
 def _checked_sizes(value, option):
     """{sub-element: mm} of such a dict, or of its text."""
-    sizes = sizes_of_text(value) if isinstance(value, str) else value
+    sizes = element_names.sizes_of_text(value) if isinstance(value, str) else value
     try:
         found = {str(name): float(getattr(length, "Value", length))
                  for name, length in dict(sizes).items()}
     except (TypeError, ValueError, OverflowError):
         found = None
-    if found is None or not all(_NAME.fullmatch(name) and math.isfinite(length) and length > 0
+    if found is None or not all(element_names.is_name(name) and math.isfinite(length) and length > 0
                                 for name, length in found.items()):
         raise InvalidInput(Text(phrases.NOT_ALLOWED, option=option.name, value=repr(value), range=option.range_text))
     return found or None
 
 
-_SUB_ELEMENT = re.compile(r"(Vertex|Edge|Face)([1-9]\d{0,8})")
-# In containers and links behind the names of the objects on the way: "Group.Box.Face6".
-_NAME = re.compile(rf"(?:\w+\.)*{_SUB_ELEMENT.pattern}")
-_SIZE = re.compile(r"([\w.]+)\s*=\s*([^\s=]+)\s*(?:mm)?")
-
-
-def sizes_of_text(text):
-    """A list of pairs of "Face3=0.5 mm, Edge7=0.2": what it says, not whether that makes sense."""
-    parts = [part for part in re.split("[,;]", text) if part.strip()]
-    pairs = [_SIZE.fullmatch(part.strip()) for part in parts]
-    return [pair.groups() if pair else (part, None) for pair, part in zip(pairs, parts)]
-
-
-def text_of_sizes(sizes):
-    """The text of {"Face3": 0.5}; `checked` makes the same of it."""
-    return ", ".join(f"{name}={_shortest(length)}" for name, length in (sizes or {}).items())
-
-
-def _shortest(number):
-    return f"{number:g}" if float(f"{number:g}") == number else repr(number)
-
-
-def entities_of(sizes):
-    """[(dimension, index, mm), ...] of {"Face3": 0.5}, names without a path."""
-    found = [(_SUB_ELEMENT.fullmatch(name), length) for name, length in (sizes or {}).items()]
-    return [(("Vertex", "Edge", "Face").index(match[1]), int(match[2]) - 1, length)
-            for match, length in found]
+def _checked_faces(value, option):
+    """The names in such a list, each once."""
+    if not isinstance(value, (list, tuple)) or not value or not all(map(element_names.is_face, value)):
+        raise InvalidInput(Text(phrases.NOT_ALLOWED, option=option.name, value=repr(value), range=option.range_text))
+    return list(dict.fromkeys(value))
 
 
 def _distance(relative, group, which):
@@ -535,8 +530,8 @@ def hashed(values):
 def to_property(option, value):
     """The value that stands for `value` in a document object's property: 0 for no bound."""
     if option.is_sizes:
-        return text_of_sizes(value)
-    return _number_of(value)
+        return element_names.text_of_sizes(value)
+    return value or [] if option.is_faces else _number_of(value)
 
 
 def hand_over(values, core_options):
@@ -570,6 +565,8 @@ def from_property(option, value):
     """
     if option.is_sizes:
         return option.checked(value)
+    if option.is_faces:
+        return list(value) or None
     value = getattr(value, "Value", value)
     return None if option.default is None and value == 0 else value
 

@@ -86,6 +86,8 @@ FIGURES = (
     ("1 pair of triangles where bodies overlap", "{count} pairs of triangles where bodies overlap"),
 )
 TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, ERROR_BOUND, MAX_DISTORTION, OVERLAPS = FIGURES
+NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
+STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
 ALL_MET = "all requested limits are met."
 LEFT_OUT = ("1 hidden object of {name} is no part of it: {list}.", "{count} hidden objects of {name} are no part of it: {list}.")
 TARGET_NOT_MET = "target not met: {text}"
@@ -148,6 +150,14 @@ NO_SOURCE = "Source is empty: choose an object with a shape"
 GIVEN_DELETED = "Given is empty: the FEM mesh was deleted; choose another one, or delete this mesh"
 NOT_MEASURED = "the surface of the mesh is not measured: it is not of triangles of one order"
 NO_PART = "{name} does not say of which part it is a mesh: give part=, or select the part beside it"
+NOT_GIVEN = "{option} is 0: give a length"
+OPENINGS_OF_MESH = "openings are faces of a shape, and {name} has a mesh: hollow it without openings, and cut them by a Boolean"
+NO_OPENING = "an opening names {value}, but {name} has faces Face1 to {face}: take it out or name another one"
+OPENING_ELSEWHERE = "an opening names {value}, but {name} does not hold that: select it again in the 3D view"
+OPENING_LOST = "{face} of the openings may be another face after the edit: choose the openings anew"
+NO_THICKNESS_OPEN = "the mesh has {count} open edges: only solids have walls; close it first"
+NO_THICKNESS_FAULTS = "the mesh has faults: repair it by a Boolean first"
+SHAPES_AND_MESHES = "{name} holds shapes and meshes: unite them by a Boolean first"
 NO_MESH = "Source is not a mesh: choose one object with a mesh"
 FEW_SOURCES = ("Sources has 1 object: choose two or more with a mesh or a shape",
                "Sources has {count} objects: choose two or more with a mesh or a shape")
@@ -163,7 +173,8 @@ DOCUMENT_CLOSED = "The document was closed. Close this panel."
 ERRORS = (
     IN_ITS_SOURCE, TAKEN_OUT, MORE_MESHES,
     BOUND_BY_EXPRESSION, NOT_A_WHOLE_NUMBER, NOT_A_NUMBER, LENGTH_NOT_ALLOWED, NOT_ALLOWED,
-    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
+    TWO_BOUNDS, NO_BOUND_AND_BOUND, MIN_ABOVE_MAX, NO_SOURCE, NOT_GIVEN, OPENINGS_OF_MESH, NO_OPENING, OPENING_ELSEWHERE, OPENING_LOST,
+    SHAPES_AND_MESHES, NO_THICKNESS_OPEN, NO_THICKNESS_FAULTS, NO_MESH, GIVEN_DELETED, NO_PART, NOT_MEASURED, *FEW_SOURCES, IS_NULL_RECOMPUTE, IS_NULL_HIDDEN,
     IS_NULL, NO_FACES,    NO_TRIANGLES, NO_SUCH_ELEMENT, SOURCE_DELETED, SOURCE_GONE, DOCUMENT_CLOSED,
 )
 # Errors of patches, files and cases for meshers of flows.
@@ -238,6 +249,8 @@ CORE_ERRORS = {
     "fault_in_solid": "{solid}: {phrase} ({value})",
     "no_enclosed_volume": "{name} has no triangle with an area that encloses a volume",
 }
+ANY_LENGTH = "a length"
+FACE_NAMES = "names of faces, such as Face3, Face7"
 LOCAL_SIZES = "lengths in mm greater than 0 by sub-elements, such as Face3=0.5, Edge7=0.2"
 RANGES = (
     "greater than {number} and at most {number2} degrees",
@@ -247,7 +260,9 @@ RANGES = (
     "greater than {length}",
     "greater than {number}",
     "at least {number}",
+    ANY_LENGTH,
     LOCAL_SIZES,
+    FACE_NAMES,
 )
 
 # Between the others and whatever they end with, hence last.
@@ -293,6 +308,9 @@ STAGES = {
     "two-manifold": "separating contacts",
     "assembly": "assembling the result",
     "measuring": "measuring",
+    "offsetting": "offsetting the surface",
+    "rounding": "rounding to single precision",
+    "measuring distances": "measuring distances",
     "measuring the distance": "measuring the distance",
     "measuring the distance from the shape to the mesh": "measuring the distance from the shape to the mesh",
     "measuring the distortion": "measuring the distortion",
@@ -325,6 +343,7 @@ _SHOWN = {
     NOT_ALLOWED: "{option}: {value} is not possible, it must be {range}",
     TWO_BOUNDS: "The max. deviation is given twice, as {length} and as {number} of the size: give one of them",
     NO_BOUND_AND_BOUND: "The max. deviation is given twice, as unlimited and as {number} of the size: give one of them",
+    NOT_GIVEN: "{option}: give a length that is not 0",
     MIN_ABOVE_MAX: "The shortest edge of {length} is longer than the longest edge of {length2}",
     "greater than {length}, or 'none'": "greater than {length}, or without a limit",
     CASE_SOLIDS: "The mesh has {count} solids, and one space is meshed at a time: unite them first, or take one alone",
@@ -368,7 +387,7 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, NOTHING_LEFT, STAYS_WHOLE, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

@@ -499,6 +499,54 @@
         <source>Draft that walls should have</source>
         <translation>Schräge, die Wände haben sollen</translation>
     </message>
+    <message>
+        <source>Faces of the shape that get no wall, so that the hollow reaches them; none: the hollow is closed</source>
+        <translation>Flächen der Form, die keine Wand bekommen, so dass der Hohlraum bis zu ihnen reicht; keine: der Hohlraum ist geschlossen</translation>
+    </message>
+    <message>
+        <source>How far the surface moves: outward, or inward where it is below 0</source>
+        <translation>Wie weit sich die Oberfläche verschiebt: nach außen, bei Werten unter 0 nach innen</translation>
+    </message>
+    <message>
+        <source>Number of triangles of the surface of the hollow</source>
+        <translation>Anzahl der Dreiecke der Oberfläche des Hohlraums</translation>
+    </message>
+    <message>
+        <source>Proven largest distance from the exact result, in both directions</source>
+        <translation>Bewiesener größter Abstand vom exakten Ergebnis, in beiden Richtungen</translation>
+    </message>
+    <message>
+        <source>Repairs of the source&apos;s mesh</source>
+        <translation>Reparaturen am Netz der Quelle</translation>
+    </message>
+    <message>
+        <source>Requested largest distance from the exact result, in both directions</source>
+        <translation>Verlangter größter Abstand vom exakten Ergebnis, in beiden Richtungen</translation>
+    </message>
+    <message>
+        <source>The object whose solid is hollowed</source>
+        <translation>Das Objekt, dessen Körper ausgehöhlt wird</translation>
+    </message>
+    <message>
+        <source>The object whose solid is offset</source>
+        <translation>Das Objekt, dessen Körper versetzt wird</translation>
+    </message>
+    <message>
+        <source>Thickness of the wall, which grows inward from the surface</source>
+        <translation>Dicke der Wand, die von der Oberfläche nach innen wächst</translation>
+    </message>
+    <message>
+        <source>Threads that work at a time; 0: one for each core</source>
+        <translation>Threads, die gleichzeitig arbeiten; 0: einer für jeden Kern</translation>
+    </message>
+    <message>
+        <source>What the faces of the source were like when the openings were last right: their kinds, areas and centres</source>
+        <translation>Wie die Flächen der Quelle waren, als die Öffnungen zuletzt stimmten: Art, Inhalt und Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>Largest distance between the result and the exact one, in both directions; unless given, a thousandth of the size, at most a tenth of the distance; 0: by size and distance</source>
+        <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands; 0: nach Größe und Abstand</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2478,6 +2526,138 @@
         <source>{count} faces have undercuts.</source>
         <translation>{count} Flächen haben Hinterschneidungen.</translation>
     </message>
+    <message>
+        <source>Add the faces that are selected in the 3D view</source>
+        <translation>Die in der 3D-Ansicht gewählten Flächen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Faces are chosen of one object: open the panel for that object alone.</source>
+        <translation>Flächen werden von einem Objekt gewählt: Das Fenster für dieses Objekt allein öffnen.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Faces of the shape that get no wall, so that the hollow reaches them; none: the hollow is closed</source>
+        <translation>Flächen der Form, die keine Wand bekommen, so dass der Hohlraum bis zu ihnen reicht; keine: der Hohlraum ist geschlossen</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Aushöhlen</translation>
+    </message>
+    <message>
+        <source>How far the surface moves: outward, or inward where it is below 0</source>
+        <translation>Wie weit sich die Oberfläche verschiebt: nach außen, bei Werten unter 0 nach innen</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Openings</source>
+        <translation>Öffnungen</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Thickness of the wall, which grows inward from the surface</source>
+        <translation>Dicke der Wand, die von der Oberfläche nach innen wächst</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>Threads that work at a time; 0: one for each core</source>
+        <translation>Threads, die gleichzeitig arbeiten; 0: einer für jeden Kern</translation>
+    </message>
+    <message>
+        <source>an opening names {value}, but {name} does not hold that: select it again in the 3D view</source>
+        <translation>eine Öffnung nennt {value}, aber {name} enthält das nicht: in der 3D-Ansicht neu wählen</translation>
+    </message>
+    <message>
+        <source>an opening names {value}, but {name} has faces Face1 to {face}: take it out or name another one</source>
+        <translation>eine Öffnung nennt {value}, aber {name} hat die Flächen Face1 bis {face}: herausnehmen oder eine andere nennen</translation>
+    </message>
+    <message>
+        <source>must be given</source>
+        <translation>muss angegeben werden</translation>
+    </message>
+    <message>
+        <source>names of faces, such as Face3, Face7</source>
+        <translation>Namen von Flächen, etwa Face3, Face7</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>nothing is left: the solid is nowhere that deep</source>
+        <translation>nichts bleibt übrig: der Körper ist nirgends so tief</translation>
+    </message>
+    <message>
+        <source>openings are faces of a shape, and {name} has a mesh: hollow it without openings, and cut them by a Boolean</source>
+        <translation>Öffnungen sind Flächen einer Form, und {name} hat ein Netz: ohne Öffnungen aushöhlen und sie durch eine boolesche Operation schneiden</translation>
+    </message>
+    <message>
+        <source>the solid stays whole: it is nowhere thicker than two walls</source>
+        <translation>der Körper bleibt massiv: er ist nirgends dicker als zwei Wände</translation>
+    </message>
+    <message>
+        <source>{face} of the openings may be another face after the edit: choose the openings anew</source>
+        <translation>{face} der Öffnungen kann nach der Änderung eine andere Fläche sein: die Öffnungen neu wählen</translation>
+    </message>
+    <message>
+        <source>{name} holds shapes and meshes: unite them by a Boolean first</source>
+        <translation>{name} enthält Formen und Netze: zuerst durch eine boolesche Operation vereinigen</translation>
+    </message>
+    <message>
+        <source>{option}: give a length that is not 0</source>
+        <translation>{option}: eine Länge angeben, die nicht 0 ist</translation>
+    </message>
+    <message>
+        <source>Largest distance between the result and the exact one, in both directions; unless given, a thousandth of the size, at most a tenth of the distance</source>
+        <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands</translation>
+    </message>
+    <message>
+        <source>by size and distance</source>
+        <translation>nach Größe und Abstand</translation>
+    </message>
+    <message>
+        <source>a length</source>
+        <translation>eine Länge</translation>
+    </message>
+    <message>
+        <source>measuring distances</source>
+        <translation>Messen der Abstände</translation>
+    </message>
+    <message>
+        <source>offsetting the surface</source>
+        <translation>Versetzen der Oberfläche</translation>
+    </message>
+    <message>
+        <source>rounding to single precision</source>
+        <translation>Runden auf einfache Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wanddicke</translation>
+    </message>
+    <message>
+        <source>Diameter of the largest ball in the solid that touches the surface there; ∞ = no wall.</source>
+        <translation>Durchmesser der größten Kugel im Körper, die dort die Oberfläche berührt; ∞ = keine Wand.</translation>
+    </message>
+    <message>
+        <source>the mesh has faults: repair it by a Boolean first</source>
+        <translation>das Netz hat Fehler: erst durch eine boolesche Operation reparieren</translation>
+    </message>
+    <message>
+        <source>the mesh has {count} open edges: only solids have walls; close it first</source>
+        <translation>das Netz hat {count} offene Kanten: nur Körper haben Wände; erst schließen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -2630,6 +2810,17 @@
     </message>
 </context>
 <context>
+    <name>MeshQuality_Hollow</name>
+    <message>
+        <source>Hollow...</source>
+        <translation>Aushöhlen...</translation>
+    </message>
+    <message>
+        <source>Leave a wall of the selected solids, for printing and casting; selected faces become openings</source>
+        <translation>Von den gewählten Körpern eine Wand übrig lassen, zum Drucken und Gießen; gewählte Flächen werden Öffnungen</translation>
+    </message>
+</context>
+<context>
     <name>MeshQuality_Improve</name>
     <message>
         <source>Improve mesh...</source>
@@ -2638,6 +2829,17 @@
     <message>
         <source>Improve the triangles of the selected meshes on their surface; sharp edges stay</source>
         <translation>Dreiecke der ausgewählten Netze auf ihrer Oberfläche verbessern; scharfe Kanten bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Offset</name>
+    <message>
+        <source>Grow or shrink the selected solids by a distance; of shapes and of closed meshes</source>
+        <translation>Die gewählten Körper um einen Abstand wachsen oder schrumpfen lassen; von Formen und geschlossenen Netzen</translation>
+    </message>
+    <message>
+        <source>Offset...</source>
+        <translation>Versatz...</translation>
     </message>
 </context>
 <context>
@@ -2660,6 +2862,17 @@
     <message>
         <source>Quick mesh</source>
         <translation>Schnelles Netz</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Thickness</name>
+    <message>
+        <source>Colour the selected closed mesh by the thickness of its walls and find the thinnest</source>
+        <translation>Das gewählte geschlossene Netz nach der Dicke seiner Wände färben und die dünnsten finden</translation>
+    </message>
+    <message>
+        <source>Wall thickness...</source>
+        <translation>Wanddicke...</translation>
     </message>
 </context>
 <context>

@@ -18,7 +18,7 @@ from types import SimpleNamespace
 import helpers
 
 import MeshQuality as mq
-from MeshQuality import options
+from MeshQuality import element_names, options
 from MeshQuality.batch.ledger import Ledger
 from MeshQuality.cli import parser
 from MeshQuality.compat import extension
@@ -73,7 +73,7 @@ class Texts(unittest.TestCase):
                     sizes = options.check(options.TRIANGULATE, {"local_sizes": text})["local_sizes"]
                 except mq.InvalidInput:
                     continue
-                again = options.check(options.TRIANGULATE, {"local_sizes": options.text_of_sizes(sizes)})
+                again = options.check(options.TRIANGULATE, {"local_sizes": element_names.text_of_sizes(sizes)})
                 self.assertEqual(again["local_sizes"], sizes)
 
     def test_command_lines(self):

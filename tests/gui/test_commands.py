@@ -182,9 +182,11 @@ class Commands(gui_helpers.PanelTest):
         workbench = FreeCADGui.getWorkbench("MeshQualityWorkbench")
         box = self.box()
         curved = mq.add_curved_mesh(box)
-        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh"}), ((), set()),
-                                 ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Update"}),
-                                 ((curved,), {"Analyse", "Improve", "Update", "Patches", "Export", "FlowCase", "CfdSurface"})):
+        both = {"Offset", "Hollow"}
+        for chosen, expected in (((box,), {"Triangulate", "Quick", "Curve", "FemMesh", *both}), ((), set()),
+                                 ((box, curved), {"Triangulate", "Curve", "FemMesh", "Boolean", "Improve", "Update", *both}),
+                                 ((curved,), {"Analyse", "Improve", "Update", "Patches", "Export", "FlowCase", "CfdSurface",
+                                              *both})):
             self.select(*chosen)
             added = []
             with mock.patch.object(workbench, "appendContextMenu", create=True,

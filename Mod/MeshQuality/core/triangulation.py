@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """triangulate, and the cache by which it follows edits."""
 
-from .. import options
+from .. import element_names, options
 from ..compat import extension
 from ..errors import InvalidInput
 from ..listing import Public
@@ -79,7 +79,7 @@ def _meshed(shape, values, progress, cache, division):
     values = convert.with_resolved_sizes(shape, values)
     module = extension()
     core_options = module.TriangulateOptions()
-    core_options.local_sizes = options.entities_of(values.pop("local_sizes"))
+    core_options.local_sizes = element_names.entities_of(values.pop("local_sizes"))
     options.hand_over(values, core_options)
     surface = module.triangulate(live_shape, core_options, progress, _core_cache(cache))
     return SurfaceMesh(surface, kept(division, surface))

@@ -4,13 +4,12 @@
 import json
 import re
 
-import numpy as np
-
 from .. import phrases
 from ..compat import property_of
 from ..core import convert, frames
 from ..core.patches import division_for
 from ..errors import InvalidInput
+from . import face_matching
 from .properties import add_hidden, add_property
 
 PATCHES, REST, CHANGED = "Patches", "PatchRest", "PatchesChanged"
@@ -18,7 +17,6 @@ _FACES = ("PatchFaces", "App::PropertyString",
           "What the faces of the source were like when the patches were last right: their kinds, areas and centres")
 _LINE = re.compile(r"(?P<name>[^:]*?)\s*(?P<colour>#[0-9a-fA-F]{6})?\s*:(?P<faces>[^:]*)")
 _FACE = re.compile(r"Face([1-9][0-9]{0,8})")
-_SAME = 1e-6  # of the size, and of an area: the same face
 
 
 def add_patch_properties(obj):
@@ -76,7 +74,7 @@ def give_patches(obj, source, patches, patch_rest):
         if name != held:
             raise InvalidInput(phrases.Text(phrases.PATCH_LIKE_COLOUR, value=repr(name)))
     obj.Patches, obj.PatchRest, obj.PatchesChanged = lines, patch_rest or "", []
-    obj.PatchFaces = _described(convert.own_shape_of(source)) if lines else ""
+    obj.PatchFaces = face_matching.described(convert.own_shape_of(source)) if lines else ""
 
 
 def follow_source(obj, source):
@@ -91,10 +89,10 @@ def follow_source(obj, source):
         lost = [phrases.Text(phrases.PATCHES_NOT_FOLLOWED, text=phrases.text_of(error))]
         obj.PatchesChanged = lost
         return lost
-    described = _described(convert.own_shape_of(source))
+    described = face_matching.described(convert.own_shape_of(source))
     now, lost = json.loads(described), []
     if before and [face[0] for face in before] != [face[0] for face in now]:
-        places = _same_faces(before, now)
+        places = face_matching.same_faces(before, now)
         for name, said in patches.items():
             said["faces"] = [_followed(face, name, places, lost) for face in said["faces"]]
         obj.Patches = lines_of_patches(patches)
@@ -113,26 +111,3 @@ def _followed(face, patch, places, lost):
         lost.append(phrases.Text(phrases.PATCH_LOST, face=face, name=repr(patch)))
         return face
     return f"Face{index + 1}"
-
-
-def _described(shape):
-    """Kind, area and centre of each face, as text; centres as if the shape had no placement."""
-    back = shape.Placement.inverse()
-    return json.dumps([[type(face.Surface).__name__, face.Area, *back.multVec(face.CenterOfMass)]
-                       for face in shape.Faces])
-
-
-def _same_faces(before, now):
-    """{number of a face before an edit: its number after it}, of those of which there is one alike, and for which no other
-    is. An edit of dimensions alone leaves the kinds of all faces, and FreeCAD then their numbers: it does not come here.
-    """
-    kinds, numbers = np.array([face[0] for face in now]), np.array([face[1:] for face in now], dtype=float)
-    near = _SAME * max(float(np.ptp(numbers[:, 1:], axis=0).max(initial=0.0)), 1.0)
-    found = {}
-    for index, (kind, *wanted) in enumerate(before):
-        off = np.abs(numbers - wanted)
-        alike = np.flatnonzero((kinds == kind) & (off[:, 0] <= _SAME * wanted[0]) & (off[:, 1:] <= near).all(axis=1))
-        if len(alike) == 1:
-            found[index] = int(alike[0])
-    taken = list(found.values())
-    return {index: place for index, place in found.items() if taken.count(place) == 1}

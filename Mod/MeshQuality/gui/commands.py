@@ -9,8 +9,11 @@ import Part
 
 from ..compat import why_no_extension
 from ..core import convert, frames
+from ..core.curving import holds_elements
 from ..errors import Error
-from ..features import boolean, cured_mesh, curved_mesh, export, fem_mesh, improved_mesh, mesh_object, quality_mesh
+from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, mesh_object, offset,
+                        quality_mesh)
+from . import quality_data
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
 from .panels.binary_panel import BinaryPanel
@@ -18,6 +21,7 @@ from .panels.case_panel import CasePanel
 from .panels.export_panel import ExportPanel
 from .panels.mesh_panel import MeshPanel
 from .panels.patches_panel import PatchesPanel
+from .picked import picked_faces
 from .translation import translated
 from .trial import Trial
 from .update import update_in_background
@@ -145,6 +149,30 @@ class Boolean(_Command):
         return [Operation(self.TEXT, self.KIND, selected)]
 
 
+class Offset(_Command):
+    KIND = offset.OffsetObject
+    NAME = KIND.COMMAND
+    TEXT = "Offset"
+    TIP = "Grow or shrink the selected solids by a distance; of shapes and of closed meshes"
+    KEYS = "Q, G"
+
+    def selected(self):
+        return [source for source in _selected() if _has_shape(source) or convert.is_mesh(source)]
+
+
+class Hollow(Offset):
+    KIND = hollow.HollowObject
+    NAME = KIND.COMMAND
+    TEXT = "Hollow"
+    TIP = "Leave a wall of the selected solids, for printing and casting; selected faces become openings"
+    KEYS = "Q, H"
+
+    def operations(self, selected):
+        faces = picked_faces(selected[0]) if len(selected) == 1 else []
+        return [Operation(self.TEXT, self.KIND, [source], chosen={"openings": faces} if faces else None)
+                for source in selected]
+
+
 class _OfOneMesh(_Command):
     """Opens PANEL, a class, for the mesh that is selected."""
 
@@ -168,6 +196,19 @@ class Analyse(_OfOneMesh):
 
     def Activated(self):
         quality_panel.open_panel(self.selected()[0])
+
+
+class Thickness(_OfOneMesh):
+    NAME = "MeshQuality_Thickness"
+    TEXT = "Wall thickness"
+    TIP = "Colour the selected closed mesh by the thickness of its walls and find the thinnest"
+    KEYS = "Q, T"
+
+    def selected(self):
+        return _if_one(lambda source: convert.is_mesh(source) and not holds_elements(source))
+
+    def Activated(self):
+        quality_panel.open_panel(self.selected()[0], quality_data.THICKNESS)
 
 
 class Improve(_Command):
@@ -279,7 +320,8 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Improve, Analyse, Update, Patches, Export, FlowCase, CfdSurface)
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Improve, Analyse, Thickness, Update, Patches, Export,
+             FlowCase, CfdSurface)
 
 
 def panel_of(obj):

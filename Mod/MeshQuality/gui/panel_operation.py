@@ -28,10 +28,12 @@ class Operation:
     trial    trial(values, obj) -> Trial with these options, for an estimate; None: no estimate
     obj      the document object, once there is one
     document name of the document
+    chosen   {option: value} that the selection says of a new object
     """
 
-    def __init__(self, title, kind, sources, trial=None, obj=None):
+    def __init__(self, title, kind, sources, trial=None, obj=None, chosen=None):
         self.title, self.kind, self.sources = title, kind, list(sources)
+        self.chosen = chosen or {}
         self.trial, self._obj = trial, obj
         self.document = (obj or frames.object_of(self.sources[0])).Document.Name
 

@@ -5,6 +5,7 @@ import re
 
 import FreeCADGui
 
+from .. import element_names
 from ..core import convert, frames
 from ..errors import InvalidInput
 
@@ -26,6 +27,11 @@ def picked(source):
             else:
                 names.append(name)
     return list(dict.fromkeys(names)), list(dict.fromkeys(others))
+
+
+def picked_faces(source):
+    """The names of those that are faces."""
+    return element_names.faces_of(picked(source)[0])
 
 
 def _below(source, root, path):

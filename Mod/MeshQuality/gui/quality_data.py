@@ -2,7 +2,7 @@
 """The numbers behind the quality view: what is measured, element by element. No windows here."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from typing import Optional
 
@@ -14,6 +14,8 @@ from ..compat import extension, property_of
 from ..core import convert, frames
 from ..core.curving import holds_elements, taken_from
 from ..core.patches import division_for, patches_of
+from ..core.surface_mesh import SurfaceMesh
+from ..core.thickness import thickness
 from ..errors import InvalidInput
 from ..features import mesh_object
 from ..features.patches import patches_of_object
@@ -115,6 +117,12 @@ DISTANCE = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Distance to the shape"),
     QT_TRANSLATE_NOOP("MeshQuality", "Largest distance between each triangle and the source."),
     None, None, 0.0, lambda data, progress: data.distances(progress))
+# Ends at twice the median, as what is thick depends on the part: see QualityData.scale.
+THICKNESS = Measure(
+    QT_TRANSLATE_NOOP("MeshQuality", "Wall thickness"),
+    QT_TRANSLATE_NOOP("MeshQuality", "Diameter of the largest ball in the solid that touches the surface there; "
+                                     "∞ = no wall."),
+    None, 0.0, 1.0, lambda data, progress: data.thicknesses(progress))
 # The inverse is what is called a quality: a fifth is what a corner of 7 degrees has.
 DISTORTION = Measure(
     QT_TRANSLATE_NOOP("MeshQuality", "Shape distortion"),
@@ -212,8 +220,7 @@ class QualityData:
             self._prepare = partial(self._take_curved, taken_from(source),
                                     property_of(obj, "ShownDeviation").Value)
         else:
-            self.measures = [MIN_ANGLE, ASPECT, DISTORTION] \
-                + ([DISTANCE] if self._shape is not None else [])
+            self.measures = [MIN_ANGLE, ASPECT, DISTORTION, *([DISTANCE] if self._shape is not None else []), THICKNESS]
             self._prepare = partial(self._take_flat, convert.MeshCopy(source),
                                     list(getattr(obj, "FaceRuns", [])))
 
@@ -232,6 +239,7 @@ class QualityData:
     def _take_flat(self, mesh, runs):
         vertices, triangles = mesh.arrays
         self._surface = convert.surface_of_arrays(extension(), vertices, triangles, measured=False)
+        self._measured = lambda: convert.surface_of_arrays(extension(), vertices, triangles)
         self.corners = vertices[triangles].astype(np.float32)
         self.element = np.arange(len(triangles))
         face = mesh_object.faces_of_runs(runs, len(triangles))
@@ -305,11 +313,24 @@ class QualityData:
 
     def scale(self, measure, values):
         """The Scale of these values of a measure."""
+        if measure is THICKNESS:
+            finite = values[np.isfinite(values)]
+            return Scale(replace(measure, good=2.0 * float(np.median(finite)) if len(finite) else 1.0), values)
         return Scale(measure, values, self.bound if measure is DISTANCE else None)
 
     def distances(self, progress=None):
         """The largest distance of each triangle from the shape that was meshed, mm."""
         return extension().triangle_deviations(self._surface, self._shape, progress)
+
+    def thicknesses(self, progress=None):
+        """How thick the wall behind each triangle is, mm, by spheres; infinite where there is no wall."""
+        mesh = SurfaceMesh(self._measured())
+        if not mesh.report.closed:
+            raise InvalidInput(phrases.Text(phrases.NO_THICKNESS_OPEN, count=f"{mesh.report.border_edges:,}"))
+        found = thickness(mesh, progress=progress)
+        if not np.array_equal(found.mesh.triangles, mesh.triangles):
+            raise InvalidInput(phrases.Text(phrases.NO_THICKNESS_FAULTS))
+        return np.where(found.is_wall, found.values, np.inf)
 
     def faces(self, values, measure):
         """A FaceRow for each CAD face or patch, the worst first."""

@@ -139,7 +139,8 @@ def _plain(unit):
 class QuantityBox(QtGui.QDoubleSpinBox):
     """A spin box for a value in mm or degrees. What was set is kept in full, however it is shown."""
 
-    def __init__(self, unit):
+    def __init__(self, unit, signed=False):
+        """`signed`: whether it takes values below 0, too."""
         self._unit = unit
         self._exact = ("", 0.0)  # a text that was shown, and what it stands for
         super().__init__()
@@ -147,7 +148,7 @@ class QuantityBox(QtGui.QDoubleSpinBox):
         # says no length leaves the value as it was.
         self.setKeyboardTracking(False)
         self.setDecimals(_DECIMALS)
-        self.setRange(0.0, _LARGEST)
+        self.setRange(-_LARGEST if signed else 0.0, _LARGEST)
         self.setMinimumWidth(60)
         self.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
 
@@ -179,10 +180,10 @@ class QuantityBox(QtGui.QDoubleSpinBox):
         """Called by Qt: a tenth of the next smaller power of ten, in the user's unit."""
         factor = _plain(self._unit).factor
         now = self.value() / factor
-        step = 10.0 ** math.floor(math.log10(now)) if now > 0.0 else 1.0
-        if steps < 0 and math.isclose(now, step):
+        step = 10.0 ** math.floor(math.log10(abs(now))) if now else 1.0
+        if steps * now < 0.0 and math.isclose(abs(now), step):
             step /= 10.0
-        self.setValue(max(round(now / step + steps) * step, 0.0) * factor)
+        self.setValue(max(round(now / step + steps) * step * factor, self.minimum()))
         self.selectAll()
 
     def minimumSizeHint(self):

@@ -55,7 +55,7 @@ class MeshPanel:
                                   [source for made in operations for source in made.sources],
                                   preferences.defaults(operations[0].kind))
         self.options.set_values(
-            operations[0].values() or preferences.first_values(operations[0].kind))
+            operations[0].values() or {**preferences.first_values(operations[0].kind), **operations[0].chosen})
         self._show_bound()
         self.presets = PresetBox(operations[0].kind.PRESETS)
         self._lay_out()

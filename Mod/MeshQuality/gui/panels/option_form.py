@@ -6,7 +6,7 @@ import re
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from ... import options
+from ... import element_names, options
 from ...core import convert, frames
 from ...errors import Error
 from ...features import distance_bound
@@ -98,6 +98,8 @@ class OptionForm(QtGui.QWidget):
             return _Switch(option)
         if option.is_sizes:
             return _Sizes(option, self._sources)
+        if option.is_faces:
+            return _Faces(option, self._sources)
         return _Quantity(option) if option.unit else _Number(option)
 
     def _size(self):
@@ -151,7 +153,7 @@ class OptionForm(QtGui.QWidget):
 def _title(option):
     # A spin box says itself what 0 stands for; a field with a unit cannot.
     title = translate("MeshQuality", option.title)
-    if not option.unit or option.default is not None or option.is_distance:
+    if not option.unit or option.default is not None or option.is_distance or option.is_required:
         return title
     return f"{title} (0: {translate('MeshQuality', option.unset)})"
 
@@ -178,7 +180,8 @@ class _Field(QtCore.QObject):
         self.option, self.widget = option, widget
         self.names = (option.name,)
         unset = f"\n0: {translate('MeshQuality', option.unset)}" \
-            if option.default is None and not (option.is_distance or option.is_sizes) else ""
+            if option.default is None and not (option.is_distance or option.is_sizes or option.is_faces
+                                               or option.is_required) else ""
         widget.setToolTip(translate("MeshQuality", option.help) + unset)
         widget.setObjectName(option.property_name)
         self._expression, self._hints = None, {}
@@ -299,7 +302,7 @@ class _Quantity(_Field):
     """A number with a unit."""
 
     def __init__(self, option):
-        super().__init__(option, QuantityBox(option.unit))
+        super().__init__(option, QuantityBox(option.unit, signed=option.low is None))
         self.widget.setMinimumWidth(_NUMBER)
         self.widget.valueChanged.connect(self._changed)
 
@@ -380,25 +383,28 @@ class _Distance(_Field):
         self.fraction.setVisible(bound == options.RELATIVE)
 
 
-class _Sizes(_Field):
-    """Lengths by sub-elements as text, with a button that adds what is selected in the 3D view. The text
-    shows the user's units, and takes any; a number without one is in the user's.
+class _SubElements(_Field):
+    """Names of sub-elements as text, with a button that adds what is selected in the 3D view. A subclass has add(names),
+    which adds those that fit; and these texts:
+
+    hint     what stands in the empty field
+    tip      what the button says
+    for_one  why it adds nothing where the panel is for several objects
+    nothing  what to select first, with a place for the label of the object
     """
 
     def __init__(self, option, sources):
         self._sources = sources
-        self._exact = {}  # lengths as they were shown, and the numbers of mm that they stand for
         box = QtGui.QWidget()
         rows = QtGui.QVBoxLayout(box)
         rows.setContentsMargins(0, 0, 0, 0)
         row = QtGui.QHBoxLayout()
         rows.addLayout(row)
         self.text, self.button, self.refusal = QtGui.QLineEdit(), QtGui.QToolButton(), QtGui.QLabel()
-        self.text.setPlaceholderText(f"Face3={length_text(0.5)}, Edge7={length_text(0.2)}")
+        self.text.setPlaceholderText(self.hint)
         self.text.setMinimumWidth(_WIDE)
         self.button.setText("+")
-        self.button.setToolTip(translate(
-            "MeshQuality", "Add the faces, edges and vertices that are selected in the 3D view"))
+        self.button.setToolTip(self.tip)
         row.addWidget(self.text)
         row.addWidget(self.button)
         self.refusal.setWordWrap(True)
@@ -408,12 +414,75 @@ class _Sizes(_Field):
         self.text.editingFinished.connect(self._changed)
         self.button.clicked.connect(self._add_selected)
 
+    def _add_selected(self):
+        if len(self._sources) != 1:
+            self._refuse(self.for_one)
+            return
+        source = self._sources[0]
+        label = frames.leaf_of(source).Label
+        try:
+            names, others = picked(source)
+            names = self.add(names)
+        except Error as error:
+            self._refuse(translated(error))
+            return
+        self._changed()
+        if others:
+            self._refuse(translate("MeshQuality", "Not added: {0} is not part of {1}.").format(
+                ", ".join(others), label))
+        elif not names:
+            self._refuse(self.nothing.format(label))
+
+    def _changed(self, *_):
+        self._refuse("")
+        super()._changed()
+
+    def _refuse(self, text):
+        self.refusal.setText(text)
+        self.refusal.setVisible(bool(text))
+
+
+class _Faces(_SubElements):
+    """Names of faces."""
+
+    def __init__(self, option, sources):
+        self.hint = "Face3, Face7"
+        self.tip = translate("MeshQuality", "Add the faces that are selected in the 3D view")
+        self.for_one = translate("MeshQuality", "Faces are chosen of one object: open the panel for that object alone.")
+        self.nothing = translate("MeshQuality", "Select faces of {} in the 3D view first.")
+        super().__init__(option, sources)
+
+    def read(self):
+        return element_names.names_of_text(self.text.text()) or None
+
+    def write(self, value):
+        self.text.setText(", ".join(value or []))
+
+    def add(self, names):
+        """Those that are not there yet."""
+        names = element_names.faces_of(names)
+        self.write(list(dict.fromkeys([*(self.read() or []), *names])))
+        return names
+
+
+class _Sizes(_SubElements):
+    """Lengths by sub-elements. The text shows the user's units, and takes any; a number without one is in the user's.
+    """
+
+    def __init__(self, option, sources):
+        self._exact = {}  # lengths as they were shown, and the numbers of mm that they stand for
+        self.hint = f"Face3={length_text(0.5)}, Edge7={length_text(0.2)}"
+        self.tip = translate("MeshQuality", "Add the faces, edges and vertices that are selected in the 3D view")
+        self.for_one = translate("MeshQuality", "Local sizes are for one object: open the panel for that object alone.")
+        self.nothing = translate("MeshQuality", "Select faces, edges or vertices of {} in the 3D view first.")
+        super().__init__(option, sources)
+
     def read(self):
         # In mm; whether it makes sense is said when it is used.
         return ", ".join(map(self._in_millimetres, self._parts())) or None
 
     def write(self, value):
-        pairs = options.sizes_of_text(value if isinstance(value, str) else options.text_of_sizes(value))
+        pairs = element_names.sizes_of_text(value if isinstance(value, str) else element_names.text_of_sizes(value))
         self.text.setText(", ".join(self._in_units(name.strip(), length) for name, length in pairs))
 
     def _parts(self):
@@ -421,7 +490,7 @@ class _Sizes(_Field):
         return [part for part in (part.strip(" ,;") for part in _BETWEEN_SIZES.split(self.text.text())) if part]
 
     def _in_units(self, name, length):
-        """A pair of options.sizes_of_text in the user's unit; as it is where that is no length."""
+        """A pair of element_names.sizes_of_text in the user's unit; as it is where that is no length."""
         try:
             text = text_of(float(length))
         except (TypeError, ValueError):
@@ -435,40 +504,15 @@ class _Sizes(_Field):
         if text in self._exact:
             return f"{name}={self._exact[text]}"
         length = value_of(text)
-        return f"{name}{equals}{text}" if length is None else options.text_of_sizes({name: length})
+        return f"{name}{equals}{text}" if length is None else element_names.text_of_sizes({name: length})
 
-    def _add_selected(self):
+    def add(self, names):
         """Sub-elements that have no size get a hundredth of the part's diagonal."""
-        if len(self._sources) != 1:
-            self._refuse(translate(
-                "MeshQuality", "Local sizes are for one object: open the panel for that object alone."))
-            return
-        source = self._sources[0]
-        label = frames.leaf_of(source).Label
-        try:
-            names, others = picked(source)
-            size = convert.shape_of(source).BoundBox.DiagonalLength / 100
-        except Error as error:
-            self._refuse(translated(error))
-            return
+        size = convert.shape_of(self._sources[0]).BoundBox.DiagonalLength / 100
         written = self._parts()
         for name in names:
             if not any(part.split("=")[0].strip() == name for part in written):
                 written.append(f"{name}={length_text(size)}")
         if names:
             self.text.setText(", ".join(written))
-        self._changed()
-        if others:
-            self._refuse(translate("MeshQuality", "Not added: {0} is not part of {1}.").format(
-                ", ".join(others), label))
-        elif not names:
-            self._refuse(translate(
-                "MeshQuality", "Select faces, edges or vertices of {} in the 3D view first.").format(label))
-
-    def _changed(self, *_):
-        self._refuse("")
-        super()._changed()
-
-    def _refuse(self, text):
-        self.refusal.setText(text)
-        self.refusal.setVisible(bool(text))
+        return names

@@ -58,10 +58,11 @@ class QualityPanel:
     """A panel for FreeCADGui.Control.showDialog. The mesh and what it was made of are hidden meanwhile,
     as the coloured mesh takes their place.
 
-    source  a document object with a mesh, or a link to one, see frames
+    source   a document object with a mesh, or a link to one, see frames
+    measure  the Measure that is shown first; None: the first one
     """
 
-    def __init__(self, source):
+    def __init__(self, source, measure=None):
         self.obj = frames.object_of(source)
         self._document, self._label = self.obj.Document.Name, frames.leaf_of(source).Label
         self.data = (QualityData if convert.is_mesh(source) else FemQualityData)(source)
@@ -71,6 +72,7 @@ class QualityPanel:
         self._found = {}  # values by title of the measure
         self._job = None
         self._make_form()
+        self.measures.setCurrentIndex(self.data.measures.index(measure) if measure in self.data.measures else 0)
         view = FreeCADGui.getDocument(self._document).activeView()
         try:
             self.scene = QualityScene(view)
@@ -83,6 +85,7 @@ class QualityPanel:
             hidden.ViewObject.Visibility = False
         FreeCAD.addDocumentObserver(self)
         self._choose_measure()
+        self.measures.currentIndexChanged.connect(self._choose_measure)
 
     def _make_form(self):
         self.form = QtGui.QWidget()
@@ -121,7 +124,6 @@ class QualityPanel:
         for widget in (of, self.measures, self.meaning, self.summary, self.histogram, self.hint, self.tabs,
                        self.edges):
             layout.addWidget(widget)
-        self.measures.currentIndexChanged.connect(self._choose_measure)
         self.histogram.picked.connect(self._pick_bar)
         self.worst.currentRowChanged.connect(self._pick_worst)
         self.worst.itemClicked.connect(lambda _: self._pick_worst(self.worst.currentRow()))
@@ -332,10 +334,10 @@ def shown():
     return _shown if _shown is not None and not _shown.ended else None
 
 
-def open_panel(source):
-    """Opens the panel for a mesh; what is wrong with it goes to the report view."""
+def open_panel(source, measure=None):
+    """Opens the panel for a mesh, with this measure or the first one; what is wrong with it goes to the report view."""
     try:
-        panel = QualityPanel(source)
+        panel = QualityPanel(source, measure)
     except (Error, ImportError) as error:
         FreeCAD.Console.PrintError(f"{frames.leaf_of(source).Label}: {translated(error)}\n")
         QtGui.QMessageBox.warning(FreeCADGui.getMainWindow(),

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Faces of a shape that are found again after an edit, by kind, area and place."""
+
+import json
+
+import numpy as np
+
+_SAME = 1e-6  # of the size, and of an area: the same face
+
+
+def described(shape):
+    """Kind, area and centre of each face, as text; centres as if the shape had no placement."""
+    back = shape.Placement.inverse()
+    return json.dumps([[type(face.Surface).__name__, face.Area, *back.multVec(face.CenterOfMass)]
+                       for face in shape.Faces])
+
+
+def same_faces(before, now):
+    """{number of a face before an edit: its number after it}, of those of which there is one alike, and for which no other
+    is. An edit of dimensions alone leaves the kinds of all faces, and FreeCAD then their numbers: it does not come here.
+    """
+    kinds, numbers = np.array([face[0] for face in now]), np.array([face[1:] for face in now], dtype=float)
+    near = _SAME * max(float(np.ptp(numbers[:, 1:], axis=0).max(initial=0.0)), 1.0)
+    found = {}
+    for index, (kind, *wanted) in enumerate(before):
+        off = np.abs(numbers - wanted)
+        alike = np.flatnonzero((kinds == kind) & (off[:, 0] <= _SAME * wanted[0]) & (off[:, 1:] <= near).all(axis=1))
+        if len(alike) == 1:
+            found[index] = int(alike[0])
+    taken = list(found.values())
+    return {index: place for index, place in found.items() if taken.count(place) == 1}

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object "Offset": a mesh that follows a solid of the document at a distance."""
+
+import hashlib
+import json
+from functools import partial
+
+from .. import offset_options, options, phrases
+from ..core import convert, verdict
+from ..core.offsets import offset
+from ..errors import InvalidInput
+from . import mesh_object, properties, transactions
+from .recompute_work import Work
+
+# Name, type, what it says: measured on the mesh that the object holds.
+MEASURED = (
+    *properties.TOPOLOGY,
+    ("Volume", "App::PropertyVolume", "Enclosed volume"),
+    ("Repaired", "App::PropertyStringList", "Repairs of the source's mesh"),
+    ("Notes", "App::PropertyStringList", "Other remarks about the computation"),
+)
+
+# Name, type, what it says: beside mesh_object.PROMISES.
+PROMISES = (
+    ("AskedTolerance", "App::PropertyLength", "Requested largest distance from the exact result, in both directions"),
+    ("ErrorBound", "App::PropertyLength", "Proven largest distance from the exact result, in both directions"),
+    ("FaultsLeft", "App::PropertyInteger", "Faults that no repair removed"),
+)
+
+
+class SolidMesh(mesh_object.OfOneSource):
+    """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh.
+
+    A subclass has
+    given_of(source, values, obj)  class method: what the work is about, a Given
+    compute(given, values, progress) -> (OffsetMesh, the Mesh.Mesh made of it, the findings of its certificate, given)
+    """
+
+    MEASURED, PROMISES = MEASURED, PROMISES
+    TAKES_MESHES = True
+
+    @classmethod
+    def work_on(cls, sources, values, obj=None):
+        """To make the mesh of the source with these options."""
+        mesh_object.require_source(sources, obj)
+        values = options.check(cls.OPTIONS, values)
+        missing = next((option for option in cls.OPTIONS if option.is_required and not values[option.name]), None)
+        if missing is not None:
+            raise InvalidInput(phrases.Text(phrases.NOT_GIVEN, option=missing.name))
+        given = cls.given_of(sources[0], values, obj)
+        return Work(sources, values, partial(given.digest, values), partial(cls.compute, given, values))
+
+    @classmethod
+    def given_of(cls, source, values, obj):
+        """The Given."""
+        return Given(source)
+
+    def holds_mesh(self, obj):
+        """The mesh may be empty."""
+        return obj.Mesh.CountFacets == obj.Triangles
+
+    def take(self, obj, result):
+        """Shows the mesh and its report."""
+        mesh, shown, findings, _ = result
+        report = mesh.report
+        properties.show_mesh(obj, shown)
+        properties.show_topology(obj, report)
+        obj.Volume, obj.ErrorBound, obj.AskedTolerance = report.volume, report.error_bound, report.tolerance_asked
+        obj.FaultsLeft, obj.Repaired, obj.Notes = report.faults_left, list(report.repaired), list(report.notes)
+        mesh_object.show_certificate(obj, report, True, findings)
+        return report, findings
+
+
+class Given:
+    """The shape, or the mesh, of a source as it is now, for work on another thread.
+
+    shape  Part.Shape where the document has it; None of a mesh
+    """
+
+    def __init__(self, source):
+        self.shape = self._own_shape = self._mesh = None
+        if convert.is_mesh(source):
+            self._mesh = convert.MeshCopy(source)
+        elif convert.meshes_in(source):
+            if convert.has_faces(source):
+                raise InvalidInput(phrases.Text(phrases.SHAPES_AND_MESHES, name=convert.label_of(source)))
+            self._mesh = convert.MeshCopy(source)
+        else:
+            self.shape, self._own_shape = convert.shape_of(source), convert.own_shape_of(source)
+
+    @property
+    def operand(self):
+        """The same as offset and hollow take it; one thread at a time may ask for it."""
+        return self._mesh.arrays if self.shape is None else self.shape
+
+    def digest(self, values):
+        """A hash of it and of options; the same after saving and loading, and after a container around it was moved."""
+        digest = hashlib.sha256()
+        for array in self._mesh.own_arrays if self.shape is None else ():
+            digest.update(array.tobytes())
+        if self.shape is not None:
+            digest.update(convert.shape_text(self._own_shape))
+        digest.update(json.dumps(values, sort_keys=True).encode())
+        return digest.hexdigest()
+
+
+class OffsetObject(SolidMesh):
+    """Proxy of a Mesh::FeaturePython that holds its source grown or shrunk by a distance."""
+
+    COMMAND, CALL = "MeshQuality_Offset", "add_offset"
+    SOURCE, NEEDS = "The object whose solid is offset", "a shape or a mesh"
+    OPTIONS = offset_options.OFFSET_OBJECT
+
+    @classmethod
+    def compute(cls, given, values, progress):
+        """The mesh and what belongs to it."""
+        mesh = offset(given.operand, **values, progress=progress)
+        return mesh, mesh.to_mesh(), verdict.of_boolean(mesh), given
+
+    def told(self, obj):
+        """That nothing is left."""
+        return None if obj.Triangles or not obj.Fingerprint else phrases.Text(phrases.NOTHING_LEFT)
+
+
+def add_offset(source, distance, tolerance=None):
+    """Adds a document object that keeps a solid of the document, grown or shrunk, up to date; one undo step.
+
+    source     document object with a shape or a closed mesh: feature, body, mesh, link or container
+    distance   mm; outward, or inward where it is below 0
+    tolerance  as for offset
+
+    Returns the object. Raises what offset raises, and then adds nothing.
+    """
+    return transactions.add_of_source(OffsetObject, source, {"distance": distance, "tolerance": tolerance}, "Offset", "Offset")
