@@ -9,7 +9,6 @@
 namespace mq::python {
 
 void bind_boolean(pybind11::module_& m);
-void bind_offset(pybind11::module_& m);
 void bind_curve(pybind11::module_& m);
 void bind_given(pybind11::module_& m);
 void bind_curved_mesh(pybind11::module_& m);

@@ -50,7 +50,6 @@ PYBIND11_MODULE(_core, m) {
     mq::python::bind_elements(m);
     mq::python::bind_given(m);
     mq::python::bind_boolean(m);
-    mq::python::bind_offset(m);
     mq::python::bind_improve(m);
     mq::python::bind_inspection(m);
     m.def(

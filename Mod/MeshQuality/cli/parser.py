@@ -154,14 +154,7 @@ def parser(batched="triangulate"):
     _add_single(commands, "boolean", "unite, intersect or subtract closed meshes and shapes",
                 "Boolean of two or more meshes or CAD shapes, applied in their order. The result\n"
                 "is closed and free of self-intersections.")
-    _add_single(commands, "offset", "grow or shrink a solid by a distance",
-                "All points within a distance of a CAD shape or a mesh, or those deeper in it. The result is closed and free\n"
-                "of self-intersections, and its distance is proven.")
-    one = _add_single(commands, "hollow", "leave a wall of a solid",
-                      "Leaves a wall of a CAD shape or a mesh, which grows inward. The result is closed and free of\n"
-                      "self-intersections, and its distance is proven.")
-    one.add_argument("--openings", metavar="FACES", type=lambda text: [face.strip() for face in text.split(",")],
-                     help="faces of the shape that the hollow reaches, such as Face3,Face5 (default: it is closed)")
+    _add_offsets(commands)
     _add_single(commands, "improve", "improve the triangles of a mesh",
                 "Improves the triangles of a mesh on its own surface; sharp edges stay.")
     one = _add_single(commands, "quality", "measure the quality of a mesh",
@@ -197,6 +190,17 @@ def parser(batched="triangulate"):
                 "Exit status 3 with --strict where there are some.")
     _add_batch(commands, batched)
     return top
+
+
+def _add_offsets(commands):
+    _add_single(commands, "offset", "grow or shrink a solid by a distance",
+                "All points within a distance of a CAD shape or a mesh, or those deeper in it. The result is closed and free\n"
+                "of self-intersections, and its distance is proven.")
+    one = _add_single(commands, "hollow", "leave a wall of a solid",
+                      "Leaves a wall of a CAD shape or a mesh, which grows inward. The result is closed and free of\n"
+                      "self-intersections, and its distance is proven.")
+    one.add_argument("--openings", metavar="FACES", type=lambda text: [face.strip() for face in text.split(",")],
+                     help="faces of the shape that the hollow reaches, such as Face3,Face5 (default: it is closed)")
 
 
 def _new(commands, name, title, description, arguments):

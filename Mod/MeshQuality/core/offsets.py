@@ -16,6 +16,7 @@ from .patches import division_for
 _CHORD, _UNION, _CUTTING = 0.2, 0.05, 0.05
 # Fractions of the progress at which the steps end: meshing, union, offset.
 _MESHED, _UNITED, _OFFSET = 0.3, 0.4, 0.9
+_SHARE_OF_WALL = 40.0  # the thickness over the tolerance of a wall, where none is given
 _FINEST = 4.0 * 2.0**-23  # tolerance of a Boolean, as a fraction of the size, at least
 
 
@@ -65,7 +66,8 @@ def hollow(source, thickness, openings=None, tolerance=None, progress=None, thre
     thickness  mm; the wall grows inward, the outside stays
     openings   names of faces of the shape that get no wall, as in ["Face3", "Face7"]: the hollow reaches them; None: the
                hollow is closed
-    tolerance, progress, threads   as offset has them; the tolerance is that of the hollow's surface
+    tolerance  mm, the largest distance between the result and the exact one; None: a fortieth of the thickness
+    progress, threads   as offset has them
 
     The hollow keeps sharp edges where the outside has convex ones, and is rounded at concave ones. Without openings
     powder or resin stays in the hollow: boolean cuts holes.
@@ -77,7 +79,8 @@ def hollow(source, thickness, openings=None, tolerance=None, progress=None, thre
     if not values["thickness"]:
         raise InvalidInput(f"thickness = {thickness!r}: give a length in mm")
     options.require_callable(progress)
-    work = _Work(source, values["thickness"], values["tolerance"], values["threads"], progress)
+    tolerance = values["tolerance"] or values["thickness"] / _SHARE_OF_WALL
+    work = _Work(source, values["thickness"], tolerance, values["threads"], progress)
     faces = None if openings is None else work.faces(openings)
     return work.run(lambda: _hollowed(work, faces))
 

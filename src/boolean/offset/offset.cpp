@@ -192,7 +192,7 @@ class OffsetPipeline {
     /// stays closed, as it would not if they were removed.
     void spread_flat_triangles() {
         constexpr int kRounds = 30;
-        constexpr double kMove = 8.0 * 6e-8;  // of the coordinate
+        constexpr double kMove = 8.0 * 6e-8;  // fraction of the coordinate
         std::uint32_t random = 1;
         bool again = true;
         for (int round = 0; again && round < kRounds; ++round) {
@@ -290,7 +290,7 @@ class OffsetPipeline {
 
     const ClosedSurface surface_;
     const SearchedSurface searched_;
-    const double distance_;  ///< of the raw offset, mm
+    const double distance_;  ///< distance of the raw offset, mm
     const double asked_;     ///< the distance asked for, mm
     const double tolerance_;
     Progress& progress_;

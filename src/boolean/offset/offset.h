@@ -28,7 +28,7 @@ struct OffsetResult {
     /// mm, proven: no point of the result is farther than this from the exact distance, and none of the exact offset
     /// farther from the result, but for gaps between offsets thinner than twice the tolerance, which may close.
     double error_bound = 0.0;
-    std::size_t raw_triangles = 0;  ///< of the raw offset, before it was trimmed
+    std::size_t raw_triangles = 0;  ///< triangles before it was trimmed
     std::size_t crossing_pairs = 0;
     StageTimes seconds;
 };

@@ -153,7 +153,7 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
                                     double wanted, double fineness, const Progress& progress) {
     return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
         const Vec3 middle = centre(whole);
-        // No part of it is nearer than the whole triangle is.
+        // No piece is nearer than the whole triangle is.
         const double near = nearest_within(whole, middle, surface, wanted);
         if (wanted - near > found.bound) {
             found = {wanted - near, middle};

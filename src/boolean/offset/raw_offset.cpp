@@ -140,14 +140,14 @@ class RawOffsetBuilder {
 
     /// Consecutive triangles of a fan that have one direction.
     struct Runs {
-        std::vector<std::int32_t> of;  ///< run of each triangle of the fan
+        std::vector<std::int32_t> of;  ///< run for each triangle of the fan
         std::vector<Vec3> direction;
     };
 
     /// Divides a fan at its sharpest edges until each run has a direction near enough to all of its normals.
     Runs runs_of(const Fan& fan) const {
         const auto count = fan.size();
-        std::vector<double> cosine(count);  // of the angle at the edge before each triangle
+        std::vector<double> cosine(count);  // that of the angle at the edge before each triangle
         for (std::size_t i = 0; i < count; ++i) {
             cosine[i] = normal(fan[i]).dot(normal(fan[(i + count - 1) % count]));
         }
@@ -195,7 +195,7 @@ class RawOffsetBuilder {
             return normal(fan[first % fan.size()]);
         }
         Vec3 sum = Vec3::Zero();
-        double length = 0.0;  // of the edges there, in the mean
+        double length = 0.0;  // mean of the edges there
         for (std::size_t i = 0; i < count; ++i) {
             const std::int32_t c = fan[(first + i) % fan.size()];
             sum += angle(c) * normal(c);
@@ -394,10 +394,10 @@ class RawOffsetBuilder {
     double least_cosine_ = 1.0;
     double step_ = 0.0;  ///< largest angle between neighbours on an arc, radians
     std::vector<Vec3> normals_;
-    std::vector<std::int32_t> node_;      ///< of each corner
-    std::vector<Vec3> base_;              ///< of each node: its point of the surface
-    std::vector<std::int32_t> run_node_;  ///< of each run of the fan at hand
-    std::vector<std::int32_t> arc_;       ///< of each half-edge: the arc at its head; -1: none
+    std::vector<std::int32_t> node_;      ///< for each corner the vertex
+    std::vector<Vec3> base_;              ///< for each vertex its point on the surface
+    std::vector<std::int32_t> run_node_;  ///< for each run of the fan at hand the vertex
+    std::vector<std::int32_t> arc_;       ///< for each half-edge the arc at its head; -1: none
     std::vector<std::vector<std::int32_t>> arcs_;
     RawOffset result_;
 };

@@ -15,7 +15,7 @@ namespace mq::boolean {
 struct ClosedSurface {
     std::vector<Vec3> points;
     std::vector<mesh::Triangle> triangles;
-    std::vector<std::int32_t> twins;   ///< of each corner, see mesh::edge_twins: all corners have one
+    std::vector<std::int32_t> twins;   ///< see mesh::edge_twins: all corners have one
     std::vector<std::int32_t> source;  ///< the triangle of the input that each one is
 };
 
