@@ -86,6 +86,15 @@ class Recipes(helpers.DocumentTest):
         self.assertEqual(os.listdir("."), ["walls.csv"])
         self.assertLess(self.names["found"].minimum, 10.0)
 
+    def test_offset(self):
+        self.names["shape"] = Part.makeBox(20, 20, 10)
+        self.follow("docs/use/offset.md")
+        self.assertEqual(os.listdir("."), ["cup.stl"])
+        self.assertGreater(self.names["larger"].report.volume, 4000.0)
+        for name, volume in (("core", 18 * 18 * 8), ("shell", 4000 - 16 * 16 * 6), ("cup", 4000 - 17.6 * 18.8 * 7.6)):
+            self.assertAlmostEqual(self.names[name].report.volume / volume, 1.0, delta=0.05, msg=name)
+            self.assertTrue(self.names[name].report.closed)
+
     def test_clearance(self):
         self.names["assembly"] = Part.makeCompound([Part.makeBox(4, 4, 4, FreeCAD.Vector(4.1 * i, 0, 0)) for i in range(2)])
         self.follow("docs/use/clearance.md")

@@ -170,7 +170,11 @@ class _Work:
 
     def share_of_offset(self):
         """mm, the tolerance that meshing, union and cutting have left."""
-        return (1.0 - _UNION - _CUTTING) * self.tolerance - self._error_bound
+        left = (1.0 - _UNION - _CUTTING) * self.tolerance - self._error_bound
+        if left <= 0.0:
+            raise InvalidInput(f"the mesh that was made of the operand deviates by up to {self._error_bound:.4g} mm, and the "
+                               f"tolerance is {self.tolerance:.4g} mm: give a larger tolerance")
+        return left
 
     def faces(self, names):
         """Indices of the faces of the shape that are named."""
