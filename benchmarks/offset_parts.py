@@ -129,6 +129,7 @@ def ours(shape, size, job):
 def measured(shape, result, distance, tolerance):
     """Largest deviation of the result from the distance, and of points at the distance from the result; mm."""
     import numpy as np
+    from FreeCAD import Vector
 
     points, facets = shape.tessellate(FINE * tolerance)
     part, part_points, part_facets = locator(np.array([tuple(p) for p in points]), np.array(facets))
@@ -146,8 +147,12 @@ def measured(shape, result, distance, tolerance):
     on = part(at) >= abs(distance) - 0.2 * tolerance
     direction = picked(normals[good] / lengths[good, None])
     on &= part(at + np.sign(distance) * 2.0 * tolerance * direction) >= abs(distance) + 1.5 * tolerance
-    back = offset(at[on]).max() if on.any() else 0.0
-    return there, back
+    far = offset(at[on])
+    for i in np.flatnonzero(far > tolerance):
+        # OpenCASCADE turns a few triangles over: what is not on the side of the offset does not count.
+        if shape.isInside(Vector(*at[on][i]), 1e-9, True) != (distance < 0.0):
+            far[i] = 0.0
+    return there, far.max() if on.any() else 0.0
 
 
 def picked(points):
