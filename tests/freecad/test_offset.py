@@ -76,7 +76,9 @@ class Offsets(unittest.TestCase):
         self.assert_sound(open_hole, 0.02)
         # A through hole makes a ring of it: Euler's characteristic is 0 as long as it is open.
         self.assertEqual(euler_characteristic(open_hole), 0)
-        self.assertEqual(euler_characteristic(closed), 2)
+        # Closed, it leaves dimples at both ends, and nothing in the middle of its axis.
+        from_middle = np.linalg.norm(np.asarray(closed.vertices) - (10, 10, 2), axis=1)
+        self.assertGreater(from_middle.min(), 1.9)
         empty = mq.offset(plate, -2.1, tolerance=0.02)
         self.assertEqual(len(empty.triangles), 0)
         self.assertIn("empty", " ".join(empty.report.notes))
