@@ -58,7 +58,7 @@ class Recipes(helpers.DocumentTest):
         self.assertEqual(names["curved"].report.invalid, 0)
         self.assertEqual(sorted(os.listdir(".")), ["part.msh", "part.ply"])
         kinds = [type(obj.Proxy).__name__ for obj in names["document"].Objects if hasattr(obj, "Proxy")]
-        self.assertEqual(kinds, ["QualityMesh", "CurvedMeshObject", "MeshBoolean"])
+        self.assertEqual(kinds, ["QualityMesh", "CurvedMeshObject", "MeshBoolean", "HollowObject"])
 
     def test_improving(self):
         self.follow("docs/use/improve.md")
