@@ -79,7 +79,8 @@ def report(rows, arguments):
     for distance in arguments.distances:
         here = [row for row in rows if row["distance"] == distance and row["ours"]["outcome"] != "unfit"]
         ours = [row["ours"] for row in here]
-        within = sum(one["outcome"].startswith("sound") and one["bound"] <= 1.0 and one["there"] <= 1.0 and one["back"] <= 1.0
+        within = sum(one["outcome"].startswith("sound") and one["bound"] <= 1.0 and one.get("there", 0.0) <= 1.0
+                     and one.get("back", 0.0) <= 1.0
                      for one in ours)
         seconds = sorted(one["seconds"] for one in ours)
         text = f"{distance:+.3f}: {len(here)} parts, sound {sum(one['outcome'].startswith('sound') for one in ours)}, within tolerance {within}"
@@ -119,8 +120,9 @@ def ours(shape, size, job):
     seconds = time.process_time() - began
     sound = not any(extension().verify(result._surface).values())
     row = {"outcome": "sound" if sound else "unsound", "seconds": seconds, "triangles": len(result.triangles),
-           "bound": result.report.error_bound / tolerance, "there": 0.0, "back": 0.0}
+           "bound": result.report.error_bound / tolerance}
     # Of several bodies, and of a surface with holes, the offset is that of another surface than the shape's faces.
+    print("\n" + json.dumps(row), flush=True)  # in case that measuring takes too long
     if len(shape.Solids) == 1 and not result.report.repaired and len(result.triangles) and not job["hollow"]:
         row["there"], row["back"] = (d / tolerance for d in measured(shape, result, distance, tolerance))
     return row
