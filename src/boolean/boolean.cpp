@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/message.h"
 #include "base/parallel.h"
+#include "base/stage_watch.h"
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/cells.h"
 #include "boolean/arrangement/soup.h"
@@ -69,17 +70,17 @@ class BooleanPipeline {
         if (!find_crossings()) {
             return std::nullopt;
         }
-        stage("dividing", 0.5, 0.7);
+        stages_.start("dividing", 0.5, 0.7);
         const Arrangement arrangement = arrange(soup_, twins_, crossing_, progress_);
         result_.crossing_pairs = crossing_.size();
-        stage("classifying", 0.7, 0.85);
+        stages_.start("classifying", 0.7, 0.85);
         const Cells cells = find_cells(soup_, arrangement, progress_);
         result_.curve_edges = cells.curve_edges;
-        stage("extracting", 0.85, 0.9);
+        stages_.start("extracting", 0.85, 0.9);
         Extraction extraction = extract(soup_, arrangement, cells, expression_, progress_);
-        stage("checking", 0.9, 1.0);
+        stages_.start("checking", 0.9, 1.0);
         finish(extraction);
-        end_stage();
+        stages_.end();
         return std::move(result_);
     }
 
@@ -87,21 +88,8 @@ class BooleanPipeline {
     /// The distance to which faces that are coplanar within rounding are separated, mm.
     double clearance() const { return std::min(4.0 * BooleanTuning::kFlush * size_, 0.25 * tolerance_); }
 
-    void stage(const char* name, double from, double to) {
-        end_stage();
-        stage_ = name;
-        progress_.stage(name, from, to);
-        progress_.check();
-    }
-    void end_stage() {
-        if (stage_ != nullptr) {
-            clock_.end(stage_);
-        }
-        stage_ = nullptr;
-    }
-
     void prepare() {
-        stage("inspecting", 0.0, 0.15);
+        stages_.start("inspecting", 0.0, 0.15);
         prepared_.resize(inputs_.size());
         parallel_for(static_cast<int>(inputs_.size()), [&](int k) {
             const auto i = static_cast<std::size_t>(k);
@@ -203,7 +191,7 @@ class BooleanPipeline {
     }
 
     bool find_crossings() {
-        stage("finding crossings", 0.15, 0.5);
+        stages_.start("finding crossings", 0.15, 0.5);
         // Intersection curves cross few triangles. When many are crossed a sample shows whether surfaces nearly
         // coincide.
         const std::size_t many = std::max<std::size_t>(20'000, soup_.triangles.size() / 8);
@@ -294,8 +282,7 @@ class BooleanPipeline {
     Soup soup_;
     std::vector<CoincidentTriangle> twins_;
     std::vector<std::array<std::int32_t, 2>> crossing_;
-    const char* stage_ = nullptr;
-    StageClock clock_{result_.seconds};
+    StageWatch stages_{progress_, result_.seconds};
 };
 
 /// The symmetric difference of operands whose surfaces nearly coincide, one operand after the other: the union of both

@@ -10,11 +10,13 @@
 
 #include "base/parallel.h"
 #include "inspection/ray_crossings.h"
-#include "inspection/triangle_distance.h"
 #include "mesh/corner_table.h"
 #include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/triangle_distance.h"
 
 namespace mq::inspection {
+
+using mesh::Corners;
 
 namespace {
 
@@ -104,7 +106,7 @@ Found nearest_in_chunk(const Body& a, const Body& b, double reach, int chunk, co
             continue;
         }
         b.tree->for_each_in_box(box, [&](std::int32_t j) {
-            const TriangleDistance distance = triangle_distance(corners, b.corners(j));
+            const mesh::TriangleDistance distance = mesh::triangle_distance(corners, b.corners(j));
             if (distance.depth > 0.0) {
                 found.crossing[0].insert(i);
                 found.crossing[1].insert(j);

@@ -156,8 +156,9 @@ class _Work:
     def add(self, report):
         """Takes over what the report of a step says."""
         self._error_bound = report.error_bound
-        self._seconds, self._notes = list(report.seconds.items()), [
-            note for note in report.notes if not note.startswith("the result is empty")]
+        self._seconds = list(report.seconds.items())
+        if report.triangles:  # of a step without a result it is the last one that tells what is left
+            self._notes = report.notes
         self._cpu_seconds = report.cpu_seconds
 
     def before(self, last=False):

@@ -112,6 +112,10 @@ void merge_vertices(Soup& soup) {
     merge_marked(soup, near);
 }
 
+void merge_all_vertices(Soup& soup) {
+    merge_marked(soup, std::vector<char>(soup.vertices.size(), 1));
+}
+
 void merge_touching(Soup& soup, const std::vector<std::array<std::int32_t, 2>>& pairs) {
     std::vector<char> near(soup.vertices.size(), 0);
     for (const auto& pair : pairs) {

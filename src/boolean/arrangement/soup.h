@@ -43,6 +43,9 @@ void forget_moved_triangles(Soup& soup);
 /// Gives vertices in the same place the same index (the lowest), wherever boxes of operands meet.
 void merge_vertices(Soup& soup);
 
+/// Does the same for all vertices.
+void merge_all_vertices(Soup& soup);
+
 /// Does the same for the vertices of the pairs of triangles given, wherever they are.
 void merge_touching(Soup& soup, const std::vector<std::array<std::int32_t, 2>>& pairs);
 

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/predicates.h"
+#include "base/stage_watch.h"
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/cells.h"
 #include "boolean/arrangement/soup.h"
@@ -23,7 +24,6 @@
 #include "boolean/rounding/snap_rounding.h"
 #include "mesh/corner_table.h"
 #include "mesh/intersection/self_intersection.h"
-#include "mesh/weld_vertices.h"
 
 namespace mq::boolean {
 
@@ -87,23 +87,24 @@ class OffsetPipeline {
     OffsetResult run(double extension, bool inward) {
         OffsetResult best;
         best.error_bound = std::numeric_limits<double>::infinity();
+        std::string failure =
+            "the offset lacks regions of the exact one; choose a larger tolerance, or another distance";
         double share = OffsetTuning::kRawShare;
-        for (int round = 0; round < OffsetTuning::kRounds && best.error_bound > tolerance_; ++round) {
+        for (; round_ < OffsetTuning::kRounds && best.error_bound > tolerance_; ++round_) {
             try {
                 attempt(share, extension, inward);
-            } catch (const TopologyError&) {
-                // A finer raw offset has fewer sheets that nearly coincide.
-                if (round + 1 == OffsetTuning::kRounds && !std::isfinite(best.error_bound)) {
-                    throw;
+                if (result_.error_bound < best.error_bound) {
+                    best = result_;
                 }
-                share *= OffsetTuning::kRefinement;
-                continue;
-            }
-            if (result_.error_bound < best.error_bound) {
-                best = result_;
+            } catch (const TopologyError& error) {
+                failure = error.what();  // a finer raw offset has fewer sheets that nearly coincide
             }
             share *= OffsetTuning::kRefinement;
         }
+        if (!std::isfinite(best.error_bound)) {
+            throw TopologyError(failure);
+        }
+        best.seconds = result_.seconds;
         return best;
     }
 
@@ -128,27 +129,13 @@ class OffsetPipeline {
         finish(extraction);
         stage("measuring distances", 0.9, 1.0);
         measure(arrangement, cells, share * tolerance_);
-        end_stage();
+        stages_.end();
     }
 
+    /// Starts a stage of the round at hand: the first has half of the progress, each further one half of what is left.
     void stage(const char* name, double from, double to) {
-        end_stage();
-        stage_ = name;
-        progress_.stage(name, from, to);
-        progress_.check();
-    }
-    /// Adds the time of the running stage to what it took in earlier rounds.
-    void end_stage() {
-        if (stage_ != nullptr) {
-            const auto named = [this](const auto& entry) { return entry.first == stage_; };
-            auto entry = std::find_if(result_.seconds.begin(), result_.seconds.end(), named);
-            if (entry == result_.seconds.end()) {
-                entry = result_.seconds.insert(entry, {stage_, 0.0});
-            }
-            entry->second += watch_.wall();
-        }
-        watch_ = Stopwatch();
-        stage_ = nullptr;
+        const double left = std::exp2(-round_);
+        stages_.start(name, 1.0 - left + 0.5 * left * from, 1.0 - left + 0.5 * left * to);
     }
 
     void make_soup(double raw_error, double extension) {
@@ -160,27 +147,16 @@ class OffsetPipeline {
         for (const std::int32_t source : raw.source) {
             soup_.source.push_back({0, source});
         }
-        weld();
+        merge_all_vertices(soup_);
+        remove_collapsed_triangles();
         spread_flat_triangles();
     }
 
-    /// Gives vertices in one place one index, and removes triangles that have two corners in one place.
-    void weld() {
-        const std::vector<std::int32_t> first = mesh::equal_vertices(soup_.vertices);
-        soup_.shared.assign(soup_.vertices.size(), 0);
-        for (std::size_t v = 0; v < first.size(); ++v) {
-            if (static_cast<std::size_t>(first[v]) != v) {
-                soup_.shared[static_cast<std::size_t>(first[v])] = 1;
-            }
-        }
+    void remove_collapsed_triangles() {
         std::size_t kept = 0;
         for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
-            Triangle c = soup_.triangles[t];
-            for (std::int32_t& v : c) {
-                v = first[static_cast<std::size_t>(v)];
-            }
-            if (!mesh::is_collapsed(c)) {
-                soup_.triangles[kept] = c;
+            if (!mesh::is_collapsed(soup_.triangles[t])) {
+                soup_.triangles[kept] = soup_.triangles[t];
                 soup_.source[kept++] = soup_.source[t];
             }
         }
@@ -296,8 +272,8 @@ class OffsetPipeline {
     Progress& progress_;
     OffsetResult result_;
     Soup soup_;
-    const char* stage_ = nullptr;
-    Stopwatch watch_;
+    int round_ = 0;
+    StageWatch stages_{progress_, result_.seconds};
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "base/segment_distance.h"
+#include "mesh/intersection/triangle_distance.h"
 
 namespace mq::boolean {
 
@@ -46,21 +46,13 @@ double distance(const Vec3& p, const Corners& t) {
     return (mesh::nearest_on_triangle(p, t[0], t[1], t[2]) - p).norm();
 }
 
-/// The distance of two triangles that do not meet.
-double distance(const Corners& one, const Corners& two) {
-    double result = std::min({distance(one[0], two), distance(one[1], two), distance(one[2], two)});
-    result = std::min({result, distance(two[0], one), distance(two[1], one), distance(two[2], one)});
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            result = std::min(result, distance_of_segments(one[i], one[(i + 1) % 3], two[j], two[(j + 1) % 3]));
-        }
-    }
-    return result;
-}
-
 /// The least upper bound for the distances of a triangle's points from a surface that one of its triangles gives.
 double farthest(const Corners& t, const Vec3& middle, const SearchedSurface& surface) {
-    const Corners nearest = corners(surface, surface.tree.nearest(middle).triangle);
+    const std::int32_t nearest_triangle = surface.tree.nearest(middle).triangle;
+    if (nearest_triangle < 0) {
+        return std::numeric_limits<double>::infinity();  // it has no triangles
+    }
+    const Corners nearest = corners(surface, nearest_triangle);
     return std::max({distance(t[0], nearest), distance(t[1], nearest), distance(t[2], nearest)});
 }
 
@@ -99,7 +91,7 @@ double nearest_within(const Corners& t, const Vec3& middle, const SearchedSurfac
     surface.tree.for_each_in_box(box, [&](std::int32_t other) {
         const Corners o = corners(surface, other);
         if (distance(middle, o) - reach < result) {
-            result = std::min(result, distance(t, o));
+            result = std::min(result, mesh::triangle_distance(t, o).distance);
         }
     });
     return result;
@@ -123,7 +115,8 @@ ProvenBound over_all(const std::vector<Corners>& triangles, const Progress& prog
     return result;
 }
 
-struct Part {
+/// A piece of a triangle.
+struct Piece {
     Corners corners;
     int divisions;
 };
@@ -132,18 +125,18 @@ struct Part {
 
 bool all_nearer(const Corners& triangle, const SearchedSurface& surface, double distance) {
     constexpr int kDivisions = 4;
-    std::vector<Part> stack{{triangle, 0}};
+    std::vector<Piece> stack{{triangle, 0}};
     while (!stack.empty()) {
-        const Part part = stack.back();
+        const Piece piece = stack.back();
         stack.pop_back();
-        if (farthest(part.corners, centre(part.corners), surface) < distance) {
+        if (farthest(piece.corners, centre(piece.corners), surface) < distance) {
             continue;
         }
-        if (part.divisions == kDivisions || surface.tree.any_within(centre(part.corners), distance, 0) < 0) {
+        if (piece.divisions == kDivisions || surface.tree.any_within(centre(piece.corners), distance, 0) < 0) {
             return false;
         }
-        for (const Corners& quarter : divided(part.corners)) {
-            stack.push_back({quarter, part.divisions + 1});
+        for (const Corners& quarter : divided(piece.corners)) {
+            stack.push_back({quarter, piece.divisions + 1});
         }
     }
     return true;
@@ -158,25 +151,25 @@ ProvenBound deviation_from_distance(const std::vector<Corners>& triangles, const
         if (wanted - near > found.bound) {
             found = {wanted - near, middle};
         }
-        std::vector<Part> stack{{whole, 0}};
+        std::vector<Piece> stack{{whole, 0}};
         while (!stack.empty()) {
-            const Part part = stack.back();
+            const Piece piece = stack.back();
             stack.pop_back();
-            const Vec3 here = centre(part.corners);
-            const double far = farthest(part.corners, here, surface);
+            const Vec3 here = centre(piece.corners);
+            const double far = farthest(piece.corners, here, surface);
             if (far - wanted <= found.bound) {
                 continue;
             }
             double attained = 0.0;
-            for (const Vec3& p : part.corners) {
+            for (const Vec3& p : piece.corners) {
                 attained = std::max(attained, surface.tree.nearest(p).distance);
             }
-            if (far - std::max(attained, wanted) <= fineness || part.divisions == kMostDivisions) {
+            if (far - std::max(attained, wanted) <= fineness || piece.divisions == kMostDivisions) {
                 found = {far - wanted, here};
                 continue;
             }
-            for (const Corners& quarter : divided(part.corners)) {
-                stack.push_back({quarter, part.divisions + 1});
+            for (const Corners& quarter : divided(piece.corners)) {
+                stack.push_back({quarter, piece.divisions + 1});
             }
         }
     });
@@ -191,7 +184,7 @@ ProvenBound coarse_bound_of_missing(const std::vector<Corners>& triangles, const
     std::atomic<bool> missing{false};
     const ProvenBound coarse = over_all(triangles, progress, [&](const Corners& t, ProvenBound& found) {
         const Vec3 middle = centre(t);
-        if (result.tree.size() == 0 || farthest(t, middle, surface) < least) {
+        if (farthest(t, middle, surface) < least) {
             return;
         }
         const double far = farthest(t, middle, result);
@@ -217,31 +210,30 @@ ProvenBound distance_of_outer_points(const std::vector<Corners>& triangles, cons
     return over_all(triangles, progress, [&](const Corners& whole, ProvenBound& found) {
         const Vec3 cross = (whole[1] - whole[0]).cross(whole[2] - whole[0]);
         const Vec3 ahead = cross.squaredNorm() > 0.0 ? Vec3(gap * cross.normalized()) : Vec3(Vec3::Zero());
-        std::vector<Part> stack{{whole, 0}};
+        std::vector<Piece> stack{{whole, 0}};
         while (!stack.empty()) {
-            const Part part = stack.back();
+            const Piece piece = stack.back();
             stack.pop_back();
-            const Vec3 here = centre(part.corners);
-            const Corners beyond{part.corners[0] + ahead, part.corners[1] + ahead, part.corners[2] + ahead};
-            if (farthest(part.corners, here, surface) < least ||
+            const Vec3 here = centre(piece.corners);
+            const Corners beyond{piece.corners[0] + ahead, piece.corners[1] + ahead, piece.corners[2] + ahead};
+            if (farthest(piece.corners, here, surface) < least ||
                 farthest(beyond, here + ahead, surface) < least + ahead.norm()) {
                 continue;
             }
-            const double far =
-                result.tree.size() == 0 ? 2.0 * radius(part.corners, here) : farthest(part.corners, here, result);
+            const double far = farthest(piece.corners, here, result);
             if (far <= found.bound) {
                 continue;
             }
-            // A part smaller than its distance from the surface lies on one side of it.
-            const double size = radius(part.corners, here);
+            // A piece smaller than its distance from the surface lies on one side of it.
+            const double size = radius(piece.corners, here);
             if (size < surface.tree.nearest(here).distance && is_behind(here, surface)) {
                 continue;
             }
-            if (far <= enough || part.divisions == kMostDivisions || size < 0.25 * enough) {
+            if (far <= enough || piece.divisions == kMostDivisions || size < 0.25 * enough) {
                 found = {far, here};
             } else {
-                for (const Corners& quarter : divided(part.corners)) {
-                    stack.push_back({quarter, part.divisions + 1});
+                for (const Corners& quarter : divided(piece.corners)) {
+                    stack.push_back({quarter, piece.divisions + 1});
                 }
             }
         }

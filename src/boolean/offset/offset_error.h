@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/vec.h"
 #include "mesh/intersection/aabb_tree.h"
+#include "mesh/intersection/triangle_distance.h"
 #include "mesh/triangle_mesh.h"
 
 namespace mq::boolean {
 
-/// A surface with the tree of its triangles, for questions of distance.
+/// A surface with the tree of its triangles, for questions of distance. Both lists must outlive it.
 struct SearchedSurface {
-    SearchedSurface(const std::vector<Vec3>& vertices, const std::vector<mesh::Triangle>& triangles)
-        : points(vertices), triangles(triangles), tree(vertices, triangles) {}
+    SearchedSurface(const std::vector<Vec3>& its_points, const std::vector<mesh::Triangle>& its_triangles)
+        : points(its_points), triangles(its_triangles), tree(its_points, its_triangles) {}
 
     const std::vector<Vec3>& points;
     const std::vector<mesh::Triangle>& triangles;
     const mesh::AabbTree tree;
 };
 
-/// A triangle by its corners.
-using Corners = std::array<Vec3, 3>;
+using mesh::Corners;
 
 /// A bound, mm, and where it was found.
 struct ProvenBound {

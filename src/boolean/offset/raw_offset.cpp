@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "boolean/offset/direction_cap.h"
 #include "boolean/offset/offset_error.h"
+#include "boolean/offset/tuning.h"
 #include "mesh/corner_table.h"
 
 namespace mq::boolean {
@@ -21,11 +22,8 @@ using mesh::previous_corner;
 
 /// An arc of more than this angle (radians) is led by a direction between its ends.
 constexpr double kHalfTurn = 2.9;
-/// The largest angle between the direction at a vertex and a normal there, whatever the tolerance.
-const double kMostTurn = std::cos(0.5);
-/// How far at most a vertex is moved sideways from where a triangle's normal leads, as a fraction of the edges there.
-/// What is nearest to it is then in the ring of its triangles.
-constexpr double kLargestShift = 1.0;
+/// The cosine of the largest angle between the direction at a vertex and a normal there, whatever the tolerance.
+const double kLeastCosine = std::cos(0.5);
 /// The largest angle of a step on an arc, whatever the tolerance, radians.
 constexpr double kLargestStep = 1.0;
 
@@ -37,7 +35,7 @@ class RawOffsetBuilder {
     RawOffsetBuilder(const ClosedSurface& surface, const RawOffsetOptions& options)
         : surface_(surface), options_(options) {
         const double share = options.tolerance / options.distance;
-        least_cosine_ = std::max(1.0 - share, kMostTurn);
+        least_cosine_ = std::max(1.0 - share, kLeastCosine);
         // A triangle on a sphere with sides of this angle has its centre within the tolerance of the sphere.
         step_ = std::min(std::sqrt(3.0) * std::acos(std::max(1.0 - share, 0.0)), kLargestStep);
     }
@@ -202,7 +200,7 @@ class RawOffsetBuilder {
             length += (tail(next_corner(c)) - tail(c)).norm() / static_cast<double>(count);
         }
         sum.normalize();
-        const double sine = std::min(kLargestShift * length / options_.distance, 1.0);
+        const double sine = std::min(OffsetTuning::kLargestShift * length / options_.distance, 1.0);
         const double least_cosine = std::max(least_cosine_, std::sqrt(1.0 - sine * sine));
         for (std::size_t i = 0; i < count; ++i) {
             if (!(sum.dot(normal(fan[(first + i) % fan.size()])) >= least_cosine)) {

@@ -5,8 +5,8 @@
 
 namespace mq::boolean {
 
-/// The constants that divide the tolerance of an offset. docs/measurements/tuning.md says what each does at half and at
-/// double its value.
+/// The constants that divide the tolerance of an offset. What each does at half and at double its value was not
+/// measured yet.
 struct OffsetTuning {
     /// Error of the raw offset, as a fraction of the tolerance, at first ...
     MESHQUALITY_TUNED(double, kRawShare, 0.35);
@@ -24,6 +24,9 @@ struct OffsetTuning {
     MESHQUALITY_TUNED(double, kRoundingShare, 0.2);
     /// Fraction of the tolerance by which the offset of a sheet goes on beyond its border.
     MESHQUALITY_TUNED(double, kExtension, 0.25);
+    /// How far at most a vertex is moved sideways from where a triangle's normal leads, as a fraction of the edges
+    /// there: what is nearest to it is then in the ring of its triangles.
+    MESHQUALITY_TUNED(double, kLargestShift, 1.0);
     /// Fraction of the tolerance to which distances are determined.
     MESHQUALITY_TUNED(double, kFineness, 0.02);
 };

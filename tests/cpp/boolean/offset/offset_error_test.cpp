@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "base/segment_distance.h"
 #include "boolean/closed_solids.h"
 
 namespace mq::boolean {
@@ -40,6 +39,11 @@ TEST(OffsetError, PointsBehindTheSurfaceAndInThinGapsAreNoPartOfTheOffset) {
     EXPECT_EQ(distance_of_outer_points(inside, surface, 1.9, 0.1, result, 0.01, kUnwatched).bound, 0.0);
     const std::vector<Corners> outside{{Vec3(4, 4, 12), Vec3(6, 4, 12), Vec3(4, 6, 12)}};
     EXPECT_GT(distance_of_outer_points(outside, surface, 1.9, 0.1, result, 0.01, kUnwatched).bound, 90.0);
+    // A result without triangles lacks all of it.
+    const mesh::TriangleMesh none;
+    const SearchedSurface nothing(none.vertices, none.triangles);
+    EXPECT_TRUE(std::isinf(distance_of_outer_points(outside, surface, 1.9, 0.1, nothing, 0.01, kUnwatched).bound));
+    EXPECT_EQ(distance_of_outer_points(inside, surface, 1.9, 0.1, nothing, 0.01, kUnwatched).bound, 0.0);
     // A lid 4.1 above the box: what is moved on from 2 by 0.2 comes nearer to the lid.
     mesh::TriangleMesh with_lid = box;
     const mesh::TriangleMesh lid = solids::box(Vec3(-20, -20, 14.1), Vec3(30, 30, 20));
@@ -60,14 +64,12 @@ TEST(OffsetError, AllNearerIsAProof) {
     EXPECT_FALSE(all_nearer({Vec3(1, 1, 11), Vec3(9, 1, 11), Vec3(1, 40, 11)}, surface, 2.0));
 }
 
-TEST(SegmentDistance, KnownPairs) {
-    const Vec3 o = Vec3::Zero();
-    const Vec3 x = Vec3::UnitX();
-    EXPECT_NEAR(distance_of_segments(o, x, Vec3(0.5, 1, -1), Vec3(0.5, 1, 1)), 1.0, 1e-15);        // across
-    EXPECT_NEAR(distance_of_segments(o, x, Vec3(2, 1, 0), Vec3(3, 1, 0)), std::sqrt(2.0), 1e-15);  // parallel
-    EXPECT_NEAR(distance_of_segments(o, x, Vec3(0, 0, 2), Vec3(1, 0, 2)), 2.0, 1e-15);
-    EXPECT_NEAR(distance_of_segments(o, o, Vec3(0, 3, 0), Vec3(0, 4, 0)), 3.0, 1e-15);  // a point
-    EXPECT_NEAR(distance_of_segments(o, x, Vec3(0.5, 0, 0), Vec3(0.5, 0, 1)), 0.0, 1e-15);
+TEST(OffsetError, ATriangleThatCrossesTheSurfaceIsAtNoDistance) {
+    // Its corners and edges are far from the edges and corners of the face that it goes through.
+    const mesh::TriangleMesh box = solids::box(Vec3(0, 0, 0), Vec3(10, 10, 10));
+    const SearchedSurface surface(box.vertices, box.triangles);
+    const std::vector<Corners> through{{Vec3(6, 2, 8), Vec3(6.5, 2, 13), Vec3(7, 3, 13)}};
+    EXPECT_NEAR(deviation_from_distance(through, surface, 2.0, 1e-3, kUnwatched).bound, 2.0, 1e-9);
 }
 
 }  // namespace

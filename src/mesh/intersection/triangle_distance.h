@@ -5,7 +5,7 @@
 
 #include "base/vec.h"
 
-namespace mq::inspection {
+namespace mq::mesh {
 
 /// The nearest points of two triangles.
 struct TriangleDistance {
@@ -17,6 +17,7 @@ struct TriangleDistance {
     double depth = 0.0;
 };
 
+/// A triangle by its corners.
 using Corners = std::array<Vec3, 3>;
 
 /// Nearest points of the segments from p to q and from r to s (Ericson, Real-Time Collision Detection, section 5.1.9).
@@ -25,4 +26,4 @@ std::array<Vec3, 2> nearest_of_segments(const Vec3& p, const Vec3& q, const Vec3
 /// Distance of two triangles, neither of them without area. Whether they meet is decided exactly.
 TriangleDistance triangle_distance(const Corners& first, const Corners& second);
 
-}  // namespace mq::inspection
+}  // namespace mq::mesh

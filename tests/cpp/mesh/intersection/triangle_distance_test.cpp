@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "inspection/triangle_distance.h"
+#include "mesh/intersection/triangle_distance.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-namespace mq::inspection {
+namespace mq::mesh {
 namespace {
 
 const Corners kBase{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
@@ -69,4 +69,4 @@ TEST(TriangleDistance, IsNoMoreThanThatOfSamplesAndReached) {
 }
 
 }  // namespace
-}  // namespace mq::inspection
+}  // namespace mq::mesh

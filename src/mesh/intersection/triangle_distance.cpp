@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "inspection/triangle_distance.h"
+#include "mesh/intersection/triangle_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "base/predicates.h"
 #include "mesh/intersection/aabb_tree.h"
 
-namespace mq::inspection {
+namespace mq::mesh {
 
 namespace {
 
@@ -87,8 +87,8 @@ TriangleDistance triangle_distance(const Corners& first, const Corners& second) 
     TriangleDistance found;
     found.distance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 3; ++i) {
-        keep_nearest(first[i], mesh::nearest_on_triangle(first[i], second[0], second[1], second[2]), found);
-        keep_nearest(mesh::nearest_on_triangle(second[i], first[0], first[1], first[2]), second[i], found);
+        keep_nearest(first[i], nearest_on_triangle(first[i], second[0], second[1], second[2]), found);
+        keep_nearest(nearest_on_triangle(second[i], first[0], first[1], first[2]), second[i], found);
         for (std::size_t j = 0; j < 3; ++j) {
             const auto [p, q] = nearest_of_segments(first[i], first[(i + 1) % 3], second[j], second[(j + 1) % 3]);
             keep_nearest(p, q, found);
@@ -99,4 +99,4 @@ TriangleDistance triangle_distance(const Corners& first, const Corners& second) 
     return found;
 }
 
-}  // namespace mq::inspection
+}  // namespace mq::mesh
