@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "base/message.h"
 #include "base/parallel.h"
-#include "base/stage_watch.h"
+#include "base/stopwatch.h"
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/cells.h"
 #include "boolean/arrangement/soup.h"

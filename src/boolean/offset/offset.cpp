@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/predicates.h"
-#include "base/stage_watch.h"
+#include "base/stopwatch.h"
 #include "boolean/arrangement/arrangement.h"
 #include "boolean/arrangement/cells.h"
 #include "boolean/arrangement/soup.h"
