@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "wrap/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "base/parallel.h"
+#include "wrap/tuning.h"
+
+namespace mq::wrap {
+
+namespace {
+
+/// An edge of the lattice between a node outside and one that is not.
+struct Edge {
+    Node outer;
+    Node inner;
+};
+
+std::uint64_t edge_key(const Edge& edge) {
+    const int step = Lattice::step_between(edge.outer, edge.inner);
+    return Lattice::key(step < 7 ? edge.outer : edge.inner) << 3 | static_cast<std::uint64_t>(step % 7);
+}
+
+/// Two nodes on one side of the wrap, or one, and the others.
+struct Sides {
+    std::array<Node, 4> outer;
+    std::array<Node, 4> inner;
+    int outside = 0;
+};
+
+Sides sides_of(const std::array<Node, 4>& cell, const NodeStates& states) {
+    Sides sides;
+    int inside = 0;
+    for (const Node& node : cell) {
+        if (states.is_outside(node)) {
+            sides.outer[static_cast<std::size_t>(sides.outside++)] = node;
+        } else {
+            sides.inner[static_cast<std::size_t>(inside++)] = node;
+        }
+    }
+    return sides;
+}
+
+/// The edges between both sides, around the cell.
+std::vector<Edge> crossed_edges(const Sides& sides) {
+    const auto& [outer, inner, outside] = sides;
+    if (outside == 1) {
+        return {{outer[0], inner[0]}, {outer[0], inner[1]}, {outer[0], inner[2]}};
+    }
+    if (outside == 3) {
+        return {{outer[0], inner[0]}, {outer[1], inner[0]}, {outer[2], inner[0]}};
+    }
+    return {{outer[0], inner[0]}, {outer[0], inner[1]}, {outer[1], inner[1]}, {outer[1], inner[0]}};
+}
+
+/// Whether the middles of the edges run counter-clockwise, seen from the outer nodes.
+bool runs_outward(const std::vector<Edge>& edges, const Lattice& lattice) {
+    const auto middle = [&](std::size_t k) { return Vec3(lattice.at(edges[k].outer) + lattice.at(edges[k].inner)); };
+    const Vec3 normal = (middle(1) - middle(0)).cross(middle(2) - middle(0));
+    Vec3 outward = Vec3::Zero();
+    for (const Edge& edge : edges) {
+        outward += lattice.at(edge.outer) - lattice.at(edge.inner);
+    }
+    return normal.dot(outward) > 0.0;
+}
+
+/// Finds the cells of blocks one after the other, and numbers the edges that they share.
+class CellSearch {
+  public:
+    CellSearch(const NodeStates& states, const Progress& progress) : states_(states), pace_(progress) {}
+
+    void run(CrossedCells& result) {
+        for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
+            pace_.step();
+            for (int place = 0; place < Lattice::kBlockNodes / 2; ++place) {
+                const Node node = Lattice::node_at(block, place);
+                for_each_tetrahedron(node, [&](const std::array<Node, 4>& cell) { visit(cell, result); });
+            }
+        }
+    }
+    std::vector<Edge> edges;
+
+  private:
+    void visit(const std::array<Node, 4>& cell, CrossedCells& result) {
+        for (const Node& node : cell) {
+            if (!states_.lattice().contains(node)) {
+                return;
+            }
+        }
+        const Sides sides = sides_of(cell, states_);
+        if (sides.outside == 0 || sides.outside == 4) {
+            return;
+        }
+        std::vector<Edge> crossed = crossed_edges(sides);
+        if (!runs_outward(crossed, states_.lattice())) {
+            std::reverse(crossed.begin(), crossed.end());
+        }
+        CrossedCell found;
+        found.nodes = cell;
+        for (const Edge& edge : crossed) {
+            const auto [at, is_new] = numbers_.insert({edge_key(edge), static_cast<std::int32_t>(edges.size())});
+            if (is_new) {
+                edges.push_back(edge);
+            }
+            found.crossings[static_cast<std::size_t>(found.count++)] = at->second;
+        }
+        result.cells.push_back(found);
+    }
+
+    const NodeStates& states_;
+    CancelPace pace_;
+    KeyMap<std::int32_t> numbers_;
+};
+
+/// How far from `from` towards `to`, as a share of the way, the distance from the input falls to `distance`.
+double share_to_distance(const InputSurface& surface, const Vec3& from, const Vec3& to, double distance) {
+    constexpr double kFine = 1e-3;  // of the distance
+    const double length = (to - from).norm();
+    double share = 0.0;
+    while (share < 1.0) {
+        const double left = surface.tree.nearest(from + share * (to - from)).distance - distance;
+        if (left <= kFine * distance) {
+            break;
+        }
+        share += left / length;
+    }
+    return std::min(share, 1.0);
+}
+
+Crossing at_share(double share, const Vec3& outer, const Vec3& inner) {
+    Crossing result;
+    result.on_input = outer + share * (inner - outer);
+    result.point =
+        outer + std::clamp(share, WrapTuning::kEndShare, 1.0 - WrapTuning::kEndShare) * (inner - outer);
+    return result;
+}
+
+Crossing at_sheet(const InputSurface& surface, const Vec3& outer, const Vec3& inner, double half) {
+    Crossing result = at_share(share_to_distance(surface, outer, inner, half), outer, inner);
+    const mesh::ClosestPoint nearest = surface.tree.nearest(result.on_input);
+    result.source = nearest.triangle;
+    result.normal = (result.on_input - nearest.point).normalized();
+    return result;
+}
+
+Crossing at_input(const InputSurface& surface, const Vec3& outer, const Vec3& inner) {
+    const FirstMeeting first = surface.first_meeting(outer, inner);
+    Crossing result = at_share(first.share, outer, inner);
+    result.source = first.triangle;
+    result.normal = surface.normal(first.triangle);
+    if (result.normal.dot(outer - inner) < 0.0) {
+        result.normal = -result.normal;
+    }
+    return result;
+}
+
+/// Where the edge leaves the ball that covers its outer end; in a pocket its middle.
+Crossing at_gap(const NodeStates& states, const Edge& edge, double reach) {
+    const Lattice& lattice = states.lattice();
+    const Vec3 outer = lattice.at(edge.outer);
+    const Vec3 ahead = lattice.at(edge.inner) - outer;
+    const NodeState* state = states.find(edge.outer);
+    const std::array<std::int8_t, 3>& ball = state->to_ball;
+    double share = 0.5;
+    if (ball != std::array<std::int8_t, 3>{}) {
+        const Vec3 from_centre = -0.5 * lattice.side() * Vec3(ball[0], ball[1], ball[2]);
+        const double b = from_centre.dot(ahead) / ahead.squaredNorm();
+        const double c = (from_centre.squaredNorm() - reach * reach) / ahead.squaredNorm();
+        share = -b + std::sqrt(std::max(0.0, b * b - c));
+    }
+    constexpr double kEnds = 0.05;  // there is no surface here to be kept
+    Crossing result;
+    result.point = outer + std::clamp(share, kEnds, 1.0 - kEnds) * ahead;
+    return result;
+}
+
+Crossing crossing_of(const NodeStates& states, const Edge& edge, double reach) {
+    const Lattice& lattice = states.lattice();
+    const Vec3 outer = states.position(edge.outer);
+    const Vec3 inner = states.position(edge.inner);
+    const NodeState* inner_state = states.find(edge.inner);
+    if (inner_state != nullptr && inner_state->sheet) {
+        return at_sheet(states.surface(), outer, inner, 0.5 * lattice.side());
+    }
+    if (states.is_barred(edge.outer, Lattice::step_between(edge.outer, edge.inner))) {
+        return at_input(states.surface(), outer, inner);
+    }
+    return at_gap(states, edge, reach);
+}
+
+}  // namespace
+
+CrossedCells find_crossings(const NodeStates& states, double reach, const Progress& progress) {
+    CrossedCells result;
+    CellSearch search(states, progress);
+    search.run(result);
+    result.crossings.resize(search.edges.size());
+    for_chunks(static_cast<int>(search.edges.size()), [&](int k) {
+        result.crossings[static_cast<std::size_t>(k)] = crossing_of(states, search.edges[static_cast<std::size_t>(k)], reach);
+    });
+    return result;
+}
+
+}  // namespace mq::wrap

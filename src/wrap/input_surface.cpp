@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "wrap/input_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/predicates.h"
+
+namespace mq::wrap {
+
+namespace {
+
+using mesh::Triangle;
+
+const Vec3& point(const InputSurface& surface, const Triangle& t, int k) {
+    return surface.points[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])];
+}
+
+bool meets_triangle(const InputSurface& surface, const Triangle& t, const Vec3& p, const Vec3& q) {
+    const Vec3& a = point(surface, t, 0);
+    const Vec3& b = point(surface, t, 1);
+    const Vec3& c = point(surface, t, 2);
+    const int from = orient3d(a, b, c, p);
+    if (from != 0 && from == orient3d(a, b, c, q)) {
+        return false;
+    }
+    const int ab = orient3d(p, q, a, b);
+    const int bc = orient3d(p, q, b, c);
+    const int ca = orient3d(p, q, c, a);
+    return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+}
+
+}  // namespace
+
+bool InputSurface::meets(const Vec3& from, const Vec3& to) const {
+    bool found = false;
+    tree.for_each_on_ray(from, to - from, 1.0, [&](std::int32_t t) {
+        found = meets_triangle(*this, triangles[static_cast<std::size_t>(t)], from, to);
+        return !found;
+    });
+    return found;
+}
+
+FirstMeeting InputSurface::first_meeting(const Vec3& from, const Vec3& to) const {
+    FirstMeeting first;
+    tree.for_each_on_ray(from, to - from, 1.0, [&](std::int32_t t) {
+        const Triangle& corners = triangles[static_cast<std::size_t>(t)];
+        if (!meets_triangle(*this, corners, from, to)) {
+            return;
+        }
+        const Vec3& a = point(*this, corners, 0);
+        const Vec3 cross = (point(*this, corners, 1) - a).cross(point(*this, corners, 2) - a);
+        const double ahead = cross.dot(to - from);
+        // In the triangle's plane: there is no one place, the middle stands for it.
+        const double share = ahead != 0.0 ? std::clamp(cross.dot(a - from) / ahead, 0.0, 1.0) : 0.5;
+        if (share < first.share || (share == first.share && t < first.triangle)) {
+            first = {share, t};
+        }
+    });
+    return first;
+}
+
+Vec3 InputSurface::normal(std::int32_t triangle) const {
+    const Triangle& t = triangles[static_cast<std::size_t>(triangle)];
+    const Vec3 cross = (point(*this, t, 1) - point(*this, t, 0)).cross(point(*this, t, 2) - point(*this, t, 0));
+    const double length = cross.norm();
+    return length > 0.0 ? Vec3(cross / length) : Vec3(Vec3::Zero());
+}
+
+}  // namespace mq::wrap

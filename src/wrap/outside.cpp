@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "wrap/outside.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "base/key_set.h"
+
+namespace mq::wrap {
+
+namespace {
+
+/// Where the ball's centre can go from the corner of the lattice.
+class Flood {
+  public:
+    Flood(NodeStates& states, const Progress& progress) : states_(states), lattice_(states.lattice()), pace_(progress) {}
+
+    void run() {
+        enter(Node{0, 0, 0});
+        while (!blocks_.empty() || !nodes_.empty()) {
+            pace_.step();
+            if (!nodes_.empty()) {
+                const Node node = nodes_.back();
+                nodes_.pop_back();
+                for_each_neighbour(lattice_, node, [&](const Node& other, int) { enter(other); });
+            } else {
+                const std::size_t block = blocks_.back();
+                blocks_.pop_back();
+                leave_block(lattice_.block_at(block));
+            }
+        }
+    }
+
+  private:
+    void enter(const Node& node) {
+        NodeState* state = states_.find(node);
+        if (state == nullptr) {
+            const std::size_t block = lattice_.block_of(node);
+            if (!states_.is_outside_block(block)) {
+                states_.set_outside_block(block);
+                blocks_.push_back(block);
+            }
+        } else if (state->free && !state->outside) {
+            state->outside = true;
+            nodes_.push_back(node);
+        }
+    }
+    void leave_block(const std::array<std::int32_t, 3>& block) {
+        constexpr std::int32_t kAcross = Lattice::kAcross;
+        const Node low{kAcross * block[0], kAcross * block[1], kAcross * block[2]};
+        for (int place = 0; place < Lattice::kBlockNodes; ++place) {
+            const Node node = Lattice::node_at(block, place);
+            bool border = false;
+            for (std::size_t i = 0; i < 3; ++i) {
+                border = border || node[i] - low[i] < 2 || node[i] - low[i] >= kAcross - 2;
+            }
+            if (border) {
+                for_each_neighbour(lattice_, node, [&](const Node& other, int) { enter(other); });
+            }
+        }
+    }
+
+    NodeStates& states_;
+    const Lattice& lattice_;
+    CancelPace pace_;
+    std::vector<std::size_t> blocks_;
+    std::vector<Node> nodes_;
+};
+
+/// The nodes that the ball covers, nearest to its centres first.
+class RollingBall {
+  public:
+    RollingBall(NodeStates& states, double reach, const Progress& progress)
+        : states_(states), lattice_(states.lattice()), reach_(reach), pace_(progress) {}
+
+    void run() {
+        for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
+            for (int place = 0; place < Lattice::kBlockNodes; ++place) {
+                const Node node = Lattice::node_at(block, place);
+                const NodeState& state = *states_.find(node);
+                if (state.free && state.outside) {
+                    spread(node, node);
+                }
+            }
+        }
+        while (!queue_.empty()) {
+            pace_.step();
+            const Reached next = queue_.top();
+            queue_.pop();
+            NodeState& state = *states_.find(next.node);
+            if (state.outside) {
+                continue;
+            }
+            state.outside = true;
+            for (std::size_t i = 0; i < 3; ++i) {
+                state.to_ball[i] = static_cast<std::int8_t>(next.centre[i] - next.node[i]);
+            }
+            spread(next.node, next.centre);
+        }
+    }
+
+  private:
+    struct Reached {
+        double distance;
+        Node node;
+        Node centre;
+        bool operator<(const Reached& o) const {
+            return std::tie(o.distance, o.node, o.centre) < std::tie(distance, node, centre);
+        }
+    };
+
+    void spread(const Node& node, const Node& centre) {
+        for_each_neighbour(lattice_, node, [&](const Node& other, int step) {
+            const NodeState* state = states_.find(other);
+            if (state == nullptr || state->free || state->outside || states_.is_barred(node, step)) {
+                return;
+            }
+            const double distance = (lattice_.at(other) - lattice_.at(centre)).norm();
+            if (distance <= reach_) {
+                queue_.push({distance, other, centre});
+            }
+        });
+    }
+
+    NodeStates& states_;
+    const Lattice& lattice_;
+    double reach_;
+    CancelPace pace_;
+    std::priority_queue<Reached> queue_;
+};
+
+/// What lies behind the nodes that the ball covers, as shortest ways from there.
+class Pockets {
+  public:
+    Pockets(NodeStates& states, double depth, const Progress& progress)
+        : states_(states), lattice_(states.lattice()), depth_(depth), pace_(progress) {}
+
+    void run() {
+        for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
+            for (int place = 0; place < Lattice::kBlockNodes; ++place) {
+                const Node node = Lattice::node_at(block, place);
+                const NodeState& state = *states_.find(node);
+                if (state.outside && !state.free) {
+                    spread(node, 0.0, kOutside);
+                }
+            }
+        }
+        find_ways();
+        find_gaps();
+        for (Way& way : ways_) {
+            way.gap = way.gap || (way.from != kOutside && ways_[way.from].gap);
+            if (!way.gap) {
+                states_.find(way.node)->outside = true;
+            }
+        }
+    }
+
+  private:
+    static constexpr std::size_t kOutside = std::numeric_limits<std::size_t>::max();
+
+    struct Way {
+        double length;
+        Node node;
+        std::size_t from;  ///< the way that it goes on from
+        bool gap = false;  ///< it goes on for longer than the depth, or leads from one that does
+        bool operator<(const Way& o) const { return std::tie(o.length, o.node, o.from) < std::tie(length, node, from); }
+    };
+
+    void spread(const Node& node, double length, std::size_t from) {
+        for_each_neighbour(lattice_, node, [&](const Node& other, int step) {
+            const NodeState* state = states_.find(other);
+            const double there = length + lattice_.length_of_step(step);
+            if (state != nullptr && !state->free && !state->outside && there <= depth_ &&
+                !states_.is_barred(node, step)) {
+                queue_.push({there, other, from});
+            }
+        });
+    }
+    /// The ways, by length.
+    void find_ways() {
+        while (!queue_.empty()) {
+            pace_.step();
+            const Way next = queue_.top();
+            queue_.pop();
+            if (way_of_.insert({Lattice::key(next.node), ways_.size()}).second) {
+                ways_.push_back(next);
+                spread(next.node, next.length, ways_.size() - 1);
+            }
+        }
+    }
+    /// Marks the ways along which something is deeper than the depth.
+    void find_gaps() {
+        for (std::size_t k = ways_.size(); k-- > 0;) {
+            Way& way = ways_[k];
+            for_each_neighbour(lattice_, way.node, [&](const Node& other, int step) {
+                way.gap = way.gap || (!states_.is_outside(other) && !states_.is_barred(way.node, step) &&
+                                      way_of_.find(Lattice::key(other)) == way_of_.end());
+            });
+            if (way.gap && way.from != kOutside) {
+                ways_[way.from].gap = true;
+            }
+        }
+    }
+
+    NodeStates& states_;
+    const Lattice& lattice_;
+    double depth_;
+    CancelPace pace_;
+    std::priority_queue<Way> queue_;
+    std::vector<Way> ways_;
+    KeyMap<std::size_t> way_of_;
+};
+
+}  // namespace
+
+void mark_outside(NodeStates& states, double reach, double pocket, const Progress& progress) {
+    Flood(states, progress).run();
+    RollingBall(states, reach, progress).run();
+    Pockets(states, pocket, progress).run();
+}
+
+}  // namespace mq::wrap

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "base/progress.h"
+#include "wrap/node_states.h"
+
+namespace mq::wrap {
+
+/// Moves nodes into material that edges between two nodes outside pass through: tips of edges and corners, thin walls.
+/// They are no longer outside.
+///
+/// A node goes to the middle of what such an edge has in the material, where that is at most half a side away, no
+/// tetrahedron at the node becomes flat (kFlatCell), and all edges to nodes outside meet the input then. The tetrahedra
+/// still divide space, so that all that is said of the lattice holds (compare the warping of Labelle and Shewchuk 2007).
+/// @throws Cancelled
+void move_into_thin_material(NodeStates& states, const Progress& progress);
+
+/// Marks nodes at material that still lies between nodes outside as sheets; they are no longer outside. Where an edge
+/// between two nodes outside meets the input, and no node that is not outside is within two steps, the nodes there that
+/// are at most half a side from the input become a sheet. A sheet goes on for three edges into what is held, so that it
+/// stays connected.
+/// @throws Cancelled
+void mark_sheets(NodeStates& states, const Progress& progress);
+
+}  // namespace mq::wrap

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "wrap/wrap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "wrap/contour.h"
+#include "wrap/crossings.h"
+#include "wrap/outside.h"
+#include "wrap/simplification.h"
+#include "wrap/thin_material.h"
+#include "wrap/tuning.h"
+
+namespace mq::wrap {
+
+namespace {
+
+/// The farthest that a point is from a node of the lattice, in sides.
+constexpr double kCovering = 0.5590169943749475;  // sqrt(5) / 4
+
+void require(bool holds, const std::string& what) {
+    if (!holds) {
+        throw InvalidInput(what);
+    }
+}
+
+}  // namespace
+
+void WrapOptions::validate() const {
+    require(std::isfinite(gap) && gap > 0.0, "gap: give a length in mm above 0");
+    require(std::isfinite(spacing) && spacing > 0.0 && spacing <= 0.5 * gap,
+            "spacing: give a length in mm above 0, at most half of the gap");
+    require(threads >= 0, "threads: give 0 or more");
+}
+
+WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Progress& progress) {
+    options.validate();
+    require(!input.triangles.empty(), "there is nothing to wrap: no triangle is given");
+    const ThreadLimit limit(options.threads);
+    WrapResult result;
+    StageWatch watch(progress, result.seconds);
+
+    watch.start("distances", 0.0, 0.3);
+    const InputSurface surface(input.vertices, input.triangles);
+    // Points of an edge are at most half a side nearer to the input than its ends.
+    const double radius = 0.5 * options.gap + 0.5 * options.spacing;
+    // A ball that touches the input at a point, moved away from there until a node with the radius is beside its centre.
+    const double reach = 0.5 * options.gap + (0.5 + 2.0 * kCovering) * options.spacing;
+    const Lattice lattice(surface.tree.box(), reach + 2.0 * options.spacing, options.spacing);
+    NodeStates states(lattice, surface, radius, progress);
+
+    watch.start("rolling ball", 0.3, 0.5);
+    mark_outside(states, reach, 0.5 * options.gap, progress);
+    move_into_thin_material(states, progress);
+    mark_sheets(states, progress);
+
+    watch.start("crossings", 0.5, 0.6);
+    const CrossedCells cells = find_crossings(states, reach, progress);
+
+    watch.start("contour", 0.6, 0.7);
+    Contour surface_between = contour(states, cells, progress);
+
+    watch.start("simplification", 0.7, 1.0);
+    std::vector<std::int32_t> patch;
+    for (const std::int32_t source : surface_between.source) {
+        patch.push_back(source < 0 || input.triangle_face.empty()
+                            ? std::min(source, 0)
+                            : input.triangle_face[static_cast<std::size_t>(source)]);
+    }
+    simplify(surface_between, cells.crossings, patch, options.spacing, progress);
+    watch.end();
+    result.mesh.origin = input.origin;
+    result.mesh.vertices = std::move(surface_between.points);
+    for (Vec3& point : result.mesh.vertices) {
+        point = to_single(point);
+    }
+    result.mesh.triangles = std::move(surface_between.triangles);
+    result.triangle_source = std::move(surface_between.source);
+    return result;
+}
+
+}  // namespace mq::wrap
