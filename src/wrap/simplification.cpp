@@ -287,6 +287,7 @@ class Simplifier {
             return true;
         }
         std::vector<Vec3> points;
+        points.reserve(6);
         std::array<Triangle, 2> named{first, second};
         std::array<std::int32_t, 6> known{};
         for (Triangle& triangle : named) {

@@ -124,7 +124,8 @@ class ThinEdges {
     ThinEdges(NodeStates& states, const Progress& progress)
         : states_(states), lattice_(states.lattice()), pace_(progress) {}
 
-    void run() {
+    /// Returns the number of nodes that became a sheet.
+    std::size_t run() {
         std::vector<Node> front;
         for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
             pace_.step();
@@ -144,7 +145,7 @@ class ThinEdges {
             front = grown(front);
             all.insert(all.end(), front.begin(), front.end());
         }
-        mark(all);
+        return mark(all);
     }
 
   private:
@@ -184,7 +185,8 @@ class ThinEdges {
         }
         return next;
     }
-    void mark(const std::vector<Node>& nodes) {
+    std::size_t mark(const std::vector<Node>& nodes) {
+        std::size_t count = 0;
         const double half = 0.5 * lattice_.side();
         for (const Node& node : nodes) {
             pace_.step();
@@ -192,8 +194,10 @@ class ThinEdges {
                 NodeState& state = *states_.find(node);
                 state.outside = false;
                 state.sheet = true;
+                ++count;
             }
         }
+        return count;
     }
 
     NodeStates& states_;
@@ -204,8 +208,8 @@ class ThinEdges {
 
 }  // namespace
 
-void mark_sheets(NodeStates& states, const Progress& progress) {
-    ThinEdges(states, progress).run();
+std::size_t mark_sheets(NodeStates& states, const Progress& progress) {
+    return ThinEdges(states, progress).run();
 }
 
 }  // namespace mq::wrap

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "base/progress.h"
 #include "wrap/node_states.h"
 
@@ -18,8 +20,8 @@ void move_into_thin_material(NodeStates& states, const Progress& progress);
 /// Marks nodes at material that still lies between nodes outside as sheets; they are no longer outside. Where an edge
 /// between two nodes outside meets the input, and no node that is not outside is within two steps, the nodes there that
 /// are at most half a side from the input become a sheet. A sheet goes on for three edges into what is held, so that it
-/// stays connected.
+/// stays connected. Returns the number of nodes.
 /// @throws Cancelled
-void mark_sheets(NodeStates& states, const Progress& progress);
+std::size_t mark_sheets(NodeStates& states, const Progress& progress);
 
 }  // namespace mq::wrap

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -28,6 +29,17 @@ void require(bool holds, const std::string& what) {
     }
 }
 
+/// The patch of each triangle: the CAD face that it lies on, and one for closed gaps.
+std::vector<std::int32_t> patches_of(const Contour& surface, const mesh::TriangleMesh& input) {
+    std::vector<std::int32_t> patch;
+    for (const std::int32_t source : surface.source) {
+        patch.push_back(source < 0 || input.triangle_face.empty()
+                            ? std::min(source, 0)
+                            : input.triangle_face[static_cast<std::size_t>(source)]);
+    }
+    return patch;
+}
+
 }  // namespace
 
 void WrapOptions::validate() const {
@@ -44,7 +56,7 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     WrapResult result;
     StageWatch watch(progress, result.seconds);
 
-    watch.start("distances", 0.0, 0.3);
+    watch.start("classifying nodes", 0.0, 0.25);
     const InputSurface surface(input.vertices, input.triangles);
     // Points of an edge are at most half a side nearer to the input than its ends.
     const double radius = 0.5 * options.gap + 0.5 * options.spacing;
@@ -53,33 +65,30 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     const Lattice lattice(surface.tree.box(), reach + 2.0 * options.spacing, options.spacing);
     NodeStates states(lattice, surface, radius, progress);
 
-    watch.start("rolling ball", 0.3, 0.5);
+    watch.start("rolling the ball", 0.25, 0.4);
     mark_outside(states, reach, 0.5 * options.gap, progress);
+    for (const Vec3& dry : options.dry) {
+        if (std::optional<Leak> leak = find_leak(states, dry, progress)) {
+            result.leaks.push_back(std::move(*leak));
+        }
+    }
     move_into_thin_material(states, progress);
-    mark_sheets(states, progress);
+    result.sheet_nodes = mark_sheets(states, progress);
 
-    watch.start("crossings", 0.5, 0.6);
+    watch.start("contouring", 0.4, 0.5);
     const CrossedCells cells = find_crossings(states, reach, progress);
+    Contour between = contour(states, cells, progress);
 
-    watch.start("contour", 0.6, 0.7);
-    Contour surface_between = contour(states, cells, progress);
-
-    watch.start("simplification", 0.7, 1.0);
-    std::vector<std::int32_t> patch;
-    for (const std::int32_t source : surface_between.source) {
-        patch.push_back(source < 0 || input.triangle_face.empty()
-                            ? std::min(source, 0)
-                            : input.triangle_face[static_cast<std::size_t>(source)]);
-    }
-    simplify(surface_between, cells.crossings, patch, options.spacing, progress);
-    watch.end();
+    watch.start("simplifying", 0.5, 0.9);
+    simplify(between, cells.crossings, patches_of(between, input), options.spacing, progress);
     result.mesh.origin = input.origin;
-    result.mesh.vertices = std::move(surface_between.points);
-    for (Vec3& point : result.mesh.vertices) {
-        point = to_single(point);
-    }
-    result.mesh.triangles = std::move(surface_between.triangles);
-    result.triangle_source = std::move(surface_between.source);
+    result.mesh.vertices = std::move(between.points);
+    result.mesh.triangles = std::move(between.triangles);
+    result.triangle_source = std::move(between.source);
+
+    watch.start("measuring distances", 0.9, 1.0);
+    result.distance = wrap_distance(result.mesh, result.triangle_source, surface, options.spacing, progress);
+    watch.end();
     return result;
 }
 

@@ -9,13 +9,16 @@
 #include "base/stopwatch.h"
 #include "base/vec.h"
 #include "mesh/triangle_mesh.h"
+#include "wrap/leak.h"
+#include "wrap/wrap_distance.h"
 
 namespace mq::wrap {
 
 struct WrapOptions {
     double gap = 0.0;      ///< mm: openings narrower than this are closed
     double spacing = 0.0;  ///< mm: side of the lattice's cubes, at most half of the gap
-    int threads = 0;       ///< that work at a time; 0: one for each core
+    std::vector<Vec3> dry;  ///< places that are to stay inside, in the frame of the input
+    int threads = 0;        ///< that work at a time; 0: one for each core
 
     /// @throws InvalidInput naming the option
     void validate() const;
@@ -26,7 +29,9 @@ struct WrapResult {
     mesh::TriangleMesh mesh;
     /// The triangle of the input on which each triangle lies; -1 where it closes a gap.
     std::vector<std::int32_t> triangle_source;
-    std::size_t sheet_nodes = 0;  ///< nodes of the lattice in material that is thinner than it resolves
+    WrapDistance distance;
+    std::vector<Leak> leaks;      ///< of the places that are to stay dry and do not
+    std::size_t sheet_nodes = 0;  ///< nodes of the lattice beside material that is thinner than it resolves
     StageTimes seconds;
 };
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.h"
+#include "mesh/triangle_mesh.h"
+#include "wrap/input_surface.h"
+
+namespace mq::wrap {
+
+/// How far a wrap and what it wraps are from each other, mm, at samples of both that are at most a spacing apart.
+struct WrapDistance {
+    /// Of the wrap from the input, but for triangles that close gaps.
+    double to_input = 0.0;
+    Vec3 to_input_where = Vec3::Zero();
+    /// Of those points of the input from the wrap that stick out of it. What is inside of it may be at any depth.
+    double from_input = 0.0;
+    Vec3 from_input_where = Vec3::Zero();
+};
+
+/// @param source  of each triangle of the wrap: -1 where it closes a gap
+/// @throws Cancelled
+WrapDistance wrap_distance(const mesh::TriangleMesh& wrap, const std::vector<std::int32_t>& source,
+                           const InputSurface& input, double spacing, const Progress& progress);
+
+}  // namespace mq::wrap
