@@ -14,6 +14,7 @@ Meshes for scripts
     Solid         the same by operators, in sequences that are rounded once: (a - b) | c
     offset        a solid grown or shrunk by a distance                                  -> OffsetMesh
     hollow        a solid of which a wall is left, with openings                         -> OffsetMesh
+    wrap          the outer surface of objects, however dirty, without narrow openings     -> WrapMesh
     improve       the same surface with better triangles                                 -> SurfaceMesh
     quality       measures any mesh                                                      -> MeshReport
     read_mesh     elements of a file of Gmsh, Abaqus, Nastran, Salome and others         -> ElementMesh
@@ -29,6 +30,7 @@ Meshes for scripts
 Objects of the document, which follow what they are made of
     add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_improved_mesh
     add_offset, add_hollow   solids grown, shrunk, and made walls of
+    add_wrap            a closed surface around objects
     add_cured_mesh      valid elements of a FEM mesh that another program made
     update              gives such an object other options, and computes it
     set_patches         names groups of faces, for files
@@ -94,6 +96,8 @@ _LAZY = {
     "offset": "MeshQuality.core.offsets",
     "hollow": "MeshQuality.core.offsets",
     "OffsetMesh": "MeshQuality.core.offsets",
+    "wrap": "MeshQuality.core.wraps",
+    "WrapMesh": "MeshQuality.core.wraps",
     "add_quality_mesh": "MeshQuality.features.quality_mesh",
     "add_curved_mesh": "MeshQuality.features.curved_mesh",
     "add_fem_mesh": "MeshQuality.features.fem_mesh",
@@ -101,6 +105,7 @@ _LAZY = {
     "add_boolean": "MeshQuality.features.boolean",
     "add_offset": "MeshQuality.features.offset",
     "add_hollow": "MeshQuality.features.hollow",
+    "add_wrap": "MeshQuality.features.wrap",
     "export_curved_mesh": "MeshQuality.features.export",
     "export_mesh": "MeshQuality.features.export",
     "write_openfoam_case": "MeshQuality.features.cfd",

@@ -9,12 +9,12 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "wrap/contour.h"
-#include "wrap/crossings.h"
-#include "wrap/outside.h"
-#include "wrap/simplification.h"
-#include "wrap/thin_material.h"
-#include "wrap/tuning.h"
+#include "wrap/lattice/tuning.h"
+#include "wrap/outside/rolling_ball.h"
+#include "wrap/outside/thin_material.h"
+#include "wrap/surface/contour.h"
+#include "wrap/surface/crossings.h"
+#include "wrap/surface/simplification.h"
 
 namespace mq::wrap {
 
@@ -60,7 +60,8 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     const InputSurface surface(input.vertices, input.triangles);
     // Points of an edge are at most half a side nearer to the input than its ends.
     const double radius = 0.5 * options.gap + 0.5 * options.spacing;
-    // A ball that touches the input at a point, moved away from there until a node with the radius is beside its centre.
+    // A ball that touches the input at a point, moved away from there until a node with the radius is beside its
+    // centre.
     const double reach = 0.5 * options.gap + (0.5 + 2.0 * kCovering) * options.spacing;
     const Lattice lattice(surface.tree.box(), reach + 2.0 * options.spacing, options.spacing);
     NodeStates states(lattice, surface, radius, progress);

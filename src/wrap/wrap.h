@@ -9,14 +9,14 @@
 #include "base/stopwatch.h"
 #include "base/vec.h"
 #include "mesh/triangle_mesh.h"
-#include "wrap/leak.h"
-#include "wrap/wrap_distance.h"
+#include "wrap/measure/leak.h"
+#include "wrap/measure/wrap_distance.h"
 
 namespace mq::wrap {
 
 struct WrapOptions {
-    double gap = 0.0;      ///< mm: openings narrower than this are closed
-    double spacing = 0.0;  ///< mm: side of the lattice's cubes, at most half of the gap
+    double gap = 0.0;       ///< mm: openings narrower than this are closed
+    double spacing = 0.0;   ///< mm: side of the lattice's cubes, at most half of the gap
     std::vector<Vec3> dry;  ///< places that are to stay inside, in the frame of the input
     int threads = 0;        ///< that work at a time; 0: one for each core
 

@@ -192,6 +192,7 @@ class Api(unittest.TestCase):
         "voids": {"source", "progress"},
         "offset": {"source", "progress"},
         "hollow": {"source", "progress"},
+        "wrap": {"objects", "progress"},
     }
 
     def test_every_option_of_the_api_is_there_under_its_name(self):

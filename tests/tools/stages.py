@@ -45,6 +45,7 @@ STAGES = {
               ["curve/injectivity"], ["curve"], ["curve/given"], ["curve/mixed"]],
     "improve": [["improve"]],
     "inspection": [["inspection"]],
+    "wrap": [["wrap/lattice"], ["wrap/outside"], ["wrap/surface"], ["wrap/measure"], ["wrap"]],
     "workflows": [["workflows"]],
     "view": [["view"]],
     "python": [["python/freecad"], ["python"]],

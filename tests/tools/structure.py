@@ -14,6 +14,7 @@ ROWS = [
     ["geometry"],
     ["mesh"],
     ["triangulate", "curve", "boolean", "improve", "inspection"],
+    ["wrap"],
     ["workflows", "view"],
     ["python"],
 ]

@@ -7,7 +7,7 @@ Imports nothing of FreeCAD.
 import argparse
 import sys
 
-from .. import inspection_options, offset_options, options
+from .. import inspection_options, offset_options, options, wrap_options
 from ..formats import CURVED_SUFFIXES, FLAT_ONLY_SUFFIXES, READABLE, SUFFIXES
 from ..version import __version__
 
@@ -19,17 +19,19 @@ INPUTS = {"triangulate": CAD_SUFFIXES, "curve": CAD_SUFFIXES, "improve": MESH_SU
           "quality": MESH_SUFFIXES, "certify": ELEMENT_SUFFIXES, "verify": (".json",), "boolean": MESH_SUFFIXES + CAD_SUFFIXES,
           "thickness": MESH_SUFFIXES + CAD_SUFFIXES, "clearance": MESH_SUFFIXES + CAD_SUFFIXES,
           "draft": MESH_SUFFIXES + CAD_SUFFIXES, "voids": MESH_SUFFIXES + CAD_SUFFIXES,
-          "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES}
+          "offset": MESH_SUFFIXES + CAD_SUFFIXES, "hollow": MESH_SUFFIXES + CAD_SUFFIXES,
+          "wrap": MESH_SUFFIXES + CAD_SUFFIXES}
 OUTPUTS = {"triangulate": SUFFIXES, "curve": CURVED_SUFFIXES + FLAT_ONLY_SUFFIXES, "improve": SUFFIXES,
-           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": ()}
-WITH_INPUTS = ("boolean", "clearance")  # that take several files
+           "boolean": SUFFIXES, "offset": SUFFIXES, "hollow": SUFFIXES, "wrap": SUFFIXES, "quality": (), "certify": (), "verify": (), "thickness": (), "clearance": (), "draft": (), "voids": ()}
+WITH_INPUTS = ("boolean", "clearance", "wrap")  # that take several files
 # Commands whose meshes have faces of a shape, of which patches are made.
 WITH_PATCHES = ("triangulate", "curve")
 TABLES = {"triangulate": options.TRIANGULATE, "curve": options.CURVE,
           "improve": options.IMPROVE, "boolean": (*options.BOOLEAN, options.THREADS), "quality": (), "certify": (),
           "verify": (), "thickness": inspection_options.THICKNESS, "clearance": inspection_options.CLEARANCE,
           "draft": inspection_options.DRAFT, "voids": inspection_options.VOIDS,
-          "offset": offset_options.OFFSET, "hollow": offset_options.HOLLOW}
+          "offset": offset_options.OFFSET, "hollow": offset_options.HOLLOW,
+          "wrap": wrap_options.WRAP}
 _FLAT_HEADING = {"Display": "Flat triangles"}
 BATCHED = ("triangulate", "curve", "improve", "quality")
 
@@ -74,6 +76,11 @@ examples:
 examples:
   meshquality hollow part.step --thickness 2 -o shell.stl
   meshquality hollow cup.step --thickness 1.2 --openings Face3,Face5 -o cup.stl --strict
+""",
+    "wrap": """
+examples:
+  meshquality wrap assembly.step --gap 2 -o outside.stl
+  meshquality wrap scan.stl frame.step --gap 5 --tolerance 0.5 --dry "0, 0, 300" -o outside.ply --strict
 """,
     "improve": """
 examples:
@@ -155,6 +162,12 @@ def parser(batched="triangulate"):
                 "Boolean of two or more meshes or CAD shapes, applied in their order. The result\n"
                 "is closed and free of self-intersections.")
     _add_offsets(commands)
+    one = _add_single(commands, "wrap", "close the outer surface of objects that need not be clean",
+                      "The outer surface of one or several CAD shapes and meshes, which may overlap, be open, or have gaps: all\n"
+                      "that a ball as wide as the gap can touch from outside. The result is closed and free of\n"
+                      "self-intersections. Exit status 3 with --strict where a place of --dry is not dry.")
+    one.add_argument("--dry", metavar="PLACES", type=_places,
+                     help='places in mm that are to stay inside, as in "0, 0, 300; 10, 0, 20" (default: none)')
     _add_single(commands, "improve", "improve the triangles of a mesh",
                 "Improves the triangles of a mesh on its own surface; sharp edges stay.")
     one = _add_single(commands, "quality", "measure the quality of a mesh",
@@ -192,6 +205,16 @@ def parser(batched="triangulate"):
     return top
 
 
+def _places(text):
+    try:
+        places = [tuple(float(x) for x in place.split(",")) for place in text.split(";")]
+    except ValueError:
+        places = [()]
+    if any(len(place) != 3 for place in places):
+        raise argparse.ArgumentTypeError(f"'{text}' is no list of places such as '0, 0, 300; 10, 0, 20'")
+    return places
+
+
 def _add_offsets(commands):
     _add_single(commands, "offset", "grow or shrink a solid by a distance",
                 "All points within a distance of a CAD shape or a mesh, or those deeper in it. The result is closed and free\n"
@@ -212,7 +235,7 @@ def _new(commands, name, title, description, arguments):
 
 
 def _add_single(commands, name, title, description):
-    inputs = {"boolean": "INPUT INPUT ...", "clearance": "INPUT ..."}.get(name, "INPUT")
+    inputs = {"boolean": "INPUT INPUT ...", "clearance": "INPUT ...", "wrap": "INPUT ..."}.get(name, "INPUT")
     output = " [-o FILE]" if OUTPUTS[name] else ""
     one = _new(commands, name, title, description, inputs + output)
     kind = {CAD_SUFFIXES: "CAD file", MESH_SUFFIXES: "mesh file", ELEMENT_SUFFIXES: "mesh file",

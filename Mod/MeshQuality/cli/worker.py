@@ -359,6 +359,15 @@ def hollow(job):
                                           openings=job.get("openings"), progress=progress_line()))
 
 
+def wrap(job):
+    """Likewise; places that are to stay dry are findings where they do not."""
+    sources = [read_operand(path, job.get("object")) for path in job["inputs"]]
+    mesh = mq.wrap(sources, **job["options"], dry=job.get("dry"), progress=progress_line())
+    report, told, findings = _offset_written(job, mesh)
+    return report, f"{told}, {mesh.gap_triangles} of them close gaps", \
+        [*findings, *(verdict.Finding(str(leak)) for leak in mesh.leaks)]
+
+
 def _offset_written(job, mesh):
     report, where = mesh.report, written(job, lambda path: mesh.write(path, format=job["suffix"][1:]))
     return report, f"{_count(report.triangles, 'triangle')}{where}", verdict.of_boolean(mesh)
@@ -459,7 +468,7 @@ def run(job):
     try:
         report, text, findings = {"triangulate": triangulate, "curve": curve, "boolean": boolean, "improve": improve,
                                   "quality": quality, "certify": certify, "verify": verify, "thickness": thickness, "clearance": clearance, "draft": draft,
-                                  "voids": voids, "offset": offset, "hollow": hollow}[job["command"]](job)
+                                  "voids": voids, "offset": offset, "hollow": hollow, "wrap": wrap}[job["command"]](job)
     except mq.InvalidInput as error:
         return _failure(USAGE, error)
     except files.DiskFull as error:

@@ -66,6 +66,17 @@ class Operands:
         """Whether an operand is a shape, with no meshes in it."""
         return not isinstance(self._taken[i], (SurfaceMesh, convert.MeshCopy, _Mixed)) and not is_arrays(self._taken[i])
 
+    def knows_faces(self, i):
+        """Whether the triangles of an operand, which was meshed, have CAD faces."""
+        return len(self.surfaces[i][0].triangle_face) > 0
+
+    def first_faces(self):
+        """For each operand, which was meshed, the number of its first face where those of all are numbered on. One without
+        faces counts as one.
+        """
+        counts = [int(surface.triangle_face.max(initial=0)) + 1 for surface, _, _ in self.surfaces]
+        return [sum(counts[:i]) for i in range(len(counts))]
+
     @cached_property
     def _found(self):
         """What _read gives for each."""

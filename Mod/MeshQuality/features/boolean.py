@@ -37,8 +37,9 @@ class MeshBoolean(mesh_object.MeshObject):
     """Proxy of a Mesh::FeaturePython that holds a Boolean of its sources."""
 
     COMMAND, CALL = "MeshQuality_Boolean", "add_boolean"
-    OPTIONS = options.BOOLEAN
+    OPTIONS, MEASURED = options.BOOLEAN, MEASURED
     PROMISES = PROMISES
+    GROUP, LEAST = "Boolean", 2  # of properties; number of sources
     TAKES_MESHES = True
     LINKS = ("Sources", "SourcePaths")
 
@@ -49,7 +50,7 @@ class MeshBoolean(mesh_object.MeshObject):
 
     def lacks_source(self, obj):
         """FreeCAD takes an operand that is deleted out of the list."""
-        return len(obj.Sources) < 2
+        return len(obj.Sources) < self.LEAST
 
     def holds_mesh(self, obj):
         """A Boolean may be empty."""
@@ -58,26 +59,31 @@ class MeshBoolean(mesh_object.MeshObject):
     def add_properties(self, obj):
         """Adds those properties that the object has not got yet."""
         # Global: operands may lie inside a container that the mesh does not belong to itself.
-        properties.add_property(obj, "App::PropertyLinkListGlobal", "Sources", "Boolean",
+        properties.add_property(obj, "App::PropertyLinkListGlobal", "Sources", self.GROUP,
                                  "The operands: objects with a mesh or a shape, in their order")
-        properties.add_property(obj, "App::PropertyStringList", "SourcePaths", "Boolean",
+        properties.add_property(obj, "App::PropertyStringList", "SourcePaths", self.GROUP,
                                  "The path from each source to its operand, where only a link leads there: "
                                  "Part.Box.")
-        properties.add_options(obj, options.BOOLEAN)
-        properties.add_measured(obj, MEASURED)
+        properties.add_options(obj, self.OPTIONS)
+        properties.add_measured(obj, self.MEASURED)
         self.add_common_properties(obj)
 
     @classmethod
     def work_on(cls, sources, values, obj=None):
         """The Boolean of these sources."""
-        if len(sources) < 2:
+        if len(sources) < cls.LEAST:
             few, count = phrases.FEW_SOURCES, len(sources)
             raise InvalidInput(phrases.Text(few[0]) if count == 1 else phrases.Text(few[1], count=str(count)))
-        values = options.check(options.BOOLEAN, values)
-        operands = Operands(sources)
+        values = options.check(cls.OPTIONS, values)
+        operands = cls.read(sources)
         return Work(sources, values,
                     lambda: operands.digest() + json.dumps(values, sort_keys=True),
                     partial(cls.compute, operands, values))
+
+    @classmethod
+    def read(cls, sources):
+        """What compute takes, read from the document."""
+        return Operands(sources)
 
     @classmethod
     def compute(cls, operands, values, progress):
@@ -120,6 +126,16 @@ def add_boolean(a, b=None, operation="union", **values):
     sources = list(a) if b is None and isinstance(a, (list, tuple)) else [a, b]
     if len(sources) < 2:
         raise InvalidInput("two operands or more are needed: give a and b, or a list")
+    checked = options.check(options.BOOLEAN, {"operation": operation, **values})
+    return add_of_sources(MeshBoolean, sources, checked, checked["operation"].replace("_", " "), "Boolean")
+
+
+def add_of_sources(kind, sources, values, told, name):
+    """Adds a document object of a kind with these sources and checked options; its label is that of the first source, and
+    what is told.
+
+    Raises InvalidInput for sources that are no objects of one document.
+    """
     objects = [frames.object_of(source) for source in sources]
     for obj in objects:
         if not isinstance(obj, FreeCAD.DocumentObject):
@@ -128,13 +144,12 @@ def add_boolean(a, b=None, operation="union", **values):
     document = objects[0].Document
     if any(obj.Document != document for obj in objects):
         raise InvalidInput("the operands are objects of different documents: link them into one")
-    checked = options.check(options.BOOLEAN, {"operation": operation, **values})
 
     def make(obj):
-        proxy = MeshBoolean(obj)
-        obj.Label = f"{frames.leaf_of(sources[0]).Label} {checked['operation'].replace('_', ' ')}"
+        proxy = kind(obj)
+        obj.Label = f"{frames.leaf_of(sources[0]).Label} {told}"
         obj.Sources, obj.SourcePaths = objects, [frames.path_of(source) for source in sources]
-        properties.set_options(obj, options.BOOLEAN, checked)
+        properties.set_options(obj, kind.OPTIONS, values)
         return proxy
 
-    return transactions.add(document, MeshBoolean, "Boolean", "Boolean", make)
+    return transactions.add(document, kind, name, name, make)

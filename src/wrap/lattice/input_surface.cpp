@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/input_surface.h"
+#include "wrap/lattice/input_surface.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "wrap/crossings.h"
+#include "wrap/surface/crossings.h"
 
 namespace mq::wrap {
 
@@ -21,8 +21,8 @@ struct Contour {
 /// The contour of all cells: extended marching cubes (Kobbelt, Botsch, Schwanecke and Seidel 2001) on tetrahedra.
 ///
 /// In a cell where normals meet at an edge a vertex lies where the quadric of their planes has its least value (Garland
-/// and Heckbert 1997), and on a face of such a cell where the two lines meet that the planes cut from it. The surface of a
-/// cell is the cone from its vertex over the polygon of crossings and points on faces, which goes once around the
+/// and Heckbert 1997), and on a face of such a cell where the two lines meet that the planes cut from it. The surface
+/// of a cell is the cone from its vertex over the polygon of crossings and points on faces, which goes once around the
 /// cell's border. The vertex is inside of the cell, which is convex, so the cone does not cross itself; cells share
 /// polygons on their faces, so all of it is closed, 2-manifold and free of self-intersections.
 /// @throws Cancelled

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/crossings.h"
+#include "wrap/surface/crossings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "wrap/tuning.h"
+#include "wrap/lattice/tuning.h"
 
 namespace mq::wrap {
 
@@ -133,8 +133,7 @@ double share_to_distance(const InputSurface& surface, const Vec3& from, const Ve
 Crossing at_share(double share, const Vec3& outer, const Vec3& inner) {
     Crossing result;
     result.on_input = outer + share * (inner - outer);
-    result.point =
-        outer + std::clamp(share, WrapTuning::kEndShare, 1.0 - WrapTuning::kEndShare) * (inner - outer);
+    result.point = outer + std::clamp(share, WrapTuning::kEndShare, 1.0 - WrapTuning::kEndShare) * (inner - outer);
     return result;
 }
 
@@ -199,7 +198,8 @@ CrossedCells find_crossings(const NodeStates& states, double reach, const Progre
     search.run(result);
     result.crossings.resize(search.edges.size());
     for_chunks(static_cast<int>(search.edges.size()), [&](int k) {
-        result.crossings[static_cast<std::size_t>(k)] = crossing_of(states, search.edges[static_cast<std::size_t>(k)], reach);
+        result.crossings[static_cast<std::size_t>(k)] =
+            crossing_of(states, search.edges[static_cast<std::size_t>(k)], reach);
     });
     return result;
 }

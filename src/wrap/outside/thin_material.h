@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "base/progress.h"
-#include "wrap/node_states.h"
+#include "wrap/lattice/node_states.h"
 
 namespace mq::wrap {
 
@@ -13,7 +13,8 @@ namespace mq::wrap {
 ///
 /// A node goes to the middle of what such an edge has in the material, where that is at most half a side away, no
 /// tetrahedron at the node becomes flat (kFlatCell), and all edges to nodes outside meet the input then. The tetrahedra
-/// still divide space, so that all that is said of the lattice holds (compare the warping of Labelle and Shewchuk 2007).
+/// still divide space, so that all that is said of the lattice holds (compare the warping of Labelle and Shewchuk
+/// 2007).
 /// @throws Cancelled
 void move_into_thin_material(NodeStates& states, const Progress& progress);
 

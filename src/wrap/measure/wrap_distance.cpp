@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/wrap_distance.h"
+#include "wrap/measure/wrap_distance.h"
 
 #include <algorithm>
 #include <array>
@@ -30,8 +30,8 @@ void for_each_sample(const std::array<Vec3, 3>& c, double spacing, const Visit& 
     }
 }
 
-/// The farthest of all samples of some triangles: measure(point, bound) gives the distance of those that count, where it
-/// is above the bound, else 0.
+/// The farthest of all samples of some triangles: measure(point, bound) gives the distance of those that count, where
+/// it is above the bound, else 0.
 template <typename Counts, typename Measure>
 Farthest farthest_of(const std::vector<Vec3>& points, const std::vector<mesh::Triangle>& triangles, double spacing,
                      const Counts& counts, const Measure& measure, const Progress& progress) {

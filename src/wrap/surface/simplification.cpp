@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/simplification.h"
+#include "wrap/surface/simplification.h"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +13,9 @@
 #include "base/key_set.h"
 #include "mesh/intersection/triangle_contact.h"
 #include "mesh/quality/triangle_quality.h"
-#include "wrap/quadric.h"
-#include "wrap/tuning.h"
-#include "wrap/triangle_grid.h"
+#include "wrap/lattice/tuning.h"
+#include "wrap/surface/quadric.h"
+#include "wrap/surface/triangle_grid.h"
 
 namespace mq::wrap {
 

@@ -6,7 +6,7 @@
 
 #include "base/progress.h"
 #include "mesh/triangle_mesh.h"
-#include "wrap/input_surface.h"
+#include "wrap/lattice/input_surface.h"
 
 namespace mq::wrap {
 

@@ -13,8 +13,8 @@ namespace mq::wrap {
 /// A node of the lattice: three even or three odd numbers, in half sides of its cubes.
 using Node = std::array<std::int32_t, 3>;
 
-/// The body-centred cubic lattice: the corners and the centres of cubes. Its Delaunay tetrahedra are all congruent, with
-/// two edges as long as a cube's side and four of sqrt(3)/2 of it (Labelle and Shewchuk 2007, Isosurface Stuffing,
+/// The body-centred cubic lattice: the corners and the centres of cubes. Its Delaunay tetrahedra are all congruent,
+/// with two edges as long as a cube's side and four of sqrt(3)/2 of it (Labelle and Shewchuk 2007, Isosurface Stuffing,
 /// section 3.1).
 ///
 /// Nodes are kept by blocks of 4 x 4 x 4 cubes.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "wrap/node_states.h"
+#include "wrap/lattice/node_states.h"
 
 namespace mq::wrap {
 
@@ -14,7 +14,8 @@ struct Leak {
     Vec3 dry = Vec3::Zero();
     std::vector<Vec3> path;  ///< from the dry place to beside the box of the input
     Vec3 narrowest = Vec3::Zero();
-    double width = 0.0;  ///< diameter of the largest ball that passes there, mm, up to a spacing: a larger gap closes it
+    double width =
+        0.0;  ///< diameter of the largest ball that passes there, mm, up to a spacing: a larger gap closes it
 };
 
 /// The way that the ball takes to a place, where it does: the shortest one of those whose narrowest place is widest.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/thin_material.h"
+#include "wrap/outside/thin_material.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/key_set.h"
-#include "wrap/tuning.h"
+#include "wrap/lattice/tuning.h"
 
 namespace mq::wrap {
 

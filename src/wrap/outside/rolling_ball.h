@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/progress.h"
-#include "wrap/node_states.h"
+#include "wrap/lattice/node_states.h"
 
 namespace mq::wrap {
 

@@ -8,7 +8,7 @@
 #include "base/key_set.h"
 #include "base/progress.h"
 #include "base/vec.h"
-#include "wrap/node_states.h"
+#include "wrap/lattice/node_states.h"
 
 namespace mq::wrap {
 
@@ -16,8 +16,8 @@ namespace mq::wrap {
 struct Crossing {
     Vec3 point = Vec3::Zero();     ///< on the edge, not at its ends
     Vec3 on_input = Vec3::Zero();  ///< where the edge meets the input, or comes near a sheet
-    Vec3 normal = Vec3::Zero();  ///< outward, of length 1; zero where it closes a gap
-    std::int32_t source = -1;    ///< the input's triangle on which it lies, or beside; -1 where it closes a gap
+    Vec3 normal = Vec3::Zero();    ///< outward, of length 1; zero where it closes a gap
+    std::int32_t source = -1;      ///< the input's triangle on which it lies, or beside; -1 where it closes a gap
 };
 
 /// A tetrahedron that the wrap crosses, with the crossings of its edges as the corners of a polygon that runs

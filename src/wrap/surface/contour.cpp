@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/contour.h"
+#include "wrap/surface/contour.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "base/key_set.h"
-#include "wrap/quadric.h"
-#include "wrap/tuning.h"
+#include "wrap/lattice/tuning.h"
+#include "wrap/surface/quadric.h"
 
 namespace mq::wrap {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/outside.h"
+#include "wrap/outside/rolling_ball.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,8 @@ namespace {
 /// Where the ball's centre can go from the corner of the lattice.
 class Flood {
   public:
-    Flood(NodeStates& states, const Progress& progress) : states_(states), lattice_(states.lattice()), pace_(progress) {}
+    Flood(NodeStates& states, const Progress& progress)
+        : states_(states), lattice_(states.lattice()), pace_(progress) {}
 
     void run() {
         enter(Node{0, 0, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/node_states.h"
+#include "wrap/lattice/node_states.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,9 +80,8 @@ void NodeStates::find_blocks_in(const std::array<std::int32_t, 3>& low, std::int
         }
     }
     const double half = 0.25 * lattice_.side() * Lattice::kAcross * across;
-    const Vec3 centre =
-        lattice_.at({Lattice::kAcross * low[0], Lattice::kAcross * low[1], Lattice::kAcross * low[2]}) +
-        Vec3::Constant(half);
+    const Vec3 centre = lattice_.at({Lattice::kAcross * low[0], Lattice::kAcross * low[1], Lattice::kAcross * low[2]}) +
+                        Vec3::Constant(half);
     // A node that is not free is kept with all of its neighbours.
     const double reach = radius_ + lattice_.side() + std::sqrt(3.0) * half;
     const std::int32_t near = surface_.tree.any_within(centre, reach, guess);
@@ -95,8 +94,9 @@ void NodeStates::find_blocks_in(const std::array<std::int32_t, 3>& low, std::int
     }
     for (int k = 0; k < 8; ++k) {
         const std::int32_t half_across = across / 2;
-        find_blocks_in({low[0] + (k & 1) * half_across, low[1] + (k >> 1 & 1) * half_across, low[2] + (k >> 2) * half_across},
-                       half_across, near, found);
+        find_blocks_in(
+            {low[0] + (k & 1) * half_across, low[1] + (k >> 1 & 1) * half_across, low[2] + (k >> 2) * half_across},
+            half_across, near, found);
     }
 }
 

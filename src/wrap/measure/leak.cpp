@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/leak.h"
+#include "wrap/measure/leak.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "wrap/lattice.h"
+#include "wrap/lattice/lattice.h"
 
 #include <cmath>
 
@@ -39,9 +39,9 @@ Node Lattice::node_at(const std::array<std::int32_t, 3>& block, int place) {
 }
 
 const std::array<Node, 14>& Lattice::steps() {
-    static const std::array<Node, 14> all{Node{2, 0, 0},   Node{0, 2, 0},   Node{0, 0, 2},   Node{1, 1, 1},
-                                          Node{1, 1, -1},  Node{1, -1, 1},  Node{-1, 1, 1},  Node{-2, 0, 0},
-                                          Node{0, -2, 0},  Node{0, 0, -2},  Node{-1, -1, -1}, Node{-1, -1, 1},
+    static const std::array<Node, 14> all{Node{2, 0, 0},   Node{0, 2, 0},  Node{0, 0, 2},    Node{1, 1, 1},
+                                          Node{1, 1, -1},  Node{1, -1, 1}, Node{-1, 1, 1},   Node{-2, 0, 0},
+                                          Node{0, -2, 0},  Node{0, 0, -2}, Node{-1, -1, -1}, Node{-1, -1, 1},
                                           Node{-1, 1, -1}, Node{1, -1, -1}};
     return all;
 }

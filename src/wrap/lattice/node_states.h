@@ -7,8 +7,8 @@
 
 #include "base/key_set.h"
 #include "base/progress.h"
-#include "wrap/input_surface.h"
-#include "wrap/lattice.h"
+#include "wrap/lattice/input_surface.h"
+#include "wrap/lattice/lattice.h"
 
 namespace mq::wrap {
 
@@ -27,8 +27,8 @@ struct NodeState {
     NodeState() : free(false), near(false), outside(false), moved(false), sheet(false) {}
 };
 
-/// The nodes near the input, by blocks, and which of the other blocks are outside. Nodes of blocks that are not kept are
-/// free, and all on one side.
+/// The nodes near the input, by blocks, and which of the other blocks are outside. Nodes of blocks that are not kept
+/// are free, and all on one side.
 class NodeStates {
   public:
     /// Determines free and near nodes and barred edges, in parallel.

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""wrap: the outer surface of objects that need not be clean."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from .. import options, wrap_options
+from ..compat import extension
+from ..errors import Error, InvalidInput
+from ..listing import Public
+from . import frames
+from .booleans import BooleanMesh
+from .operands import Operands, is_arrays, part_of
+from .patches import Division, Patches
+
+_RELATIVE = 1e-2  # the tolerance as a fraction of the size, where none is given, ...
+_OF_GAP = 0.25  # ... and of the gap, at most
+_LARGEST = 0.5  # of the gap: the lattice must not pass openings
+_DEVIATION = 0.1  # of the meshes of shapes, as a fraction of the tolerance
+_MESHED = 0.4  # fraction of the progress at which shapes are meshed
+_GAPS = "gaps"  # the patch of triangles that close gaps
+
+
+@dataclass(frozen=True)
+class Leak:
+    """A way from outside to a place that was to stay dry.
+
+    dry        float64 (3,), mm: the place
+    path       float64 (N, 3), mm: from there to beside the objects
+    narrowest  float64 (3,), mm: the narrowest place of the path
+    width      mm: the largest ball that passes there, up to the tolerance; a wrap with a larger gap closes it
+    """
+
+    dry: np.ndarray
+    path: np.ndarray
+    narrowest: np.ndarray
+    width: float
+
+    def __str__(self):
+        dry, narrowest = (", ".join(f"{x:.4g}" for x in place) for place in (self.dry, self.narrowest))
+        return (f"({dry}) is not dry: a ball {self.width:.4g} mm wide comes in at ({narrowest}); close that opening, or give "
+                "a larger gap")
+
+
+class WrapMesh(BooleanMesh, metaclass=Public):
+    """A BooleanMesh around what was wrapped: closed, manifold, without self-intersections.
+
+    triangle_source      int32 (T, 2): the object (0, 1, ...), and its triangle, on which each triangle lies; (-1, -1) where
+                         it closes a gap
+    triangle_face        int32 (T,): the face on which each triangle lies, all faces of all objects numbered on; -1 where it
+                         closes a gap
+    patches              names of patches: the faces of the objects ("Face3" of one object, "Box_Face3" of several), and "gaps"
+    leaks                [Leak, ...]: of the places that were to stay dry, those that do not
+    distance_to_input    mm: of the wrap from what it lies on, the largest at samples a tolerance apart; gaps are left out
+    distance_from_input  mm: of what sticks out of the wrap from it, likewise
+    gap_triangles        number of the triangles that close gaps
+    gap_area             mm2, of these
+    report               BooleanReport; error_bound is the larger one of the distances, with that of the meshes from shapes
+    """
+
+    __slots__ = ("leaks",)
+
+    def __init__(self, surface, patches=None, leaks=()):
+        super().__init__(surface, patches)
+        self.leaks = list(leaks)
+
+    distance_to_input = property(lambda self: self._surface.distance_to_input, doc="mm")
+    distance_from_input = property(lambda self: self._surface.distance_from_input, doc="mm")
+    gap_triangles = property(lambda self: self._surface.gap_triangles, doc="number")
+    gap_area = property(lambda self: self._surface.gap_area, doc="mm2")
+
+
+def wrap(objects, gap, tolerance=None, dry=None, progress=None, threads=0):
+    """The outer surface of objects: everything that a ball as wide as the gap can touch from outside.
+
+    objects    one or a list of them: Mesh.Mesh, SurfaceMesh, arrays (V, F), Part.Shape, or document objects. They may
+               overlap, miss each other, be open, and be oriented in any way
+    gap        mm; openings narrower than this are closed, those wider than the gap and three tolerances are entered
+    tolerance  mm, the largest distance between the wrap and what it lies on, at most half of the gap; None: a hundredth of
+               the size, at most a quarter of the gap. It is also the size of the smallest thing that is found for certain
+    dry        [(x, y, z), ...], mm: places that are to stay inside. Where the ball reaches one of them, leaks has its way
+    progress   callable(fraction 0..1, stage); returning False cancels
+    threads    that work at a time; 0: one for each core. The result is the same for any number
+
+    Sheets without thickness become as thick as the tolerance. Pockets no deeper than half of the gap stay open, so that
+    concave edges stay sharp.
+
+    Returns a WrapMesh. Raises InvalidInput naming the object and the remedy; TopologyError; Cancelled.
+    """
+    values = options.check(wrap_options.WRAP, {"gap": gap, "tolerance": tolerance, "threads": threads})
+    if values["gap"] is None:
+        raise InvalidInput(f"gap = {gap!r}: give a length in mm")
+    options.require_callable(progress)
+    places = _places(dry)
+    return run(Wrapped(objects), values, progress, places)
+
+
+class Wrapped:
+    """What is wrapped, taken from the document: the rest may be done by any thread."""
+
+    def __init__(self, objects):
+        several = isinstance(objects, list) or (isinstance(objects, tuple) and not is_arrays(objects)
+                                                and not frames.is_object(objects))
+        sources = list(objects) if several else [objects]
+        if not sources:
+            raise InvalidInput("the list of objects is empty")
+        self.operands = Operands(sources)
+        self._labels = [_label(source, i) for i, source in enumerate(sources)]
+
+    def digest(self):
+        """As Operands.digest."""
+        return self.operands.digest()
+
+    @cached_property
+    def names(self):
+        """Unique names of the objects, of letters, digits, - and _."""
+        plain = ["".join(c if c.isalnum() or c in "-_" else "_" for c in label) for label in self._labels]
+        return [name if plain.count(name) == 1 else f"{name}_{i + 1}" for i, name in enumerate(plain)]
+
+
+def run(wrapped, values, progress=None, dry=()):
+    """The WrapMesh with checked options."""
+    module, operands = extension(), wrapped.operands
+    gap = values["gap"]
+    tolerance = values["tolerance"] or min(_RELATIVE * operands.size(), _OF_GAP * gap)
+    if tolerance > _LARGEST * gap:
+        raise InvalidInput(f"tolerance = {tolerance:g} mm is more than half of the gap of {gap:g} mm: give a smaller one, or a "
+                           "larger gap")
+    core_options, before = module.BooleanOptions(), module.WorkBefore()
+    core_options.tolerance = tolerance
+    meshed = operands.mesh_shapes(core_options, part_of(progress, 0.0, _MESHED), _DEVIATION)
+    before.seconds, before.notes, before.cpu_seconds = operands.seconds, operands.notes, operands.cpu_seconds
+    before.tolerance = tolerance
+    before.error_bound = max((surface.report.max_chord_height for surface, _, shape in operands.surfaces if shape is not None),
+                             default=0.0)
+    try:
+        surface = module.wrap_objects(
+            [(surface, rounded) for surface, rounded, _ in operands.surfaces], gap, tolerance, [*dry], values["threads"],
+            before, part_of(progress, _MESHED if meshed else 0.0, 1.0))
+    except Error as error:
+        raise operands.explain(error) from error
+    leaks = [Leak(np.array(place), np.array(path), np.array(narrowest), width)
+             for place, path, narrowest, width in surface.leaks]
+    return WrapMesh(surface, _patches(surface, wrapped), leaks)
+
+
+def _patches(surface, wrapped):
+    """The Patches: each face of each object, and the gaps."""
+    face = np.asarray(surface.triangle_face, dtype=np.int64)
+    number, names = np.unique(face), []
+    first = wrapped.operands.first_faces()
+    for index in number.tolist():
+        if index < 0:
+            names.append(_GAPS)
+            continue
+        i = int(np.searchsorted(first, index, side="right")) - 1
+        own = f"Face{index - first[i] + 1}" if wrapped.operands.knows_faces(i) else ""
+        names.append("_".join(filter(None, (wrapped.names[i] if len(first) > 1 or not own else "", own))))
+    of_triangle = np.searchsorted(number, face).astype(np.int32)
+    colours = (None,) * len(names)
+    division = Division(tuple(names), colours, {int(index): k for k, index in enumerate(number) if index >= 0})
+    return Patches(tuple(names), colours, of_triangle, True, division)
+
+
+def _label(source, i):
+    return getattr(frames.object_of(source), "Label", None) or f"Object{i + 1}"
+
+
+def _places(dry):
+    """[(x, y, z), ...] of what was given as places."""
+    if dry is None:
+        return []
+    try:
+        places = np.asarray(dry, dtype=float)
+    except (TypeError, ValueError):
+        places = np.zeros(0)
+    if places.ndim == 1 and len(places) == 3:
+        places = places.reshape(1, 3)
+    if places.ndim != 2 or places.shape[1] != 3 or not np.isfinite(places).all():
+        raise InvalidInput(f"dry = {dry!r}: give places in mm as [(x, y, z), ...]")
+    return [tuple(place) for place in places.tolist()]

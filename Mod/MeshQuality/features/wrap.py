@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object "Wrap": a closed mesh around objects of the document."""
+
+from .. import options, phrases, wrap_options
+from ..core import verdict
+from ..core.wraps import Wrapped, run
+from ..errors import InvalidInput
+from . import boolean
+
+_OF_WRAP = (
+    ("GapTriangles", "App::PropertyInteger", "Number of triangles that close gaps"),
+    ("GapArea", "App::PropertyArea", "Area of the triangles that close gaps"),
+    ("DistanceToInput", "App::PropertyLength", "Largest distance of the wrap from what it lies on, but for gaps"),
+    ("DistanceFromInput", "App::PropertyLength", "Largest distance from the wrap of what sticks out of it"),
+)
+
+
+class WrapObject(boolean.MeshBoolean):
+    """Proxy of a Mesh::FeaturePython that holds the outer surface of its sources."""
+
+    COMMAND, CALL = "MeshQuality_Wrap", "add_wrap"
+    OPTIONS, MEASURED = wrap_options.WRAP_OBJECT, (*boolean.MEASURED, *_OF_WRAP)
+    GROUP, LEAST = "Wrap", 1
+
+    @classmethod
+    def read(cls, sources):
+        """What compute takes, read from the document."""
+        return Wrapped(sources)
+
+    @classmethod
+    def compute(cls, wrapped, values, progress):
+        """The WrapMesh, the Mesh.Mesh made of it, and the findings of its certificate."""
+        if values["gap"] is None:
+            raise InvalidInput(phrases.Text(phrases.NOT_GIVEN, option="gap"))
+        mesh = run(wrapped, {**values, "threads": 0}, progress)
+        return mesh, mesh.to_mesh(), verdict.of_boolean(mesh)
+
+    def take(self, obj, result):
+        """Shows the mesh and its report."""
+        mesh = result[0]
+        obj.GapTriangles, obj.GapArea = mesh.gap_triangles, mesh.gap_area
+        obj.DistanceToInput, obj.DistanceFromInput = mesh.distance_to_input, mesh.distance_from_input
+        return super().take(obj, result)
+
+
+def add_wrap(objects, gap, tolerance=None):
+    """Adds a document object that keeps the outer surface of document objects up to date; one undo step.
+
+    objects    a document object with a mesh or a shape, or a list of them, of one document
+    gap        mm; openings narrower than this are closed
+    tolerance  as for wrap
+
+    Returns the object. Raises what wrap raises, and then adds nothing.
+    """
+    sources = list(objects) if isinstance(objects, list) else [objects]
+    if not sources:
+        raise InvalidInput("the list of objects is empty")
+    values = options.check(wrap_options.WRAP_OBJECT, {"gap": gap, "tolerance": tolerance})
+    if values["gap"] is None:
+        raise InvalidInput(phrases.Text(phrases.NOT_GIVEN, option="gap"))
+    return boolean.add_of_sources(WrapObject, sources, values, "wrap", "Wrap")

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "workflows/wrap_objects.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "mesh/intersection/self_intersection.h"
+#include "workflows/operand_frame.h"
+
+namespace mq::workflows {
+
+namespace {
+
+/// Several meshes in one list, each CAD face of each with a number of its own.
+struct Joined {
+    mesh::TriangleMesh mesh;
+    std::vector<std::array<std::int32_t, 2>> source;  ///< object and triangle there
+};
+
+Joined joined(const std::vector<const mesh::TriangleMesh*>& meshes, const std::vector<BooleanOperand>& objects) {
+    Joined result;
+    std::int32_t faces = 0;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const auto first = static_cast<std::int32_t>(result.mesh.vertices.size());
+        result.mesh.origin = meshes[i]->origin;
+        for (const Vec3& p : meshes[i]->vertices) {
+            if (!p.allFinite()) {
+                throw InvalidInput("object " + std::to_string(i + 1) +
+                                   " has a vertex with coordinates that are not finite: repair or remove it");
+            }
+            result.mesh.vertices.push_back(p);
+        }
+        const std::vector<std::int32_t>& its_faces = objects[i].surface->mesh.triangle_face;
+        std::int32_t most = 0;
+        for (std::size_t t = 0; t < meshes[i]->triangles.size(); ++t) {
+            const mesh::Triangle& c = meshes[i]->triangles[t];
+            result.mesh.triangles.push_back({first + c[0], first + c[1], first + c[2]});
+            const std::int32_t face = its_faces.empty() ? 0 : its_faces[t];
+            most = std::max(most, face);
+            result.mesh.triangle_face.push_back(faces + face);
+            result.source.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(t)});
+        }
+        faces += most + 1;
+    }
+    return result;
+}
+
+void measure_gaps(WrapSurface& surface, const std::vector<std::int32_t>& source) {
+    const mesh::TriangleMesh& mesh = surface.mesh;
+    for (std::size_t t = 0; t < source.size(); ++t) {
+        if (source[t] < 0) {
+            const mesh::Triangle& c = mesh.triangles[t];
+            const Vec3& a = mesh.vertices[static_cast<std::size_t>(c[0])];
+            surface.gap_area += 0.5 * (mesh.vertices[static_cast<std::size_t>(c[1])] - a)
+                                          .cross(mesh.vertices[static_cast<std::size_t>(c[2])] - a)
+                                          .norm();
+            ++surface.gap_triangles;
+        }
+    }
+}
+
+}  // namespace
+
+WrapSurface wrap_objects(const std::vector<BooleanOperand>& objects, const wrap::WrapOptions& options,
+                         const WorkBefore& before, Progress& progress) {
+    const Stopwatch watch;
+    std::vector<FramedOperand> framed;
+    for (const BooleanOperand& object : objects) {
+        framed.push_back({&object.surface->mesh, object.round});
+    }
+    const OperandFrame frame(framed);
+    const Joined input = joined(frame.meshes(), objects);
+    wrap::WrapOptions in_frame = options;
+    for (Vec3& dry : in_frame.dry) {
+        dry -= input.mesh.origin;
+    }
+    wrap::WrapResult wrapped = wrap::wrap(input.mesh, in_frame, progress);
+    WrapSurface result;
+    result.mesh = std::move(wrapped.mesh);
+    for (const std::int32_t t : wrapped.triangle_source) {
+        result.triangle_source.push_back(t < 0 ? std::array<std::int32_t, 2>{-1, -1}
+                                               : input.source[static_cast<std::size_t>(t)]);
+        result.mesh.triangle_face.push_back(t < 0 ? -1 : input.mesh.triangle_face[static_cast<std::size_t>(t)]);
+    }
+    measure_gaps(result, wrapped.triangle_source);
+    result.distance = wrapped.distance;
+    result.leaks = std::move(wrapped.leaks);
+    for (wrap::Leak& leak : result.leaks) {
+        leak.dry += input.mesh.origin;
+        leak.narrowest += input.mesh.origin;
+        for (Vec3& p : leak.path) {
+            p += input.mesh.origin;
+        }
+    }
+    result.sheet_nodes = wrapped.sheet_nodes;
+    BooleanReport& figures = result.figures;
+    figures.error_bound = std::max(wrapped.distance.to_input, wrapped.distance.from_input);
+    figures.reconstructed = result.mesh.triangles.size();
+    figures.seconds = std::move(wrapped.seconds);
+    const std::vector<mesh::ContactPair> contacts =
+        mesh::self_intersections(result.mesh.vertices, result.mesh.triangles, mesh::kAllPairs, &progress);
+    figures.self_intersections = static_cast<std::int64_t>(contacts.size());
+    figures.faults_left = contacts.size();
+    complete_report(result, before, "the result is empty: nothing of what is given is as large as the tolerance",
+                    progress);
+    figures.cpu_seconds = before.cpu_seconds + watch.cpu();
+    result.report = figures;
+    return result;
+}
+
+}  // namespace mq::workflows
