@@ -8,7 +8,7 @@ GAP = Option("gap", float, None, unit="mm", low=0.0, title="Gap", group="Wrap", 
 TOLERANCE = Option("tolerance", float, None, unit="mm", low=0.0, title="Tolerance", group="Wrap",
                    unset="by size and gap",
                    help="Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless "
-                        "given, a hundredth of the size, at most a quarter of the gap")
+                        "given, a quarter of the gap, at most a fiftieth of the size")
 
 WRAP = (GAP, TOLERANCE, THREADS)
 

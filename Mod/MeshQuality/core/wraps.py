@@ -15,7 +15,7 @@ from .booleans import BooleanMesh
 from .operands import Operands, is_arrays, part_of
 from .patches import Division, Patches
 
-_RELATIVE = 1e-2  # the tolerance as a fraction of the size, where none is given, ...
+_RELATIVE = 2e-2  # the tolerance as a fraction of the size, where none is given, ...
 _OF_GAP = 0.25  # ... and of the gap, at most
 _LARGEST = 0.5  # of the gap: the lattice must not pass openings
 _DEVIATION = 0.1  # of the meshes of shapes, as a fraction of the tolerance
@@ -78,8 +78,8 @@ def wrap(objects, gap, tolerance=None, dry=None, progress=None, threads=0):
     objects    one or a list of them: Mesh.Mesh, SurfaceMesh, arrays (V, F), Part.Shape, or document objects. They may
                overlap, miss each other, be open, and be oriented in any way
     gap        mm; openings narrower than this are closed, those wider than the gap and three tolerances are entered
-    tolerance  mm, the largest distance between the wrap and what it lies on, at most half of the gap; None: a hundredth of
-               the size, at most a quarter of the gap. It is also the size of the smallest thing that is found for certain
+    tolerance  mm, the largest distance between the wrap and what it lies on, at most half of the gap; None: a quarter of
+               the gap, at most a fiftieth of the size. It is also the size of the smallest thing that is found for certain
     dry        [(x, y, z), ...], mm: places that are to stay inside. Where the ball reaches one of them, leaks has its way
     progress   callable(fraction 0..1, stage); returning False cancels
     threads    that work at a time; 0: one for each core. The result is the same for any number

@@ -21,10 +21,12 @@ struct WrapTuning {
     MESHQUALITY_TUNED(double, kFlatCell, 0.1);
     /// The simplified surface keeps within this fraction of the spacing of the planes of the contour.
     MESHQUALITY_TUNED(double, kSimplification, 0.1);
+    /// Its edges are not longer than this, in spacings: what is to be asked of triangles near by would grow.
+    MESHQUALITY_TUNED(double, kLongest, 10.0);
     /// Where a triangle is moved, the cosine between its normal and that of its plane does not fall below this.
     MESHQUALITY_TUNED(double, kTurn, 0.8);
-    /// Degrees: where a triangle is moved, its smallest angle does not fall below this.
-    MESHQUALITY_TUNED(double, kThinShape, 5.0);
+    /// Where a triangle is moved, the tangent of its smallest angle does not fall below this: 5 degrees.
+    MESHQUALITY_TUNED(double, kThinTangent, 0.0875);
 };
 
 }  // namespace mq::wrap

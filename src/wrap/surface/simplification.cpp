@@ -12,7 +12,6 @@
 
 #include "base/key_set.h"
 #include "mesh/intersection/triangle_contact.h"
-#include "mesh/quality/triangle_quality.h"
 #include "wrap/lattice/tuning.h"
 #include "wrap/surface/quadric.h"
 #include "wrap/surface/triangle_grid.h"
@@ -22,6 +21,20 @@ namespace mq::wrap {
 namespace {
 
 using mesh::Triangle;
+
+double longest_side(const std::array<Vec3, 3>& c) {
+    return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+}
+
+/// Tangent of the smallest angle.
+double smallest_tangent(const std::array<Vec3, 3>& c) {
+    const double area = (c[1] - c[0]).cross(c[2] - c[0]).norm();
+    double cosine = 0.0;  // the largest one times the lengths of its two sides
+    for (std::size_t k = 0; k < 3; ++k) {
+        cosine = std::max(cosine, (c[(k + 1) % 3] - c[k]).dot(c[(k + 2) % 3] - c[k]));
+    }
+    return area / cosine;
+}
 
 bool has(const Triangle& t, std::int32_t v) {
     return t[0] == v || t[1] == v || t[2] == v;
@@ -45,11 +58,12 @@ struct Candidate {
 class Simplifier {
   public:
     Simplifier(Contour& surface, const std::vector<Crossing>& crossings, const std::vector<std::int32_t>& patch,
-               double distance, const Progress& progress)
+               double distance, double longest, const Progress& progress)
         : surface_(surface),
           crossings_(crossings),
           patch_(patch),
           most_(distance * distance),
+          longest_(longest),
           pace_(progress),
           stars_(surface.points.size()),
           ages_(surface.points.size()),
@@ -244,31 +258,35 @@ class Simplifier {
         });
     }
 
-    /// Whether no triangle turns away from its plane, or becomes thinner than all at the edge are.
+    /// Whether no triangle turns away from its plane, becomes thinner than all at the edge are, or too long.
     bool keeps_shape(const Candidate& edge) const {
-        double thinnest = WrapTuning::kThinShape;
+        double thinnest = WrapTuning::kThinTangent;
         all_at(edge, [&](std::int32_t t) {
-            thinnest = std::min(thinnest, mesh::min_angle_of(corners(surface_.triangles[t])));
+            thinnest = std::min(thinnest, smallest_tangent(corners(surface_.triangles[t])));
             return true;
         });
         return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
             const Vec3 cross = (moved[1] - moved[0]).cross(moved[2] - moved[0]);
             const double length = cross.norm();
             const double before = normal(surface_.triangles[t]).dot(planes_[t]);
-            return length > 0.0 && cross.dot(planes_[t]) >= std::min(WrapTuning::kTurn, before) * length &&
-                   mesh::min_angle_of(moved) >= thinnest;
+            return length > 0.0 && longest_side(moved) <= longest_ &&
+                   cross.dot(planes_[t]) >= std::min(WrapTuning::kTurn, before) * length &&
+                   smallest_tangent(moved) >= thinnest;
         });
     }
 
     /// Whether no moved triangle meets another one.
     bool keeps_apart(const Candidate& edge) const {
+        std::vector<std::int32_t> star;
         return all_of_moved(edge, [&](std::int32_t t, const std::array<Vec3, 3>& moved) {
-            Box box;
-            for (const Vec3& p : moved) {
-                box.add(p);
-            }
-            return grid_.all_near(moved, [&](std::int32_t other) {
-                return other == t || !box.meets(box_of(other, edge)) || apart(t, other, edge);
+            // The grid has those that are moved, too, at their places of before.
+            const auto is_apart = [&](std::int32_t other) { return apart(t, other, edge); };
+            const bool from_star = std::all_of(star.begin(), star.end(), is_apart);
+            star.push_back(t);
+            const Box box = box_of(t, edge);
+            return from_star && grid_.all_near(moved, [&](std::int32_t other) {
+                const Triangle& c = surface_.triangles[other];
+                return has(c, edge.a) || has(c, edge.b) || !box.meets(box_of(other, edge)) || is_apart(other);
             });
         });
     }
@@ -283,11 +301,8 @@ class Simplifier {
     bool apart(std::int32_t t, std::int32_t other, const Candidate& edge) const {
         const Triangle first = renamed(surface_.triangles[t], edge, edge.a);
         const Triangle second = renamed(surface_.triangles[other], edge, edge.a);
-        if (edge.takes(surface_.triangles[other])) {
-            return true;
-        }
-        std::vector<Vec3> points;
-        points.reserve(6);
+        std::vector<Vec3>& points = of_pair_;
+        points.clear();
         std::array<Triangle, 2> named{first, second};
         std::array<std::int32_t, 6> known{};
         for (Triangle& triangle : named) {
@@ -383,6 +398,7 @@ class Simplifier {
     const std::vector<Crossing>& crossings_;
     const std::vector<std::int32_t>& patch_;
     double most_;
+    double longest_;
     CancelPace pace_;
     std::vector<std::vector<std::int32_t>> stars_;
     std::vector<std::int32_t> ages_;
@@ -390,13 +406,16 @@ class Simplifier {
     std::vector<Vec3> planes_;  ///< normal of the plane that each triangle stands for
     TriangleGrid grid_{1.0};
     std::priority_queue<Candidate> queue_;
+    mutable std::vector<Vec3> of_pair_;  ///< points of two triangles that are tested
 };
 
 }  // namespace
 
 void simplify(Contour& surface, const std::vector<Crossing>& crossings, const std::vector<std::int32_t>& patch,
               double spacing, const Progress& progress) {
-    Simplifier(surface, crossings, patch, WrapTuning::kSimplification * spacing, progress).run();
+    Simplifier(surface, crossings, patch, WrapTuning::kSimplification * spacing, WrapTuning::kLongest * spacing,
+               progress)
+        .run();
 }
 
 }  // namespace mq::wrap
