@@ -547,6 +547,30 @@
         <source>Largest distance between the result and the exact one, in both directions; unless given, a thousandth of the size, at most a tenth of the distance; 0: by size and distance</source>
         <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands; 0: nach Größe und Abstand</translation>
     </message>
+    <message>
+        <source>Area of the triangles that close gaps</source>
+        <translation>Fläche der Dreiecke, die Lücken schließen</translation>
+    </message>
+    <message>
+        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size; 0: by size and gap</source>
+        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe; 0: nach Größe und Lücke</translation>
+    </message>
+    <message>
+        <source>Largest distance from the wrap of what sticks out of it</source>
+        <translation>Größter Abstand dessen, was aus der Hülle herausragt, von ihr</translation>
+    </message>
+    <message>
+        <source>Largest distance of the wrap from what it lies on, but for gaps</source>
+        <translation>Größter Abstand der Hülle von dem, worauf sie liegt, außer an Lücken</translation>
+    </message>
+    <message>
+        <source>Number of triangles that close gaps</source>
+        <translation>Anzahl der Dreiecke, die Lücken schließen</translation>
+    </message>
+    <message>
+        <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
+        <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -2658,6 +2682,38 @@
         <source>the mesh has {count} open edges: only solids have walls; close it first</source>
         <translation>das Netz hat {count} offene Kanten: nur Körper haben Wände; erst schließen</translation>
     </message>
+    <message>
+        <source>Gap</source>
+        <translation>Lücke</translation>
+    </message>
+    <message>
+        <source>Largest distance between the wrap and the surfaces that it lies on, at most half of the gap; unless given, a quarter of the gap, at most a fiftieth of the size</source>
+        <translation>Größter Abstand zwischen der Hülle und den Flächen, auf denen sie liegt, höchstens die halbe Lücke; ohne Angabe ein Viertel der Lücke, höchstens ein Fünfzigstel der Größe</translation>
+    </message>
+    <message>
+        <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
+        <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
+    </message>
+    <message>
+        <source>Wrap</source>
+        <translation>Umhüllen</translation>
+    </message>
+    <message>
+        <source>by size and gap</source>
+        <translation>nach Größe und Lücke</translation>
+    </message>
+    <message>
+        <source>finding what is near the surface</source>
+        <translation>Finden, was nahe an der Oberfläche ist</translation>
+    </message>
+    <message>
+        <source>rolling a ball over the surface</source>
+        <translation>Rollen einer Kugel über die Oberfläche</translation>
+    </message>
+    <message>
+        <source>simplifying the surface</source>
+        <translation>Vereinfachen der Oberfläche</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>
@@ -2895,6 +2951,17 @@
     <message>
         <source>Compute the selected meshes again where a source or an option has changed</source>
         <translation>Ausgewählte Netze neu berechnen, wo sich eine Quelle oder Option geändert hat</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Wrap</name>
+    <message>
+        <source>Close the outer surface of the selected objects, which may overlap, be open or have gaps, for flow simulations</source>
+        <translation>Die äußere Oberfläche der gewählten Objekte schließen, die sich überlappen, offen sein oder Lücken haben dürfen, für Strömungsrechnungen</translation>
+    </message>
+    <message>
+        <source>Wrap...</source>
+        <translation>Umhüllen...</translation>
     </message>
 </context>
 <context>

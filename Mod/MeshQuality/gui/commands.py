@@ -12,7 +12,7 @@ from ..core import convert, frames
 from ..core.curving import holds_elements
 from ..errors import Error
 from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, mesh_object, offset,
-                        quality_mesh)
+                        quality_mesh, wrap)
 from . import quality_data
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
@@ -173,6 +173,21 @@ class Hollow(Offset):
                 for source in selected]
 
 
+class Wrap(_Command):
+    KIND = wrap.WrapObject
+    NAME = KIND.COMMAND
+    TEXT = "Wrap"
+    TIP = "Close the outer surface of the selected objects, which may overlap, be open or have gaps, for flow simulations"
+    KEYS = "Q, W"
+
+    def selected(self):
+        found = [source for source in _selected() if _has_shape(source) or convert.is_mesh(source)]
+        return found if len({frames.object_of(source).Document for source in found}) == 1 else []
+
+    def operations(self, selected):
+        return [Operation(self.TEXT, self.KIND, selected)]
+
+
 class _OfOneMesh(_Command):
     """Opens PANEL, a class, for the mesh that is selected."""
 
@@ -320,7 +335,7 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Improve, Analyse, Thickness, Update, Patches, Export,
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Wrap, Improve, Analyse, Thickness, Update, Patches, Export,
              FlowCase, CfdSurface)
 
 

@@ -104,7 +104,8 @@ TEST(Wrap, LeakLeadsThroughTheOpening) {
     EXPECT_NEAR(leak.width, 3.0, 0.5);
     EXPECT_NEAR(leak.narrowest.y(), 6.5, 0.5);
     EXPECT_NEAR((leak.path.front() - Vec3(4, 4, 4)).norm(), 0.0, 1e-12);
-    EXPECT_FALSE(Box{Vec3(0, 0, 0), Vec3(8, 8, 9)}.contains(leak.path.back()));
+    const Box box{Vec3(0, 0, 0), Vec3(8, 8, 9)};
+    EXPECT_FALSE(box.contains(leak.path.back()));
 }
 
 TEST(Wrap, RandomSoupsGiveSoundSurfaces) {
