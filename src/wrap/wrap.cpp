@@ -20,9 +20,6 @@ namespace mq::wrap {
 
 namespace {
 
-/// The farthest that a point is from a node of the lattice, in sides.
-constexpr double kCovering = 0.5590169943749475;  // sqrt(5) / 4
-
 void require(bool holds, const std::string& what) {
     if (!holds) {
         throw InvalidInput(what);
@@ -60,14 +57,11 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     const InputSurface surface(input.vertices, input.triangles);
     // Points of an edge are at most half a side nearer to the input than its ends.
     const double radius = 0.5 * options.gap + 0.5 * options.spacing;
-    // A ball that touches the input at a point, moved away from there until a node with the radius is beside its
-    // centre.
-    const double reach = 0.5 * options.gap + (0.5 + 2.0 * kCovering) * options.spacing;
-    const Lattice lattice(surface.tree.box(), reach + 2.0 * options.spacing, options.spacing);
+    const Lattice lattice(surface.tree.box(), radius + 2.0 * options.spacing, options.spacing);
     NodeStates states(lattice, surface, radius, progress);
 
     watch.start("rolling the ball", 0.25, 0.4);
-    mark_outside(states, reach, 0.5 * options.gap, progress);
+    mark_outside(states, 0.5 * options.gap, progress);
     for (const Vec3& dry : options.dry) {
         if (std::optional<Leak> leak = find_leak(states, dry, progress)) {
             result.leaks.push_back(std::move(*leak));
@@ -77,7 +71,7 @@ WrapResult wrap(const mesh::TriangleMesh& input, const WrapOptions& options, Pro
     result.sheet_nodes = mark_sheets(states, progress);
 
     watch.start("contouring", 0.4, 0.5);
-    const CrossedCells cells = find_crossings(states, reach, progress);
+    const CrossedCells cells = find_crossings(states, progress);
     Contour between = contour(states, cells, progress);
 
     watch.start("simplifying", 0.5, 0.9);

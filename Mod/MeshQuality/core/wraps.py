@@ -18,7 +18,7 @@ from .patches import Division, Patches
 _RELATIVE = 2e-2  # the tolerance as a fraction of the size, where none is given, ...
 _OF_GAP = 0.25  # ... and of the gap, at most
 _LARGEST = 0.5  # of the gap: the lattice must not pass openings
-_DEVIATION = 0.1  # of the meshes of shapes, as a fraction of the tolerance
+_DEVIATION = 0.05  # of the meshes of shapes, as a fraction of the tolerance
 _MESHED = 0.4  # fraction of the progress at which shapes are meshed
 _GAPS = "gaps"  # the patch of triangles that close gaps
 

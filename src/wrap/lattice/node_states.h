@@ -22,7 +22,7 @@ struct NodeState {
     /// Bit k: the edge of step k < 7 meets the input.
     std::uint8_t barred = 0;
     /// The step from the node to the centre of the ball that reached it; 0 of free ones.
-    std::array<std::int8_t, 3> to_ball{};
+    std::array<std::int16_t, 3> to_ball{};
 
     NodeState() : free(false), near(false), outside(false), moved(false), sheet(false) {}
 };

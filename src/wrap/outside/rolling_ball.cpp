@@ -74,19 +74,22 @@ class Flood {
     std::vector<Node> nodes_;
 };
 
-/// The nodes that the ball covers, nearest to its centres first.
+/// The nodes in the empty balls around the centres. A centre is farther from the input than the radius, and all of what
+/// is nearer to it than the input is empty: that much is covered, so that no node beside the input is missed for the
+/// distance between centres.
 class RollingBall {
   public:
-    RollingBall(NodeStates& states, double reach, const Progress& progress)
-        : states_(states), lattice_(states.lattice()), reach_(reach), pace_(progress) {}
+    RollingBall(NodeStates& states, const Progress& progress)
+        : states_(states), lattice_(states.lattice()), pace_(progress) {}
 
     void run() {
         for (const std::array<std::int32_t, 3>& block : states_.blocks()) {
             for (int place = 0; place < Lattice::kBlockNodes; ++place) {
+                pace_.step();
                 const Node node = Lattice::node_at(block, place);
                 const NodeState& state = *states_.find(node);
-                if (state.free && state.outside) {
-                    spread(node, node);
+                if (state.free && state.outside && has_covered_neighbour(node)) {
+                    spread(node, {node, states_.surface().tree.nearest(lattice_.at(node)).distance});
                 }
             }
         }
@@ -100,38 +103,46 @@ class RollingBall {
             }
             state.outside = true;
             for (std::size_t i = 0; i < 3; ++i) {
-                state.to_ball[i] = static_cast<std::int8_t>(next.centre[i] - next.node[i]);
+                state.to_ball[i] = static_cast<std::int16_t>(next.ball.centre[i] - next.node[i]);
             }
-            spread(next.node, next.centre);
+            spread(next.node, next.ball);
         }
     }
 
   private:
-    struct Reached {
-        double distance;
-        Node node;
+    struct Ball {
         Node centre;
+        double radius;
+    };
+    struct Reached {
+        double height;  ///< above the ball's surface, mm: at most 0
+        Node node;
+        Ball ball;
         bool operator<(const Reached& o) const {
-            return std::tie(o.distance, o.node, o.centre) < std::tie(distance, node, centre);
+            return std::tie(o.height, o.node, o.ball.centre) < std::tie(height, node, ball.centre);
         }
     };
 
-    void spread(const Node& node, const Node& centre) {
+    bool has_covered_neighbour(const Node& node) const {
+        bool has = false;
+        for_each_neighbour(lattice_, node, [&](const Node& other, int) { has = has || !states_.is_free(other); });
+        return has;
+    }
+    void spread(const Node& node, const Ball& ball) {
         for_each_neighbour(lattice_, node, [&](const Node& other, int step) {
             const NodeState* state = states_.find(other);
             if (state == nullptr || state->free || state->outside || states_.is_barred(node, step)) {
                 return;
             }
-            const double distance = (lattice_.at(other) - lattice_.at(centre)).norm();
-            if (distance <= reach_) {
-                queue_.push({distance, other, centre});
+            const double height = (lattice_.at(other) - lattice_.at(ball.centre)).norm() - ball.radius;
+            if (height <= 0.0) {
+                queue_.push({height, other, ball});
             }
         });
     }
 
     NodeStates& states_;
     const Lattice& lattice_;
-    double reach_;
     CancelPace pace_;
     std::priority_queue<Reached> queue_;
 };
@@ -220,9 +231,9 @@ class Pockets {
 
 }  // namespace
 
-void mark_outside(NodeStates& states, double reach, double pocket, const Progress& progress) {
+void mark_outside(NodeStates& states, double pocket, const Progress& progress) {
     Flood(states, progress).run();
-    RollingBall(states, reach, progress).run();
+    RollingBall(states, progress).run();
     Pockets(states, pocket, progress).run();
 }
 

@@ -157,17 +157,18 @@ Crossing at_input(const InputSurface& surface, const Vec3& outer, const Vec3& in
 }
 
 /// Where the edge leaves the ball that covers its outer end; in a pocket its middle.
-Crossing at_gap(const NodeStates& states, const Edge& edge, double reach) {
+Crossing at_gap(const NodeStates& states, const Edge& edge) {
     const Lattice& lattice = states.lattice();
     const Vec3 outer = lattice.at(edge.outer);
     const Vec3 ahead = lattice.at(edge.inner) - outer;
     const NodeState* state = states.find(edge.outer);
-    const std::array<std::int8_t, 3>& ball = state->to_ball;
+    const std::array<std::int16_t, 3>& ball = state->to_ball;
     double share = 0.5;
-    if (ball != std::array<std::int8_t, 3>{}) {
+    if (ball != std::array<std::int16_t, 3>{}) {
         const Vec3 from_centre = -0.5 * lattice.side() * Vec3(ball[0], ball[1], ball[2]);
+        const double radius = states.surface().tree.nearest(outer - from_centre).distance;
         const double b = from_centre.dot(ahead) / ahead.squaredNorm();
-        const double c = (from_centre.squaredNorm() - reach * reach) / ahead.squaredNorm();
+        const double c = (from_centre.squaredNorm() - radius * radius) / ahead.squaredNorm();
         share = -b + std::sqrt(std::max(0.0, b * b - c));
     }
     constexpr double kEnds = 0.05;  // there is no surface here to be kept
@@ -176,7 +177,7 @@ Crossing at_gap(const NodeStates& states, const Edge& edge, double reach) {
     return result;
 }
 
-Crossing crossing_of(const NodeStates& states, const Edge& edge, double reach) {
+Crossing crossing_of(const NodeStates& states, const Edge& edge) {
     const Lattice& lattice = states.lattice();
     const Vec3 outer = states.position(edge.outer);
     const Vec3 inner = states.position(edge.inner);
@@ -187,19 +188,18 @@ Crossing crossing_of(const NodeStates& states, const Edge& edge, double reach) {
     if (states.is_barred(edge.outer, Lattice::step_between(edge.outer, edge.inner))) {
         return at_input(states.surface(), outer, inner);
     }
-    return at_gap(states, edge, reach);
+    return at_gap(states, edge);
 }
 
 }  // namespace
 
-CrossedCells find_crossings(const NodeStates& states, double reach, const Progress& progress) {
+CrossedCells find_crossings(const NodeStates& states, const Progress& progress) {
     CrossedCells result;
     CellSearch search(states, progress);
     search.run(result);
     result.crossings.resize(search.edges.size());
     for_chunks(static_cast<int>(search.edges.size()), [&](int k) {
-        result.crossings[static_cast<std::size_t>(k)] =
-            crossing_of(states, search.edges[static_cast<std::size_t>(k)], reach);
+        result.crossings[static_cast<std::size_t>(k)] = crossing_of(states, search.edges[static_cast<std::size_t>(k)]);
     });
     return result;
 }

@@ -34,9 +34,8 @@ struct CrossedCells {
 };
 
 /// All tetrahedra that the wrap crosses, and where. An edge that meets the input is crossed where it does first, seen
-/// from outside; at a sheet half a side before it; and where a gap is closed on the ball that reaches its outer end.
-/// @param reach  radius of that ball, mm
+/// from outside; at a sheet half a side before it; and where a gap is closed on the ball that covers its outer end.
 /// @throws Cancelled
-CrossedCells find_crossings(const NodeStates& states, double reach, const Progress& progress);
+CrossedCells find_crossings(const NodeStates& states, const Progress& progress);
 
 }  // namespace mq::wrap

@@ -189,7 +189,7 @@ class Simplifier {
         const Vec3 place = (best - start).squaredNorm() <= length ? best : start;
         const double cost = std::max(0.0, both.at(place));
         // On a plane all costs are nearly 0: short edges go first there.
-        constexpr double kByLength = 1e-6;
+        constexpr double kByLength = 1e-2;
         if (cost <= most_) {
             queue_.push({cost + kByLength * length, a, b, ages_[a], ages_[b], place});
         }
