@@ -23,7 +23,8 @@ _FINEST = 4.0 * 2.0**-23  # tolerance of a Boolean, as a fraction of the size, a
 class OffsetMesh(BooleanMesh, metaclass=Public):
     """A BooleanMesh that offset or hollow made: closed, manifold, without self-intersections.
 
-    triangle_face    int32 (T,), of an offset: the face of the shape from which each triangle is offset; else empty
+    triangle_face    int32 (T,), of a shape: the face on which each triangle lies, or from which it is offset, -1 where that
+                     is not known; of a mesh empty
     triangle_source  of a hollowed solid: (0, triangle of its united mesh) of those on its outside that are whole, (1, ...) of
                      those of the hollow, (-1, -1) of those cut at openings; of an offset (-1, -1)
     report           BooleanReport. error_bound, mm, is proven: no point of the result is farther than this from the exact
@@ -55,7 +56,7 @@ def offset(source, distance, tolerance=None, progress=None, threads=0):
     options.require_callable(progress)
     work = _Work(source, values["distance"], values["tolerance"], values["threads"], progress)
     return work.run(lambda: OffsetMesh(extension().offset_surface(
-        work.solid, work.operand, work.distance, work.share_of_offset(), work.threads, work.before(last=True),
+        work.solid, work.distance, work.share_of_offset(), work.threads, work.before(last=True),
         work.progress(_UNITED, 1.0))))
 
 
@@ -90,7 +91,7 @@ def _hollowed(work, faces):
     watched = work.progress(_UNITED, _OFFSET)
     if faces is None:
         operation = "difference"
-        inside = module.offset_surface(work.solid, work.operand, -work.distance, work.share_of_offset(), work.threads,
+        inside = module.offset_surface(work.solid, -work.distance, work.share_of_offset(), work.threads,
                                        work.before(), watched)
     else:
         operation = "intersection"
@@ -100,15 +101,16 @@ def _hollowed(work, faces):
     operands = [(work.solid, False, None)]
     if len(inside.triangles):
         operands.append((inside, False, None))
-    return OffsetMesh(module.boolean(operands, operation, work.boolean_options(_CUTTING), "default", work.before(last=True),
-                                     work.progress(_OFFSET, 1.0)))
+    result = module.boolean(operands, operation, work.boolean_options(_CUTTING), "default", work.before(last=True),
+                            work.progress(_OFFSET, 1.0))
+    module.name_faces(result, [surface for surface, *_ in operands])
+    return OffsetMesh(result)
 
 
 class _Work:
     """What the steps of an offset share.
 
-    solid     core.BooleanSurface: the union of the operand's bodies
-    operand   core.Surface of the operand
+    solid  core.BooleanSurface: the union of the operand's bodies, on the faces of the shape
     """
 
     def __init__(self, source, distance, tolerance, threads, progress):
@@ -143,13 +145,14 @@ class _Work:
         meshing = extension().BooleanOptions()
         meshing.tolerance = 2.0 * _CHORD * self.tolerance  # shapes are meshed within half of it
         meshed = self._operands.mesh_shapes(meshing, self.progress(0.0, _MESHED))
-        self.operand, rounded, shape = self._operands.surfaces[0]
+        operand, rounded, shape = self._operands.surfaces[0]
         if shape is not None:
-            self._error_bound = self.operand.report.max_chord_height
+            self._error_bound = operand.report.max_chord_height
         self._seconds, self._notes = list(self._operands.seconds), []
         self._cpu_seconds = self._operands.cpu_seconds
-        self.solid = extension().boolean([(self.operand, rounded, None)], "union", self.boolean_options(_UNION), "default",
+        self.solid = extension().boolean([(operand, rounded, None)], "union", self.boolean_options(_UNION), "default",
                                          self.before(), self.progress(_MESHED if meshed else 0.0, _UNITED))
+        extension().name_faces(self.solid, [operand])
         self._seconds, self._notes = [], []
         self.add(self.solid.report)
 
@@ -191,7 +194,4 @@ class _Work:
 
     def triangles_of(self, faces):
         """bool (T,): the triangles of the solid that lie on some faces."""
-        own = np.asarray(self.solid.triangle_source)[:, 1]
-        if (own < 0).any():
-            raise InvalidInput("openings need a shape whose bodies do not cross: unite them first")
-        return np.isin(np.asarray(self.operand.triangle_face)[own], faces)
+        return np.isin(np.asarray(self.solid.triangle_face), faces)

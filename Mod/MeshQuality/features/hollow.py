@@ -30,7 +30,7 @@ class HollowObject(offset.SolidMesh):
     SOURCE, NEEDS = "The object whose solid is hollowed", "a shape or a mesh"
     OPTIONS = offset_options.HOLLOW_OBJECT
     MEASURED = (*offset.MEASURED, *_OF_HOLLOW)
-    HIDDEN = (_FACES,)
+    HIDDEN = (*offset.SolidMesh.HIDDEN, _FACES)
 
     @classmethod
     def given_of(cls, source, values, obj):

@@ -28,8 +28,9 @@ PROMISES = (
 )
 
 
-class SolidMesh(mesh_object.OfOneSource):
-    """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh.
+class SolidMesh(mesh_object.SegmentedMesh):
+    """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh. Of a
+    shape its triangles are on the CAD faces from which they come, and in their patches.
 
     A subclass has
     given_of(source, values, obj)  class method: what the work is about, a Given
@@ -55,6 +56,10 @@ class SolidMesh(mesh_object.OfOneSource):
         """The Given."""
         return Given(source)
 
+    def has_faces(self, obj):
+        """A mesh of a mesh knows none."""
+        return convert.has_faces(self.sources(obj)[0])
+
     def holds_mesh(self, obj):
         """The mesh may be empty."""
         return obj.Mesh.CountFacets == obj.Triangles
@@ -62,7 +67,7 @@ class SolidMesh(mesh_object.OfOneSource):
     def take(self, obj, result):
         """Shows the mesh and its report."""
         mesh, shown, findings, _ = result
-        report = mesh.report
+        report, obj.FaceRuns = mesh.report, mesh_object.runs_of_faces(mesh.triangle_face)
         properties.show_mesh(obj, shown)
         properties.show_topology(obj, report)
         obj.Volume, obj.ErrorBound, obj.AskedTolerance = report.volume, report.error_bound, report.tolerance_asked

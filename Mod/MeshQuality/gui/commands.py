@@ -266,7 +266,7 @@ class Patches(_OfOneMesh):
     def selected(self):
         found = list(dict.fromkeys(frames.linked_of(source)[0] for source in _selected()))
         fits = len(found) == 1 and isinstance(getattr(found[0], "Proxy", None), mesh_object.PatchedMesh) \
-            and not found[0].Proxy.lacks_source(found[0])
+            and not found[0].Proxy.lacks_source(found[0]) and found[0].Proxy.has_faces(found[0])
         return found if fits else []
 
 
