@@ -230,3 +230,12 @@ class Pictures(gui_helpers.GuiTest):
         self.seen_from("print_thickness", 0.45, 1, 0.9)
         self.picture_of_panel(panel, "panel_thickness")
         panel.reject()
+
+    def test_panel_of_an_inspection(self):
+        source = self.document.addObject("Part::Feature", "Plate")
+        source.Shape = Part.makeBox(30, 20, 3).cut(Part.makeBox(10, 20, 2, FreeCAD.Vector(20, 0, 1)))
+        self.document.recompute()
+        panel = commands.panel_of(mq.add_inspection(source, min_thickness=1.2))
+        FreeCADGui.Control.showDialog(panel)
+        self.picture_of_panel(panel, "panel_inspection")
+        panel.reject()

@@ -11,8 +11,8 @@ from ..compat import why_no_extension
 from ..core import convert, frames
 from ..core.curving import holds_elements
 from ..errors import Error
-from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, mesh_object, offset,
-                        quality_mesh)
+from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
+                        offset, quality_mesh)
 from . import quality_data
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
@@ -211,6 +211,14 @@ class Thickness(_OfOneMesh):
         quality_panel.open_panel(self.selected()[0], quality_data.THICKNESS)
 
 
+class Inspect(Offset):
+    KIND = inspection.Inspection
+    NAME = KIND.COMMAND
+    TEXT = "Inspection"
+    TIP = "Measure walls, clearances, draft or closed voids of the selected solids again after each edit, against a limit"
+    KEYS = "Q, K"
+
+
 class Improve(_Command):
     KIND = improved_mesh.ImprovedMesh
     NAME = KIND.COMMAND
@@ -320,7 +328,7 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Improve, Analyse, Thickness, Update, Patches, Export,
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Improve, Analyse, Thickness, Inspect, Update, Patches, Export,
              FlowCase, CfdSurface)
 
 
