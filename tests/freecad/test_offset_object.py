@@ -225,6 +225,21 @@ class Hollow(SolidTest):
                 self.assertAlmostEqual(centre.x, 5.0 if source is link else 45.0, places=3)  # a link has its own placement
                 self.assertAlmostEqual(centre.z, 105.0 if source is link else 5.0, places=3)
 
+    def test_a_container_of_shapes_and_meshes(self):
+        plate = Mesh.createBox(10.0, 10.0, 2.0)
+        plate.translate(10.0, 5.0, 5.0)
+        group = self.document.addObject("App::Part", "Mixed")
+        group.addObjects([self.cube, self.mesh("Plate", plate)])
+        self.document.recompute()
+        obj = mq.add_offset(group, -0.5, tolerance=TOLERANCE)
+        # The cube, and what of the plate sticks out of it.
+        self.assertAlmostEqual(obj.Volume.Value, 729.0 + 5.0 * 9.0 * 1.0, delta=1.5)
+        self.assertEqual(obj.Certificate, "met")
+        with self.assertRaisesRegex(mq.InvalidInput, "has no patches"):
+            mq.set_patches(obj, {"lid": ["Face1"]})
+        with self.assertRaisesRegex(mq.InvalidInput, "'Mixed' holds shapes and meshes"):
+            mq.add_inspection(group)
+
     def test_a_moved_container_takes_it_along_without_new_work(self):
         part = self.document.addObject("App::Part", "Part")
         part.addObject(self.cube)
@@ -311,9 +326,6 @@ class Undo(SolidTest):
 
     def test_a_failure_leaves_nothing_behind(self):
         sheet, ball = self.mesh("Sheet", Mesh.createPlane(5, 5)), self.mesh("Ball", Mesh.createSphere(5.0, 20))
-        group = self.document.addObject("App::Part", "Mixed")
-        group.addObjects([self.cube, ball])
-        self.document.recompute()
         undo, objects = list(self.document.UndoNames), len(self.document.Objects)
         for call, words in (
                 (lambda: mq.add_offset(self.cube, 0.0), "distance is 0"),
@@ -322,7 +334,6 @@ class Undo(SolidTest):
                 (lambda: mq.add_offset(self.cube, 1.0, tolerance=-1), "tolerance"),
                 (lambda: mq.add_offset(self.cube.Shape, 1.0), "document object"),
                 (lambda: mq.add_offset(sheet, 1.0), "open"),
-                (lambda: mq.add_offset(group, 1.0), "'Mixed' holds shapes and meshes"),
                 (lambda: mq.add_hollow(self.cube, -1.0), "thickness"),
                 (lambda: mq.add_hollow(self.cube, 1.0, ["Face9"]), "names Face9, but 'Cube' has faces Face1 to Face6"),
                 (lambda: mq.add_hollow(self.cube, 1.0, ["Other.Face1"]), "names Other.Face1, but 'Cube' does not hold that"),

@@ -54,7 +54,12 @@ def offset(source, distance, tolerance=None, progress=None, threads=0):
     if not values["distance"]:
         raise InvalidInput(f"distance = {distance!r}: give a length in mm other than 0")
     options.require_callable(progress)
-    work = _Work(source, values["distance"], values["tolerance"], values["threads"], progress)
+    return run_offset(Operands([source]), values, progress)
+
+
+def run_offset(operands, values, progress=None):
+    """The OffsetMesh of Operands, of which there is one, that were read, with checked options."""
+    work = _Work(operands, values["distance"], values["tolerance"], values.get("threads", 0), progress)
     return work.run(lambda: OffsetMesh(extension().offset_surface(
         work.solid, work.distance, work.share_of_offset(), work.threads, work.before(last=True),
         work.progress(_UNITED, 1.0))))
@@ -80,10 +85,31 @@ def hollow(source, thickness, openings=None, tolerance=None, progress=None, thre
     if not values["thickness"]:
         raise InvalidInput(f"thickness = {thickness!r}: give a length in mm")
     options.require_callable(progress)
+    operands = Operands([source])
+    return run_hollow(operands, None if openings is None else _faces_named(operands, source, openings), values, progress)
+
+
+def run_hollow(operands, faces, values, progress=None):
+    """The same of Operands, of which there is one, that were read, with checked options.
+
+    faces  indices of the faces of its shape that are open; None: the hollow is closed
+    """
+    if faces is not None and not operands.is_shape(0):
+        raise InvalidInput("openings are faces of a shape, and a mesh is given: hollow it without openings, and cut "
+                           "them by boolean")
     tolerance = values["tolerance"] or values["thickness"] / _SHARE_OF_WALL
-    work = _Work(source, values["thickness"], tolerance, values["threads"], progress)
-    faces = None if openings is None else work.faces(openings)
+    work = _Work(operands, values["thickness"], tolerance, values.get("threads", 0), progress)
     return work.run(lambda: _hollowed(work, faces))
+
+
+def _faces_named(operands, source, names):
+    """Indices of the faces of the shape that are named."""
+    if isinstance(names, str) or not hasattr(names, "__iter__"):
+        raise InvalidInput(f"openings = {names!r}: give a list of faces such as ['Face1', 'Face4']")
+    found = sorted(division_for(source, {"openings": list(names)}).patch_of) if operands.is_shape(0) else names
+    if not found:
+        raise InvalidInput("openings is an empty list: name the faces, or leave it out for a closed hollow")
+    return found
 
 
 def _hollowed(work, faces):
@@ -113,10 +139,9 @@ class _Work:
     solid  core.BooleanSurface: the union of the operand's bodies, on the faces of the shape
     """
 
-    def __init__(self, source, distance, tolerance, threads, progress):
-        self._progress, self._source = progress, source
+    def __init__(self, operands, distance, tolerance, threads, progress):
+        self._progress, self._operands = progress, operands
         self.threads, self.distance = threads, distance
-        self._operands = Operands([source])
         size = self._operands.size()
         self.tolerance = tolerance or min(1e-3 * size, 0.1 * abs(distance))
         self._finest = _FINEST * size
@@ -179,18 +204,6 @@ class _Work:
             raise InvalidInput(f"the mesh that was made of the operand deviates by up to {self._error_bound:.4g} mm, and the "
                                f"tolerance is {self.tolerance:.4g} mm: give a larger tolerance")
         return left
-
-    def faces(self, names):
-        """Indices of the faces of the shape that are named."""
-        if not self._operands.is_shape(0):
-            raise InvalidInput("openings are faces of a shape, and a mesh is given: hollow it without openings, and cut "
-                               "them by boolean")
-        if isinstance(names, str) or not hasattr(names, "__iter__"):
-            raise InvalidInput(f"openings = {names!r}: give a list of faces such as ['Face1', 'Face4']")
-        found = sorted(division_for(self._source, {"openings": list(names)}).patch_of)
-        if not found:
-            raise InvalidInput("openings is an empty list: name the faces, or leave it out for a closed hollow")
-        return found
 
     def triangles_of(self, faces):
         """bool (T,): the triangles of the solid that lie on some faces."""

@@ -66,6 +66,13 @@ class Operands:
         """Whether an operand is a shape, with no meshes in it."""
         return not isinstance(self._taken[i], (SurfaceMesh, convert.MeshCopy, _Mixed)) and not is_arrays(self._taken[i])
 
+    def plain(self, i):
+        """The Part.Shape of an operand, or the arrays of its mesh; raises InvalidInput where it has shapes and meshes."""
+        taken = self._taken[i]
+        if isinstance(taken, _Mixed):
+            raise InvalidInput(phrases.Text(phrases.SHAPES_AND_MESHES, name=convert.label_of(self._sources[i])))
+        return taken.arrays if isinstance(taken, convert.MeshCopy) else taken
+
     @cached_property
     def _found(self):
         """What _read gives for each."""

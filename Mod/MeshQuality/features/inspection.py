@@ -50,7 +50,7 @@ class Inspection(offset.SolidMesh):
     def compute(cls, given, values, progress):
         """What was found, the Mesh.Mesh on which, the findings of its certificate, and {property: value}."""
         measure, options, findings, results = _CHECKS[values["check"]]
-        found = measure(given.operand, **{option.name: values[option.name] for option in options}, progress=progress)
+        found = measure(given.operands.plain(0), **{option.name: values[option.name] for option in options}, progress=progress)
         mesh = getattr(found, "mesh", None) or SurfaceMesh(extension().surface_from_arrays(*_NO_MESH))
         return found, mesh, mesh.to_mesh(), findings(found), results(found)
 
