@@ -3,13 +3,14 @@
 """Real parts offset outward and inward: soundness, distance by other means, time; OpenCASCADE's offset beside it.
 
     /usr/bin/python3 benchmarks/offset_parts.py [--distances 0.005 -0.005 0.02 -0.02] [--tolerance 0.001] [--only NAME ...]
-                                                [--folder DIR] [--limit 60] [--no-occ] [--hollow]
+                                                [--folder DIR] [--largest TRIANGLES] [--limit 60] [--no-occ] [--hollow]
 
-Distances and the tolerance are fractions of each part's largest side. Each part is offset in a FreeCAD of its own, with a
-limit of seconds. Distances are measured by VTK from OpenCASCADE's own triangulation of the part, five times as fine as the
-tolerance: of vertices and centroids of the result, and, the other way round, of points at the distance before the part that
-have nothing nearer. "occ" is makeOffsetShape with rounded joins, or makeThickness with --hollow, and says whether what it
-gives is a valid solid.
+All parts of the folder that our mesh closes, at 0.03 % of the size and with at most as many triangles, are measured; the
+others are printed first. Distances and the tolerance are fractions of each part's largest side. Each part is offset in a
+FreeCAD of its own, with a limit of seconds. Distances are measured by VTK from OpenCASCADE's own triangulation of the part,
+five times as fine as the tolerance: of vertices and centroids of the result, and, the other way round, of points at the
+distance before the part that have nothing nearer. What seems to be too far is measured from the faces. "occ" is
+makeOffsetShape with rounded joins, or makeThickness with --hollow, and says whether what it gives is a valid solid.
 """
 
 import argparse
@@ -25,6 +26,8 @@ from inside_freecad import ROOT, data_folder
 VARIABLE = "MESHQUALITY_OFFSET"
 SUFFIXES = (".step", ".stp", ".brep", ".igs", ".iges")
 MOST_POINTS = 1500  # measured each way
+MOST_EXACT = 50  # of those that seem to be too far, measured once more from the faces
+CHORD = 3e-4  # deviation of the mesh that tells whether a part is closed, as a fraction of its size
 FINE = 0.2  # deviation of the reference triangulation, as a fraction of the tolerance
 
 
@@ -34,6 +37,7 @@ def main():
     parser.add_argument("--tolerance", type=float, default=0.001)
     parser.add_argument("--folder", type=Path, default=data_folder() / "cad")
     parser.add_argument("--only", nargs="+", help="names of files")
+    parser.add_argument("--largest", type=int, default=100_000, help="triangles of the mesh of a part, at most")
     parser.add_argument("--limit", type=float, default=60.0, help="seconds of the processor for each part and distance")
     parser.add_argument("--no-occ", action="store_true")
     parser.add_argument("--hollow", action="store_true", help="hollow by these thicknesses in place of offsets")
@@ -41,6 +45,8 @@ def main():
     arguments = parser.parse_args()
     paths = [path for path in sorted(arguments.folder.iterdir()) if path.suffix.lower() in SUFFIXES
              and (not arguments.only or path.name in arguments.only)]
+    paths = [path for path in paths if is_fit(path, arguments)]
+    print(f"{len(paths)} parts", flush=True)
     arguments.out.parent.mkdir(parents=True, exist_ok=True)
     rows = []
     with arguments.out.open("w", encoding="utf-8") as file:
@@ -56,6 +62,15 @@ def main():
     report(rows, arguments)
 
 
+def is_fit(path, arguments):
+    """Whether our mesh closes the part, with few enough triangles."""
+    mesh = run("mesh", path, 0.0, arguments)
+    fit = mesh["outcome"] == "closed" and mesh["triangles"] <= arguments.largest
+    if not fit:
+        print(f"left out: {path.name:<40} {told(mesh)}", flush=True)
+    return fit
+
+
 def run(kind, path, distance, arguments):
     job = {"kind": kind, "path": str(path), "distance": distance, "tolerance": arguments.tolerance,
            "hollow": arguments.hollow}
@@ -68,10 +83,11 @@ def run(kind, path, distance, arguments):
     return {"outcome": "time" if status is None else "crash", "seconds": time.perf_counter() - began}
 
 
+def told(result):
+    return " ".join(f"{key}={value:.3g}" if isinstance(value, float) else f"{key}={value}" for key, value in result.items())
+
+
 def in_line(row):
-    def told(result):
-        return " ".join(f"{key}={value:.3g}" if isinstance(value, float) else f"{key}={value}"
-                        for key, value in result.items())
     return f"{row['part']:<40} {row['distance']:+.3f}  {told(row['ours'])}  | occ: {told(row.get('occ', {}))}"
 
 
@@ -101,10 +117,19 @@ def inside():
         shape = Part.read(job["path"])
         box = shape.BoundBox
         size = max(box.XLength, box.YLength, box.ZLength)
-        row = (ours if job["kind"] == "ours" else occ)(shape, size, job)
+        row = {"mesh": meshed, "ours": ours, "occ": occ}[job["kind"]](shape, size, job)
     except Exception as error:  # noqa: BLE001 - whatever fails is a row of the table
         row = {"outcome": "unfit" if "open" in str(error) else "error", "seconds": 0.0, "message": str(error)[:160]}
     print("\n" + json.dumps(row), flush=True)
+
+
+def meshed(shape, size, job):
+    import MeshQuality as mq
+
+    began = time.process_time()
+    mesh = mq.triangulate(shape, chord_height=CHORD * size)
+    return {"outcome": "closed" if mesh.report.closed else "open", "triangles": len(mesh.triangles),
+            "seconds": time.process_time() - began}
 
 
 def ours(shape, size, job):
@@ -131,6 +156,7 @@ def ours(shape, size, job):
 def measured(shape, result, distance, tolerance):
     """Largest deviation of the result from the distance, and of points at the distance from the result; mm."""
     import numpy as np
+    import Part
     from FreeCAD import Vector
 
     points, facets = shape.tessellate(FINE * tolerance)
@@ -138,7 +164,12 @@ def measured(shape, result, distance, tolerance):
     vertices = np.asarray(result.vertices) + result.origin
     offset, _, _ = locator(vertices, np.asarray(result.triangles))
     samples = picked(np.concatenate((vertices, vertices[result.triangles].mean(axis=1))))
-    there = np.abs(part(samples) - abs(distance)).max()
+    off = np.abs(part(samples) - abs(distance))
+    for i in np.argsort(-off)[:MOST_EXACT]:
+        # OpenCASCADE's triangulation deviates by more than was asked for on some faces: its faces themselves tell.
+        if off[i] > tolerance:
+            off[i] = abs(Part.Compound(shape.Faces).distToShape(Part.Vertex(*samples[i].tolist()))[0] - abs(distance))
+    there = off.max()
     corners = part_points[part_facets]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     lengths = np.linalg.norm(normals, axis=1)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The options of the inspection of solids, a table as those of options.py. Imports nothing of FreeCAD."""
 
+from dataclasses import replace
+
 from .options import Option
 
 THICKNESS_MEASURES = ("spheres", "rays")
@@ -38,3 +40,27 @@ DRAFT = (
     _TOLERANCE,
 )
 VOIDS = (_TOLERANCE,)
+
+# Of document objects, which hold one of these checks.
+CHECKS = ("thickness", "clearance", "draft", "voids")
+PULL_DIRECTIONS = ("x", "-x", "y", "-y", "z", "-z")
+
+
+def _only_with(check, options):
+    return tuple(replace(option, only_with=("check", (check,))) for option in options)
+
+
+INSPECTION_OBJECT = (
+    Option("check", str, "thickness", choices=CHECKS, group="Inspection", title="Check",
+           choice_titles=("Wall thickness", "Clearance", "Draft, undercuts", "Closed voids"),
+           help="What is measured: the thickness of walls, the distances between the solids of a shape, the draft against the "
+                "pull direction of a mould, or cavities from which nothing comes out"),
+    *_only_with("thickness", THICKNESS[:3]),
+    *_only_with("clearance", CLEARANCE[:1]),
+    *_only_with("draft", (
+        Option("pull_direction", str, "z", choices=PULL_DIRECTIONS, group="Draft", title="Pull direction",
+               choice_titles=PULL_DIRECTIONS, help="One half of the mould opens along it, the other one against it"),
+        DRAFT[0])),
+    replace(_TOLERANCE, unset="automatic"),
+    *_only_with("thickness", THICKNESS[4:]),
+)

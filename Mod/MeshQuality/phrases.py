@@ -88,6 +88,9 @@ FIGURES = (
 TRIANGLES, ELEMENTS, SMALLEST_ANGLE, MAX_DEVIATION, ERROR_BOUND, MAX_DISTORTION, OVERLAPS = FIGURES
 NOTHING_LEFT = "nothing is left: the solid is nowhere that deep"
 STAYS_WHOLE = "the solid stays whole: it is nowhere thicker than two walls"
+SMALLEST_WALL = "smallest thickness {length}"
+SMALLEST_GAP = "smallest gap {length}"
+NO_WALLS = "no two sides face each other: there is no smallest thickness or gap"
 ALL_MET = "all requested limits are met."
 LEFT_OUT = ("1 hidden object of {name} is no part of it: {list}.", "{count} hidden objects of {name} are no part of it: {list}.")
 TARGET_NOT_MET = "target not met: {text}"
@@ -390,7 +393,7 @@ _SHOWN = {
 }
 
 _NUMBER = r"[-+]?(?:\d[\d.]*(?:e[-+]?\d+)?|inf|nan)"
-_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, NOTHING_LEFT, STAYS_WHOLE, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
+_LINE = (*TRIANGLES, *ELEMENTS, *FIGURES[2:-1], *OVERLAPS, NOTHING_LEFT, STAYS_WHOLE, SMALLEST_WALL, SMALLEST_GAP, NO_WALLS, ALL_MET, TARGET_NOT_MET, *LEFT_OUT, *CURING)
 _PHRASES = (*CERTIFICATE, NOT_REACHABLE, *EXEMPT.values(), CREASE, CREASE_END, *_LINE, *ERRORS, *FILE_ERRORS, *CORE_ERRORS.values(), *RANGES, *ENDINGS)
 _TABLE = frozenset((*_PHRASES, *_WAITS))
 _LENGTHS = re.compile(rf"(?<![\w.]){_NUMBER} mm(?!\w)")

@@ -52,10 +52,6 @@
         <translation>Anzahl der Eckpunkte</translation>
     </message>
     <message>
-        <source>Pairs (index of a CAD face, number of successive triangles on it)</source>
-        <translation>Paare (Nummer einer CAD-Fläche, Zahl der Dreiecke in Folge auf ihr)</translation>
-    </message>
-    <message>
         <source>Refine after sampling, so that the bounds on angle and distance hold</source>
         <translation>Verfeinert nach dem Abtasten, damit die Schranken für Winkel und Abstand gelten</translation>
     </message>
@@ -568,8 +564,56 @@
         <translation>Anzahl der Dreiecke, die Lücken schließen</translation>
     </message>
     <message>
-        <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
+        <source>One half of the mould opens along it, the other one against it</source>
         <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
+    </message>
+    <message>
+        <source>Pairs (index of a CAD face, number of successive triangles on it); -1: on none</source>
+        <translation>Paare (Nummer einer CAD-Fläche, Anzahl der Dreiecke, die auf ihr aufeinander folgen); -1: auf keiner</translation>
+    </message>
+    <message>
+        <source>The object that is measured</source>
+        <translation>Das Objekt, an dem gemessen wird</translation>
+    </message>
+    <message>
+        <source>What is measured: the thickness of walls, the distances between the solids of a shape, the draft against the pull direction of a mould, or cavities from which nothing comes out</source>
+        <translation>Was gemessen wird: die Dicke der Wände, die Abstände zwischen den Körpern einer Form, die Entformungsschräge gegen die Öffnungsrichtung eines Werkzeugs, oder Hohlräume, aus denen nichts herauskommt</translation>
+    </message>
+    <message>
+        <source>Area that neither half of the mould can leave</source>
+        <translation>Fläche, von der sich keine Hälfte des Werkzeugs lösen kann</translation>
+    </message>
+    <message>
+        <source>Area with less draft than the limit</source>
+        <translation>Fläche mit weniger Schräge als verlangt</translation>
+    </message>
+    <message>
+        <source>CAD faces where the minimum is, with too little draft or undercuts, or of voids</source>
+        <translation>CAD-Flächen, an denen der kleinste Wert liegt, die zu wenig Schräge oder Hinterschneidungen haben, oder die der Hohlräume</translation>
+    </message>
+    <message>
+        <source>Number of places below the limit (a wall has two sides), of pairs of solids that are too near or overlap, of voids</source>
+        <translation>Anzahl der Stellen unter dem Grenzwert (eine Wand hat zwei Seiten), der Paare von Körpern, die einander zu nah sind oder sich überlappen, der Hohlräume</translation>
+    </message>
+    <message>
+        <source>Smallest thickness, gap or clearance; 0 also where no two sides face each other</source>
+        <translation>Kleinste Dicke, kleinster Spalt oder Abstand; 0 auch, wo keine zwei Seiten einander gegenüberstehen</translation>
+    </message>
+    <message>
+        <source>Volume of all voids</source>
+        <translation>Volumen aller Hohlräume</translation>
+    </message>
+    <message>
+        <source>Where walls below the limit are thinnest, without a limit the thinnest one; one point on each of the two solids that are nearest to each other; the centres of voids</source>
+        <translation>Wo Wände unter dem Grenzwert am dünnsten sind, ohne Grenzwert die dünnste; je ein Punkt auf den beiden Körpern, die einander am nächsten sind; die Mittelpunkte der Hohlräume</translation>
+    </message>
+    <message>
+        <source>Largest distance of the mesh that is measured from a shape; 0: automatic</source>
+        <translation>Größter Abstand des Netzes, an dem gemessen wird, von einer Form; 0: automatisch</translation>
+    </message>
+    <message>
+        <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
+        <translation type="unfinished">Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
     </message>
 </context>
 <context>
@@ -2711,8 +2755,76 @@
         <translation>Rollen einer Kugel über die Oberfläche</translation>
     </message>
     <message>
-        <source>simplifying the surface</source>
+        <source>-x</source>
         <translation>Vereinfachen der Oberfläche</translation>
+    </message>
+    <message>
+        <source>-y</source>
+        <translation>-y</translation>
+    </message>
+    <message>
+        <source>-z</source>
+        <translation>-z</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>Closed voids</source>
+        <translation>Geschlossene Hohlräume</translation>
+    </message>
+    <message>
+        <source>Inspection</source>
+        <translation>Prüfung von Körpern</translation>
+    </message>
+    <message>
+        <source>One half of the mould opens along it, the other one against it</source>
+        <translation>In diese Richtung öffnet sich eine Hälfte des Werkzeugs, die andere ihr entgegen</translation>
+    </message>
+    <message>
+        <source>Pull direction</source>
+        <translation>Öffnungsrichtung</translation>
+    </message>
+    <message>
+        <source>What is measured: the thickness of walls, the distances between the solids of a shape, the draft against the pull direction of a mould, or cavities from which nothing comes out</source>
+        <translation>Was gemessen wird: die Dicke der Wände, die Abstände zwischen den Körpern einer Form, die Entformungsschräge gegen die Öffnungsrichtung eines Werkzeugs, oder Hohlräume, aus denen nichts herauskommt</translation>
+    </message>
+    <message>
+        <source>no two sides face each other: there is no smallest thickness or gap</source>
+        <translation>keine zwei Seiten stehen einander gegenüber: es gibt keine kleinste Dicke und keinen kleinsten Spalt</translation>
+    </message>
+    <message>
+        <source>smallest gap {length}</source>
+        <translation>kleinster Spalt {length}</translation>
+    </message>
+    <message>
+        <source>smallest thickness {length}</source>
+        <translation>kleinste Dicke {length}</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Draft, undercuts</source>
+        <translation>Schräge, Hinterschnitt</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>simplifying the surface</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2885,6 +2997,17 @@
     <message>
         <source>Improve the triangles of the selected meshes on their surface; sharp edges stay</source>
         <translation>Dreiecke der ausgewählten Netze auf ihrer Oberfläche verbessern; scharfe Kanten bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>MeshQuality_Inspect</name>
+    <message>
+        <source>Inspection...</source>
+        <translation>Prüfung von Körpern...</translation>
+    </message>
+    <message>
+        <source>Measure walls, clearances, draft or closed voids of the selected solids again after each edit, against a limit</source>
+        <translation>Wände, Abstände, Entformungsschräge oder geschlossene Hohlräume der gewählten Körper nach jeder Änderung neu messen, gegen einen Grenzwert</translation>
     </message>
 </context>
 <context>

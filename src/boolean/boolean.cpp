@@ -122,7 +122,8 @@ class BooleanPipeline {
             for (std::size_t t = 0; t < prepared_[i].triangles.size(); ++t) {
                 const Triangle& c = prepared_[i].triangles[t];
                 soup_.triangles.push_back({c[0] + first, c[1] + first, c[2] + first});
-                soup_.source.push_back({static_cast<std::int32_t>(i), unchanged(i, t) ? prepared_[i].source[t] : -1});
+                const std::int32_t own = prepared_[i].source[t];
+                soup_.source.push_back({static_cast<std::int32_t>(i), unchanged(i, t) ? own : -1, own});
             }
         }
     }
@@ -248,6 +249,12 @@ class BooleanPipeline {
                                                   : std::array<std::int32_t, 2>{-1, -1});
             ++(own ? result_.retained : result_.reconstructed);
         }
+        for (const std::int32_t from : draft.from) {
+            const Source& source = soup_.source[static_cast<std::size_t>(from)];
+            const bool known = source.moved_from >= 0;
+            result_.triangle_origin.push_back(known ? std::array<std::int32_t, 2>{source.operand, source.moved_from}
+                                                    : std::array<std::int32_t, 2>{-1, -1});
+        }
     }
 
     /// The triangles of the soup of which pieces are at edges or vertices where the surface is no manifold: what is
@@ -295,6 +302,7 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
     for (std::size_t t = 0; t < sum.mesh.triangles.size(); ++t) {
         sum.triangle_source.push_back({0, static_cast<std::int32_t>(t)});
     }
+    sum.triangle_origin = sum.triangle_source;
     for (std::size_t k = 1; k < operands.size(); ++k) {
         const BooleanResult one = *BooleanPipeline({&sum.mesh, operands[k]}, less, options, progress, true).run();
         const BooleanResult two = *BooleanPipeline({operands[k], &sum.mesh}, less, options, progress, true).run();
@@ -311,15 +319,17 @@ BooleanResult join_differences(const std::vector<const mesh::TriangleMesh*>& ope
                           : *BooleanPipeline(parts, Expression::chain(Operation::Union, static_cast<int>(parts.size())),
                                              options, progress, true)
                                  .run();
-        for (std::array<std::int32_t, 2>& source : joined.triangle_source) {
-            if (source[0] >= 0) {
-                const BooleanResult& part = *part_results[static_cast<std::size_t>(source[0])];
-                const bool swapped = &part == &two;
-                source = part.triangle_source[static_cast<std::size_t>(source[1])];
+        for (const auto list : {&BooleanResult::triangle_source, &BooleanResult::triangle_origin}) {
+            for (std::array<std::int32_t, 2>& source : joined.*list) {
                 if (source[0] >= 0) {
-                    const bool of_sum = (source[0] == 0) != swapped;
-                    source = of_sum ? sum.triangle_source[static_cast<std::size_t>(source[1])]
-                                    : std::array<std::int32_t, 2>{static_cast<std::int32_t>(k), source[1]};
+                    const BooleanResult& part = *part_results[static_cast<std::size_t>(source[0])];
+                    const bool swapped = &part == &two;
+                    source = (part.*list)[static_cast<std::size_t>(source[1])];
+                    if (source[0] >= 0) {
+                        const bool of_sum = (source[0] == 0) != swapped;
+                        source = of_sum ? (sum.*list)[static_cast<std::size_t>(source[1])]
+                                        : std::array<std::int32_t, 2>{static_cast<std::int32_t>(k), source[1]};
+                    }
                 }
             }
         }

@@ -37,6 +37,9 @@ struct BooleanResult {
     /// Operand and triangle index there of each triangle that is an operand's own, bit for bit (reversed where the
     /// result has its outside within the operand); {-1, -1} for triangles made or changed here.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
+    /// Operand and triangle index there of which each triangle is a piece, also where it was moved; {-1, -1} for
+    /// triangles that fill holes of operands.
+    std::vector<std::array<std::int32_t, 2>> triangle_origin;
     /// mm. The result is the exact Boolean of operands whose surfaces were moved by no more than this, rounded within
     /// it. Its surface and that of the exact result are nowhere farther from each other, in both directions, but for
     /// slivers and gaps thinner than twice this, which may come or go: see separated_vertices.

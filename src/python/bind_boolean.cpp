@@ -132,12 +132,11 @@ void bind_boolean_report(py::module_& m) {
         .def("__str__", [](const BooleanReport& report) { return workflows::to_text(report); });
 }
 
-std::shared_ptr<BooleanSurface> offset_surface(const BooleanSurface& solid, const Surface& operand, double distance,
-                                               double tolerance, int threads, const WorkBefore& before,
-                                               const py::object& progress) {
+std::shared_ptr<BooleanSurface> offset_surface(const BooleanSurface& solid, double distance, double tolerance,
+                                               int threads, const WorkBefore& before, const py::object& progress) {
     return watch(progress, [&](Progress& handle) {
         return std::make_shared<BooleanSurface>(
-            workflows::offset_of_solid(solid, operand, {distance, tolerance, threads}, before, handle));
+            workflows::offset_of_solid(solid, {distance, tolerance, threads}, before, handle));
     });
 }
 
@@ -156,12 +155,28 @@ std::shared_ptr<BooleanSurface> thicken_walls(const BooleanSurface& solid,
     });
 }
 
+void name_faces(BooleanSurface& result, const std::vector<SurfacePointer>& operands) {
+    std::vector<const Surface*> taken;
+    for (const SurfacePointer& operand : operands) {
+        taken.push_back(operand.get());
+    }
+    for (const auto& origin : result.triangle_origin) {
+        if (origin[0] >= static_cast<std::int32_t>(taken.size())) {
+            throw InvalidInput("the operands of the Boolean are needed, in their order");
+        }
+    }
+    workflows::name_faces(result, taken);
+}
+
 void bind_offsets(py::module_& m) {
+    m.def("name_faces", &name_faces, py::arg("result"), py::arg("operands"),
+          "Gives the triangles of a BooleanSurface the CAD faces of those of its operands, all made of one shape, of "
+          "which they are pieces.");
     m.def(
-        "offset_surface", &offset_surface, py::arg("solid"), py::arg("operand"), py::arg("distance"),
-        py::arg("tolerance"), py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
-        "The offset of a BooleanSurface that is the union of one operand, a Surface; distances in mm, inward below 0. "
-        "Returns a BooleanSurface.");
+        "offset_surface", &offset_surface, py::arg("solid"), py::arg("distance"), py::arg("tolerance"),
+        py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),
+        "The offset of a BooleanSurface; distances in mm, inward below 0. Returns a BooleanSurface on the CAD faces of "
+        "the solid.");
     m.def(
         "thicken_walls", &thicken_walls, py::arg("solid"), py::arg("open"), py::arg("distance"), py::arg("tolerance"),
         py::arg("threads"), py::arg("before"), py::arg("progress") = py::none(),

@@ -42,6 +42,7 @@ void take(BooleanSurface& surface, BooleanResult&& result) {
     figures.seconds = std::move(result.seconds);
     surface.mesh = std::move(result.mesh);
     surface.triangle_source = std::move(result.triangle_source);
+    surface.triangle_origin = std::move(result.triangle_origin);
 }
 
 /// What the rays found on the faces of shapes.
@@ -79,6 +80,7 @@ void take(BooleanSurface& surface, UniformResult&& result) {
     figures.seconds = std::move(result.seconds);
     surface.mesh = std::move(result.mesh);
     surface.triangle_source = std::move(result.triangle_source);
+    surface.triangle_origin = surface.triangle_source;
 }
 
 /// The shapes of the operands that have one, for rays that meet their faces.
@@ -236,6 +238,17 @@ BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<B
     result.figures.cpu_seconds = before.cpu_seconds + watch_all.cpu();
     result.report = result.figures;
     return result;
+}
+
+void name_faces(BooleanSurface& result, const std::vector<const triangulate::Result*>& operands) {
+    std::vector<std::int32_t> faces;
+    for (const auto& [operand, triangle] : result.triangle_origin) {
+        const std::vector<std::int32_t>* own =
+            operand < 0 ? nullptr : &operands[static_cast<std::size_t>(operand)]->mesh.triangle_face;
+        faces.push_back(own == nullptr || own->empty() ? -1 : (*own)[static_cast<std::size_t>(triangle)]);
+    }
+    const bool any = std::any_of(faces.begin(), faces.end(), [](std::int32_t face) { return face >= 0; });
+    result.mesh.triangle_face = any ? std::move(faces) : std::vector<std::int32_t>();
 }
 
 }  // namespace mq::workflows

@@ -45,6 +45,8 @@ struct BooleanSurface : triangulate::Result {
     BooleanReport figures;
     /// See boolean::BooleanResult::triangle_source.
     std::vector<std::array<std::int32_t, 2>> triangle_source;
+    /// See boolean::BooleanResult::triangle_origin; of the method Uniform the same as triangle_source.
+    std::vector<std::array<std::int32_t, 2>> triangle_origin;
 };
 
 /// Fills what every report of a closed result has: measured fields, notes, times and what the work before adds.
@@ -60,5 +62,10 @@ void complete_report(BooleanSurface& surface, const WorkBefore& before, const st
 BooleanSurface boolean_of_operands(geometry::Engine& engine, const std::vector<BooleanOperand>& operands,
                                    const boolean::Expression& expression, const boolean::BooleanOptions& options,
                                    BooleanMethod method, const WorkBefore& before, Progress& progress);
+
+/// Gives a result's triangles the CAD faces of those triangles of its operands of which they are pieces, -1 where there
+/// is none; nothing where no operand knows faces.
+/// @param operands  of the Boolean, in its order: all are made of one shape
+void name_faces(BooleanSurface& result, const std::vector<const triangulate::Result*>& operands);
 
 }  // namespace mq::workflows

@@ -21,10 +21,16 @@ std::string empty_offset(double distance) {
     return text.data();
 }
 
-BooleanSurface reported(boolean::OffsetResult&& offset, const boolean::OffsetOptions& options, const WorkBefore& before,
-                        const Stopwatch& watch, Progress& progress) {
+BooleanSurface reported(boolean::OffsetResult&& offset, const BooleanSurface& solid,
+                        const boolean::OffsetOptions& options, const WorkBefore& before, const Stopwatch& watch,
+                        Progress& progress) {
     BooleanSurface result;
     result.mesh = std::move(offset.mesh);
+    if (!solid.mesh.triangle_face.empty()) {
+        for (const std::int32_t t : offset.triangle_source) {
+            result.mesh.triangle_face.push_back(solid.mesh.triangle_face[static_cast<std::size_t>(t)]);
+        }
+    }
     result.triangle_source.assign(result.mesh.triangles.size(), {-1, -1});
     BooleanReport& figures = result.figures;
     figures.error_bound = offset.error_bound;
@@ -41,26 +47,16 @@ BooleanSurface reported(boolean::OffsetResult&& offset, const boolean::OffsetOpt
 
 }  // namespace
 
-BooleanSurface offset_of_solid(const BooleanSurface& solid, const triangulate::Result& operand,
-                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
+BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
+                               const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
-    boolean::OffsetResult offset = boolean::offset(solid.mesh, options, progress);
-    const std::vector<std::int32_t> source = std::move(offset.triangle_source);
-    BooleanSurface result = reported(std::move(offset), options, before, watch, progress);
-    const std::vector<std::int32_t>& faces = operand.mesh.triangle_face;
-    if (!faces.empty()) {
-        for (const std::int32_t t : source) {
-            const std::int32_t own = solid.triangle_source[static_cast<std::size_t>(t)][1];
-            result.mesh.triangle_face.push_back(own < 0 ? -1 : faces[static_cast<std::size_t>(own)]);
-        }
-    }
-    return result;
+    return reported(boolean::offset(solid.mesh, options, progress), solid, options, before, watch, progress);
 }
 
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,
                                const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress) {
     const Stopwatch watch;
-    return reported(boolean::thicken(solid.mesh, left_out, options, progress), options, before, watch, progress);
+    return reported(boolean::thicken(solid.mesh, left_out, options, progress), solid, options, before, watch, progress);
 }
 
 }  // namespace mq::workflows

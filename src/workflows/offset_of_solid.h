@@ -11,13 +11,14 @@
 namespace mq::workflows {
 
 /// The offset of a solid (boolean::offset) with its report.
-/// @param solid  the union of one operand, as boolean_of_operands gives it
-/// @param operand  that operand, whose CAD faces the result's triangles are named by
+/// @param solid  what boolean_of_operands gives; each triangle of the result is on the CAD face of the one from which
+///     it is offset, where those are known (name_faces)
 /// @throws as boolean::offset
-BooleanSurface offset_of_solid(const BooleanSurface& solid, const triangulate::Result& operand,
-                               const boolean::OffsetOptions& options, const WorkBefore& before, Progress& progress);
+BooleanSurface offset_of_solid(const BooleanSurface& solid, const boolean::OffsetOptions& options,
+                               const WorkBefore& before, Progress& progress);
 
-/// All that is within a distance of some triangles of a solid (boolean::thicken) with its report.
+/// All that is within a distance of some triangles of a solid (boolean::thicken) with its report and CAD faces
+/// likewise.
 /// @param left_out  for each triangle of the solid
 /// @throws as boolean::thicken
 BooleanSurface thickened_walls(const BooleanSurface& solid, const std::vector<char>& left_out,

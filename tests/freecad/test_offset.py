@@ -21,6 +21,14 @@ def distances_from(shape, mesh):
     return np.array([surface.distToShape(Part.Vertex(*p))[0] for p in points[:: max(1, len(points) // 300)].tolist()])
 
 
+def assert_on_faces(test, shape, mesh, distance_of, tolerance):
+    """Centres of the triangles are as far from their faces as distance_of(indices) says, mm."""
+    centres = (np.asarray(mesh.vertices) + mesh.origin)[mesh.triangles].mean(axis=1)
+    chosen = np.arange(0, len(centres), max(1, len(centres) // 300))
+    far = [shape.Faces[mesh.triangle_face[i]].distToShape(Part.Vertex(*centres[i].tolist()))[0] for i in chosen]
+    test.assertLessEqual(abs(np.array(far) - distance_of(chosen)).max(), tolerance)
+
+
 class Offsets(unittest.TestCase):
     def assert_sound(self, result, tolerance):
         report = result.report
@@ -101,6 +109,17 @@ class Offsets(unittest.TestCase):
         middle = (np.asarray(result.vertices)[result.triangles[result.triangle_face == top]]).mean(axis=(0, 1))
         self.assertGreater(middle[2], 9.0)
 
+    def test_faces_where_bodies_were_united(self):
+        two = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, Vector(5, 5, 5))])
+        result = mq.offset(two, 0.5, tolerance=0.05)
+        assert_on_faces(self, two, result, lambda i: np.full(len(i), 0.5), 0.05)
+        self.assertEqual(set(result.triangle_face), set(range(12)))
+
+    def test_of_a_mesh_no_faces_are_known(self):
+        for result in (mq.offset(Mesh.createSphere(5.0, 20), 1.0, tolerance=0.05),
+                       mq.hollow(Mesh.createSphere(5.0, 20), 1.0, tolerance=0.05)):
+            self.assertEqual(len(result.triangle_face), 0)
+
     def test_meshes_and_bodies_that_overlap(self):
         ball = Mesh.createSphere(5.0, 40)
         result = mq.offset(ball, 1.0, tolerance=0.05)
@@ -154,6 +173,32 @@ class Hollows(unittest.TestCase):
         self.assert_sound(result, 0.02)
         inside = 6 * (16 * 6 + 6 * 10 + 2 * 2 - math.pi * 2**2 / 4)
         self.assertAlmostEqual(step.Volume - result.report.volume, inside, delta=0.01 * inside)
+
+    def test_faces_are_those_of_the_shape(self):
+        part = Part.makeBox(20, 20, 10).cut(Part.makeCylinder(4, 10, Vector(10, 10, 0)))
+        top = next(i for i, face in enumerate(part.Faces) if face.CenterOfMass.z > 9)
+        for openings in (None, [f"Face{top + 1}"]):
+            result = mq.hollow(part, 2.0, openings=openings, tolerance=0.05)
+            self.assert_sound(result, 0.05)
+            self.assertEqual(set(result.triangle_face), set(range(7)))
+            corners = np.asarray(result.vertices)[result.triangles]
+            on_outside = (corners[:, :, 2] > 10 - 1e-5).all(axis=1)
+            self.assertEqual(set(result.triangle_face[on_outside]), {top})
+            # A triangle is on its face, or as far from it as the wall is thick.
+            inside = result.triangle_source[:, 0] == 1
+            if openings is None:
+                assert_on_faces(self, part, result, lambda i, inside=inside: np.where(inside[i], 2.0, 0.0), 0.05)
+                self.assertEqual(set(result.triangle_face[inside]), set(range(7)))
+            else:
+                self.assertNotIn(top, result.triangle_face[inside])  # the rims lie on it
+
+    def test_openings_of_bodies_that_cross(self):
+        two = Part.makeCompound([Part.makeBox(10, 10, 10), Part.makeBox(10, 10, 10, Vector(5, 5, 5))])
+        top = next(f"Face{i + 1}" for i, face in enumerate(two.Faces) if face.CenterOfMass.z > 14)
+        result = mq.hollow(two, 1.0, openings=[top], tolerance=0.05)
+        self.assert_sound(result, 0.05)
+        closed = mq.hollow(two, 1.0, tolerance=0.05)
+        self.assertAlmostEqual(closed.report.volume - result.report.volume, 64.0, delta=1.0)
 
     def test_a_thin_plate_stays_whole(self):
         result = mq.hollow(Part.makeBox(20, 20, 1), 0.8, tolerance=0.01)

@@ -2,6 +2,9 @@
 """The document objects "Offset" and "Hollow": properties, recompute, openings, undo, save and reload, placement, errors."""
 
 import math
+import os
+import shutil
+import tempfile
 
 import FreeCAD
 import helpers
@@ -222,6 +225,21 @@ class Hollow(SolidTest):
                 self.assertAlmostEqual(centre.x, 5.0 if source is link else 45.0, places=3)  # a link has its own placement
                 self.assertAlmostEqual(centre.z, 105.0 if source is link else 5.0, places=3)
 
+    def test_a_container_of_shapes_and_meshes(self):
+        plate = Mesh.createBox(10.0, 10.0, 2.0)
+        plate.translate(10.0, 5.0, 5.0)
+        group = self.document.addObject("App::Part", "Mixed")
+        group.addObjects([self.cube, self.mesh("Plate", plate)])
+        self.document.recompute()
+        obj = mq.add_offset(group, -0.5, tolerance=TOLERANCE)
+        # The cube, and what of the plate sticks out of it.
+        self.assertAlmostEqual(obj.Volume.Value, 729.0 + 5.0 * 9.0 * 1.0, delta=1.5)
+        self.assertEqual(obj.Certificate, "met")
+        with self.assertRaisesRegex(mq.InvalidInput, "has no patches"):
+            mq.set_patches(obj, {"lid": ["Face1"]})
+        with self.assertRaisesRegex(mq.InvalidInput, "'Mixed' holds shapes and meshes"):
+            mq.add_inspection(group)
+
     def test_a_moved_container_takes_it_along_without_new_work(self):
         part = self.document.addObject("App::Part", "Part")
         part.addObject(self.cube)
@@ -231,6 +249,66 @@ class Hollow(SolidTest):
         self.document.recompute()
         self.assertEqual((obj.Fingerprint, obj.Notes), (held, ["kept while the mesh is"]))
         self.assertAlmostEqual(obj.Mesh.BoundBox.Center.y, 35.0, places=4)
+
+
+class Patches(SolidTest):
+    def test_triangles_are_in_the_patches_of_their_faces(self):
+        top = self.top(self.cube)
+        for obj in (mq.add_offset(self.cube, 1.0, tolerance=TOLERANCE),
+                    mq.add_hollow(self.cube, 1.0, [top], tolerance=TOLERANCE)):
+            with self.subTest(obj.Label):
+                mq.set_patches(obj, {"lid": [top]}, patch_rest="walls")
+                names, triangles = self.exported(obj)
+                self.assertEqual(names, ["lid", "walls"])
+                self.assertEqual(sum(triangles), obj.Triangles)
+                self.assertEqual(obj.Mesh.countSegments(), 6)
+
+    def test_patches_follow_an_edit(self):
+        obj = mq.add_offset(self.cube, -1.0, tolerance=TOLERANCE)
+        mq.set_patches(obj, {"lid": [self.top(self.cube)]})
+        before = self.exported(obj)
+        self.cube.Height = 12
+        self.document.recompute()
+        self.assertEqual(obj.Patches, [f"lid: {self.top(self.cube)}"])
+        self.assertEqual(obj.PatchesChanged, [])
+        self.assertEqual(self.exported(obj)[0], before[0])
+        self.cube.Height = 14  # not computed yet
+        obj.Recompute = "Manual"
+        self.document.recompute()
+        with self.assertRaisesRegex(mq.InvalidInput, "out of date"):
+            self.exported(obj)
+
+    def test_segments_and_patches_come_back(self):
+        obj = mq.add_hollow(self.cube, 1.0, tolerance=TOLERANCE)
+        mq.set_patches(obj, {"lid": [self.top(self.cube)]}, patch_rest="walls")
+        before, name = self.exported(obj), obj.Name
+        self.reopen()
+        obj = self.document.getObject(name)
+        self.assertEqual(obj.Mesh.countSegments(), 6)
+        self.assertEqual(self.exported(obj), before)
+
+    def test_of_a_mesh_there_are_none(self):
+        ball = self.mesh("Ball", Mesh.createSphere(5.0, 20))
+        obj = mq.add_offset(ball, 1.0, tolerance=TOLERANCE)
+        self.assertEqual((list(obj.FaceRuns), obj.Mesh.countSegments()), ([], 0))
+        with self.assertRaisesRegex(mq.InvalidInput, "has no patches.*source is a shape"):
+            mq.set_patches(obj, {"lid": ["Face1"]})
+
+    def test_a_surface_for_cfd_has_its_patches(self):
+        obj = mq.add_offset(self.cube, 1.0, tolerance=TOLERANCE)
+        mq.set_patches(obj, {"lid": [self.top(self.cube)]}, patch_rest="walls")
+        surface = mq.add_cfd_surface(obj)
+        self.assertEqual(surface.Patches, ["Face1: lid", "Face2: walls"])
+
+    def exported(self, obj):
+        """(names, numbers of triangles) of the solids in the STL file of the object."""
+        path = os.path.join(tempfile.mkdtemp(), "out.stl")
+        self.addCleanup(shutil.rmtree, os.path.dirname(path))
+        mq.export_mesh(obj, path, ascii=True)
+        with open(path, encoding="ascii") as file:
+            solids = file.read().split("endsolid")[:-1]
+        names = [solid.partition("solid ")[2].split("\n")[0].strip() for solid in solids]
+        return names, [solid.count("facet normal") for solid in solids]
 
 
 class Undo(SolidTest):
@@ -248,9 +326,6 @@ class Undo(SolidTest):
 
     def test_a_failure_leaves_nothing_behind(self):
         sheet, ball = self.mesh("Sheet", Mesh.createPlane(5, 5)), self.mesh("Ball", Mesh.createSphere(5.0, 20))
-        group = self.document.addObject("App::Part", "Mixed")
-        group.addObjects([self.cube, ball])
-        self.document.recompute()
         undo, objects = list(self.document.UndoNames), len(self.document.Objects)
         for call, words in (
                 (lambda: mq.add_offset(self.cube, 0.0), "distance is 0"),
@@ -259,7 +334,6 @@ class Undo(SolidTest):
                 (lambda: mq.add_offset(self.cube, 1.0, tolerance=-1), "tolerance"),
                 (lambda: mq.add_offset(self.cube.Shape, 1.0), "document object"),
                 (lambda: mq.add_offset(sheet, 1.0), "open"),
-                (lambda: mq.add_offset(group, 1.0), "'Mixed' holds shapes and meshes"),
                 (lambda: mq.add_hollow(self.cube, -1.0), "thickness"),
                 (lambda: mq.add_hollow(self.cube, 1.0, ["Face9"]), "names Face9, but 'Cube' has faces Face1 to Face6"),
                 (lambda: mq.add_hollow(self.cube, 1.0, ["Other.Face1"]), "names Other.Face1, but 'Cube' does not hold that"),

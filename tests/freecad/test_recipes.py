@@ -82,8 +82,18 @@ class Recipes(helpers.DocumentTest):
         self.assertEqual(os.listdir("."), ["print.stl"])
 
     def test_thickness(self):
+        self.names["assembly"] = assembly = self.document.addObject("App::Part", "Assembly")
+        for x in (0.0, 10.1):
+            box = self.box()
+            box.Placement.Base.x = x
+            assembly.addObject(box)
+        self.document.recompute()
         self.follow("docs/use/thickness.md")
         self.assertEqual(os.listdir("."), ["walls.csv"])
+        checks = {obj.Check: obj for obj in self.document.Objects if hasattr(obj, "Check")}
+        self.assertEqual(sorted(checks), ["clearance", "draft", "thickness", "voids"])
+        self.assertAlmostEqual(checks["clearance"].Minimum.Value, 0.1, places=6)
+        self.assertEqual(self.names["obj"].MinThickness.Value, 0.8)
         self.assertLess(self.names["found"].minimum, 10.0)
 
     def test_offset(self):

@@ -9,10 +9,13 @@ import FreeCADGui
 import given_meshes
 import gui_helpers
 import helpers
+import numpy as np
 import Part
 from PySide import QtCore, QtGui
 
 import MeshQuality as mq
+from MeshQuality.compat import extension
+from MeshQuality.core import convert
 from MeshQuality.gui import commands, curved_view, quality_data
 from MeshQuality.gui.panels import quality_panel
 from MeshQuality.gui.panels.mesh_panel import MeshPanel
@@ -147,4 +150,92 @@ class Pictures(gui_helpers.GuiTest):
         panel = commands.panel_of(missed)
         FreeCADGui.Control.showDialog(panel)
         self.picture_of_panel(panel, "panel_missed")
+        panel.reject()
+
+    def lever(self):
+        """A solid lever with two bores, all of its edges rounded."""
+        def at(x):
+            return FreeCAD.Vector(x, 0, 0)
+
+        web = Part.Face(Part.makePolygon([FreeCAD.Vector(*p) for p in (
+            (0, -16, 2), (60, -9, 2), (60, 9, 2), (0, 16, 2), (0, -16, 2))])).extrude(FreeCAD.Vector(0, 0, 14))
+        whole = web.makeFillet(1.5, web.Edges)
+        for x, radius, height in ((0, 20, 24), (60, 13, 18)):
+            disc = Part.makeCylinder(radius, height, at(x))
+            whole = whole.fuse(disc.makeFillet(1.5, [edge for edge in disc.Edges if edge.isClosed() and len(edge.Vertexes) == 1]))
+        for x, radius in ((0, 9), (60, 5)):
+            whole = whole.cut(Part.makeCylinder(radius, 40, at(x) + FreeCAD.Vector(0, 0, -5)))
+        source = self.document.addObject("Part::Feature", "Lever")
+        source.Shape = whole
+        self.document.recompute()
+        return source
+
+    def cut_open(self, mesh, colour, of_cut, forward=0.0):
+        """Adds what is behind the plane through the middle of a mesh in one colour, and the section in another, as many mm
+        in front of it.
+        """
+        front = Part.makeBox(200, 100, 100, FreeCAD.Vector(-100, -100, -50))
+        half = mq.boolean(mesh, front, "difference", tolerance=0.02)
+        points = np.asarray(half.vertices) + half.origin
+        on_plane = (abs(points[half.triangles][:, :, 1]) < 1e-3).all(axis=1)
+        for name, chosen, shown in (("Behind", ~on_plane, colour), ("Section", on_plane, of_cut)):
+            obj = self.document.addObject("Mesh::Feature", name)
+            obj.Mesh = convert.mesh_of_surface(extension().surface_from_arrays(
+                points, half.triangles[chosen], np.zeros(0, np.int32), False))
+            obj.Placement.Base.y -= forward
+            obj.ViewObject.ShapeColor = shown
+            obj.ViewObject.Lighting = "Two side"
+
+    def seen_from(self, name, *eye):
+        """A picture seen from a direction, z upward."""
+        eye = FreeCAD.Vector(*eye)
+        right = FreeCAD.Vector(0, 0, 1).cross(eye)
+        self.view.setCameraOrientation(FreeCAD.Rotation(right, eye.cross(right), eye, "ZXY"))
+        self.view.fitAll()
+        gui_helpers.wait(0.3)
+        self.saved(name, DOCS)
+
+    def test_hollow_in_section(self):
+        source = self.lever()
+        mesh = mq.hollow(source, 3.0, tolerance=0.15)
+        self.assertTrue(mesh.report.closed)
+        source.ViewObject.Visibility = False
+        self.cut_open(mesh, (0.72, 0.78, 0.85), (0.95, 0.55, 0.2))
+        self.seen_from("print_hollow", 0.35, -1, 0.6)
+
+    def test_offset_in_section(self):
+        source = self.lever()
+        source.ViewObject.Visibility = False
+        self.cut_open(mq.offset(source, 4.0, tolerance=0.15), (0.72, 0.78, 0.85), (0.55, 0.75, 0.95))
+        self.cut_open(mq.triangulate(source, chord_height=0.02), (0.72, 0.78, 0.85), (0.95, 0.55, 0.2), 0.1)
+        self.seen_from("print_offset", 0.35, -1, 0.6)
+
+    def test_thickness_in_colours(self):
+        """A cover with bosses and a groove that leaves little of its wall."""
+        cover = Part.makeBox(60, 40, 18)
+        cover = cover.makeFillet(6, [edge for edge in cover.Edges if abs(edge.tangentAt(edge.FirstParameter).z) > 0.9])
+        cover = cover.cut(Part.makeBox(54, 34, 15, FreeCAD.Vector(3, 3, 3)))
+        for x, y in ((7, 7), (53, 7), (7, 33), (53, 33)):
+            boss = Part.makeCylinder(5, 18, FreeCAD.Vector(x, y, 0))
+            cover = cover.fuse(boss).cut(Part.makeCylinder(2, 14, FreeCAD.Vector(x, y, 4)))
+        cover = cover.cut(Part.makeCylinder(5.2, 26, FreeCAD.Vector(17, 43.8, 9), FreeCAD.Vector(1, 0, 0))).removeSplitter()
+        source = self.document.addObject("Part::Feature", "Cover")
+        source.Shape = cover
+        self.document.recompute()
+        source.ViewObject.Visibility = False
+        obj = mq.add_quality_mesh(source, max_edge=1.2)
+        panel = quality_panel.open_panel(obj, quality_data.THICKNESS)
+        self.until(lambda: panel.values is not None)
+        panel.edges.setChecked(False)
+        self.seen_from("print_thickness", 0.45, 1, 0.9)
+        self.picture_of_panel(panel, "panel_thickness")
+        panel.reject()
+
+    def test_panel_of_an_inspection(self):
+        source = self.document.addObject("Part::Feature", "Plate")
+        source.Shape = Part.makeBox(30, 20, 3).cut(Part.makeBox(10, 20, 2, FreeCAD.Vector(20, 0, 1)))
+        self.document.recompute()
+        panel = commands.panel_of(mq.add_inspection(source, min_thickness=1.2))
+        FreeCADGui.Control.showDialog(panel)
+        self.picture_of_panel(panel, "panel_inspection")
         panel.reject()

@@ -23,7 +23,8 @@ _FINEST = 4.0 * 2.0**-23  # tolerance of a Boolean, as a fraction of the size, a
 class OffsetMesh(BooleanMesh, metaclass=Public):
     """A BooleanMesh that offset or hollow made: closed, manifold, without self-intersections.
 
-    triangle_face    int32 (T,), of an offset: the face of the shape from which each triangle is offset; else empty
+    triangle_face    int32 (T,), of a shape: the face on which each triangle lies, or from which it is offset, -1 where that
+                     is not known; of a mesh empty
     triangle_source  of a hollowed solid: (0, triangle of its united mesh) of those on its outside that are whole, (1, ...) of
                      those of the hollow, (-1, -1) of those cut at openings; of an offset (-1, -1)
     report           BooleanReport. error_bound, mm, is proven: no point of the result is farther than this from the exact
@@ -53,9 +54,14 @@ def offset(source, distance, tolerance=None, progress=None, threads=0):
     if not values["distance"]:
         raise InvalidInput(f"distance = {distance!r}: give a length in mm other than 0")
     options.require_callable(progress)
-    work = _Work(source, values["distance"], values["tolerance"], values["threads"], progress)
+    return run_offset(Operands([source]), values, progress)
+
+
+def run_offset(operands, values, progress=None):
+    """The OffsetMesh of Operands, of which there is one, that were read, with checked options."""
+    work = _Work(operands, values["distance"], values["tolerance"], values.get("threads", 0), progress)
     return work.run(lambda: OffsetMesh(extension().offset_surface(
-        work.solid, work.operand, work.distance, work.share_of_offset(), work.threads, work.before(last=True),
+        work.solid, work.distance, work.share_of_offset(), work.threads, work.before(last=True),
         work.progress(_UNITED, 1.0))))
 
 
@@ -79,10 +85,31 @@ def hollow(source, thickness, openings=None, tolerance=None, progress=None, thre
     if not values["thickness"]:
         raise InvalidInput(f"thickness = {thickness!r}: give a length in mm")
     options.require_callable(progress)
+    operands = Operands([source])
+    return run_hollow(operands, None if openings is None else _faces_named(operands, source, openings), values, progress)
+
+
+def run_hollow(operands, faces, values, progress=None):
+    """The same of Operands, of which there is one, that were read, with checked options.
+
+    faces  indices of the faces of its shape that are open; None: the hollow is closed
+    """
+    if faces is not None and not operands.is_shape(0):
+        raise InvalidInput("openings are faces of a shape, and a mesh is given: hollow it without openings, and cut "
+                           "them by boolean")
     tolerance = values["tolerance"] or values["thickness"] / _SHARE_OF_WALL
-    work = _Work(source, values["thickness"], tolerance, values["threads"], progress)
-    faces = None if openings is None else work.faces(openings)
+    work = _Work(operands, values["thickness"], tolerance, values.get("threads", 0), progress)
     return work.run(lambda: _hollowed(work, faces))
+
+
+def _faces_named(operands, source, names):
+    """Indices of the faces of the shape that are named."""
+    if isinstance(names, str) or not hasattr(names, "__iter__"):
+        raise InvalidInput(f"openings = {names!r}: give a list of faces such as ['Face1', 'Face4']")
+    found = sorted(division_for(source, {"openings": list(names)}).patch_of) if operands.is_shape(0) else names
+    if not found:
+        raise InvalidInput("openings is an empty list: name the faces, or leave it out for a closed hollow")
+    return found
 
 
 def _hollowed(work, faces):
@@ -90,7 +117,7 @@ def _hollowed(work, faces):
     watched = work.progress(_UNITED, _OFFSET)
     if faces is None:
         operation = "difference"
-        inside = module.offset_surface(work.solid, work.operand, -work.distance, work.share_of_offset(), work.threads,
+        inside = module.offset_surface(work.solid, -work.distance, work.share_of_offset(), work.threads,
                                        work.before(), watched)
     else:
         operation = "intersection"
@@ -100,21 +127,21 @@ def _hollowed(work, faces):
     operands = [(work.solid, False, None)]
     if len(inside.triangles):
         operands.append((inside, False, None))
-    return OffsetMesh(module.boolean(operands, operation, work.boolean_options(_CUTTING), "default", work.before(last=True),
-                                     work.progress(_OFFSET, 1.0)))
+    result = module.boolean(operands, operation, work.boolean_options(_CUTTING), "default", work.before(last=True),
+                            work.progress(_OFFSET, 1.0))
+    module.name_faces(result, [surface for surface, *_ in operands])
+    return OffsetMesh(result)
 
 
 class _Work:
     """What the steps of an offset share.
 
-    solid     core.BooleanSurface: the union of the operand's bodies
-    operand   core.Surface of the operand
+    solid  core.BooleanSurface: the union of the operand's bodies, on the faces of the shape
     """
 
-    def __init__(self, source, distance, tolerance, threads, progress):
-        self._progress, self._source = progress, source
+    def __init__(self, operands, distance, tolerance, threads, progress):
+        self._progress, self._operands = progress, operands
         self.threads, self.distance = threads, distance
-        self._operands = Operands([source])
         size = self._operands.size()
         self.tolerance = tolerance or min(1e-3 * size, 0.1 * abs(distance))
         self._finest = _FINEST * size
@@ -143,13 +170,14 @@ class _Work:
         meshing = extension().BooleanOptions()
         meshing.tolerance = 2.0 * _CHORD * self.tolerance  # shapes are meshed within half of it
         meshed = self._operands.mesh_shapes(meshing, self.progress(0.0, _MESHED))
-        self.operand, rounded, shape = self._operands.surfaces[0]
+        operand, rounded, shape = self._operands.surfaces[0]
         if shape is not None:
-            self._error_bound = self.operand.report.max_chord_height
+            self._error_bound = operand.report.max_chord_height
         self._seconds, self._notes = list(self._operands.seconds), []
         self._cpu_seconds = self._operands.cpu_seconds
-        self.solid = extension().boolean([(self.operand, rounded, None)], "union", self.boolean_options(_UNION), "default",
+        self.solid = extension().boolean([(operand, rounded, None)], "union", self.boolean_options(_UNION), "default",
                                          self.before(), self.progress(_MESHED if meshed else 0.0, _UNITED))
+        extension().name_faces(self.solid, [operand])
         self._seconds, self._notes = [], []
         self.add(self.solid.report)
 
@@ -177,21 +205,6 @@ class _Work:
                                f"tolerance is {self.tolerance:.4g} mm: give a larger tolerance")
         return left
 
-    def faces(self, names):
-        """Indices of the faces of the shape that are named."""
-        if not self._operands.is_shape(0):
-            raise InvalidInput("openings are faces of a shape, and a mesh is given: hollow it without openings, and cut "
-                               "them by boolean")
-        if isinstance(names, str) or not hasattr(names, "__iter__"):
-            raise InvalidInput(f"openings = {names!r}: give a list of faces such as ['Face1', 'Face4']")
-        found = sorted(division_for(self._source, {"openings": list(names)}).patch_of)
-        if not found:
-            raise InvalidInput("openings is an empty list: name the faces, or leave it out for a closed hollow")
-        return found
-
     def triangles_of(self, faces):
         """bool (T,): the triangles of the solid that lie on some faces."""
-        own = np.asarray(self.solid.triangle_source)[:, 1]
-        if (own < 0).any():
-            raise InvalidInput("openings need a shape whose bodies do not cross: unite them first")
-        return np.isin(np.asarray(self.operand.triangle_face)[own], faces)
+        return np.isin(np.asarray(self.solid.triangle_face), faces)

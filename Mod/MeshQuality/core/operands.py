@@ -77,6 +77,13 @@ class Operands:
         counts = [int(surface.triangle_face.max(initial=0)) + 1 for surface, _, _ in self.surfaces]
         return [sum(counts[:i]) for i in range(len(counts))]
 
+    def plain(self, i):
+        """The Part.Shape of an operand, or the arrays of its mesh; raises InvalidInput where it has shapes and meshes."""
+        taken = self._taken[i]
+        if isinstance(taken, _Mixed):
+            raise InvalidInput(phrases.Text(phrases.SHAPES_AND_MESHES, name=convert.label_of(self._sources[i])))
+        return taken.arrays if isinstance(taken, convert.MeshCopy) else taken
+
     @cached_property
     def _found(self):
         """What _read gives for each."""

@@ -8,6 +8,7 @@ from ..core import convert, frames, openfoam_case
 from ..core.surface_mesh import SurfaceMesh
 from ..errors import InvalidInput, IoError
 from .export import flat_maker_of
+from .mesh_object import SourceMesh
 
 _ready = {}  # (key of the object, folder, flow, cell) of a case that write_ahead has written: its levels
 
@@ -55,7 +56,7 @@ def maker_of(obj, flow):
     """
     make = flat_maker_of(obj)
     holder = frames.linked_of(obj)[0]
-    if hasattr(holder, "FaceRuns"):
+    if isinstance(getattr(holder, "Proxy", None), SourceMesh):  # an offset unites the solids
         openfoam_case.require_one_space(flow, len(convert.own_shape_of(holder.Proxy.sources(holder)[0]).Solids))
     return make
 

@@ -17,7 +17,7 @@ from ..core.surface_mesh import SurfaceMesh
 from ..errors import Error, InvalidInput, IoError
 from ..phrases import Text
 from .cured_mesh import has_fem_mesh
-from .mesh_object import ShapeMesh, faces_of_runs
+from .mesh_object import PatchedMesh, faces_of_runs
 from .patches import patches_of_object
 from .properties import options_of
 
@@ -150,7 +150,7 @@ def _require_current(holder, patches):
     """Raises InvalidInput where patches name faces of a source that has changed since it was meshed: other triangles would
     be in them. Warns where an old mesh is written without.
     """
-    if not isinstance(getattr(holder, "Proxy", None), ShapeMesh) or not _is_outdated(holder):
+    if not isinstance(getattr(holder, "Proxy", None), PatchedMesh) or not _is_outdated(holder):
         return
     text = f"{holder.Label} is out of date: its source or an option has changed since the mesh was made"
     if patches:

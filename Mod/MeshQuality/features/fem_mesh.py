@@ -22,7 +22,7 @@ from .gui_hooks import window
 PART = (fem_source_property(), "App::PropertyLinkGlobal", "The source, as FreeCAD's FEM workbench looks it up")
 
 
-class FemMeshObject(mesh_object.PatchedMesh):
+class FemMeshObject(mesh_object.PatchedMesh, mesh_object.ShapeMesh):
     """Proxy of a Fem::FemMeshObjectPython that holds elements of order 1 or 2 on its source's shape."""
 
     TYPE, MESH = "Fem::FemMeshObjectPython", "FemMesh"

@@ -8,7 +8,7 @@ import numpy as np
 
 from .. import offset_options, phrases
 from ..core import convert, verdict
-from ..core.offsets import hollow
+from ..core.offsets import run_hollow
 from ..errors import InvalidInput
 from . import face_matching, offset, transactions
 from .gui_hooks import window
@@ -30,7 +30,7 @@ class HollowObject(offset.SolidMesh):
     SOURCE, NEEDS = "The object whose solid is hollowed", "a shape or a mesh"
     OPTIONS = offset_options.HOLLOW_OBJECT
     MEASURED = (*offset.MEASURED, *_OF_HOLLOW)
-    HIDDEN = (_FACES,)
+    HIDDEN = (*offset.SolidMesh.HIDDEN, _FACES)
 
     @classmethod
     def given_of(cls, source, values, obj):
@@ -40,7 +40,7 @@ class HollowObject(offset.SolidMesh):
     @classmethod
     def compute(cls, given, values, progress):
         """The mesh and what belongs to it."""
-        mesh = hollow(given.operand, **{**values, "openings": given.faces}, progress=progress)
+        mesh = run_hollow(given.operands, given.faces, values, progress)
         return mesh, mesh.to_mesh(), verdict.of_boolean(mesh), given
 
     def take(self, obj, result):
@@ -62,7 +62,7 @@ class _OpenGiven(offset.Given):
     """The shape or the mesh of a source with openings.
 
     names      of their faces, such as "Face3", or "Box.Face3" below a container; None: no openings
-    faces      the same by the faces of the shape
+    faces      the same as indices of the faces of the shape
     described  what the faces are like, with the names, as text
     lost       sentences about openings that an edit may have exchanged
     """
@@ -72,12 +72,12 @@ class _OpenGiven(offset.Given):
         self.names, self.lost, self.faces, self.described = names, [], None, ""
         if not names:
             return
-        if self.shape is None:
+        if not self.operands.is_shape(0):
             raise InvalidInput(phrases.Text(phrases.OPENINGS_OF_MESH, name=convert.label_of(source)))
         own = convert.own_shape_of(source)
         faces = face_matching.described(own)
         self.names, self.lost = _followed(names, before, json.loads(faces))
-        self.faces = list(dict.fromkeys(_face_of(source, name, len(own.Faces)) for name in self.names))
+        self.faces = sorted({int(_face_of(source, name, len(own.Faces))[4:]) - 1 for name in self.names})
         self.described = json.dumps({"names": self.names, "faces": json.loads(faces)})
 
     def digest(self, values):

@@ -49,7 +49,7 @@ ANGLE_PROMISES = (
 # Kept for the object's own use.
 FINGERPRINT = ("Fingerprint", "App::PropertyString", "Digest of the sources and the options of this mesh")
 FACE_RUNS = ("FaceRuns", "App::PropertyIntegerList",
-             "Pairs (index of a CAD face, number of successive triangles on it)")
+             "Pairs (index of a CAD face, number of successive triangles on it); -1: on none")
 
 
 class MeshObject(PlainState):
@@ -309,8 +309,8 @@ class ShapeMesh(OfOneSource):
                     partial(cls.compute, shape, found))
 
 
-class PatchedMesh(ShapeMesh):
-    """The same of a mesh with patches."""
+class PatchedMesh(OfOneSource):
+    """Proxy of an object whose mesh has patches, by the faces of its Source."""
 
     def add_properties(self, obj):
         """As for all, and patches."""
@@ -322,6 +322,10 @@ class PatchedMesh(ShapeMesh):
         for sentence in patches.follow_source(obj, self.sources(obj)[0]):
             FreeCAD.Console.PrintWarning(f"{obj.Label}: {window().translated(sentence)}\n")
 
+    def has_faces(self, obj):
+        """Whether its mesh knows faces of which patches can be made."""
+        return True
+
     def require_patch_names(self, names):
         """Raises InvalidInput where the mesh cannot have patches of these names."""
 
@@ -329,7 +333,7 @@ class PatchedMesh(ShapeMesh):
         """Has the mesh show patches that were given."""
 
 
-class SourceMesh(PatchedMesh):
+class SegmentedMesh(PatchedMesh):
     """The same of a mesh with one segment a CAD face."""
 
     HIDDEN = (FACE_RUNS,)
@@ -343,6 +347,10 @@ class SourceMesh(PatchedMesh):
             convert.add_segments(mesh, segments)
             obj.Mesh = mesh
             obj.purgeTouched()
+
+
+class SourceMesh(SegmentedMesh, ShapeMesh):
+    """Proxy of an object that meshes the shape of its Source, with one segment a CAD face."""
 
 
 def require_source(sources, obj):
@@ -384,7 +392,7 @@ def faces_of_runs(runs, triangles):
     a document that was edited.
     """
     pairs = np.array(runs[:len(runs) // 2 * 2], dtype=np.int64).reshape(-1, 2)
-    sound = len(runs) % 2 == 0 and (pairs >= 0).all() and (pairs[:, 0] <= np.iinfo(np.int32).max).all() \
+    sound = len(runs) % 2 == 0 and (pairs >= (-1, 0)).all() and (pairs[:, 0] <= np.iinfo(np.int32).max).all() \
         and (pairs[:, 1] <= triangles).all() and pairs[:, 1].sum() == triangles
     return np.repeat(pairs[:, 0], pairs[:, 1]) if sound else np.zeros(0, dtype=np.int64)
 

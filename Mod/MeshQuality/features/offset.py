@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The document object "Offset": a mesh that follows a solid of the document at a distance."""
 
-import hashlib
 import json
 from functools import partial
 
 from .. import offset_options, options, phrases
 from ..core import convert, verdict
-from ..core.offsets import offset
+from ..core.offsets import run_offset
+from ..core.operands import Operands
 from ..errors import InvalidInput
 from . import mesh_object, properties, transactions
 from .recompute_work import Work
@@ -28,8 +28,9 @@ PROMISES = (
 )
 
 
-class SolidMesh(mesh_object.OfOneSource):
-    """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh.
+class SolidMesh(mesh_object.SegmentedMesh):
+    """Proxy of a Mesh::FeaturePython that holds a mesh made of a solid: of a shape, or of the space in a closed mesh. Of a
+    shape its triangles are on the CAD faces from which they come, and in their patches.
 
     A subclass has
     given_of(source, values, obj)  class method: what the work is about, a Given
@@ -55,6 +56,11 @@ class SolidMesh(mesh_object.OfOneSource):
         """The Given."""
         return Given(source)
 
+    def has_faces(self, obj):
+        """One that is made of a mesh knows none."""
+        source, = self.sources(obj)
+        return convert.has_faces(source) and not convert.meshes_in(source)
+
     def holds_mesh(self, obj):
         """The mesh may be empty."""
         return obj.Mesh.CountFacets == obj.Triangles
@@ -62,7 +68,7 @@ class SolidMesh(mesh_object.OfOneSource):
     def take(self, obj, result):
         """Shows the mesh and its report."""
         mesh, shown, findings, _ = result
-        report = mesh.report
+        report, obj.FaceRuns = mesh.report, mesh_object.runs_of_faces(mesh.triangle_face)
         properties.show_mesh(obj, shown)
         properties.show_topology(obj, report)
         obj.Volume, obj.ErrorBound, obj.AskedTolerance = report.volume, report.error_bound, report.tolerance_asked
@@ -72,36 +78,17 @@ class SolidMesh(mesh_object.OfOneSource):
 
 
 class Given:
-    """The shape, or the mesh, of a source as it is now, for work on another thread.
+    """What a source has now, for work on another thread.
 
-    shape  Part.Shape where the document has it; None of a mesh
+    operands  Operands, of which the source is the only one
     """
 
     def __init__(self, source):
-        self.shape = self._own_shape = self._mesh = None
-        if convert.is_mesh(source):
-            self._mesh = convert.MeshCopy(source)
-        elif convert.meshes_in(source):
-            if convert.has_faces(source):
-                raise InvalidInput(phrases.Text(phrases.SHAPES_AND_MESHES, name=convert.label_of(source)))
-            self._mesh = convert.MeshCopy(source)
-        else:
-            self.shape, self._own_shape = convert.shape_of(source), convert.own_shape_of(source)
-
-    @property
-    def operand(self):
-        """The same as offset and hollow take it; one thread at a time may ask for it."""
-        return self._mesh.arrays if self.shape is None else self.shape
+        self.operands = Operands([source])
 
     def digest(self, values):
-        """A hash of it and of options; the same after saving and loading, and after a container around it was moved."""
-        digest = hashlib.sha256()
-        for array in self._mesh.own_arrays if self.shape is None else ():
-            digest.update(array.tobytes())
-        if self.shape is not None:
-            digest.update(convert.shape_text(self._own_shape))
-        digest.update(json.dumps(values, sort_keys=True).encode())
-        return digest.hexdigest()
+        """A hash of it and options; the same after saving and loading, and after a container around it was moved."""
+        return self.operands.digest() + json.dumps(values, sort_keys=True)
 
 
 class OffsetObject(SolidMesh):
@@ -114,7 +101,7 @@ class OffsetObject(SolidMesh):
     @classmethod
     def compute(cls, given, values, progress):
         """The mesh and what belongs to it."""
-        mesh = offset(given.operand, **values, progress=progress)
+        mesh = run_offset(given.operands, values, progress)
         return mesh, mesh.to_mesh(), verdict.of_boolean(mesh), given
 
     def told(self, obj):

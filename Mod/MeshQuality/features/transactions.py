@@ -43,7 +43,7 @@ def update(obj, progress=None, **values):
     """Brings a document object of this package up to date, with changed options; one undo step.
 
     obj       of add_quality_mesh, add_curved_mesh, add_fem_mesh, add_cured_mesh, add_boolean, add_improved_mesh,
-              add_offset, add_hollow or add_wrap
+              add_offset, add_hollow, add_wrap or add_inspection
     progress  callable(fraction 0..1, stage); returning False cancels
     values    options to change; the others stay as they are, but a bound on the distance replaces the
               one that was there
@@ -59,7 +59,7 @@ def update(obj, progress=None, **values):
     if not isinstance(proxy, MeshObject):
         raise InvalidInput(f"{convert.label_of(obj)} is no mesh of MeshQuality: give an object of "
                            "add_quality_mesh, add_curved_mesh, add_fem_mesh, add_boolean, add_improved_mesh, add_offset, "
-                           "add_hollow or add_wrap")
+                           "add_hollow, add_wrap or add_inspection")
     table, sources = proxy.OPTIONS, proxy.sources(obj)
     before = options_of(obj, table)
     values = options.check(table, options.merged(before, options.renamed(table, values)))
@@ -88,7 +88,8 @@ def update(obj, progress=None, **values):
 def set_patches(obj, patches, patch_rest=None):
     """Gives a mesh object named groups of the faces of its source; one undo step. The mesh stays as it is.
 
-    obj         of add_quality_mesh, add_curved_mesh or add_fem_mesh, which has them as groups of its triangles
+    obj         of add_quality_mesh, add_curved_mesh, add_offset, add_hollow (triangles of the hollow are in the patch of the
+                face from which they are offset) or add_fem_mesh, which has them as groups of its triangles
     patches     {"inlet": ["Face1", "Face4"], ...}, or {"inlet": {"faces": [...], "colour": "#ff0000"}}; of a
                 container also "Box.Face1"; None: no patches
     patch_rest  name of the patch of all other faces; None: each is one by its own name
@@ -98,9 +99,9 @@ def set_patches(obj, patches, patch_rest=None):
     """
     if isinstance(obj, FreeCAD.DocumentObject):
         obj = frames.linked_of(obj)[0]
-    if not isinstance(getattr(obj, "Proxy", None), PatchedMesh):
-        raise InvalidInput(f"{convert.label_of(obj)} has no patches: give an object of add_quality_mesh, "
-                           "add_curved_mesh or add_fem_mesh")
+    if not isinstance(getattr(obj, "Proxy", None), PatchedMesh) or not obj.Proxy.has_faces(obj):
+        raise InvalidInput(f"{convert.label_of(obj)} has no patches: give an object of add_quality_mesh, add_curved_mesh, "
+                           "add_fem_mesh, add_offset or add_hollow whose source is a shape")
     obj.Proxy.require_patch_names([*(patches if isinstance(patches, dict) else ()), *filter(None, (patch_rest,))])
     with undo_step(obj.Document, f"Patches of {obj.Label}"):
         give_patches(obj, obj.Proxy.sources(obj)[0], patches, patch_rest)

@@ -11,8 +11,8 @@ from ..compat import why_no_extension
 from ..core import convert, frames
 from ..core.curving import holds_elements
 from ..errors import Error
-from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, mesh_object, offset,
-                        quality_mesh, wrap)
+from ..features import (boolean, cured_mesh, curved_mesh, export, fem_mesh, hollow, improved_mesh, inspection, mesh_object,
+                        offset, quality_mesh, wrap)
 from . import quality_data
 from .panel_operation import Operation, name_of
 from .panels import quality_panel
@@ -226,6 +226,14 @@ class Thickness(_OfOneMesh):
         quality_panel.open_panel(self.selected()[0], quality_data.THICKNESS)
 
 
+class Inspect(Offset):
+    KIND = inspection.Inspection
+    NAME = KIND.COMMAND
+    TEXT = "Inspection"
+    TIP = "Measure walls, clearances, draft or closed voids of the selected solids again after each edit, against a limit"
+    KEYS = "Q, K"
+
+
 class Improve(_Command):
     KIND = improved_mesh.ImprovedMesh
     NAME = KIND.COMMAND
@@ -281,7 +289,7 @@ class Patches(_OfOneMesh):
     def selected(self):
         found = list(dict.fromkeys(frames.linked_of(source)[0] for source in _selected()))
         fits = len(found) == 1 and isinstance(getattr(found[0], "Proxy", None), mesh_object.PatchedMesh) \
-            and not found[0].Proxy.lacks_source(found[0])
+            and not found[0].Proxy.lacks_source(found[0]) and found[0].Proxy.has_faces(found[0])
         return found if fits else []
 
 
@@ -335,7 +343,7 @@ def _has_shape(source):
         or obj.TypeId in ("App::Link", "App::LinkElement", "App::LinkGroup") and not convert.is_mesh(source)
 
 
-_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Wrap, Improve, Analyse, Thickness, Update, Patches, Export,
+_COMMANDS = (Triangulate, Quick, Curve, FemMesh, Cure, Boolean, Offset, Hollow, Wrap, Improve, Analyse, Thickness, Inspect, Update, Patches, Export,
              FlowCase, CfdSurface)
 
 

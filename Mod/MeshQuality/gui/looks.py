@@ -15,6 +15,8 @@ def show_in_place_of_sources(obj):
     step in which the object is added bring the sources back and hide them again.
     """
     view = obj.ViewObject
+    if obj.Proxy.size(obj) == 0:
+        return  # nothing would be seen
     # Curved meshes have a display mode of their own, with the edges of the elements.
     if view.DisplayMode == "Shaded" and obj.Mesh.CountFacets <= _MOST:
         view.DisplayMode = _EDGES

@@ -3,7 +3,7 @@
 
 import FreeCAD
 
-from .. import offset_options, options, phrases, wrap_options
+from .. import inspection_options, offset_options, options, phrases, wrap_options
 from . import quantities
 
 
@@ -14,7 +14,8 @@ def translate_phrase(text):
 
 _TITLES = {option.name: option.title for table in (options.TRIANGULATE, options.CURVE, options.CURVED_DISPLAY,
                                                    options.BOOLEAN, options.IMPROVE, offset_options.OFFSET_OBJECT,
-                                                   offset_options.HOLLOW_OBJECT, wrap_options.WRAP_OBJECT) for option in table}
+                                                   offset_options.HOLLOW_OBJECT, inspection_options.INSPECTION_OBJECT,
+                                                   wrap_options.WRAP_OBJECT) for option in table}
 
 
 def _title(name):

@@ -52,6 +52,42 @@ TEST_F(Booleans, AreMeasuredAndKeepTheirOriginInTheOperands) {
     EXPECT_EQ(result.figures.retained + result.figures.reconstructed, result.mesh.triangles.size());
 }
 
+TEST_F(Booleans, PiecesAreOnTheFacesOfTheirTriangles) {
+    for (triangulate::Result* box : {&a, &b}) {
+        for (std::size_t t = 0; t < box->mesh.triangles.size(); ++t) {
+            box->mesh.triangle_face.push_back(static_cast<std::int32_t>(t) + (box == &b ? 12 : 0));
+        }
+    }
+    for (const Operation operation : {Operation::Union, Operation::Difference, Operation::SymmetricDifference}) {
+        BooleanSurface result = run({{&a}, {&b}}, operation);
+        EXPECT_TRUE(result.mesh.triangle_face.empty());
+        name_faces(result, {&a, &b});
+        ASSERT_EQ(result.mesh.triangle_face.size(), result.mesh.triangles.size());
+        ASSERT_GT(result.figures.reconstructed, 0u);
+        for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
+            const auto face = static_cast<std::size_t>(result.mesh.triangle_face[t]);
+            const mesh::TriangleMesh& own = face < 12 ? a.mesh : b.mesh;
+            const auto corner = [&](const mesh::TriangleMesh& m, std::size_t i, std::size_t k) {
+                return m.vertices[static_cast<std::size_t>(m.triangles[i][k])];
+            };
+            const Vec3 p = corner(own, face % 12, 0);
+            const Vec3 normal = (corner(own, face % 12, 1) - p).cross(corner(own, face % 12, 2) - p).normalized();
+            for (std::size_t k = 0; k < 3; ++k) {
+                EXPECT_LE(std::abs(normal.dot(corner(result.mesh, t, k) - p)), result.figures.error_bound);
+            }
+            if (result.triangle_source[t][0] >= 0) {
+                EXPECT_EQ(result.triangle_source[t], result.triangle_origin[t]);
+            }
+        }
+    }
+}
+
+TEST_F(Booleans, WithoutFacesOfOperandsThereAreNone) {
+    BooleanSurface result = run({{&a}, {&b}}, Operation::Union);
+    name_faces(result, {&a, &b});
+    EXPECT_TRUE(result.mesh.triangle_face.empty());
+}
+
 TEST_F(Booleans, WhatWasDoneBeforeComesFirstInTheReport) {
     before = {{{"meshing shapes", 1.5}}, {"operand A is a shape"}, 3.0};
     const BooleanSurface result = run({{&a}, {&b}}, Operation::Intersection);

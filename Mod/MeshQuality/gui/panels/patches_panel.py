@@ -26,7 +26,7 @@ _ROWS = 6  # in sight without scrolling
 class PatchesPanel:
     """A panel for FreeCADGui.Control.showDialog: OK gives the object its patches as one undo step.
 
-    obj  a document object of add_quality_mesh, add_curved_mesh or add_fem_mesh
+    obj  a document object that set_patches takes
     """
 
     def __init__(self, obj):

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Inspection: from the selection over the panel to what was found, its limit, and its panel and texts in German."""
+
+import FreeCAD
+import FreeCADGui
+import gui_helpers
+import Part
+from PySide import QtGui
+
+from MeshQuality.gui import commands, quality_data
+from MeshQuality.gui.panels import quality_panel
+
+
+class Inspect(gui_helpers.PanelTest):
+    def stepped(self, thin=1.0):
+        return Part.makeBox(30, 20, 3).cut(Part.makeBox(10, 20, 3 - thin, FreeCAD.Vector(20, 0, thin)))
+
+    def setUp(self):
+        super().setUp()
+        self.source = self.document.addObject("Part::Feature", "Plate")
+        self.source.Shape = self.stepped()
+        self.document.recompute()
+
+    def test_a_thin_wall_is_told_and_gone_after_the_edit(self):
+        panel = self.panel(commands.Inspect, self.source)
+        self.assertTrue(panel.options.field("min_thickness").isEnabled())
+        self.assertFalse(panel.options.field("min_draft").isEnabled())
+        panel.options.set_values({"min_thickness": 2.0})
+        self.narrow(panel, "panel_inspection")
+        self.finish(panel)
+        self.assertEqual(panel.said, "")
+        obj = self.document.Objects[-1]
+        self.assertTrue(obj.Certificate.startswith("not met: smallest thickness"))
+        self.assertEqual(self.document.UndoNames[0], commands.Inspect.TEXT)
+        panel = self.edit(obj)
+        texts = " ".join(label.text() for label in panel.form.findChildren(QtGui.QLabel))
+        self.assertIn("mallest thickness", texts)
+        self.narrow(panel, "panel_inspection_missed")
+        panel.reject()
+        self.source.Shape = self.stepped(thin=2.5)
+        self.document.recompute()
+        self.until(lambda: obj.Status == "up to date" and obj.Certificate == "met")
+        self.assertAlmostEqual(obj.Minimum.Value, 2.5, delta=0.05)
+
+    def test_its_mesh_is_coloured(self):
+        panel = self.panel(commands.Inspect, self.source)
+        self.finish(panel)
+        obj = self.document.Objects[-1]
+        self.select(obj)
+        self.assertTrue(commands.Thickness().IsActive())
+        commands.Thickness().Activated()
+        view = quality_panel.shown()
+        self.addCleanup(lambda: view.ended or view.reject())
+        self.until(lambda: view.values is not None)
+        self.assertIs(view.measure, quality_data.THICKNESS)
+        self.assertAlmostEqual(float(view.values[view._worst[0]]), obj.Minimum.Value, delta=0.05)
+        self.picture("inspection_thickness")
+
+    def test_another_check(self):
+        panel = self.panel(commands.Inspect, self.source)
+        panel.options.set_values({"check": "draft", "min_draft": 2.0})
+        self.assertTrue(panel.options.field("pull_direction").isEnabled())
+        self.assertFalse(panel.options.field("min_thickness").isEnabled())
+        self.finish(panel)
+        obj = self.document.Objects[-1]
+        self.assertEqual((obj.Check, obj.PullDirection, obj.MinDraft.Value), ("draft", "z", 2.0))
+        self.assertTrue(obj.Certificate.startswith("not met: less draft than 2°"))
+
+    def test_an_assembly_stays_in_sight(self):
+        part = self.document.addObject("App::Part", "Assembly")
+        other = self.box("Other", Length=30, Width=20, Height=2)
+        other.Placement.Base.z = 4.0
+        part.addObjects([self.source, other])
+        self.document.recompute()
+        panel = self.panel(commands.Inspect, part)
+        panel.options.set_values({"check": "clearance", "min_clearance": 1.5})
+        self.finish(panel)
+        obj = self.document.Objects[-1]
+        self.assertAlmostEqual(obj.Minimum.Value, 1.0, places=6)
+        self.assertTrue(obj.Certificate.startswith("not met: smallest gap 1 mm"))
+        self.assertTrue(part.ViewObject.Visibility)
+
+    def test_in_german(self):
+        FreeCADGui.setLocale("German")
+        self.addCleanup(FreeCADGui.setLocale, "English")
+        gui_helpers.wait(0.2)
+        panel = self.panel(commands.Inspect, self.source)
+        texts = [label.text() for label in panel.form.findChildren(QtGui.QLabel)]
+        for text in ("Prüfung", "Kleinste Dicke (0: keine Grenze)", "Öffnungsrichtung"):
+            self.assertIn(text, texts)
+        panel.options.set_values({"min_thickness": 2.0})
+        self.narrow(panel, "panel_inspection_german")
+        self.finish(panel)
+        panel = self.edit(self.document.Objects[-1])
+        shown = " ".join(label.text() for label in panel.form.findChildren(QtGui.QLabel))
+        self.assertIn("leinste Dicke", shown)
+        panel.reject()
