@@ -613,7 +613,7 @@
     </message>
     <message>
         <source>Width of a ball that rolls over the objects from outside: openings narrower than this are closed</source>
-        <translation type="unfinished">Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
+        <translation>Durchmesser einer Kugel, die von außen über die Objekte rollt: engere Öffnungen werden geschlossen</translation>
     </message>
 </context>
 <context>
@@ -2824,7 +2824,7 @@
     </message>
     <message>
         <source>simplifying the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Vereinfachen der Oberfläche</translation>
     </message>
 </context>
 <context>
