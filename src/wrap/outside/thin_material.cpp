@@ -162,14 +162,10 @@ class ThinEdges {
         for_each_thin_edge(node, [&](const Node&) { has = true; });
         return has;
     }
-    /// Whether a node that is not outside is within two steps.
+    /// Whether a node beside it is not outside: the wrap then passes within a side.
     bool is_held(const Node& node) const {
         bool held = false;
-        for_each_neighbour(lattice_, node, [&](const Node& other, int) {
-            held = held || !states_.is_outside(other);
-            for_each_neighbour(lattice_, other,
-                               [&](const Node& next, int) { held = held || !states_.is_outside(next); });
-        });
+        for_each_neighbour(lattice_, node, [&](const Node& other, int) { held = held || !states_.is_outside(other); });
         return held;
     }
     /// The nodes at thin edges of some nodes that are not chosen yet; chooses them.
