@@ -100,7 +100,7 @@ def _hollowed(work, faces):
     operands = [(work.solid, False, None)]
     if len(inside.triangles):
         operands.append((inside, False, None))
-    return OffsetMesh(module.boolean(operands, operation, work.boolean_options(_CUTTING), "default", work.before(last=True),
+    return OffsetMesh(module.boolean(operands, operation, work.boolean_options(_CUTTING), "exact", work.before(last=True),
                                      work.progress(_OFFSET, 1.0)))
 
 
@@ -148,7 +148,7 @@ class _Work:
             self._error_bound = self.operand.report.max_chord_height
         self._seconds, self._notes = list(self._operands.seconds), []
         self._cpu_seconds = self._operands.cpu_seconds
-        self.solid = extension().boolean([(self.operand, rounded, None)], "union", self.boolean_options(_UNION), "default",
+        self.solid = extension().boolean([(self.operand, rounded, None)], "union", self.boolean_options(_UNION), "exact",
                                          self.before(), self.progress(_MESHED if meshed else 0.0, _UNITED))
         self._seconds, self._notes = [], []
         self.add(self.solid.report)

@@ -36,6 +36,8 @@ struct InputTuning {
     MESHQUALITY_TUNED(int, kFillingRounds, 4);
     /// Vertices of a component tried as starts of a ray.
     MESHQUALITY_TUNED(std::size_t, kRayStarts, 8);
+    /// Triangles of an open sheet that vote on which side of it is out, about.
+    MESHQUALITY_TUNED(std::size_t, kVotes, 32);
 };
 
 }  // namespace mq::boolean
