@@ -11,7 +11,7 @@ namespace mq::mesh {
 
 namespace {
 
-/// Triangles are taken together from this many radii on: the terms left out are of the second order in its inverse.
+/// Triangles are taken together from this many radii on: the terms left out are of the third order in its inverse.
 constexpr double kFar = 2.5;
 constexpr double kWhole = 4.0 * M_PI;
 
@@ -60,40 +60,59 @@ WindingNumber::WindingNumber(const std::vector<Vec3>& vertices, const std::vecto
       border_(border_of(triangles)),
       tree_(vertices, triangles),
       border_tree_(vertices, border_) {
-    sum_dipoles();
+    sum_moments();
     sum_currents();
 }
 
-void WindingNumber::sum_dipoles() {
-    dipoles_.resize(tree_.node_count());
-    // At first sums from the middle of the box, which keeps them short; then they are moved to the centres.
+void WindingNumber::Moments::add(const Moments& other) {
+    area += other.area;
+    centre += other.centre;
+    normal += other.normal;
+    first += other.first;
+    for (int i = 0; i < 3; ++i) {
+        second[i] += other.second[i];
+    }
+}
+
+/// Moments from an origin, with the centre as the sum of area times place, become those from the centre.
+void WindingNumber::Moments::move_to_centre(const Vec3& origin) {
+    const Vec3 c = area > 0.0 ? Vec3(centre / area) : Vec3(Vec3::Zero());
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 m = first.col(i);
+        second[i] += normal[i] * c * c.transpose() - c * m.transpose() - m * c.transpose();
+    }
+    first -= c * normal.transpose();
+    centre = origin + c;
+}
+
+void WindingNumber::sum_moments() {
+    moments_.resize(tree_.node_count());
+    // From the middle of the box, which keeps the sums short.
     const Vec3 middle = tree_.box().empty() ? Vec3(Vec3::Zero()) : tree_.box().center();
     tree_.sum_up(
         [&](std::int32_t node, std::int32_t triangle) {
             const Triangle& t = triangles_[triangle];
-            const Vec3 a = vertices_[t[0]] - middle, b = vertices_[t[1]] - middle, c = vertices_[t[2]] - middle;
-            const Vec3 normal = 0.5 * (b - a).cross(c - a);
-            const Vec3 centroid = (a + b + c) / 3.0;
-            Dipole& dipole = dipoles_[node];
-            dipole.area += normal.norm();
-            dipole.centre += normal.norm() * centroid;
-            dipole.normal += normal;
-            dipole.moment += centroid * normal.transpose();
+            const std::array<Vec3, 3> p{vertices_[t[0]] - middle, vertices_[t[1]] - middle, vertices_[t[2]] - middle};
+            const Vec3 sum = p[0] + p[1] + p[2];
+            Eigen::Matrix3d square = sum * sum.transpose();
+            for (const Vec3& q : p) {
+                square += q * q.transpose();
+            }
+            Moments one;
+            one.normal = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]);
+            one.area = one.normal.norm();
+            one.centre = one.area / 3.0 * sum;
+            one.first = sum / 3.0 * one.normal.transpose();
+            for (int i = 0; i < 3; ++i) {
+                one.second[i] = one.normal[i] / 12.0 * square;
+            }
+            moments_[node].add(one);
         },
-        [&](std::int32_t node, std::int32_t child) {
-            Dipole& dipole = dipoles_[node];
-            dipole.area += dipoles_[child].area;
-            dipole.centre += dipoles_[child].centre;
-            dipole.normal += dipoles_[child].normal;
-            dipole.moment += dipoles_[child].moment;
-        });
-    for (std::size_t n = 0; n < dipoles_.size(); ++n) {
-        Dipole& dipole = dipoles_[n];
+        [&](std::int32_t node, std::int32_t child) { moments_[node].add(moments_[child]); });
+    for (std::size_t n = 0; n < moments_.size(); ++n) {
         const Box box = tree_.node_box(static_cast<std::int32_t>(n));
-        const Vec3 centre = dipole.area > 0.0 ? Vec3(dipole.centre / dipole.area) : Vec3(box.center() - middle);
-        dipole.moment -= centre * dipole.normal.transpose();
-        dipole.centre = centre + middle;
-        dipole.radius = (dipole.centre - box.low).cwiseMax(box.high - dipole.centre).norm();
+        moments_[n].move_to_centre(middle);
+        moments_[n].radius = (moments_[n].centre - box.low).cwiseMax(box.high - moments_[n].centre).norm();
     }
 }
 
@@ -118,24 +137,32 @@ void WindingNumber::sum_currents() {
     }
 }
 
-/// The first two terms of the expansion at the centre, which lies at r.
-double WindingNumber::far_winding(const Dipole& dipole, const Vec3& r, double distance) const {
-    const double third = distance * distance * distance;
-    return dipole.normal.dot(r) / third + dipole.moment.trace() / third -
-           3.0 * r.dot(dipole.moment * r) / (third * distance * distance);
+/// The first three terms of the expansion of r / |r|^3 at the centre, which lies at r.
+double WindingNumber::far_winding(const Moments& moments, const Vec3& r, double distance) {
+    const double square = distance * distance;
+    double traces = 0.0, cubes = 0.0;
+    Vec3 mixed = Vec3::Zero();
+    for (int i = 0; i < 3; ++i) {
+        traces += moments.second[i].trace() * r[i];
+        mixed += moments.second[i].col(i);
+        cubes += r[i] * r.dot(moments.second[i] * r);
+    }
+    const double first = moments.first.trace() - 3.0 * r.dot(moments.first * r) / square;
+    const double second = (7.5 * cubes / square - 1.5 * (2.0 * mixed.dot(r) + traces)) / square;
+    return (moments.normal.dot(r) + first + second) / (square * distance);
 }
 
 double WindingNumber::at(const Vec3& p) const {
     double sum = 0.0;
     tree_.for_each_divided(
         [&](std::int32_t node) {
-            const Dipole& dipole = dipoles_[node];
-            const Vec3 r = dipole.centre - p;
+            const Moments& moments = moments_[node];
+            const Vec3 r = moments.centre - p;
             const double distance = r.norm();
-            if (distance <= kFar * dipole.radius) {
+            if (distance <= kFar * moments.radius) {
                 return true;
             }
-            sum += far_winding(dipole, r, distance);
+            sum += far_winding(moments, r, distance);
             return false;
         },
         [&](std::int32_t triangle) {

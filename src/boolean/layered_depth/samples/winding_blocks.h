@@ -15,7 +15,7 @@ namespace mq::boolean {
 /// Inside is where the winding number is at least this.
 constexpr double kInsideWinding = 0.5;
 /// The error of the winding number's expansions, with a margin.
-constexpr double kWindingError = 0.02;
+constexpr double kWindingError = 0.003;
 
 /// An octree over the cells of a grid that tells of each block how much the winding number may change in it between
 /// triangles, and its value where there are none.

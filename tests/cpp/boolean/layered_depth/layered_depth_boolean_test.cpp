@@ -301,7 +301,7 @@ TEST(Uniform, ManyOperandsAreThoseTwoAtATime) {
     std::mt19937 random(4);
     const auto coordinate = [&] { return random() / 4294967295.0 - 0.5; };
     for (unsigned k = 0; k < 5; ++k) {
-        balls.push_back(solids::sphere(Vec3(coordinate(), coordinate(), coordinate()), 0.8, 24, 0.1, k));
+        balls.push_back(solids::sphere(0.6 * Vec3(coordinate(), coordinate(), coordinate()), 0.8, 24, 0.1, k));
     }
     std::vector<const mesh::TriangleMesh*> operands;
     for (const mesh::TriangleMesh& ball : balls) {

@@ -51,7 +51,7 @@ struct Sampled {
                     g[(axis + 2) % 3] = static_cast<double>(ray / static_cast<std::size_t>(grid.rays()));
                     const Vec3 p = grid.to_space(g);
                     const double w = winding.tree().box().contains(p) ? winding.at(p) : 0.0;
-                    wrong += std::abs(w - 0.5) > 0.02 && inside(axis, ray, k) != (w >= 0.5) ? 1 : 0;
+                    wrong += std::abs(w - 0.5) > 0.003 && inside(axis, ray, k) != (w >= 0.5) ? 1 : 0;
                 }
             }
         }
