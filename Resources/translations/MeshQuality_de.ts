@@ -4,10 +4,6 @@
 <context>
     <name>App::Property</name>
     <message>
-        <source>Algorithm: default divides triangles along the exact intersection; uniform is the sampling scheme of Wang 2010, for two operands</source>
-        <translation>Verfahren: entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper werden nach Wang 2010 abgetastet (für zwei Operanden)</translation>
-    </message>
-    <message>
         <source>Enclosed volume</source>
         <translation>Eingeschlossenes Volumen</translation>
     </message>
@@ -547,6 +543,10 @@
         <source>Largest distance between the result and the exact one, in both directions; unless given, a thousandth of the size, at most a tenth of the distance; 0: by size and distance</source>
         <translation>Größter Abstand zwischen dem Ergebnis und dem exakten, in beiden Richtungen; ohne Angabe ein Tausendstel der Größe, höchstens ein Zehntel des Abstands; 0: nach Größe und Abstand</translation>
     </message>
+    <message>
+        <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
+        <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
+    </message>
 </context>
 <context>
     <name>MeshQuality</name>
@@ -649,10 +649,6 @@
     <message>
         <source>Accuracy</source>
         <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Algorithm: default divides triangles along the exact intersection; uniform is the sampling scheme of Wang 2010, for two operands</source>
-        <translation>Verfahren: entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper werden nach Wang 2010 abgetastet (für zwei Operanden)</translation>
     </message>
     <message>
         <source>Boolean</source>
@@ -1359,10 +1355,6 @@
         <translation>größte Formverzerrung {number} (Grenze {number2}), {phrase}.</translation>
     </message>
     <message>
-        <source>method uniform does not rule that out, method default does.</source>
-        <translation>das Verfahren uniform schließt das nicht aus, das Verfahren default schon.</translation>
-    </message>
-    <message>
         <source>no change of the triangles around it makes the angle larger within the limits</source>
         <translation>keine Änderung der umliegenden Dreiecke vergrößert den Winkel innerhalb der Grenzen</translation>
     </message>
@@ -1833,10 +1825,6 @@
     <message>
         <source>max. deviation {length} (requested {length2}).</source>
         <translation>größte Abweichung {length} (verlangt {length2}).</translation>
-    </message>
-    <message>
-        <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method &apos;default&apos;</source>
-        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „default“</translation>
     </message>
     <message>
         <source>the local size of {name} is {length}: single precision holds edges of this shape from {length2} on; choose a larger value</source>
@@ -2657,6 +2645,26 @@
     <message>
         <source>the mesh has {count} open edges: only solids have walls; close it first</source>
         <translation>das Netz hat {count} offene Kanten: nur Körper haben Wände; erst schließen</translation>
+    </message>
+    <message>
+        <source>Algorithm: exact divides triangles along the exact intersection; uniform samples along rays (Wang 2010), also operands that are open; default takes uniform where there is no exact result</source>
+        <translation>Verfahren: Entweder werden Dreiecke längs der genauen Schnittlinie geteilt, oder die Körper, auch offene, werden längs Strahlen abgetastet (Wang 2010); voreingestellt ist das Abtasten nur, wo es kein genaues Ergebnis gibt</translation>
+    </message>
+    <message>
+        <source>exact where possible</source>
+        <translation>genau, wo möglich</translation>
+    </message>
+    <message>
+        <source>method &apos;uniform&apos; would take about {number} GB at the resolution {count}: it can take {number2} GB; choose a resolution of at most {count2}, a tolerance of at least {length}, or method &apos;exact&apos;</source>
+        <translation>Das Verfahren „uniform“ bräuchte bei der Auflösung {count} etwa {number} GB: Es darf {number2} GB nehmen; wählen Sie eine Auflösung von höchstens {count2}, eine Toleranz von mindestens {length} oder das Verfahren „exact“</translation>
+    </message>
+    <message>
+        <source>method uniform does not rule that out, method exact does.</source>
+        <translation>das Verfahren uniform schließt das nicht aus, das Verfahren exact schon.</translation>
+    </message>
+    <message>
+        <source>{number} % of the surface is a guess, where operands are open.</source>
+        <translation>{number} % der Oberfläche sind geschätzt, wo Operanden offen sind.</translation>
     </message>
 </context>
 <context>

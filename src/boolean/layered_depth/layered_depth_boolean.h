@@ -80,6 +80,7 @@ struct CadOperands {
 ///
 /// The result is closed, oriented and 2-manifold in its connections. As in the paper it is not guaranteed to be free of
 /// self-intersections where it was reconstructed, and features thinner than the distance between rays may be lost.
+/// @throws OpenOperand for an open sheet, around which a guess would be most of the surface
 /// @throws InvalidInput for an option out of range, a resolution whose samples would take more than 2 GB, an operand
 ///     whose triangles have no area, or operands with different origins
 /// @throws Cancelled

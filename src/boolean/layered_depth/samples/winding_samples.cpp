@@ -23,6 +23,7 @@ struct RaySamples {
     std::vector<SampleNormal> normal;
     std::vector<std::uint32_t> counts;  // samples of each ray
     std::size_t hits = 0, kept = 0;
+    double kept_area = 0.0, guessed_area = 0.0;
 };
 
 /// Walks along the rays of one axis.
@@ -89,6 +90,8 @@ void RayWalk::put(double depth, std::int32_t triangle, const Vec3& normal) {
     out_->depth.push_back(depth);
     out_->code.push_back(inside_ ? triangle : ~triangle);
     out_->normal.emplace_back(normal.cast<float>());
+    // The rays of three directions meet a unit of area as often as its normal has components in all.
+    (triangle == gap_ ? out_->guessed_area : out_->kept_area) += 1.0 / std::max(1.0, normal.lpNorm<1>());
 }
 
 /// Makes a sample where the number crosses 0.5 between two depths without a triangle between them (the Illinois
@@ -266,6 +269,8 @@ LayeredDepthImage joined(std::vector<RaySamples>& rows, WindingSampleCounts& cou
         counts.kept += row.kept;
         counts.dropped += row.hits - row.kept;
         counts.guessed += row.depth.size() - row.kept;
+        counts.kept_area += row.kept_area;
+        counts.guessed_area += row.guessed_area;
         row = {};
     }
     return image;
@@ -281,6 +286,18 @@ Box box_in_grid(const mesh::WindingNumber& winding, const SampleGrid& grid) {
 }
 
 }  // namespace
+
+void WindingSampleCounts::add(const WindingSampleCounts& other) {
+    kept += other.kept;
+    dropped += other.dropped;
+    guessed += other.guessed;
+    kept_area += other.kept_area;
+    guessed_area += other.guessed_area;
+    nodes.nodes += other.nodes.nodes;
+    nodes.inserted += other.nodes.inserted;
+    nodes.removed += other.nodes.removed;
+    nodes.left += other.nodes.left;
+}
 
 void sample_by_winding(LayeredDepthSet& set, const OperandSet& operands, int operand, const SampleGrid& grid,
                        const mesh::WindingNumber& winding, WindingSampleCounts& counts, const Progress* progress) {

@@ -12,7 +12,11 @@ struct WindingSampleCounts {
     std::size_t kept = 0;     ///< samples on triangles at which the ray changes sides
     std::size_t dropped = 0;  ///< samples on triangles with the same side before and behind them
     std::size_t guessed = 0;  ///< samples where a ray changes sides without a triangle
+    double kept_area = 0.0;   ///< area that the samples on triangles stand for, in squares of the rays' distance
+    double guessed_area = 0.0;
     ConsistencyCounts nodes;
+
+    void add(const WindingSampleCounts& other);
 };
 
 /// Makes the samples of an operand that is no closed surface those of a solid: the points of its box where the

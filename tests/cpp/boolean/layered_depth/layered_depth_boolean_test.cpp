@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "boolean/closed_solids.h"
+#include "boolean/input/operand_repair.h"
 #include "mesh/intersection/winding_number.h"
 #include "mesh/quality/mesh_report.h"
 
@@ -346,6 +347,29 @@ TEST(Uniform, ManyOperandsAreThoseTwoAtATime) {
         EXPECT_GT(all.retained, 0U);
         EXPECT_EQ(all.triangle_source.size(), all.mesh.triangles.size());
     }
+}
+
+/// A sheet bounds nothing, flat or curved; the one of which the rays meet nothing does no harm.
+TEST(Uniform, SheetsAreRefused) {
+    const mesh::TriangleMesh ball = solids::sphere(Vec3(0, 0, 0), 1.0, 24);
+    mesh::TriangleMesh flat = solids::box(Vec3(-0.7, -0.6, 0.03), Vec3(0.8, 0.5, 0.1));
+    flat.triangles.resize(2);
+    const mesh::TriangleMesh cap =
+        solids::only(solids::sphere(Vec3(0, 0, 0), 1.1, 24), [](const Vec3& p) { return p.z() > 1.0; });
+    for (const mesh::TriangleMesh& sheet : {flat, cap}) {
+        try {
+            layered_depth_boolean(ball, sheet, Operation::Union, at_resolution(65), nullptr);
+            ADD_FAILURE();
+        } catch (const OpenOperand& error) {
+            EXPECT_EQ(std::string(error.what()).rfind("operand B bounds no volume: ", 0), 0U) << error.what();
+        }
+    }
+    mesh::TriangleMesh far = flat;
+    for (Vec3& p : far.vertices) {
+        p.x() += 100.0;
+    }
+    const UniformResult r = layered_depth_boolean(ball, far, Operation::Difference, at_resolution(65), nullptr);
+    EXPECT_EQ(r.mesh.triangles, ball.triangles);
 }
 
 TEST(Uniform, RefusesWhatItCannotDo) {
