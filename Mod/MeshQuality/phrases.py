@@ -282,6 +282,7 @@ STAGES = {
     "initial triangulation": "initial triangulation",
     "sampling": "sampling the surface",
     "sampling CAD faces": "sampling the faces of the shapes",
+    "winding numbers": "looking for the inside of open operands",
     "refining angles": "refining angles",
     "refining to the chord height": "refining to the max. deviation",
     "separating crossings": "separating faces that cross",

@@ -2666,6 +2666,10 @@
         <source>{number} % of the surface is a guess, where operands are open.</source>
         <translation>{number} % der Oberfläche sind geschätzt, wo Operanden offen sind.</translation>
     </message>
+    <message>
+        <source>looking for the inside of open operands</source>
+        <translation>das Innere offener Operanden wird gesucht</translation>
+    </message>
 </context>
 <context>
     <name>MeshQualityPreferences</name>

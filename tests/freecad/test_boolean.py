@@ -369,7 +369,7 @@ class DirtyOperands(BooleanTest):
         sheet = Mesh.createPlane(5, 5)
         with self.assertRaisesRegex(mq.InvalidInput, "operand B.*open.*close it"):
             mq.boolean(box(0, 0, 0), sheet, "union")
-        with self.assertRaisesRegex(mq.InvalidInput, "operand A is not closed"):
+        with self.assertRaisesRegex(mq.InvalidInput, "operand A bounds no volume.*close it"):
             mq.boolean(sheet, box(0, 0, 0), "union", method="uniform")
 
     def test_what_is_no_operand(self):

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <deque>
 #include <functional>
 
 #include "base/error.h"
@@ -167,9 +167,7 @@ class LayeredDepthBoolean {
           operands_(prepared.size()) {
         for (std::size_t k = 0; k < prepared.size(); ++k) {
             open_ = open_ || prepared[k].open();
-            // The faces of a mesh that was repaired are no longer those of its triangles.
-            sampled_shapes_.push_back(!cad.shapes.empty() && prepared[k].as_given() ? cad.shapes[k] : CadShape());
-            has_shapes_ = has_shapes_ || sampled_shapes_.back().model != nullptr;
+            add_shape(cad.shapes.empty() ? CadShape() : cad.shapes[k], prepared[k]);
             result_.repaired.push_back(prepared[k].repaired());
             result_.open.push_back(prepared[k].open() ? 1 : 0);
         }
@@ -183,6 +181,7 @@ class LayeredDepthBoolean {
 
   private:
     void stage(const char* name, double from, double to, const std::function<void()>& work);
+    void add_shape(CadShape shape, const UniformOperand& operand);
     void name_faces();
     void sample();
     void count();
@@ -202,7 +201,8 @@ class LayeredDepthBoolean {
     Progress* progress_;
     OperandSet pair_;
     SampleGrid grid_;
-    std::vector<CadShape> sampled_shapes_;  // by operand, without a model where its mesh is sampled
+    std::vector<CadShape> sampled_shapes_;         // by operand, without a model where its mesh is sampled
+    std::deque<std::vector<std::int32_t>> faces_;  // the CAD faces of their triangles
     bool has_shapes_ = false, open_ = false;
     std::vector<LayeredDepthSet> operands_;
     std::vector<std::uint32_t> sample_count_;
@@ -224,6 +224,15 @@ void LayeredDepthBoolean::stage(const char* name, double from, double to, const 
     }
     work();
     clock_.end(name);
+}
+
+void LayeredDepthBoolean::add_shape(CadShape shape, const UniformOperand& operand) {
+    if (shape.model) {
+        faces_.push_back(operand.faces(*shape.faces));
+        shape.faces = &faces_.back();
+    }
+    sampled_shapes_.push_back(shape.model && !shape.faces->empty() ? shape : CadShape());
+    has_shapes_ = has_shapes_ || sampled_shapes_.back().model != nullptr;
 }
 
 void LayeredDepthBoolean::name_faces() {

@@ -13,8 +13,8 @@
 
 namespace mq::boolean {
 
-/// An operand of the uniform scheme, fit for its rays: as it was given where it is closed, oriented and turned outward;
-/// else repaired; where no repair closes it, with the winding number that tells what is inside.
+/// An operand of the uniform scheme, fit for its rays: as it was given where there is nothing to repair; else repaired;
+/// where no repair closes it, with the winding number that tells what is inside.
 class UniformOperand {
   public:
     UniformOperand() = default;
@@ -35,6 +35,9 @@ class UniformOperand {
     std::int32_t source(std::int32_t triangle) const {
         return as_given() ? triangle : source_[static_cast<std::size_t>(triangle)];
     }
+    /// The CAD face of each triangle of mesh(), from those of the triangles given; none where the repair made triangles
+    /// that are on no face, or has not closed the operand.
+    std::vector<std::int32_t> faces(const std::vector<std::int32_t>& given) const;
     /// A sentence on what was repaired; empty: nothing.
     const std::string& repaired() const { return repaired_; }
     double largest_move() const { return largest_move_; }  ///< by closing cracks, mm
@@ -46,6 +49,7 @@ class UniformOperand {
     std::unique_ptr<mesh::TriangleMesh> made_;
     std::unique_ptr<mesh::WindingNumber> winding_;
     std::vector<std::int32_t> source_;
+    std::vector<std::int32_t> origin_;  ///< the triangle given that each is, or is a piece of; -1: none
     std::string repaired_;
     double largest_move_ = 0.0;
 };

@@ -36,7 +36,7 @@ class WindingNumber {
     /// What stands for the triangles of a node: moments of their normals by area, from the centre of their area.
     struct Moments {
         Vec3 centre = Vec3::Zero();  ///< mm
-        double radius = 0.0;         ///< of a ball around the centre that holds them, mm
+        double radius = 0.0;         ///< the radius of a ball around the centre that holds them, mm
         double area = 0.0;           ///< mm2
         Vec3 normal = Vec3::Zero();
         Eigen::Matrix3d first = Eigen::Matrix3d::Zero();  ///< column i: of the place, by component i of the normal
@@ -50,7 +50,7 @@ class WindingNumber {
         Box box;
         double length = 0.0;
         Vec3 along = Vec3::Zero();   ///< sum of edges
-        Vec3 centre = Vec3::Zero();  ///< of their length
+        Vec3 centre = Vec3::Zero();  ///< the centre of their length
     };
     void sum_moments();
     void sum_currents();

@@ -75,7 +75,7 @@ class RayWalk {
     const SampleGrid& grid_;
     const mesh::WindingNumber& winding_;
     const WindingBlocks& blocks_;
-    Box box_;  // of the operand, in grid coordinates and within the grid
+    Box box_;  // the operand's box in grid coordinates and within the grid
 
     Vec3 node_ = Vec3::Zero();  // the ray's coordinates across it
     std::uint32_t first_hit_ = 0, hit_ = 0, end_ = 0;
@@ -139,7 +139,7 @@ void RayWalk::change_sides(double depth) {
         ++out_->kept;
         return;
     }
-    // The only triangle there is the other way round: it is no part of the surface.
+    // The only triangle there is the other way round: it does not bound the solid.
     put(image_.depth[pending_], gap_, -operands_.unit_normal(image_.triangle(pending_)));
 }
 
