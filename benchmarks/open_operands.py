@@ -4,7 +4,8 @@
 
     /usr/bin/python3 benchmarks/open_operands.py [--resolutions 129 257 513] [--only lion gearbox] [--many 4 16]
 
-A box is taken from each mesh whose row of index.csv says that it is open or not manifold. "exact" says whether the exact
+A box is taken from each mesh whose row of index.csv says that it is open or not manifold, and from closed ones that are
+damaged here. "exact" says whether the exact
 method takes it after its repairs; then the method "uniform" is timed at each resolution: stages, samples, the share of the
 surface that is a guess, and whether the result is closed and how many faults it has. With --many, unions of as many spheres
 in one pass beside two at a time: seconds, and the largest distance of vertices that were made from the spheres, in units of the
@@ -21,7 +22,10 @@ import inside_freecad
 import made_meshes
 import numpy as np
 
-HEAD = (f"{'mesh':<26} {'triangles':>9} {'exact':<8} {'rays':>5} {'method':<8} {'seconds':>7} {'winding':>7} {'samples':>9} "
+# Closed meshes that are damaged here: a piece cut off, one triangle in five missing, triangles made smaller by a tenth so that
+# none touch.
+DAMAGED = ("mesh/ifam_chair.stl.gz", "mesh/ifam_knot1.stl.gz")
+HEAD = (f"{'mesh':<34} {'triangles':>9} {'exact':<8} {'rays':>5} {'method':<8} {'seconds':>7} {'winding':>7} {'samples':>9} "
         f"{'guess %':>7} {'kept':>8} {'made':>8} {'faults':>6} {'sound':>5}")
 
 
@@ -33,18 +37,12 @@ def parser():
     return result
 
 
-def dirty_meshes(only):
-    """(name, Mesh.Mesh) of the meshes that are not closed or not manifold."""
+def read_meshes(names):
+    """(name, Mesh.Mesh) of files of the data folder."""
     import Mesh
 
-    folder = inside_freecad.data_folder()
-    with open(folder / "index.csv", encoding="utf-8") as rows:
-        names = [row["file"] for row in csv.DictReader(rows)
-                 if row["kind"] == "mesh" and ("open" in row["flags"] or "non-manifold" in row["flags"])]
     for name in names:
-        path = folder / name
-        if only and not any(word in name for word in only):
-            continue
+        path = inside_freecad.data_folder() / name
         with tempfile.TemporaryDirectory() as scratch:
             if path.suffix == ".gz":
                 unpacked = Path(scratch) / path.stem
@@ -52,23 +50,49 @@ def dirty_meshes(only):
                 path = unpacked
             mesh = Mesh.Mesh(str(path))
         if mesh.CountFacets:
-            yield Path(name).name, mesh
+            yield Path(name).name.split(".")[0], mesh
+
+
+def dirty_meshes(only):
+    """(name, Mesh.Mesh) of the meshes that are not closed or not manifold."""
+    with open(inside_freecad.data_folder() / "index.csv", encoding="utf-8") as rows:
+        names = [row["file"] for row in csv.DictReader(rows)
+                 if row["kind"] == "mesh" and ("open" in row["flags"] or "non-manifold" in row["flags"])]
+    return read_meshes([name for name in names if not only or any(word in name for word in only)])
+
+
+def damaged_meshes(only):
+    """(name, (V, F)) of closed meshes that were damaged beyond repair."""
+    for name, mesh in read_meshes(DAMAGED):
+        points = np.array([(p.x, p.y, p.z) for p in mesh.Topology[0]], np.float32)
+        triangles = np.array(mesh.Topology[1], np.int32)
+        corners = points[triangles]
+        along = corners.mean(axis=1)[:, 0]
+        pieces = {"cut off": triangles[along > np.quantile(along, 0.3)],
+                  "one in five missing": triangles[np.random.default_rng(1).uniform(size=len(triangles)) > 0.2]}
+        small = corners + 0.1 * (corners.mean(axis=1)[:, None] - corners)
+        for damage, (v, f) in {**{key: (points, kept) for key, kept in pieces.items()},
+                               "loose triangles": (small.reshape(-1, 3).astype(np.float32),
+                                                   np.arange(3 * len(triangles), dtype=np.int32).reshape(-1, 3))}.items():
+            if not only or any(word in f"{name}, {damage}" for word in only):
+                yield f"{name}, {damage}", (v, f)
 
 
 def tool_for(mesh):
     """A box over the corner of a mesh's box with the greatest coordinates."""
     import Mesh
 
-    box = mesh.BoundBox
-    side = max(box.XLength, box.YLength, box.ZLength)
-    tool = Mesh.createBox(1.03 * box.XLength + 0.1 * side, 1.07 * box.YLength + 0.1 * side, 0.97 * box.ZLength + 0.1 * side)
-    tool.translate(box.XMax, box.YMax, box.ZMax)
+    points = mesh[0] if isinstance(mesh, tuple) else np.array([(p.x, p.y, p.z) for p in mesh.Topology[0]])
+    sides, high = np.ptp(points, axis=0), points.max(axis=0)
+    tool = Mesh.createBox(*map(float, sides * (1.03, 1.07, 0.97) + 0.1 * sides.max()))
+    tool.translate(*map(float, high))
     return tool
 
 
 def measure_mesh(mq, name, mesh, resolutions):
     """Prints and returns the rows of a mesh."""
     tool, rows = tool_for(mesh), []
+    count = len(mesh[1]) if isinstance(mesh, tuple) else mesh.CountFacets
     try:
         mq.boolean(mesh, tool, "difference", method="exact")
         exact = "yes"
@@ -79,15 +103,15 @@ def measure_mesh(mq, name, mesh, resolutions):
         try:
             report = mq.boolean(mesh, tool, "difference", method="uniform", resolution=resolution).report
         except mq.Error as error:
-            print(f"{name:<26} {mesh.CountFacets:>9} {exact:<8} {resolution:>5} {type(error).__name__}: {error}", flush=True)
+            print(f"{name:<34} {count:>9} {exact:<8} {resolution:>5} {type(error).__name__}: {error}", flush=True)
             continue
-        row = {"mesh": name, "triangles": mesh.CountFacets, "exact": exact, "rays": resolution, "method": report.method,
+        row = {"mesh": name, "triangles": count, "exact": exact, "rays": resolution, "method": report.method,
                "seconds": time.perf_counter() - began, "winding": dict(report.seconds).get("winding numbers", 0.0),
                "samples": report.samples, "guess": 100.0 * report.guessed_share, "kept": report.retained,
                "made": report.reconstructed, "faults": report.faults_left,
                "sound": not report.triangles or report.closed and report.oriented and report.manifold}
         rows.append(row)
-        print(f"{name:<26} {mesh.CountFacets:>9} {exact:<8} {resolution:>5} {row['method']:<8} {row['seconds']:>7.2f} "
+        print(f"{name:<34} {count:>9} {exact:<8} {resolution:>5} {row['method']:<8} {row['seconds']:>7.2f} "
               f"{row['winding']:>7.2f} {row['samples']:>9} {row['guess']:>7.2f} {row['kept']:>8} {row['made']:>8} "
               f"{row['faults']:>6} {'yes' if row['sound'] else 'no':>5}", flush=True)
     return rows
@@ -130,7 +154,7 @@ def work(arguments):
     import MeshQuality as mq
 
     print(HEAD)
-    rows = [row for name, mesh in dirty_meshes(arguments.only)
+    rows = [row for name, mesh in [*dirty_meshes(arguments.only), *damaged_meshes(arguments.only)]
             for row in measure_mesh(mq, name, mesh, arguments.resolutions)]
     print(f"\n{'operands':>9} {'rays':>5} {'one pass':>8} {'by twos':>8} {'largest/r':>9} {'faults':>6}  volumes")
     many = [measure_many(mq, count, resolution) for count in arguments.many for resolution in arguments.resolutions]

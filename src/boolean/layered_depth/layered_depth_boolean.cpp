@@ -141,17 +141,6 @@ std::vector<std::vector<mesh::Triangle>> borders_of(const std::vector<UniformOpe
     return borders;
 }
 
-/// A sheet bounds nothing: as in repair, where what would have to be added is about as large as what there is.
-void require_inside(const WindingSampleCounts& counts, const std::string& name) {
-    const bool met = counts.kept + counts.guessed + counts.dropped > 0;
-    if (met && counts.guessed_area >= InputTuning::kLeastSheetShare * counts.kept_area) {
-        const double whole = std::max(1.0, counts.kept_area + counts.guessed_area);
-        throw OpenOperand(name + " bounds no volume: where its winding number is at least 0.5, " +
-                          in_digits(100.0 * counts.guessed_area / whole, 2) +
-                          " % of the surface would be a guess; close it, give the sheet a thickness, or take it out");
-    }
-}
-
 /// One run of the method; the stages in their order.
 class LayeredDepthBoolean {
   public:
@@ -257,11 +246,8 @@ void LayeredDepthBoolean::sample_cad() {
 void LayeredDepthBoolean::sample_open() {
     for (std::size_t k = 0; k < operands_.size(); ++k) {
         if (prepared_[k].open()) {
-            WindingSampleCounts counts;
-            sample_by_winding(operands_[k], pair_, static_cast<int>(k), grid_, prepared_[k].winding(), counts,
+            sample_by_winding(operands_[k], pair_, static_cast<int>(k), grid_, prepared_[k].winding(), result_.winding,
                               progress_);
-            require_inside(counts, operand_name(k, operands_.size()));
-            result_.winding.add(counts);
         }
     }
 }

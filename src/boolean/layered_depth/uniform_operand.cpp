@@ -5,6 +5,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/message.h"
+#include "boolean/input/tuning.h"
+#include "boolean/layered_depth/samples/rasterise.h"
+#include "boolean/layered_depth/samples/winding_samples.h"
 #include "mesh/edge_table.h"
 
 namespace mq::boolean {
@@ -16,6 +20,25 @@ void require_valid(const mesh::TriangleMesh& mesh, const std::string& name) {
         mesh::require_valid(mesh);
     } catch (const InvalidInput& error) {
         throw InvalidInput(name + ": " + error.what());
+    }
+}
+
+/// Rays along the longest side of an operand whose guess is estimated.
+constexpr int kEstimate = 65;
+
+/// A sheet bounds nothing: as in repair, where what would have to be added is about as large as what there is.
+void require_volume(const mesh::TriangleMesh& mesh, const mesh::WindingNumber& winding, const std::string& name,
+                    const Progress* progress) {
+    const OperandSet alone({&mesh}, {winding.border()});
+    const SampleGrid grid(winding.tree().box(), kEstimate);
+    LayeredDepthSet set = rasterise(alone, 0, grid, progress);
+    WindingSampleCounts counts;
+    sample_by_winding(set, alone, 0, grid, winding, counts, progress);
+    if (counts.guessed_area >= InputTuning::kLeastSheetShare * counts.kept_area) {
+        const double whole = std::max(1.0, counts.kept_area + counts.guessed_area);
+        throw OpenOperand(name + " bounds no volume: where its winding number is at least 0.5, " +
+                          in_digits(100.0 * counts.guessed_area / whole, 2) +
+                          " % of the surface would be a guess; close it, give the sheet a thickness, or take it out");
     }
 }
 
@@ -36,6 +59,7 @@ UniformOperand::UniformOperand(const mesh::TriangleMesh& given, const std::strin
     } catch (const OpenOperand&) {
         take(prepare_open_operand(given, name, progress), name);
         winding_ = std::make_unique<mesh::WindingNumber>(made_->vertices, made_->triangles);
+        require_volume(*made_, *winding_, name, progress);
     }
 }
 

@@ -23,6 +23,7 @@ class UniformOperand {
     /// @param reach the width up to which cracks are closed, mm
     /// @throws InvalidInput naming the operand: as prepare_operand, but for open surfaces. An operand without
     ///     triangles is an empty solid.
+    /// @throws OpenOperand for an open sheet, around which a guess would be most of the surface
     /// @throws Cancelled
     UniformOperand(const mesh::TriangleMesh& given, const std::string& name, double reach, const Progress* progress);
 

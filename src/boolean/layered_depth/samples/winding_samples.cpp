@@ -287,18 +287,6 @@ Box box_in_grid(const mesh::WindingNumber& winding, const SampleGrid& grid) {
 
 }  // namespace
 
-void WindingSampleCounts::add(const WindingSampleCounts& other) {
-    kept += other.kept;
-    dropped += other.dropped;
-    guessed += other.guessed;
-    kept_area += other.kept_area;
-    guessed_area += other.guessed_area;
-    nodes.nodes += other.nodes.nodes;
-    nodes.inserted += other.nodes.inserted;
-    nodes.removed += other.nodes.removed;
-    nodes.left += other.nodes.left;
-}
-
 void sample_by_winding(LayeredDepthSet& set, const OperandSet& operands, int operand, const SampleGrid& grid,
                        const mesh::WindingNumber& winding, WindingSampleCounts& counts, const Progress* progress) {
     const WindingBlocks blocks(grid, winding, winding.tree().box(), progress);

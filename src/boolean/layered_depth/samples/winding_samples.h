@@ -15,8 +15,6 @@ struct WindingSampleCounts {
     double kept_area = 0.0;   ///< area that the samples on triangles stand for, in squares of the rays' distance
     double guessed_area = 0.0;
     ConsistencyCounts nodes;
-
-    void add(const WindingSampleCounts& other);
 };
 
 /// Makes the samples of an operand that is no closed surface those of a solid: the points of its box where the
