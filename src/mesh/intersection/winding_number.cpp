@@ -13,13 +13,24 @@ namespace {
 
 /// Triangles are taken together from this many radii on: the terms left out are of the third order in its inverse.
 constexpr double kFar = 2.5;
+/// For bounds border edges are taken together from this many widths of their box on: what that adds to the bound is
+/// then a quarter of the sum of their parts at most.
+constexpr double kFarBorder = 4.0;
 constexpr double kWhole = 4.0 * M_PI;
+/// From this bound on, in the size of the triangles, that by the border is compared with the one by the area.
+constexpr double kLongBorder = 4.0;
 
 /// The solid angle of the triangle (a, b, c) from the origin (Van Oosterom and Strackee 1983).
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
     const double volume = a.dot(b.cross(c));
     return 2.0 * std::atan2(volume, la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+/// The line integral of dl x r / |r|^3 along an edge from whose ends a point is off by r and s; zero on its line.
+Vec3 along_edge(const Vec3& r, const Vec3& s) {
+    const double lr = r.norm(), ls = s.norm(), below = lr * ls * (lr * ls + r.dot(s));
+    return below > 0.0 ? Vec3((lr + ls) / below * r.cross(s)) : Vec3(Vec3::Zero());
 }
 
 double distance_to(const Box& box, const Vec3& p) {
@@ -186,34 +197,72 @@ Vec3 WindingNumber::gradient(const Vec3& p) const {
             return false;
         },
         [&](std::int32_t edge) {
-            const Vec3 r = p - vertices_[border_[edge][0]], s = p - vertices_[border_[edge][1]];
-            const double lr = r.norm(), ls = s.norm(), below = lr * ls * (lr * ls + r.dot(s));
-            if (below > 0.0) {
-                sum += (lr + ls) / below * r.cross(s);
-            }
+            sum += along_edge(p - vertices_[border_[edge][0]], p - vertices_[border_[edge][1]]);
         });
     return sum / kWhole;
 }
 
 double WindingNumber::steepest(const Vec3& p, double radius) const {
+    const double by_border = steepest_by_border(p, radius);
+    // A single sheet is bounded well by its border; of many loose triangles the border is long, and its pieces
+    // cancel each other.
+    return by_border > kLongBorder / tree_.box().largest_side() ? std::min(by_border, steepest_by_area(p, radius))
+                                                                : by_border;
+}
+
+/// Each piece of area is a dipole, whose gradient is at most 2 / r^3.
+double WindingNumber::steepest_by_area(const Vec3& p, double radius) const {
     double sum = 0.0;
+    tree_.for_each_divided(
+        [&](std::int32_t node) {
+            const Moments& moments = moments_[node];
+            const double distance = (moments.centre - p).norm() - moments.radius - radius;
+            if (distance <= 2.0 * moments.radius) {
+                return true;
+            }
+            sum += 2.0 * moments.area / (distance * distance * distance);
+            return false;
+        },
+        [&](std::int32_t triangle) {
+            const Triangle& t = triangles_[triangle];
+            const Vec3 &a = vertices_[t[0]], &b = vertices_[t[1]], &c = vertices_[t[2]];
+            const double distance = (nearest_on_triangle(p, a, b, c) - p).norm() - radius;
+            sum += distance > 0.0 ? (b - a).cross(c - a).norm() / (distance * distance * distance)
+                                  : std::numeric_limits<double>::infinity();
+        });
+    return sum / kWhole;
+}
+
+/// The lower of two bounds: the sum of what pieces of the border add at most, and the gradient at p with how much it
+/// changes in the ball and by taking far pieces together.
+double WindingNumber::steepest_by_border(const Vec3& p, double radius) const {
+    double sum = 0.0, change = 0.0;
+    Vec3 gradient = Vec3::Zero();
     border_tree_.for_each_divided(
         [&](std::int32_t node) {
             const Current& current = currents_[node];
+            const double wide = (current.box.high - current.box.low).norm();
             const double distance = distance_to(current.box, p) - radius;
-            // A box wider than it is far is divided, as its nearest point says little of the others.
-            if (distance <= (current.box.high - current.box.low).norm()) {
+            if (distance <= kFarBorder * wide) {
                 return true;
             }
+            const Vec3 r = p - current.centre;
+            const double far = r.norm();
             sum += current.length / (distance * distance);
+            change += current.length * (wide + 2.0 * radius) / (distance * distance * distance);
+            gradient += current.along.cross(r) / (far * far * far);
             return false;
         },
         [&](std::int32_t edge) {
             const Vec3 &a = vertices_[border_[edge][0]], &b = vertices_[border_[edge][1]];
-            const double distance = distance_to_segment(p, a, b) - radius;
-            sum += distance > 0.0 ? (b - a).norm() / (distance * distance) : std::numeric_limits<double>::infinity();
+            const double distance = distance_to_segment(p, a, b) - radius, length = (b - a).norm();
+            const double inverse = distance > 0.0 ? 1.0 / distance : std::numeric_limits<double>::infinity();
+            sum += length * inverse * inverse;
+            change += 2.0 * radius * length * inverse * inverse * inverse;
+            gradient += along_edge(p - a, p - b);
         });
-    return sum / kWhole;
+    const double near = gradient.norm() + change;
+    return (near < sum ? near : sum) / kWhole;
 }
 
 }  // namespace mq::mesh

@@ -54,6 +54,8 @@ class WindingNumber {
     };
     void sum_moments();
     void sum_currents();
+    double steepest_by_border(const Vec3& p, double radius) const;
+    double steepest_by_area(const Vec3& p, double radius) const;
     static double far_winding(const Moments& moments, const Vec3& r, double distance);
 
     const std::vector<Vec3>& vertices_;

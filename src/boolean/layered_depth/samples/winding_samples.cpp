@@ -228,11 +228,13 @@ void RayWalk::cross_box() {
             continue;
         }
         const double change = block.change * (end - last_.depth);
-        if (!count_through(end, change)) {
+        bool passed = count_through(end, change);
+        if (!passed && !(last_.known && last_.doubt == 0.0)) {
             look_at(last_.depth);
-            if (!count_through(end, change)) {
-                look_through(end);
-            }
+            passed = count_through(end, change);
+        }
+        if (!passed) {
+            look_through(end);
         }
     }
     if (inside_) {  // outside of its box nothing is inside
